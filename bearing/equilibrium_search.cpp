@@ -1,0 +1,338 @@
+#include "bearing/equilibrium_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "bearing/thrust_start.h"
+
+namespace raceway::bearing {
+namespace {
+
+class Search {
+ public:
+  explicit Search(RingSystem& system) : system_(system) {}
+
+  SolveStatus find(const OperatingPoint& point, const BearingEquilibrium* neighbour,
+                   RingState& state) {
+    if (system_.load_scale() == 0.0) return SolveStatus::no_equilibrium;
+    // The grooves of an angular-contact bearing have a shoulder on one side only.
+    if (system_.geometry().contact_angle > 0.0 && point.axial_load < 0.0)
+      return SolveStatus::no_equilibrium;
+    if (neighbour && neighbour->report.converged() &&
+        neighbour->balls.size() == static_cast<std::size_t>(system_.geometry().ball_count)) {
+      state = state_of(*neighbour);
+      if (system_.newton(state)) return SolveStatus::converged;
+    }
+    if (point.axial_load > 0.0 && start_from_thrust(point.axial_load, state) &&
+        system_.newton(state))
+      return SolveStatus::converged;
+    if (point.axial_load > 0.0 && follow_load(point, state)) return SolveStatus::converged;
+    system_.set_point(point);
+    if (follow_speed(point, state)) return SolveStatus::converged;
+    system_.set_point(point);
+    if (system_.options().race_control == RaceControl::inner) {
+      const RingState last = expanded(state);
+      if (search_contacts(point, state)) return SolveStatus::converged;
+      if (point.axial_load > 0.0 && drop_least_loaded(point.axial_load, last, state))
+        return SolveStatus::converged;
+    }
+    if (system_.exhausted()) return SolveStatus::iteration_limit;
+    return SolveStatus::no_equilibrium;
+  }
+
+ private:
+  /// Every ball where pure thrust would put it.
+  bool start_from_thrust(double axial_load, RingState& state) const {
+    ThrustStart start;
+    if (!thrust_start(constants(), system_.free_groove_centre(),
+                      axial_load / system_.geometry().ball_count, start))
+      return false;
+    state.ring.setZero();
+    state.ring[0] = start.axial_displacement;
+    state.balls.assign(system_.balls_used(), start.ball_centre);
+    return true;
+  }
+
+  /// From pure thrust at full speed, radial load and moment growing in proportion.
+  bool follow_load(const OperatingPoint& target, RingState& state) {
+    if (system_.symmetry() == Symmetry::thrust) return false;
+    if (!start_from_thrust(target.axial_load, state)) return false;
+    return follow(
+        [&](double s) {
+          OperatingPoint p = target;
+          p.radial_load *= s;
+          p.radial_load_z *= s;
+          p.moment_y *= s;
+          p.moment_z *= s;
+          return p;
+        },
+        1e-3, state);
+  }
+
+  /// From standstill under full load, speed squared growing in proportion.
+  bool follow_speed(const OperatingPoint& target, RingState& state) {
+    OperatingPoint rest = target;
+    rest.speed = 0.0;
+    system_.set_point(rest);
+    if (!start_at_rest(rest, state)) return false;
+    return follow(
+        [&](double s) {
+          OperatingPoint p = target;
+          p.speed *= std::sqrt(s);
+          return p;
+        },
+        0.0, state);
+  }
+
+  /// Inner control switches off where a ball loses the inner race, so the balls that have lost it
+  /// are a discrete unknown. With A on a line in cos(ψ - φ), φ the direction of the load, and the
+  /// region of lost contact convex, they form one interval in the order of that cosine (at one of
+  /// its ends where the tilt is locked). Tries every interval, each held fixed while Newton runs
+  /// from the solution of its neighbour.
+  bool search_contacts(const OperatingPoint& point, RingState& state) {
+    if (system_.at_rest()) return false;
+    const auto n = system_.balls_used();
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const double phi = system_.symmetry() != Symmetry::none ? 0.0
+                       : load().segment<2>(1).norm() > 0.0  ? std::atan2(load()[2], load()[1])
+                                                            : std::atan2(load()[3], -load()[4]);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return along(a, phi) > along(b, phi) + 1e-9;
+    });
+    RingState base;
+    system_.contacts.assign(n, InnerContact::kept);
+    bool found = follow_couple(point, base);
+    if (!found) {
+      system_.contacts.clear();
+      return false;
+    }
+    found = contacts_hold(base);
+    state = base;
+    const bool free_tilt = system_.options().tilt == Tilt::free;
+    // Intervals that grow away from each place where they can begin.
+    for (std::size_t first = 0; first < n && !found; ++first) {
+      found = grow_lost(order, first, 1, base, state);
+      if (!found && (free_tilt ? first > 0 : true))
+        found = grow_lost(order, n - 1 - first, -1, base, state);
+      if (!free_tilt) break;
+    }
+    system_.contacts.clear();
+    if (found) system_.assemble_solution(state);
+    return found;
+  }
+
+  /// Lost contacts from order[first] on, one more at a time in the given direction.
+  bool grow_lost(const std::vector<std::size_t>& order, std::size_t first, int direction,
+                 const RingState& base, RingState& state) {
+    const auto n = order.size();
+    system_.contacts.assign(n, InnerContact::kept);
+    RingState chain = base;
+    for (std::size_t lost = 1, place = first; lost < n && place < n;
+         ++lost, place += static_cast<std::size_t>(direction)) {
+      system_.contacts[order[place]] = InnerContact::lost;
+      chain.balls[order[place]] = system_.thrown_ball();
+      RingState from_base = base;
+      for (std::size_t j = 0; j < n; ++j)
+        if (system_.contacts[j] == InnerContact::lost) from_base.balls[j] = system_.thrown_ball();
+      for (const RingState* start : {&chain, &from_base}) {
+        state = *start;
+        if (!system_.newton(state)) continue;
+        if (contacts_hold(state)) return true;
+        chain = state;
+        break;
+      }
+      if (system_.options().tilt == Tilt::locked && start_from_shares(state) &&
+          system_.newton(state) && contacts_hold(state))
+        return true;
+    }
+    return false;
+  }
+
+  /// The ring where each kept ball would carry the same share of the load.
+  bool start_from_shares(RingState& state) const {
+    const double phi = std::atan2(load()[2], load()[1]);
+    double carrying = 0.0, arms = 0.0;
+    for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
+      if (system_.contacts[j] == InnerContact::lost) continue;
+      carrying += system_.weight(j);
+      arms += system_.weight(j) * along(j, phi);
+    }
+    const Plane share{load()[0] / carrying, std::hypot(load()[1], load()[2]) / arms};
+    Plane groove, ball;
+    if (!std::isfinite(share.radial) || !ball_under_force(constants(), share, groove, ball))
+      return false;
+    const double shift = (groove.radial - system_.free_groove_centre().radial) * carrying / arms;
+    state.ring.setZero();
+    state.ring[0] = groove.axial - system_.free_groove_centre().axial;
+    state.ring[1] = shift * std::cos(phi);
+    state.ring[2] = shift * std::sin(phi);
+    state.balls.assign(system_.contacts.size(), ball);
+    for (std::size_t j = 0; j < system_.contacts.size(); ++j)
+      if (system_.contacts[j] == InnerContact::lost) state.balls[j] = system_.thrown_ball();
+    return true;
+  }
+
+  /// From the same load without gyroscopic couple, the couple growing to its full size.
+  bool follow_couple(const OperatingPoint& target, RingState& state) {
+    system_.couple = 0.0;
+    system_.set_point(target);
+    bool ok = start_from_thrust(target.axial_load, state) && system_.newton(state);
+    if (ok) {
+      ok = follow(
+          [&](double s) {
+            system_.couple = s;
+            return target;
+          },
+          1.0, state);
+    }
+    system_.couple = 1.0;
+    system_.set_point(target);
+    return ok;
+  }
+
+  /// Natural contacts, from states in which the balls that carried least where the path in speed
+  /// ended have lost the race, and the others share the thrust.
+  bool drop_least_loaded(double axial_load, const RingState& last, RingState& state) {
+    if (system_.at_rest()) return false;
+    const auto n = system_.balls_used();
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Plane a = system_.groove_centre(last.ring, k), x = last.balls[k];
+      order.emplace_back(std::hypot(a.axial - x.axial, a.radial - x.radial), k);
+    }
+    std::sort(order.begin(), order.end());
+    double carrying = system_.geometry().ball_count;
+    for (std::size_t lost = 1; lost < n; ++lost) {
+      carrying -= system_.weight(order[lost - 1].second);
+      ThrustStart start;
+      if (!thrust_start(constants(), system_.free_groove_centre(), axial_load / carrying, start))
+        continue;
+      for (const bool keep_ring : {true, false}) {
+        state = last;
+        if (!keep_ring) state.ring.setZero();
+        state.ring[0] = start.axial_displacement;
+        for (std::size_t j = 0; j < n; ++j)
+          state.balls[order[j].second] = j < lost ? system_.thrown_ball() : start.ball_centre;
+        if (system_.newton(state)) return true;
+      }
+    }
+    return false;
+  }
+
+  double along(std::size_t ball, double phi) const {
+    return system_.bearing().cos_azimuth()[ball] * std::cos(phi) +
+           system_.bearing().sin_azimuth()[ball] * std::sin(phi);
+  }
+
+  /// No kept contact pulls, no lost ball reaches into the race.
+  bool contacts_hold(const RingState& state) const {
+    for (std::size_t k = 0; k < state.balls.size(); ++k) {
+      const Plane a = system_.groove_centre(state.ring, k), x = state.balls[k];
+      const double approach =
+          std::hypot(a.axial - x.axial, a.radial - x.radial) - constants().inner_radius;
+      if ((approach > 0.0) != (system_.contacts[k] == InnerContact::kept)) return false;
+    }
+    return true;
+  }
+
+  bool start_at_rest(const OperatingPoint& rest, RingState& state) {
+    if (rest.axial_load > 0.0 && start_from_thrust(rest.axial_load, state) && system_.newton(state))
+      return true;
+    // Shift the ring along the load until the balls would carry about that much.
+    const double approach = std::pow(
+        5.0 * load_per_ball() / std::min(constants().inner_stiffness, constants().outer_stiffness),
+        2.0 / 3.0);
+    const double shift = 0.5 * system_.geometry().radial_clearance + 2.0 * approach;
+    state.balls.assign(system_.balls_used(), {0.0, constants().outer_radius});
+    state.ring.setZero();
+    const double radial = std::hypot(load()[1], load()[2]);
+    if (radial > 0.0) {
+      state.ring[1] = shift * load()[1] / radial;
+      state.ring[2] = shift * load()[2] / radial;
+    }
+    if (load()[0] != 0.0) state.ring[0] = std::copysign(shift, load()[0]);
+    if (system_.newton(state)) return true;
+    if (rest.axial_load <= 0.0 || system_.symmetry() == Symmetry::thrust) return false;
+    if (!start_from_thrust(rest.axial_load, state)) return false;
+    return follow(
+        [&](double s) {
+          OperatingPoint p = rest;
+          p.radial_load *= s;
+          p.radial_load_z *= s;
+          p.moment_y *= s;
+          p.moment_z *= s;
+          return p;
+        },
+        1e-3, state);
+  }
+
+  /// Follows the solution along path(s) to s = 1 with steps as long as Newton allows.
+  template <typename Path>
+  bool follow(const Path& path, double first, RingState& state) {
+    constexpr double shortest = 1e-5;
+    double s = 0.0, step = first > 0.0 ? first : 0.1;
+    while (s < 1.0) {
+      const double next = std::min(1.0, s + step);
+      system_.set_point(path(next));
+      RingState trial = expanded(state);
+      const int before = system_.iterations();
+      if (system_.newton(trial)) {
+        state = std::move(trial);
+        s = next;
+        step *= system_.iterations() - before <= 6 ? 2.5 : 1.3;
+      } else {
+        step *= 0.3;
+        if (step < shortest || system_.exhausted()) return false;
+      }
+    }
+    return true;
+  }
+
+  /// The same state for as many balls as the present symmetry asks for.
+  RingState expanded(const RingState& from) const {
+    RingState to = from;
+    const auto n = system_.balls_used();
+    if (to.balls.size() == 1) to.balls.assign(n, from.balls[0]);
+    to.balls.resize(n);
+    if (system_.at_rest()) return to;
+    // A ball that lay loose at rest is thrown against the outer race.
+    for (Plane& x : to.balls)
+      if (std::hypot(x.axial, x.radial) <= constants().outer_radius) x = system_.thrown_ball();
+    return to;
+  }
+
+  RingState state_of(const BearingEquilibrium& e) const {
+    RingState state;
+    state.ring = e.displacement;
+    state.ring.tail<2>() *= system_.lever();
+    if (system_.options().tilt == Tilt::locked) state.ring.tail<2>().setZero();
+    if (system_.symmetry() != Symmetry::none) state.ring[2] = state.ring[3] = 0.0;
+    if (system_.symmetry() == Symmetry::thrust) state.ring[1] = state.ring[4] = 0.0;
+    for (std::size_t k = 0; k < system_.balls_used(); ++k) {
+      const BallEquilibrium& b = e.balls[k];
+      const double length = constants().outer_radius +
+                            std::pow(b.outer_load / constants().outer_stiffness, 2.0 / 3.0);
+      const double angle = std::isnan(b.outer_contact_angle) ? 0.0 : b.outer_contact_angle;
+      state.balls.push_back({length * std::sin(angle), length * std::cos(angle)});
+    }
+    return state;
+  }
+
+  const BallConstants& constants() const { return system_.constants(); }
+  const Vector5& load() const { return system_.load(); }
+  double load_per_ball() const { return system_.load_scale() / system_.geometry().ball_count; }
+
+  RingSystem& system_;
+};
+
+}  // namespace
+
+SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
+                             const BearingEquilibrium* neighbour, RingState& state) {
+  return Search(system).find(point, neighbour, state);
+}
+
+}  // namespace raceway::bearing

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "bearing/units.h"
+
+namespace raceway::bearing {
+
+/// Internal geometry of a ball bearing with two grooves of circular section.
+struct BearingGeometry {
+  int ball_count = 0;               ///< Z [1]
+  double ball_diameter = unset;     ///< D [m]
+  double pitch_diameter = unset;    ///< d_m [m]
+  double contact_angle = unset;     ///< nominal (free) contact angle α0 [rad], 0 for deep groove
+  double inner_conformity = unset;  ///< f_i = groove radius / D [1], > 0.5
+  double outer_conformity = unset;  ///< f_o [1], > 0.5
+  double radial_clearance = 0.0;  ///< diametral play of a deep-groove bearing [m], only at α0 = 0
+  double bore = unset;            ///< d [m], default d_m - 1.5 D
+  double outer_diameter = unset;  ///< outer diameter of the outer ring [m], default d_m + 1.5 D
+  double static_load_rating = unset;  ///< C0 [N]; friction laws that use it demand it
+
+  /// Distance of the two groove centres without load, B D = (f_i + f_o - 1) D [m].
+  [[nodiscard]] double groove_centre_distance() const;
+  /// Radius of the circle of inner groove centres, R_i = d_m/2 + (f_i - 0.5) D cos α0 [m].
+  /// Lever of tilt and moment. (ISO/TS 16281 writes it so; some programs take d_m/2.)
+  [[nodiscard]] double inner_groove_centre_radius() const;
+  /// γ' = D / d_m [1].
+  [[nodiscard]] double diameter_ratio() const;
+};
+
+/// Fills in what has a default and throws std::invalid_argument for the first value that is missing
+/// or impossible: name, value with unit, allowed range.
+[[nodiscard]] BearingGeometry validated(BearingGeometry geometry);
+
+}  // namespace raceway::bearing

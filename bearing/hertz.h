@@ -1,0 +1,55 @@
+#pragma once
+
+#include "bearing/geometry.h"
+#include "bearing/material.h"
+
+namespace raceway::bearing {
+
+enum class Race { inner, outer };
+
+/// Curvatures of a contact of ball and groove, from the four principal curvatures.
+struct Curvature {
+  double sum = unset;         ///< Σρ [1/m]
+  double difference = unset;  ///< F(ρ) [1], in [0, 1)
+};
+
+/// Curvature of ball on groove at a contact angle [1/m, 1]:
+///
+///   Σρ D = 4 - 1/f ± 2γ/(1 ∓ γ),   F(ρ) Σρ D = 1/f ± 2γ/(1 ∓ γ),   γ = D cos α / d_m
+///
+/// upper signs at the inner race. Source: [Harris2006, vol. 1, eqs. 2.26-2.33].
+/// Domain: f > 0.5, γ < 1.
+[[nodiscard]] Curvature groove_curvature(const BearingGeometry& geometry, Race race,
+                                         double contact_angle);
+
+/// A Hertz point contact: everything but the load.
+///
+///   Q = K δ^1.5,  a = a* s,  b = b* s,  δ = δ* s² Σρ/2,  s = (3 Q η / (2 Σρ))^(1/3)
+///   a* = (2 κ² E / π)^(1/3),  b* = (2 E / (π κ))^(1/3),  δ* = (2 F/π) (π / (2 κ² E))^(1/3)
+///   F(ρ) = ((κ² + 1) E - 2 F) / ((κ² - 1) E),  η = (1-ν1²)/E1 + (1-ν2²)/E2
+///
+/// κ = a/b >= 1; F and E are the complete elliptic integrals of modulus k = sqrt(1 - 1/κ²)
+/// (Boost takes the modulus k itself, not k²). Source: [Harris2006, vol. 1, eqs. 6.25-6.43].
+/// Domain:   0 <= F(ρ) < 1; F(ρ) = 0 is the circular contact.
+/// Accuracy: κ to 1e-14 relative; physically a dry, frictionless, elastic half space: the approach
+///           of close-fitting grooves (f < 0.51) is a few per cent off.
+struct HertzContact {
+  double curvature_sum = unset;      ///< Σρ [1/m]
+  double ellipse_ratio = unset;      ///< κ = a/b [1]
+  double first_integral = unset;     ///< F(k), complete elliptic integral of the first kind [1]
+  double second_integral = unset;    ///< E(k), of the second kind [1]
+  double contact_modulus = unset;    ///< 1/η [Pa]
+  double contact_stiffness = unset;  ///< K [N/m^1.5]
+
+  [[nodiscard]] double approach(double load) const;         ///< δ [m]
+  [[nodiscard]] double load(double approach) const;         ///< Q [N], 0 where approach <= 0
+  [[nodiscard]] double semi_major_axis(double load) const;  ///< a, across the rolling direction [m]
+  [[nodiscard]] double semi_minor_axis(double load) const;  ///< b, along the rolling direction [m]
+  [[nodiscard]] double peak_pressure(double load) const;    ///< 3 Q / (2 π a b) [Pa]
+};
+
+/// Throws std::invalid_argument outside the domain.
+[[nodiscard]] HertzContact hertz_contact(const Curvature& curvature, const Material& first,
+                                         const Material& second);
+
+}  // namespace raceway::bearing

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cmath>
+
+namespace raceway::bearing {
+
+/// Which race holds the ball against spinning: at that race the ball rolls without spin.
+enum class RaceControl { outer, inner };
+
+/// Speeds of a ball from its contact angles, the inner ring turning at ω. All laws here are
+/// rational in the sines and cosines, so a solver that has them as ratios of lengths needs no
+/// trigonometry.
+///
+/// Orbital (cage) speed, ratio m = ω_m/ω [1]:
+///
+///   outer control   m = (1 - g cos αi) / (1 + cos(αi - αo))
+///   inner control   m = (cos(αi - αo) - g cos αo) / (1 + cos(αi - αo)),        g = D/d_m
+///
+/// Source: [Harris2006, vol. 2, ch. 5; Jones1960]. For αi = αo = α both give (1 - g cos α)/2.
+template <typename T>
+T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
+                   const T& cos_difference, double g) {
+  if (control == RaceControl::outer) return (1.0 - g * cos_inner) / (1.0 + cos_difference);
+  return (cos_difference - g * cos_outer) / (1.0 + cos_difference);
+}
+
+/// Speeds of one ball [rad/s] and the attitude of its axis [rad].
+struct BallSpeeds {
+  double cage_speed;        ///< orbital speed ω_m about the bearing axis
+  double ball_speed;        ///< ω_R about the ball's own axis, seen from the cage
+  double pitch_angle;       ///< β between the ball's axis and the bearing axis
+  double inner_spin_speed;  ///< relative rotation about the normal of the inner contact; 0 under
+                            ///< inner control
+  double outer_spin_speed;  ///< the same at the outer contact; 0 under outer control
+};
+
+/// Speeds of a ball:
+///
+///   tan β = sin αo/(cos αo + g) (outer),  sin αi/(cos αi - g) (inner)
+///   ω_R from rolling without slip at both contacts, which reduces to
+///     outer   ω_R cos β = ω_m (cos αo + g)/g,         ω_R sin β = ω_m sin αo/g
+///     inner   ω_R cos β = (ω - ω_m)(cos αi - g)/g,    ω_R sin β = (ω - ω_m) sin αi/g
+///   ω_si = ω_R sin(αi - β) + (ω - ω_m) sin αi,   ω_so = -ω_R sin(αo - β) + ω_m sin αo (magnitudes)
+///
+/// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow by inserting tan β and agree with
+/// the general formula to rounding (tested).
+[[nodiscard]] inline BallSpeeds ball_speeds(RaceControl control, double inner_contact_angle,
+                                            double outer_contact_angle, double diameter_ratio,
+                                            double speed) {
+  const double g = diameter_ratio;
+  const double si = std::sin(inner_contact_angle), ci = std::cos(inner_contact_angle);
+  const double so = std::sin(outer_contact_angle), co = std::cos(outer_contact_angle);
+  const double cage = speed * cage_speed_ratio(control, ci, co, ci * co + si * so, g);
+  const bool outer = control == RaceControl::outer;
+  // Components of the ball's rotation along and across the bearing axis.
+  const double along = outer ? cage * (co + g) / g : (speed - cage) * (ci - g) / g;
+  const double across = outer ? cage * so / g : (speed - cage) * si / g;
+  const double inner_spin = si * along - ci * across + (speed - cage) * si;
+  const double outer_spin = -(so * along - co * across) + cage * so;
+  return {.cage_speed = cage,
+          .ball_speed = std::hypot(along, across),
+          .pitch_angle = std::atan2(across, along),
+          .inner_spin_speed = std::abs(inner_spin),
+          .outer_spin_speed = std::abs(outer_spin)};
+}
+
+}  // namespace raceway::bearing

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "bearing/units.h"
+
+namespace raceway::bearing {
+
+/// Elastic and inertial properties of a ball or of the rings.
+struct Material {
+  std::string name;
+  double elastic_modulus = unset;    ///< [Pa], > 0
+  double poisson_ratio = unset;      ///< [1], in [0, 0.5)
+  double density = unset;            ///< [kg/m³], > 0
+  double thermal_expansion = unset;  ///< [1/K], >= 0; used only where temperatures shift a set
+};
+
+/// Bearing steel (100Cr6).
+[[nodiscard]] Material steel();
+/// Silicon nitride Si3N4, hot pressed.
+[[nodiscard]] Material silicon_nitride();
+
+/// Throws std::invalid_argument naming the first value that is missing or out of range.
+void validate(const Material& material);
+
+}  // namespace raceway::bearing

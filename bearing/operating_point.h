@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bearing/units.h"
+
+namespace raceway::bearing {
+
+/// What is applied to the inner ring of one bearing. x along the shaft, y and z radial,
+/// right-handed; the inner ring turns, the outer ring stands.
+struct OperatingPoint {
+  double speed = 0.0;  ///< shaft to housing [rad/s], >= 0 (the sense of rotation is immaterial)
+  double axial_load = 0.0;     ///< F_x [N]
+  double radial_load = 0.0;    ///< F_y [N]
+  double radial_load_z = 0.0;  ///< F_z [N]
+  double moment_y = 0.0;  ///< right-handed about y, at the plane of the inner groove centres [N m]
+  double moment_z = 0.0;  ///< right-handed about z [N m]
+  double temperature = celsius_zero + 40.0;  ///< of the lubricant [K]
+};
+
+/// Throws std::invalid_argument for values that are not finite or a speed below zero.
+void validate(const OperatingPoint& point);
+
+}  // namespace raceway::bearing

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+namespace raceway::bearing {
+
+/// Throws std::invalid_argument unless lower <= value <= upper (NaN counts as missing).
+/// The message gives name, value and range in the unit shown, e.g.
+/// `ball_diameter = -12 mm: must be from 0.5 to 200 mm`.
+void require_between(std::string_view name, double value, double lower, double upper, double unit,
+                     std::string_view unit_name);
+
+}  // namespace raceway::bearing
