@@ -1,0 +1,43 @@
+#include "friction/friction_law.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace raceway::friction {
+namespace {
+
+constexpr std::array palmgren_parameters{PalmgrenViscous::parameters[0],
+                                         PalmgrenLoad::parameters[0], PalmgrenLoad::parameters[1]};
+constexpr std::array skf_parameters{SkfSliding::parameters[0], SkfSliding::parameters[1],
+                                    SkfRolling::parameters[0]};
+
+}  // namespace
+
+std::string_view name(FrictionLaw law) { return law == FrictionLaw::palmgren ? "palmgren" : "skf"; }
+
+std::optional<FrictionLaw> find_friction_law(std::string_view text) {
+  for (const FrictionLaw law : {FrictionLaw::palmgren, FrictionLaw::skf})
+    if (text == name(law)) return law;
+  return std::nullopt;
+}
+
+std::span<const Parameter> parameters(FrictionLaw law) {
+  if (law == FrictionLaw::palmgren) return palmgren_parameters;
+  return skf_parameters;
+}
+
+void require_data(FrictionLaw law, const bearing::Bearing& bearing) {
+  const bearing::BearingGeometry& g = bearing.geometry();
+  if (law == FrictionLaw::palmgren) {
+    if (std::isnan(g.static_load_rating))
+      throw std::invalid_argument(
+          "static_load_rating is missing: the palmgren law needs it, above 0 N");
+  } else if (g.contact_angle <= 0.0) {
+    throw std::invalid_argument(
+        "contact_angle = 0 deg: must be above 0 deg for the skf law, whose constants are those of "
+        "angular contact ball bearings");
+  }
+}
+
+}  // namespace raceway::friction

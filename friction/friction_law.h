@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "friction/palmgren.h"
+#include "friction/skf.h"
+#include "friction/state.h"
+
+namespace raceway::friction {
+
+/// The base law of a model: `palmgren` or `skf`.
+enum class FrictionLaw { palmgren, skf };
+
+[[nodiscard]] std::string_view name(FrictionLaw law);
+/// The law of that name, as files write it.
+[[nodiscard]] std::optional<FrictionLaw> find_friction_law(std::string_view name);
+
+/// Parameters of the law, in the order in which base_moments() takes their values.
+///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs
+[[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
+
+/// Throws std::invalid_argument if the law needs data that the bearing does not have: C0 for
+/// Palmgren, an angular contact for SKF. Called once per model; the laws do not check.
+void require_data(FrictionLaw law, const bearing::Bearing& bearing);
+
+/// Friction moments of the base law [N m]. For SKF `load` is the sliding, `viscous` the rolling
+/// moment.
+template <typename T>
+struct BaseMoments {
+  T load;
+  T viscous;
+};
+
+template <typename T>
+BaseMoments<T> base_moments(FrictionLaw law, const BearingState<T>& state,
+                            std::span<const T> values) {
+  if (law == FrictionLaw::palmgren)
+    return {PalmgrenLoad::moment(state, values[1], values[2]),
+            PalmgrenViscous::moment(state, values[0])};
+  return {SkfSliding::moment(state, values[0], values[1]), SkfRolling::moment(state, values[2])};
+}
+
+}  // namespace raceway::friction

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "friction/spin.h"
+#include "friction/state.h"
+
+namespace raceway::friction {
+
+/// Power that friction takes from the shaft and turns into heat, P = M ω [W].
+///
+/// M is the friction moment of the whole bearing; the number of balls has no place here.
+/// Source: [CaseStudy, eq. 19], where the factor Z is a misprint.
+template <typename T>
+T power_loss(const T& friction_moment, const T& speed) {
+  return friction_moment * speed;
+}
+
+/// Friction moments of one bearing by where their heat arises [N m].
+struct HeatSources {
+  double load = 0.0;              ///< of the base law
+  double viscous = 0.0;           ///< of the base law, and every moment whose place is not known
+  double spin_coefficient = 0.0;  ///< friction coefficient of `spin-friction` [1], 0 without it
+};
+
+/// Heat by ring [W]. Their sum is the power loss, to rounding.
+struct HeatSplit {
+  double inner = unset;
+  double outer = unset;
+};
+
+/// Splits the friction power of a bearing between its rings.
+///
+///   spin      μ Σ (3/8) Q a E(k) ω_s   at the contact that spins
+///   load      in proportion to         Σ Q v
+///   viscous   in proportion to         Σ v
+///   v_i = (ω - ω_m) (d_m - D cos αi)/2,   v_o = ω_m (d_m + D cos αo)/2
+///
+/// sums over the balls that touch the race; v is the rolling speed at the contact. The heat of an
+/// inner contact is counted to the inner ring, also what flows into the ball. The spin part is
+/// exact; the other two are an assumption of how a moment known for the whole bearing is shared:
+/// rolling resistance as contact load times path, film shear as path alone (equal films at both
+/// races). At low speed, where Q and v agree at both contacts, that is half and half.
+///
+/// Domain:   converged equilibrium in the state, else NaN; zero at standstill.
+[[nodiscard]] inline HeatSplit split_heat(const BearingState<double>& s,
+                                          const HeatSources& sources) {
+  if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) return {};
+  const bearing::BearingGeometry& g = s.bearing->geometry();
+  ContactPair by_load, by_path;
+  for (std::size_t k = 0; k < s.equilibrium->balls.size(); ++k) {
+    const bearing::BallEquilibrium& ball = s.equilibrium->balls[k];
+    if (!(ball.outer_load > 0.0)) continue;
+    const double cage = s.equilibrium->speeds(k, *s.bearing, 1.0, s.race_control).cage_speed;
+    const double outer_speed =
+        cage * (g.pitch_diameter + g.ball_diameter * std::cos(ball.outer_contact_angle));
+    by_load.outer += ball.outer_load * outer_speed;
+    by_path.outer += outer_speed;
+    if (!(ball.inner_load > 0.0)) continue;
+    const double inner_speed =
+        (1.0 - cage) * (g.pitch_diameter - g.ball_diameter * std::cos(ball.inner_contact_angle));
+    by_load.inner += ball.inner_load * inner_speed;
+    by_path.inner += inner_speed;
+  }
+  // Without a loaded ball there is nothing to weigh with; what turns in the lubricant is halved.
+  const auto inner_share = [](const ContactPair& w) {
+    const double sum = w.inner + w.outer;
+    return sum > 0.0 ? w.inner / sum : 0.5;
+  };
+  const ContactPair spin = unit_spin_friction(*s.bearing, *s.equilibrium, s.race_control);
+  const double load_inner = inner_share(by_load) * sources.load;
+  const double viscous_inner = inner_share(by_path) * sources.viscous;
+  return {.inner = power_loss(load_inner + viscous_inner + sources.spin_coefficient * spin.inner,
+                              s.speed),
+          .outer = power_loss((sources.load - load_inner) + (sources.viscous - viscous_inner) +
+                                  sources.spin_coefficient * spin.outer,
+                              s.speed)};
+}
+
+}  // namespace raceway::friction

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string_view>
+
+#include "bearing/bearing.h"
+#include "bearing/bearing_equilibrium.h"
+#include "bearing/units.h"
+
+namespace raceway::friction {
+
+/// Everything a friction law may use of one bearing at one operating point. T is double or an
+/// automatic derivative; what no parameter can move stays double.
+template <typename T = double>
+struct BearingState {
+  const bearing::Bearing* bearing = nullptr;
+  /// Balls in balance at this point; null where nobody solved it. A law that needs it says so
+  /// (`needs_equilibrium`), and only then it is solved for.
+  const bearing::BearingEquilibrium* equilibrium = nullptr;
+  bearing::RaceControl race_control = bearing::RaceControl::outer;
+  T speed = T(0.0);                  ///< [rad/s]
+  T axial_load = T(0.0);             ///< F_a [N]
+  T radial_load = T(0.0);            ///< F_r [N], magnitude
+  T temperature = T(kelvin(40));     ///< of the lubricant [K]
+  T kinematic_viscosity = T(unset);  ///< at that temperature [m²/s]
+};
+
+/// A number of a law that may be given, fitted and bounded.
+struct Parameter {
+  std::string_view name;
+  std::string_view unit;  ///< as written in files, "1" where dimensionless
+  double initial;         ///< default and start of a fit
+  double lower, upper;    ///< bounds of a fit and of what a file may say, closed
+};
+
+}  // namespace raceway::friction

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bearing/operating_point.h"
+#include "bearing/solve.h"
+#include "bearing/units.h"
+
+namespace raceway::friction {
+
+/// Grid of a Stribeck table; each axis strictly increasing, one value or more.
+struct TableAxes {
+  std::vector<double> speed;        ///< [rad/s], >= 0
+  std::vector<double> axial_load;   ///< [N]
+  std::vector<double> radial_load;  ///< along +y [N], >= 0
+  std::vector<double> temperature;  ///< of the lubricant [K], > 0
+
+  [[nodiscard]] std::size_t size() const;  ///< number of points
+};
+
+/// Throws std::invalid_argument naming the axis that is empty, not increasing or out of range.
+void validate(const TableAxes& axes);
+
+/// What is to be filled in at one point of a table.
+struct TablePoint {
+  /// `converged` where the point has values, also where no equilibrium was needed.
+  bearing::SolveStatus status = bearing::SolveStatus::not_run;
+  double friction_moment = unset;  ///< [N m]
+  std::span<double> columns;       ///< the further values, in the order of StribeckTable::columns
+};
+
+/// Friction moment of a bearing over speed, loads and temperature, with further columns (parts of
+/// the moment, contact angles, ...) by name. Speed runs fastest, then axial load, radial load,
+/// temperature.
+struct StribeckTable {
+  TableAxes axes;
+  std::vector<std::string> columns;          ///< names; their units are the writer's business
+  std::vector<double> friction_moment;       ///< [N m]; NaN where there is no value
+  std::vector<bearing::SolveStatus> status;  ///< why
+  std::vector<double> values;                ///< of the columns, SI, point by point
+
+  /// Index of a point from its place on each axis.
+  [[nodiscard]] std::size_t index(std::size_t speed, std::size_t axial_load,
+                                  std::size_t radial_load, std::size_t temperature) const;
+  /// Operating point of an index.
+  [[nodiscard]] bearing::OperatingPoint point(std::size_t index) const;
+  /// Further values of an index, in the order of `columns`.
+  [[nodiscard]] std::span<const double> row(std::size_t index) const;
+};
+
+/// Fills successive points of a line along speed, at one pair of loads and one temperature. Called
+/// from several threads at once.
+using TableLine =
+    std::function<void(std::span<const bearing::OperatingPoint>, std::span<TablePoint>)>;
+
+/// Fills a table line by line on all cores.
+///
+/// A line is handed out in pieces of at most 64 points, cut at the same places whatever the number
+/// of threads, so that number never changes a digit if `line` depends on its points alone.
+/// `progress` is called with the finished fraction, up to 1, by one thread at a time. What `line`
+/// or `progress` throw ends the build and is passed on. Throws std::invalid_argument as
+/// validate(axes) does. Memory: what the result holds, and one piece of a line per thread.
+[[nodiscard]] StribeckTable build_stribeck_table(const TableAxes& axes,
+                                                 std::vector<std::string> columns,
+                                                 const TableLine& line,
+                                                 const std::function<void(double)>& progress = {});
+
+/// What happens to a question outside the table.
+enum class Outside {
+  error,  ///< throws std::invalid_argument: name, value with unit, range
+  clamp,  ///< the nearest edge answers, and the answer says so
+};
+
+/// Where a table is asked.
+struct TablePosition {
+  double speed = unset;             ///< [rad/s]
+  double axial_load = unset;        ///< [N]
+  double radial_load = 0.0;         ///< [N]
+  double temperature = kelvin(40);  ///< [K]
+};
+
+struct InterpolatedMoment {
+  double friction_moment = unset;  ///< [N m]; NaN where a grid point that it rests on has no value
+  bool clamped = false;            ///< the position was outside and has been moved to the edge
+  [[nodiscard]] bool has_value() const { return !std::isnan(friction_moment); }
+};
+
+/// Friction moment between the points of a table [N m].
+///
+/// One axis after the other (speed first, temperature last): monotone cubic Hermite (PCHIP) on an
+/// axis of four points or more, linear on two or three, constant on one. An axis of one value
+/// answers for that value only. Grid points without value make a position NaN that rests on them.
+///
+/// Source:   Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984), as in Boost.Math.
+/// Domain:   the closed range of each axis, with 1e-9 relative to spare for rounding of units;
+///           positions that are not finite are an error in either case.
+/// Accuracy: exact at grid points. The error falls with the cube of an equal spacing, with its
+///           square next to the ends and to an extremum. Along a grid line the moment is monotone
+///           wherever its points are; between grid lines that is usual, but not certain.
+[[nodiscard]] InterpolatedMoment interpolate(const StribeckTable& table,
+                                             const TablePosition& position, Outside outside);
+
+}  // namespace raceway::friction
