@@ -1,0 +1,93 @@
+#include "fit/free_parameters.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace raceway::fit {
+
+namespace {
+
+/// Insertions, deletions and replacements that turn one word into the other.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string unknown_name(const std::string& name, std::vector<ModelParameter> known) {
+  std::stable_sort(known.begin(), known.end(),
+                   [&](const ModelParameter& a, const ModelParameter& b) {
+                     return edit_distance(name, a.name) < edit_distance(name, b.name);
+                   });
+  std::string text = "free parameter \"" + name + "\": the model has no such parameter; nearest: ";
+  for (std::size_t k = 0; k < known.size() && k < 4; ++k)
+    text += (k == 0 ? "" : ", ") + known[k].name;
+  return text;
+}
+
+void append(std::vector<ModelParameter>& list, std::span<const friction::Parameter> parameters,
+            const std::string& prefix, int effect) {
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    list.push_back({.name = prefix + std::string(parameters[k].name),
+                    .unit = std::string(parameters[k].unit),
+                    .initial = parameters[k].initial,
+                    .lower = parameters[k].lower,
+                    .upper = parameters[k].upper,
+                    .effect = effect,
+                    .index = k});
+}
+
+}  // namespace
+
+double ModelParameter::get(const Model& model) const {
+  const std::vector<double>& values =
+      effect < 0 ? model.law_values : model.effects.at(static_cast<std::size_t>(effect)).values;
+  return values.at(index);
+}
+
+void ModelParameter::set(Model& model, double value) const {
+  std::vector<double>& values =
+      effect < 0 ? model.law_values : model.effects.at(static_cast<std::size_t>(effect)).values;
+  values.at(index) = value;
+}
+
+std::vector<ModelParameter> model_parameters(const Model& model) {
+  std::vector<ModelParameter> list;
+  append(list, friction::parameters(model.law), "", -1);
+  for (std::size_t k = 0; k < model.effects.size(); ++k) {
+    const effects::Description& description = *model.effects[k].description;
+    append(list, description.parameters, std::string(description.id) + ".", static_cast<int>(k));
+  }
+  return list;
+}
+
+std::vector<ModelParameter> free_parameters(const Model& model) {
+  const std::vector<ModelParameter> known = model_parameters(model);
+  const std::vector<std::string> names = model.free.empty() ? default_free(model.law) : model.free;
+  std::vector<ModelParameter> list;
+  for (const std::string& name : names) {
+    const auto same = [&](const ModelParameter& p) { return p.name == name; };
+    if (std::any_of(list.begin(), list.end(), same))
+      throw std::invalid_argument("free parameter \"" + name + "\" is listed twice");
+    const auto found = std::find_if(known.begin(), known.end(), same);
+    if (found == known.end()) throw std::invalid_argument(unknown_name(name, known));
+    list.push_back(*found);
+  }
+  return list;
+}
+
+std::vector<std::string> default_free(friction::FrictionLaw law) {
+  if (law == friction::FrictionLaw::palmgren) return {"f0", "z"};
+  return {"mu_EHL", "K_rs"};
+}
+
+}  // namespace raceway::fit

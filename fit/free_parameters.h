@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "fit/model.h"
+
+namespace raceway::fit {
+
+/// One number of a model that may be fitted, found by its name: "f0" for the base law,
+/// "spin-friction.friction_coefficient" for an effect.
+struct ModelParameter {
+  std::string name;
+  std::string unit;                     ///< as written in files, "1" where dimensionless
+  double initial = unset;               ///< default of the law
+  double lower = unset, upper = unset;  ///< closed bounds
+  int effect = -1;                      ///< index into Model::effects, -1 for the base law
+  std::size_t index = 0;                ///< in the values of that law
+
+  [[nodiscard]] double get(const Model& model) const;
+  void set(Model& model, double value) const;
+};
+
+/// All that could be fitted: base law first, then the effects in the order of the model.
+[[nodiscard]] std::vector<ModelParameter> model_parameters(const Model& model);
+
+/// What `Model::free` names, in its order; the default of the law where it is empty.
+/// Throws std::invalid_argument for a name the model does not have (with the nearest ones) or one
+/// given twice.
+[[nodiscard]] std::vector<ModelParameter> free_parameters(const Model& model);
+
+/// palmgren: f0, z (y is rarely told apart from z)      skf: mu_EHL, K_rs
+[[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
+
+}  // namespace raceway::fit

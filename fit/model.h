@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bearing/bearing.h"
+#include "bearing/bearing_equilibrium.h"
+#include "effects/effect.h"
+#include "friction/friction_law.h"
+#include "friction/lubricant.h"
+
+namespace raceway::fit {
+
+/// What is known of the test rig; it fills in what a data set does not carry.
+struct Rig {
+  double inertia = unset;           ///< of all that coasts down [kg m²]
+  int bearings = 1;                 ///< equal bearings whose torque the rig sees [1]
+  double axial_load = unset;        ///< per bearing, for rows without that column [N]
+  double radial_load = 0.0;         ///< per bearing [N]
+  double temperature = kelvin(40);  ///< [K]
+  double minimum_speed = 0.0;       ///< slower coast-down rows are left out [rad/s]
+};
+
+/// What the user believes about a bearing on a rig: the subject of compare, calibrate and diagnose.
+struct Model {
+  std::string name;
+  bearing::Bearing bearing;
+  friction::Lubricant lubricant;
+  friction::FrictionLaw law = friction::FrictionLaw::palmgren;
+  std::vector<double> law_values;        ///< in the order of friction::parameters(law)
+  std::vector<effects::Effect> effects;  ///< what has been added so far, in order
+  bearing::EquilibriumOptions solver;
+  Rig rig;
+  std::vector<std::string> free;  ///< names of what may be re-fitted; see free_parameters()
+};
+
+}  // namespace raceway::fit
