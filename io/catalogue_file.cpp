@@ -1,0 +1,212 @@
+#include "io/catalogue_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "io/csv.h"
+#include "io/error.h"
+#include "io/names.h"
+
+namespace raceway::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double default_conformity = 0.52;
+constexpr std::string_view cage_suffix = "TA";
+
+/// Upper case without blanks.
+std::string compact(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    if (c != ' ' && c != '\t')
+      result += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return result;
+}
+
+std::string without_cage_suffix(std::string name) {
+  if (name.size() > cage_suffix.size() && name.ends_with(cage_suffix))
+    name.erase(name.size() - cage_suffix.size());
+  return name;
+}
+
+/// What two names of one bearing have in common.
+std::string key_of(std::string_view name, std::string_view maker) {
+  std::string key = without_cage_suffix(compact(name));
+  const std::string prefix = compact(maker);
+  if (key.size() > prefix.size() && key.starts_with(prefix)) key.erase(0, prefix.size());
+  return key;
+}
+
+std::string maker_of(const CsvTable& table, const std::string& path) {
+  constexpr std::string_view mark = "# maker:";
+  for (const std::string& comment : table.comments) {
+    if (!comment.starts_with(mark)) continue;
+    const std::size_t begin = comment.find_first_not_of(' ', mark.size());
+    if (begin != comment.npos) return comment.substr(begin);
+  }
+  const std::string stem = fs::path(path).stem().string();
+  return compact(stem.substr(0, stem.find('_')));
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+}  // namespace
+
+std::string data_directory() {
+  if (const char* const named = std::getenv("RACEWAY_DATA"); named && *named) {
+    if (!is_folder(named))
+      throw InputError(fmt::format("RACEWAY_DATA = {}: is not a directory", named));
+    return named;
+  }
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const std::array candidates{fs::path(RACEWAY_DATA_DIR),
+                              program.parent_path().parent_path() / "share" / "raceway",
+                              fs::path(RACEWAY_INSTALLED_DATA_DIR)};
+  for (const fs::path& candidate : candidates)
+    if (is_folder(candidate / "bearings")) return candidate.string();
+  throw InputError(
+      "the folder with the catalogue of bearings was not found; name it in the environment "
+      "variable "
+      "RACEWAY_DATA");
+}
+
+std::vector<CatalogueBearing> read_catalogue(const std::string& path) {
+  const CsvTable table = read_csv(path);
+  const std::string maker = maker_of(table, path);
+  struct Reading {
+    std::string_view column;
+    double unit;
+    double upper;
+    bool optional;
+    double& (*member)(CatalogueBearing&);
+  };
+  using Row = CatalogueBearing;
+  constexpr double newton_per_um = N_per_um;
+  const std::array readings{
+      Reading{"bore_mm", mm, 5000, false, [](Row& r) -> double& { return r.geometry.bore; }},
+      Reading{"outer_diameter_mm", mm, 10000, false,
+              [](Row& r) -> double& { return r.geometry.outer_diameter; }},
+      Reading{"width_mm", mm, 5000, true, [](Row& r) -> double& { return r.width; }},
+      Reading{"pitch_diameter_mm", mm, 5000, false,
+              [](Row& r) -> double& { return r.geometry.pitch_diameter; }},
+      Reading{"ball_diameter_mm", mm, 300, false,
+              [](Row& r) -> double& { return r.geometry.ball_diameter; }},
+      Reading{"contact_angle_deg", degree, 65, false,
+              [](Row& r) -> double& { return r.geometry.contact_angle; }},
+      Reading{"mass_kg", 1, 1e5, true, [](Row& r) -> double& { return r.mass; }},
+      Reading{"dynamic_load_rating_N", 1, 1e9, true,
+              [](Row& r) -> double& { return r.dynamic_load_rating; }},
+      Reading{"static_load_rating_steel_N", 1, 1e9, false,
+              [](Row& r) -> double& { return r.geometry.static_load_rating; }},
+      Reading{"static_load_rating_Si3N4_N", 1, 1e9, true,
+              [](Row& r) -> double& { return r.static_load_rating_silicon_nitride; }},
+      Reading{"speed_limit_oil_rpm", rpm, 1e7, true,
+              [](Row& r) -> double& { return r.speed_limit_oil; }},
+      Reading{"speed_limit_grease_rpm", rpm, 1e7, true,
+              [](Row& r) -> double& { return r.speed_limit_grease; }},
+      Reading{"preload_L_N", 1, 1e8, true, [](Row& r) -> double& { return r.light.force; }},
+      Reading{"axial_rigidity_pair_L_N_per_um", newton_per_um, 1e6, true,
+              [](Row& r) -> double& { return r.light.axial_rigidity; }},
+      Reading{"preload_M_N", 1, 1e8, true, [](Row& r) -> double& { return r.medium.force; }},
+      Reading{"axial_rigidity_pair_M_N_per_um", newton_per_um, 1e6, true,
+              [](Row& r) -> double& { return r.medium.axial_rigidity; }},
+      Reading{"preload_S_N", 1, 1e8, true, [](Row& r) -> double& { return r.strong.force; }},
+      Reading{"axial_rigidity_pair_S_N_per_um", newton_per_um, 1e6, true,
+              [](Row& r) -> double& { return r.strong.axial_rigidity; }},
+      Reading{"min_spring_preload_at_max_speed_N", 1, 1e8, true,
+              [](Row& r) -> double& { return r.spring_preload_at_speed_limit; }}};
+
+  const auto required = [&](std::string_view name) {
+    const auto column = table.column(name);
+    if (!column)
+      throw InputError(fmt::format("{}:{}: column {} is missing{}", path, table.header_line, name,
+                                   suggestion(name, table.header)));
+    return *column;
+  };
+  const std::size_t designation = required("designation");
+  const std::size_t ball_count = required("ball_count");
+  std::vector<CatalogueBearing> rows(table.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].maker = maker;
+    rows[i].designation = table.cell(i, designation);
+    if (rows[i].designation.empty())
+      throw InputError(fmt::format("{}:{}: designation is empty", path, table.line(i)));
+    const double balls = table.number(i, ball_count);
+    if (!(balls >= 3 && balls <= 200) || balls != std::floor(balls))
+      throw InputError(fmt::format("{}:{}: ball_count = {}: must be a whole number from 3 to 200",
+                                   path, table.line(i), balls));
+    rows[i].geometry.ball_count = static_cast<int>(balls);
+    rows[i].geometry.inner_conformity = default_conformity;
+    rows[i].geometry.outer_conformity = default_conformity;
+  }
+  for (const Reading& reading : readings) {
+    if (reading.optional && !table.column(reading.column)) continue;
+    const std::size_t column = required(reading.column);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (reading.optional && table.cell(i, column).empty()) continue;
+      const double value = table.number(i, column);
+      if (!(value >= 0 && value <= reading.upper))
+        throw InputError(fmt::format("{}:{}: {} = {}: must be from 0 to {}", path, table.line(i),
+                                     reading.column, value, reading.upper));
+      reading.member(rows[i]) = value * reading.unit;
+    }
+  }
+  return rows;
+}
+
+std::vector<CatalogueBearing> read_catalogues() {
+  const fs::path folder = fs::path(data_directory()) / "bearings";
+  std::error_code error;
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".csv") files.push_back(entry.path().string());
+  if (files.empty())
+    throw InputError(folder.string() + ": no catalogue of bearings (*.csv) was found");
+  std::sort(files.begin(), files.end());
+  std::vector<CatalogueBearing> rows;
+  for (const std::string& file : files)
+    for (CatalogueBearing& row : read_catalogue(file)) rows.push_back(std::move(row));
+  return rows;
+}
+
+std::vector<CatalogueBearing> matching_bearings(const std::vector<CatalogueBearing>& rows,
+                                                std::string_view filter) {
+  const std::string part = without_cage_suffix(compact(filter));
+  std::vector<CatalogueBearing> result;
+  for (const CatalogueBearing& row : rows)
+    if (compact(row.full_name()).find(part) != std::string::npos) result.push_back(row);
+  return result;
+}
+
+CatalogueBearing find_bearing(const std::vector<CatalogueBearing>& rows, std::string_view name) {
+  struct Near {
+    std::size_t distance;
+    const CatalogueBearing* row;
+  };
+  std::vector<Near> near;
+  for (const CatalogueBearing& row : rows) {
+    const std::string key = key_of(row.designation, row.maker);
+    const std::string wanted = key_of(name, row.maker);
+    if (key == wanted) return row;
+    near.push_back({edit_distance(key, wanted), &row});
+  }
+  std::stable_sort(near.begin(), near.end(),
+                   [](const Near& a, const Near& b) { return a.distance < b.distance; });
+  constexpr std::size_t shown = 3, far = 4;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(shown, near.size()) && near[i].distance < far; ++i)
+    names += (i == 0 ? "; the nearest are " : ", ") + near[i].row->full_name();
+  throw InputError(fmt::format("bearing {} is not in the catalogue{}", quoted(name), names));
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,302 @@
+#include "io/csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <unordered_map>
+
+#include "io/error.h"
+#include "io/input_file.h"
+
+namespace raceway::io {
+namespace {
+
+constexpr char separators[] = {'\t', ';', ','};
+
+std::string_view separator_name(char separator) {
+  switch (separator) {
+    case ';':
+      return "semicolons";
+    case '\t':
+      return "tabs";
+    default:
+      return "commas";
+  }
+}
+
+bool blank(char c) { return c == ' ' || c == '\t'; }
+
+/// Separators outside quotes.
+std::size_t count_separators(std::string_view line, char separator) {
+  bool inside = false;
+  std::size_t count = 0;
+  for (const char c : line) {
+    if (c == '"') inside = !inside;
+    if (c == separator && !inside) ++count;
+  }
+  return count;
+}
+
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const std::size_t more = c < 0x80                ? 0
+                             : c >= 0xc2 && c < 0xe0 ? 1
+                             : c >= 0xe0 && c < 0xf0 ? 2
+                                                     : 3;
+    if (c >= 0x80 && (c < 0xc2 || c > 0xf4)) return false;
+    if (i + more >= text.size()) return false;
+    for (std::size_t k = 1; k <= more; ++k)
+      if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) return false;
+    i += more + 1;
+  }
+  return true;
+}
+
+std::string utf8_from_latin1(std::string_view text) {
+  std::string result;
+  result.reserve(text.size() + text.size() / 8);
+  for (const char byte : text) {
+    const auto c = static_cast<unsigned char>(byte);
+    if (c < 0x80) {
+      result += byte;
+    } else {
+      result += static_cast<char>(0xc0 | (c >> 6));
+      result += static_cast<char>(0x80 | (c & 0x3f));
+    }
+  }
+  return result;
+}
+
+char separator_of_header(std::string_view header, const std::string& place) {
+  char found = '\0';
+  for (const char separator : separators) {
+    if (count_separators(header, separator) == 0) continue;
+    if (found != '\0')
+      throw InputError(fmt::format("{}: the header is separated by {} and by {}; use one of them",
+                                   place, separator_name(found), separator_name(separator)));
+    found = separator;
+  }
+  return found == '\0' ? ',' : found;
+}
+
+}  // namespace
+
+std::string quoted(std::string_view cell) {
+  constexpr std::size_t longest = 40;
+  if (cell.size() <= longest) return fmt::format("\"{}\"", cell);
+  std::size_t cut = longest;
+  while (cut > 0 && (static_cast<unsigned char>(cell[cut]) & 0xc0) == 0x80) --cut;
+  return fmt::format("\"{}...\"", cell.substr(0, cut));
+}
+
+ParsedNumber parse_number(std::string_view cell, bool decimal_comma) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (cell.empty()) return {none, '\0', "is empty"};
+  const auto points = std::count(cell.begin(), cell.end(), '.');
+  const auto commas = std::count(cell.begin(), cell.end(), ',');
+  std::string_view digits = cell;
+  if (digits.front() == '+') digits.remove_prefix(1);
+  const std::size_t first = digits.starts_with('-') ? 1 : 0;
+  const auto may_start = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == ','; };
+  // from_chars would take "nan", "inf" and, after '+', another sign.
+  if (digits.size() <= first || (digits.size() < cell.size() && first == 1) ||
+      !may_start(digits[first])) {
+    std::string word(digits.substr(first));
+    for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (word == "nan" || word == "inf" || word == "infinity")
+      return {none, '\0', "is not a finite number"};
+    return {none, '\0', "is not a number"};
+  }
+  const bool only_digits_and_marks = digits.find_first_not_of("0123456789.,-+eE") == digits.npos;
+  if (only_digits_and_marks && points + commas > 1)
+    return {none, '\0',
+            "is ambiguous: write one decimal mark and no thousands separators, as in 1234.5"};
+  if (commas > 0 && !decimal_comma && only_digits_and_marks)
+    return {none, '\0',
+            "has a decimal comma, which is read only in files separated by semicolons or tabs"};
+  char mark = points > 0 ? '.' : commas > 0 ? ',' : '\0';
+  std::string with_point;
+  if (mark == ',') {
+    with_point = digits;
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    digits = with_point;
+  }
+  double value = none;
+  const char* const end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if (error == std::errc::result_out_of_range && stop == end)
+    return {none, '\0', "is outside the range of numbers"};
+  if (error != std::errc() || stop != end) {
+    if (cell.find(';') != cell.npos || cell.find('\t') != cell.npos)
+      return {none, '\0', "is not a number; is this row separated otherwise than the header?"};
+    return {none, '\0', "is not a number"};
+  }
+  return {value, mark, {}};
+}
+
+std::optional<std::size_t> CsvTable::column(std::string_view name) const {
+  const auto found = std::find(header.begin(), header.end(), name);
+  if (found == header.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header.begin());
+}
+
+double CsvTable::number(std::size_t row, std::size_t column) const {
+  const std::string_view text = cell(row, column);
+  const ParsedNumber parsed = parse_number(text, separator != ',');
+  if (!parsed.problem.empty())
+    throw InputError(fmt::format("{}:{}: {} = {}: {}", source, line(row), header[column],
+                                 quoted(text), parsed.problem));
+  return parsed.value;
+}
+
+CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_mark) {
+  CsvTable table;
+  table.source = source;
+  table.byte_order_mark = byte_order_mark;
+  if (!is_utf8(text)) {
+    text = utf8_from_latin1(text);
+    table.notes.emplace_back("not UTF-8; read as Latin-1");
+  }
+  table.text_ = std::move(text);
+  std::string& all = table.text_;
+  if (all.find_first_not_of(" \t\r\n") == all.npos)
+    throw InputError(source + ": the file is empty");
+
+  std::vector<CsvTable::Cell> cells;  // of the current line
+  const auto split = [&](std::size_t begin, std::size_t end, const std::string& place) {
+    cells.clear();
+    const char separator = table.separator;
+    for (std::size_t at = begin;;) {
+      const auto skippable = [&](char c) { return c != separator && blank(c); };
+      while (at < end && skippable(all[at])) ++at;
+      std::size_t first = at, last;
+      if (at < end && all[at] == '"') {
+        // Doubled quotes are undone in place; the text can only shrink.
+        first = ++at;
+        last = first;
+        for (;; ++at) {
+          if (at >= end) throw InputError(place + ": a quoted cell is not closed on its line");
+          if (all[at] == '"') {
+            if (at + 1 < end && all[at + 1] == '"')
+              ++at;
+            else
+              break;
+          }
+          all[last++] = all[at];
+        }
+        ++at;
+        while (at < end && skippable(all[at])) ++at;
+        if (at < end && all[at] != separator)
+          throw InputError(place + ": text follows the closing quote of a cell");
+      } else {
+        at = std::min(all.find(separator, at), end);
+        last = at;
+        while (last > first && blank(all[last - 1])) --last;
+      }
+      cells.push_back({first, last - first});
+      if (at >= end) return;
+      ++at;
+    }
+  };
+
+  bool trailing_separator = false;
+  std::size_t empty_rows = 0;
+  int line = 0;
+  for (std::size_t begin = 0, next = 0; begin < all.size(); begin = next) {
+    ++line;
+    std::size_t end = std::min(all.find_first_of("\r\n", begin), all.size());
+    next = end + 1;
+    if (end < all.size() && all[end] == '\r') {
+      table.carriage_returns = true;
+      if (next < all.size() && all[next] == '\n') ++next;
+    }
+    const std::string_view whole = std::string_view(all).substr(begin, end - begin);
+    const std::size_t start = whole.find_first_not_of(" \t");
+    if (start == whole.npos) continue;
+    if (whole[start] == '#' || whole.substr(start).starts_with("\"#")) {
+      table.comments.emplace_back(whole.substr(start));
+      continue;
+    }
+    const std::string place = table.header.empty() ? fmt::format("{}:{}", source, line) : "";
+
+    if (table.header.empty()) {
+      table.separator = separator_of_header(whole, place);
+      table.header_line = line;
+      split(begin, end, place);
+      trailing_separator = cells.size() > 1 && cells.back().size == 0;
+      if (trailing_separator) cells.pop_back();
+      std::unordered_map<std::string, std::size_t> seen;
+      bool all_numbers = true;
+      for (const auto& cell : cells) {
+        const std::string name = all.substr(cell.begin, cell.size);
+        const std::size_t position = table.header.size() + 1;
+        if (name.empty())
+          throw InputError(fmt::format("{}: column {} has no name", place, position));
+        // Equal numbers side by side are rows without a header, told below.
+        const auto [twin, is_new] = seen.emplace(name, position);
+        if (!is_new && !parse_number(name, true).problem.empty())
+          throw InputError(fmt::format("{}: column {} stands twice, as columns {} and {}", place,
+                                       name, twin->second, position));
+        all_numbers = all_numbers && parse_number(name, true).problem.empty();
+        table.header.push_back(name);
+      }
+      if (all_numbers)
+        throw InputError(place + ": a header with the names of the columns is missing");
+      continue;
+    }
+
+    const std::size_t columns = table.header.size();
+    // The place is only put into words where something is wrong.
+    if (std::find(whole.begin(), whole.end(), '"') != whole.end())
+      split(begin, end, fmt::format("{}:{}", source, line));
+    else
+      split(begin, end, {});
+    if (trailing_separator && cells.size() == columns + 1 && cells.back().size == 0)
+      cells.pop_back();
+    if (std::all_of(cells.begin(), cells.end(), [](const auto& c) { return c.size == 0; })) {
+      ++empty_rows;
+      continue;
+    }
+    if (cells.size() != columns) {
+      const std::string here = fmt::format("{}:{}", source, line);
+      for (const char other : separators) {
+        if (other == table.separator) continue;
+        const std::size_t count = count_separators(whole, other);
+        if (count == 0 || count + 1 != columns) continue;
+        throw InputError(fmt::format(
+            "{}: the header (line {}) is separated by {}, but this row by {}; use one for both",
+            here, table.header_line, separator_name(table.separator), separator_name(other)));
+      }
+      const bool all_numbers = std::all_of(cells.begin(), cells.end(), [&](const auto& c) {
+        return parse_number(std::string_view(all).substr(c.begin, c.size), false).problem.empty();
+      });
+      throw InputError(fmt::format(
+          "{}: {} cell{}, but the header (line {}) has {} column{}{}", here, cells.size(),
+          cells.size() == 1 ? "" : "s", table.header_line, columns, columns == 1 ? "" : "s",
+          all_numbers && table.separator == ',' && cells.size() > columns
+              ? " (numbers with decimal commas need semicolons or tabs between the columns)"
+              : ""));
+    }
+    table.cells_.insert(table.cells_.end(), cells.begin(), cells.end());
+    table.lines_.push_back(line);
+  }
+  if (table.header.empty()) throw InputError(source + ": no header and no rows, only comments");
+  if (table.lines_.empty())
+    throw InputError(
+        fmt::format("{}: no data rows below the header (line {})", source, table.header_line));
+  if (empty_rows > 0)
+    table.notes.push_back(fmt::format("{} row{} of empty cells only skipped", empty_rows,
+                                      empty_rows == 1 ? "" : "s"));
+  return table;
+}
+
+CsvTable read_csv(const std::string& path) {
+  bool marked = false;
+  std::string text = read_text(path, &marked);
+  return parse_csv(std::move(text), path, marked);
+}
+
+}  // namespace raceway::io

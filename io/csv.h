@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raceway::io {
+
+/// A delimited text file as it stands: names of columns and cells of text, with their lines.
+///
+/// Separator: comma, semicolon or tab, as found in the header. `#` lines are comments, blank lines
+/// and rows of empty cells are skipped. A cell may be quoted ("a ""b"""), not broken over lines.
+/// Blanks around cells are dropped. Memory: the text plus 16 bytes per cell.
+class CsvTable {
+ public:
+  std::string source;                 ///< file name, for messages
+  std::vector<std::string> comments;  ///< `#` lines as they stand, wherever they stood
+  std::vector<std::string> header;
+  int header_line = 0;  ///< counted from 1
+  char separator = ',';
+  bool byte_order_mark = false;
+  bool carriage_returns = false;   ///< lines ended in CR or CR LF
+  std::vector<std::string> notes;  ///< what the user should know, without the file's name
+
+  [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+  [[nodiscard]] int line(std::size_t row) const { return lines_[row]; }
+  [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
+    const Cell& c = cells_[row * header.size() + column];
+    return std::string_view(text_).substr(c.begin, c.size);
+  }
+  [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
+  /// The number in a cell; throws InputError with line and column for anything else.
+  [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+
+ private:
+  friend CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_mark);
+  struct Cell {
+    std::size_t begin;
+    std::size_t size;
+  };
+  std::string text_;
+  std::vector<Cell> cells_;  // row by row
+  std::vector<int> lines_;
+};
+
+/// Reads a file. Throws InputError: unreadable, no header, no rows, a column twice or without name,
+/// a row with more or fewer cells than the header, another separator in a row than in the header.
+[[nodiscard]] CsvTable read_csv(const std::string& path);
+
+/// The same from text; `source` stands in messages.
+[[nodiscard]] CsvTable parse_csv(std::string text, const std::string& source,
+                                 bool byte_order_mark = false);
+
+/// A number, or why a cell is none.
+struct ParsedNumber {
+  double value;              ///< NaN unless `problem` is empty
+  char decimal_mark = '\0';  ///< '.' or ',' where there was one
+  std::string_view problem;  ///< "is not a number", ...: to be put after the cell's text
+};
+
+/// Reads a whole cell as a number, whatever the locale. Nothing may follow or be left out: no
+/// blanks, no thousands separators, no hexadecimal, "nan" or "inf". A comma is a decimal mark only
+/// where `decimal_comma` allows it.
+[[nodiscard]] ParsedNumber parse_number(std::string_view cell, bool decimal_comma);
+
+/// A cell as messages show it: quoted, shortened to 40 characters.
+[[nodiscard]] std::string quoted(std::string_view cell);
+
+}  // namespace raceway::io

@@ -1,0 +1,43 @@
+#include "io/input_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "io/error.h"
+
+namespace raceway::io {
+
+std::string read_text(const std::string& path, bool* byte_order_mark) {
+  std::error_code ignored;
+  if (path.empty()) throw InputError("the name of an input file is empty");
+  const auto status = std::filesystem::status(path, ignored);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw InputError(path + ": no such file");
+  if (std::filesystem::is_directory(status))
+    throw InputError(path + ": is a directory, a file is expected");
+
+  const auto close = [](std::FILE* file) { std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
+  if (!file) throw InputError(path + ": cannot be read: " + std::strerror(errno));
+  std::string text;
+  const auto size = std::filesystem::file_size(path, ignored);
+  if (!ignored) text.reserve(static_cast<std::size_t>(size) + 1);
+  char buffer[1 << 16];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get()))
+    text.append(buffer, count);
+  if (std::ferror(file.get())) throw InputError(path + ": cannot be read: " + std::strerror(errno));
+
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError(path + ": is UTF-16 text; save it as UTF-8");
+  if (text.find('\0') != std::string::npos)
+    throw InputError(path + ": holds NUL bytes, so it is not a text file");
+  const bool marked = text.starts_with("\xef\xbb\xbf");
+  if (marked) text.erase(0, 3);
+  if (byte_order_mark) *byte_order_mark = marked;
+  return text;
+}
+
+}  // namespace raceway::io

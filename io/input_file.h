@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace raceway::io {
+
+/// The whole text of a file, without a UTF-8 byte order mark (`byte_order_mark` tells of it).
+/// Throws InputError for a file that is missing, a directory, unreadable or not text (NUL bytes).
+[[nodiscard]] std::string read_text(const std::string& path, bool* byte_order_mark = nullptr);
+
+}  // namespace raceway::io

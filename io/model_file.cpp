@@ -1,0 +1,851 @@
+#include "io/model_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include "bearing/units.h"
+#include "effects/catalogue.h"
+#include "io/error.h"
+#include "io/input_file.h"
+#include "io/names.h"
+
+namespace {
+[[noreturn]] void fail_in_parser() { throw std::logic_error("toml++ stopped"); }
+}  // namespace
+
+// toml++ 3.3 asserts where some malformed texts, such as `[ = 1`, should be errors: make them
+// errors in every build. The other headers are included before, so none of them sees these macros.
+#undef NDEBUG
+#define TOML_ASSERT(condition) ((condition) ? void() : fail_in_parser())
+#include <toml++/toml.h>
+
+namespace raceway::io {
+namespace {
+
+using bearing::Material;
+using Names = std::vector<std::string>;
+
+/// A number of a model file with its unit and what it may be.
+struct Key {
+  std::string_view name;
+  std::string_view unit;  ///< "" where dimensionless
+  double lower, upper;    ///< closed, in `unit`
+};
+
+// Wherever the libraries check as well, these are their ranges.
+constexpr Key ball_count{"ball_count", "", 3, 200};
+constexpr Key ball_diameter{"ball_diameter_mm", "mm", 0.1, 300};
+constexpr Key pitch_diameter{"pitch_diameter_mm", "mm", 1, 5000};
+constexpr Key contact_angle{"contact_angle_deg", "deg", 0, 65};
+constexpr Key inner_conformity{"inner_conformity", "", 0.5005, 0.7};
+constexpr Key outer_conformity{"outer_conformity", "", 0.5005, 0.7};
+constexpr Key static_load_rating{"static_load_rating_N", "N", 1, 1e9};
+constexpr Key bore{"bore_mm", "mm", 0, 5000};
+constexpr Key outer_diameter{"outer_diameter_mm", "mm", 1, 10000};
+constexpr Key radial_clearance{"radial_clearance_um", "um", 0, 10000};
+constexpr Key viscosity_40C{"viscosity_40C_mm2_s", "mm2/s", 1, 1e5};
+constexpr Key viscosity_100C{"viscosity_100C_mm2_s", "mm2/s", 0.5, 1e5};
+constexpr Key inertia{"inertia_kgm2", "kg m2", 1e-9, 1e6};
+constexpr Key bearings{"bearings", "", 1, 100};
+constexpr Key axial_load{"axial_load_N", "N", 0, 1e8};
+constexpr Key radial_load{"radial_load_N", "N", 0, 1e8};
+constexpr Key temperature{"temperature_C", "C", -273, 500};
+constexpr Key minimum_speed{"minimum_speed_rpm", "rpm", 0, 1e6};
+constexpr Key elastic_modulus{"elastic_modulus_GPa", "GPa", 1, 1200};
+constexpr Key poisson_ratio{"poisson_ratio", "", 0, 0.49};
+constexpr Key density{"density_kg_m3", "kg/m3", 500, 20000};
+constexpr Key thermal_expansion{"thermal_expansion_1e6_K", "1e-6/K", 0, 50};
+
+// What a maker's catalogue does not print; f_i and f_o come with the row.
+constexpr double catalogue_f0 = 1.5, catalogue_z = 0.001, catalogue_y = 0.33;
+
+std::string with_unit(std::string_view number, std::string_view unit) {
+  return unit.empty() || unit == "1" ? std::string(number) : fmt::format("{} {}", number, unit);
+}
+
+std::string range(const Key& key) {
+  return fmt::format("must be from {} to {}", key.lower,
+                     with_unit(fmt::format("{}", key.upper), key.unit));
+}
+
+std::string listed(const Names& names, std::string_view last_word = "and") {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0                  ? ""
+             : i + 1 == names.size() ? fmt::format(" {} ", last_word)
+                                     : ", ") +
+            names[i];
+  return text;
+}
+
+/// A value as the user wrote it, near enough.
+std::string shown(const toml::node& node) {
+  if (const auto* s = node.as_string()) return fmt::format("\"{}\"", s->get());
+  if (const auto* i = node.as_integer()) return fmt::format("{}", i->get());
+  if (const auto* f = node.as_floating_point()) return fmt::format("{}", f->get());
+  if (const auto* b = node.as_boolean()) return b->get() ? "true" : "false";
+  if (node.is_table()) return "{...}";
+  if (node.is_array()) return "[...]";
+  return "a date or time";
+}
+
+std::string_view kind(const toml::node& node) {
+  if (node.is_string()) return "a text";
+  if (node.is_number()) return "a number";
+  if (node.is_boolean()) return "true or false";
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "a list";
+  return "a date or time";
+}
+
+/// Line at which toml++ trips over its own assertion: the first lines up to it do so as well.
+std::size_t broken_line(std::string_view text) {
+  std::size_t line = 1;
+  for (std::size_t end = 0; (end = text.find('\n', end)) != text.npos; ++end, ++line) {
+    try {
+      (void)toml::parse(text.substr(0, end));
+    } catch (const toml::parse_error&) {
+      // A value over several lines is not complete yet.
+    } catch (const std::logic_error&) {
+      break;
+    }
+  }
+  return line;
+}
+
+toml::table parse_toml(std::string_view text, std::string_view source) {
+  try {
+    return toml::parse(text, source);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: {}", source, at.line, at.column, error.description()));
+  } catch (const std::logic_error&) {
+    throw InputError(
+        fmt::format("{}:{}: no TOML: a key, a value or a bracket is missing or misplaced", source,
+                    broken_line(text)));
+  }
+}
+
+/// One table of the file. Asking for a value checks its type and range.
+class Section {
+ public:
+  /// `table` may be null: then every key is absent.
+  Section(std::string source, std::string name, const toml::table* table)
+      : source_(std::move(source)), name_(std::move(name)), table_(table) {}
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] bool given() const { return table_ != nullptr; }
+  [[nodiscard]] const toml::node* find(std::string_view key) const {
+    return table_ ? table_->get(key) : nullptr;
+  }
+  [[nodiscard]] std::string place(const toml::node* node = nullptr) const {
+    if (!node) node = table_;
+    return node ? fmt::format("{}:{}", source_, node->source().begin.line) : source_;
+  }
+  [[noreturn]] void fail(std::string_view key, const std::string& text) const {
+    throw InputError(fmt::format("{}: {}", place(find(key)), text));
+  }
+  [[noreturn]] void fail_missing(const Key& key, const std::string& why = "") const {
+    throw InputError(
+        fmt::format("{}: [{}] {} is missing{}: {}", place(), name_, key.name, why, range(key)));
+  }
+
+  void allow_only(const Names& known) const {
+    if (!table_) return;
+    for (const auto& [key, node] : *table_) {
+      const std::string_view given = key.str();
+      if (std::find(known.begin(), known.end(), given) != known.end()) continue;
+      const std::string near = suggestion(given, known);
+      throw InputError(fmt::format("{}:{}: {} = {}: unknown key in [{}]{}", source_,
+                                   key.source().begin.line, given, shown(node), name_,
+                                   near.empty() ? "; it has " + listed(known) : near));
+    }
+  }
+
+  [[nodiscard]] std::optional<double> number(const Key& key) const {
+    const toml::node* const node = find(key.name);
+    if (!node) return std::nullopt;
+    if (!node->is_number())
+      fail(key.name, fmt::format("{} = {}: must be a number, not {}; {}", key.name, shown(*node),
+                                 kind(*node), range(key)));
+    const double value = *node->value<double>();
+    if (!(value >= key.lower && value <= key.upper))
+      fail(key.name,
+           fmt::format("{} = {}: {}", key.name, with_unit(shown(*node), key.unit), range(key)));
+    return value;
+  }
+  [[nodiscard]] double required(const Key& key) const {
+    const auto value = number(key);
+    if (!value) fail_missing(key);
+    return *value;
+  }
+  [[nodiscard]] std::optional<int> whole_number(const Key& key) const {
+    const auto value = number(key);
+    if (!value) return std::nullopt;
+    if (*value != std::floor(*value))
+      fail(key.name, fmt::format("{} = {}: must be a whole number from {} to {}", key.name, *value,
+                                 key.lower, key.upper));
+    return static_cast<int>(*value);
+  }
+  [[nodiscard]] std::optional<std::string> text(std::string_view key) const {
+    const toml::node* const node = find(key);
+    if (!node) return std::nullopt;
+    if (!node->is_string())
+      fail(key, fmt::format("{} = {}: must be a text in quotes, not {}", key, shown(*node),
+                            kind(*node)));
+    return *node->value<std::string>();
+  }
+  [[nodiscard]] std::optional<std::string> choice(std::string_view key,
+                                                  const Names& allowed) const {
+    auto value = text(key);
+    if (value && std::find(allowed.begin(), allowed.end(), *value) == allowed.end())
+      fail(key, fmt::format("{} = \"{}\": must be {}{}", key, *value, listed(allowed, "or"),
+                            suggestion(*value, allowed)));
+    return value;
+  }
+
+  /// Puts the libraries' `ball_diameter = -12 mm: ...` into the words and the place of this file.
+  [[noreturn]] void fail(const std::invalid_argument& error, const Names& known) const {
+    std::string message = error.what();
+    const std::string owner =
+        name_.starts_with("material.") ? "material " + name_.substr(9) + ": " : "";
+    if (!owner.empty() && message.starts_with(owner)) message.erase(0, owner.size());
+    const std::string name = message.substr(0, message.find(' '));
+    for (const std::string& key : known) {
+      if (key != name && !key.starts_with(name + "_")) continue;
+      const toml::node* node = find(key);
+      const bool from_catalogue = !node && find("catalogue");
+      if (from_catalogue) node = find("catalogue");
+      throw InputError(fmt::format("{}: {}{}{}", place(node), key, message.substr(name.size()),
+                                   from_catalogue ? " (from the catalogue)" : ""));
+    }
+    throw InputError(fmt::format("{}: [{}] {}", place(), name_, message));
+  }
+
+ private:
+  std::string source_, name_;
+  const toml::table* table_;
+};
+
+class Reader {
+ public:
+  Reader(std::string text, const std::string& source)
+      : root_(parse_toml(text, source)), text_(std::move(text)), source_(source) {}
+
+  ModelFile read() {
+    check_tables();
+    read_materials();
+    bearing::Bearing bearing = read_bearing();
+    friction::Lubricant lubricant = read_lubricant();
+    read_friction();
+    require_data(bearing);
+    read_effects();
+    const auto solver = read_solver();
+    const fit::Rig rig = read_rig();
+    Names free = read_calibration();
+    return {.model = {.name = name_,
+                      .bearing = std::move(bearing),
+                      .lubricant = lubricant,
+                      .law = law_,
+                      .law_values = std::move(law_values_),
+                      .effects = std::move(effects_),
+                      .solver = solver,
+                      .rig = rig,
+                      .free = std::move(free)},
+            .source = source_,
+            .text = std::move(text_),
+            .defaults = std::move(defaults_)};
+  }
+
+ private:
+  void check_tables() const {
+    const Names known{"bearing", "lubricant", "friction",    "arrangement", "rig",
+                      "solver",  "material",  "calibration", "effect"};
+    for (const auto& [key, node] : root_) {
+      const std::string name(key.str());
+      const std::string place = fmt::format("{}:{}", source_, key.source().begin.line);
+      if (name == "arrangement")
+        throw InputError(place +
+                         ": [arrangement] is not available in this version: a model describes a "
+                         "single bearing on a rig");
+      if (std::find(known.begin(), known.end(), name) == known.end()) {
+        if (!node.is_table() && !node.is_array_of_tables())
+          throw InputError(
+              fmt::format("{}: {} = {}: stands outside any table; put it below [bearing] or the "
+                          "table it belongs "
+                          "to",
+                          place, name, shown(node)));
+        const std::string near = suggestion(name, known);
+        throw InputError(fmt::format("{}: [{}]: unknown table{}", place, name,
+                                     near.empty() ? "; a model has " + listed(known) : near));
+      }
+      if (name == "effect") {
+        const bool tables =
+            node.is_array() && (node.as_array()->empty() || node.is_array_of_tables());
+        if (!tables)
+          throw InputError(place + ": effects are written as [[effect]] with two brackets");
+      } else if (!node.is_table()) {
+        throw InputError(fmt::format("{}: {} = {}: must be a table, written as [{}]", place, name,
+                                     shown(node), name));
+      }
+    }
+  }
+
+  [[nodiscard]] Section section(std::string_view name) const {
+    return Section(source_, std::string(name), root_[name].as_table());
+  }
+  [[nodiscard]] Section required_section(std::string_view name, std::string_view holds) const {
+    Section result = section(name);
+    if (!result.given())
+      throw InputError(fmt::format("{}: table [{}] is missing; it holds {}", source_, name, holds));
+    return result;
+  }
+  void note_default(std::string_view table, std::string_view key, const std::string& value,
+                    std::string_view why = "default") {
+    defaults_.push_back(fmt::format("{}.{} = {} ({})", table, key, value, why));
+  }
+  double number_or(const Section& s, const Key& key, double fallback,
+                   std::string_view why = "default") {
+    if (const auto value = s.number(key)) return *value;
+    note_default(s.name(), key.name, fmt::format("{:.10g}", fallback), why);
+    return fallback;
+  }
+  std::string choice_or(const Section& s, std::string_view key, const Names& allowed,
+                        const std::string& fallback) {
+    if (auto value = s.choice(key, allowed)) return *value;
+    note_default(s.name(), key, fmt::format("\"{}\"", fallback));
+    return fallback;
+  }
+
+  void read_materials() {
+    materials_ = {bearing::steel(), bearing::silicon_nitride()};
+    const toml::table* const table = root_["material"].as_table();
+    if (!table) return;
+    for (const auto& [key, node] : *table) {
+      const std::string name(key.str());
+      const std::string place = fmt::format("{}:{}", source_, key.source().begin.line);
+      if (!node.is_table())
+        throw InputError(
+            fmt::format("{}: {} = {}: materials are tables, written as [material.NAME]", place,
+                        name, shown(node)));
+      if (find_material(name))
+        throw InputError(
+            fmt::format("{}: [material.{}]: this name is built in; take another", place, name));
+      const Section s(source_, "material." + name, node.as_table());
+      const Names known{"elastic_modulus_GPa", "poisson_ratio", "density_kg_m3",
+                        "thermal_expansion_1e6_K"};
+      s.allow_only(known);
+      const Material material{.name = name,
+                              .elastic_modulus = s.required(elastic_modulus) * GPa,
+                              .poisson_ratio = s.required(poisson_ratio),
+                              .density = s.required(density),
+                              .thermal_expansion = s.required(thermal_expansion) * per_million_K};
+      try {
+        bearing::validate(material);
+      } catch (const std::invalid_argument& error) {
+        s.fail(error, known);
+      }
+      materials_.push_back(material);
+    }
+  }
+
+  [[nodiscard]] const Material* find_material(std::string_view name) const {
+    for (const Material& material : materials_)
+      if (material.name == name) return &material;
+    return nullptr;
+  }
+
+  bearing::Bearing read_bearing() {
+    const Section s = required_section("bearing", "its geometry, or catalogue = \"NAME\"");
+    const Names known{"name",
+                      "catalogue",
+                      "ball_count",
+                      "ball_diameter_mm",
+                      "pitch_diameter_mm",
+                      "contact_angle_deg",
+                      "inner_conformity",
+                      "outer_conformity",
+                      "static_load_rating_N",
+                      "ball_material",
+                      "ring_material",
+                      "bore_mm",
+                      "outer_diameter_mm",
+                      "radial_clearance_um"};
+    s.allow_only(known);
+    bearing::BearingGeometry g;
+    if (const auto catalogue = s.text("catalogue")) {
+      from_catalogue_ = true;
+      const auto rows = read_catalogues();
+      try {
+        const CatalogueBearing row = find_bearing(rows, *catalogue);
+        g = row.geometry;
+        name_ = row.full_name();
+      } catch (const InputError& error) {
+        s.fail("catalogue", error.what());
+      }
+    }
+    const auto take = [&](const Key& key, double unit, double& value) {
+      if (const auto given = s.number(key))
+        value = *given * unit;
+      else if (std::isnan(value))
+        s.fail_missing(key);
+    };
+    if (const auto balls = s.whole_number(ball_count))
+      g.ball_count = *balls;
+    else if (g.ball_count == 0)
+      s.fail_missing(ball_count);
+    take(ball_diameter, mm, g.ball_diameter);
+    take(pitch_diameter, mm, g.pitch_diameter);
+    take(contact_angle, degree, g.contact_angle);
+    for (const Key& key : {inner_conformity, outer_conformity})
+      if (from_catalogue_ && !s.find(key.name))
+        note_default("bearing", key.name, fmt::format("{}", g.inner_conformity));
+    take(inner_conformity, 1.0, g.inner_conformity);
+    take(outer_conformity, 1.0, g.outer_conformity);
+    if (const auto given = s.number(static_load_rating)) g.static_load_rating = *given;
+    if (const auto given = s.number(radial_clearance)) g.radial_clearance = *given * um;
+    // A bore from the catalogue is no more that of a bearing with another pitch circle.
+    if (s.find(ball_diameter.name) || s.find(pitch_diameter.name))
+      g.bore = g.outer_diameter = unset;
+    if (const auto given = s.number(bore)) g.bore = *given * mm;
+    if (const auto given = s.number(outer_diameter)) g.outer_diameter = *given * mm;
+    const bool no_bore = std::isnan(g.bore), no_outer_diameter = std::isnan(g.outer_diameter);
+    try {
+      g = bearing::validated(g);
+    } catch (const std::invalid_argument& error) {
+      s.fail(error, known);
+    }
+    if (no_bore)
+      note_default("bearing", "bore_mm", fmt::format("{:.6g}", g.bore / mm),
+                   "default: pitch diameter - 1.5 ball diameters");
+    if (no_outer_diameter)
+      note_default("bearing", "outer_diameter_mm", fmt::format("{:.6g}", g.outer_diameter / mm),
+                   "default: pitch diameter + 1.5 ball diameters");
+
+    Names materials;
+    for (const Material& material : materials_) materials.push_back(material.name);
+    const Material balls = *find_material(choice_or(s, "ball_material", materials, "steel"));
+    const Material rings = *find_material(choice_or(s, "ring_material", materials, "steel"));
+    if (auto given = s.text("name")) name_ = *given;
+    if (name_.empty()) {
+      name_ = std::filesystem::path(source_).stem().string();
+      note_default("bearing", "name", fmt::format("\"{}\"", name_));
+    }
+    return {g, balls, rings};
+  }
+
+  [[nodiscard]] friction::Lubricant read_lubricant() const {
+    const Section s = required_section("lubricant", "viscosity_40C_mm2_s and viscosity_100C_mm2_s");
+    const Names known{"viscosity_40C_mm2_s", "viscosity_100C_mm2_s"};
+    s.allow_only(known);
+    try {
+      return {s.required(viscosity_40C) * mm2_per_s, s.required(viscosity_100C) * mm2_per_s};
+    } catch (const std::invalid_argument& error) {
+      // "viscosity_40C" and "viscosity_100C" are the libraries' names of the two keys.
+      s.fail(error, known);
+    }
+  }
+
+  void read_friction() {
+    const Section s = from_catalogue_
+                          ? section("friction")
+                          : required_section("friction", "the base law and its factors");
+    using friction::FrictionLaw;
+    const Names laws{std::string(friction::name(FrictionLaw::palmgren)),
+                     std::string(friction::name(FrictionLaw::skf))};
+    law_ = choice_or(s, "law", laws, laws[0]) == laws[0] ? FrictionLaw::palmgren : FrictionLaw::skf;
+    Names known{"law"};
+    for (const friction::Parameter& p : friction::parameters(law_)) known.emplace_back(p.name);
+    const FrictionLaw other =
+        law_ == FrictionLaw::palmgren ? FrictionLaw::skf : FrictionLaw::palmgren;
+    for (const friction::Parameter& p : friction::parameters(other))
+      if (const toml::node* const node = s.find(p.name))
+        s.fail(p.name,
+               fmt::format("{} = {}: belongs to law = \"{}\", but the law is \"{}\"", p.name,
+                           shown(*node), friction::name(other), friction::name(law_)));
+    s.allow_only(known);
+    for (const friction::Parameter& p : friction::parameters(law_)) {
+      const Key key{p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper};
+      // The factors of the SKF law are published constants; those of Palmgren depend on the
+      // bearing, and only a catalogue's user may leave them out.
+      if (law_ == FrictionLaw::palmgren && !from_catalogue_) {
+        law_values_.push_back(s.required(key));
+        continue;
+      }
+      const double fallback = p.name == "f0"  ? catalogue_f0
+                              : p.name == "z" ? catalogue_z
+                              : p.name == "y" ? catalogue_y
+                                              : p.initial;
+      law_values_.push_back(number_or(s, key, fallback));
+    }
+  }
+
+  void require_data(const bearing::Bearing& bearing) const {
+    const Section s = section("bearing");
+    if (law_ == friction::FrictionLaw::palmgren &&
+        std::isnan(bearing.geometry().static_load_rating))
+      s.fail_missing(static_load_rating, ", which the friction law palmgren needs");
+    try {
+      friction::require_data(law_, bearing);
+    } catch (const std::invalid_argument& error) {
+      s.fail(error, {"static_load_rating_N", "contact_angle_deg"});
+    }
+  }
+
+  void read_effects() {
+    const toml::array* const list = root_["effect"].as_array();
+    if (!list) return;
+    Names ids;
+    for (const effects::Description& d : effects::catalogue()) ids.emplace_back(d.id);
+    for (const toml::node& node : *list) {
+      const Section s(source_, "effect", node.as_table());
+      const auto id = s.text("id");
+      if (!id)
+        throw InputError(
+            fmt::format("{}: [[effect]] has no id; the catalogue has {}", s.place(), listed(ids)));
+      const auto all = effects::catalogue();
+      const auto found = std::find_if(all.begin(), all.end(),
+                                      [&](const effects::Description& d) { return d.id == *id; });
+      if (found == all.end()) {
+        if (s.find("torque_Nmm") && s.find("torque_Nmm")->is_string())
+          s.fail("torque_Nmm",
+                 fmt::format("effect {}: formulas of your own are not available in this version",
+                             *id));
+        const std::string near = suggestion(*id, ids);
+        s.fail("id", fmt::format("id = \"{}\": unknown effect{}", *id,
+                                 near.empty() ? "; the catalogue has " + listed(ids) : near));
+      }
+      for (const effects::Effect& before : effects_)
+        if (before.description->id == *id)
+          s.fail("id", fmt::format("id = \"{}\": this effect is listed twice", *id));
+      Names known{"id"};
+      for (const friction::Parameter& p : found->parameters) known.emplace_back(p.name);
+      s.allow_only(known);
+      effects::Effect effect{.description = &*found, .values = {}};
+      for (const friction::Parameter& p : found->parameters) {
+        const Key key{p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper};
+        if (const auto value = s.number(key)) {
+          effect.values.push_back(*value);
+        } else {
+          effect.values.push_back(p.initial);
+          note_default(fmt::format("effect[{}]", effects_.size()), p.name,
+                       fmt::format("{:.10g}", p.initial), "default of " + *id);
+        }
+      }
+      effects_.push_back(std::move(effect));
+    }
+  }
+
+  bearing::EquilibriumOptions read_solver() {
+    const Section s = section("solver");
+    s.allow_only({"race_control", "tilt"});
+    bearing::EquilibriumOptions options;
+    options.race_control = choice_or(s, "race_control", {"outer", "inner"}, "outer") == "outer"
+                               ? bearing::RaceControl::outer
+                               : bearing::RaceControl::inner;
+    options.tilt = choice_or(s, "tilt", {"locked", "free"}, "locked") == "locked"
+                       ? bearing::Tilt::locked
+                       : bearing::Tilt::free;
+    return options;
+  }
+
+  fit::Rig read_rig() {
+    const Section s = section("rig");
+    s.allow_only({"inertia_kgm2", "bearings", "axial_load_N", "radial_load_N", "temperature_C",
+                  "minimum_speed_rpm"});
+    fit::Rig rig;
+    if (const auto value = s.number(inertia)) rig.inertia = *value;
+    if (const auto value = s.number(axial_load)) rig.axial_load = *value;
+    if (const auto value = s.whole_number(bearings))
+      rig.bearings = *value;
+    else
+      note_default("rig", bearings.name, fmt::format("{}", rig.bearings));
+    rig.radial_load = number_or(s, radial_load, rig.radial_load);
+    rig.temperature = kelvin(number_or(s, temperature, celsius(rig.temperature)));
+    rig.minimum_speed = number_or(s, minimum_speed, rig.minimum_speed / rpm) * rpm;
+    return rig;
+  }
+
+  Names read_calibration() {
+    const Section s = section("calibration");
+    s.allow_only({"free"});
+    // An effect's parameter is known by "id.name", and by its name alone where no other has it.
+    std::multimap<std::string, std::string> full_names;
+    for (const friction::Parameter& p : friction::parameters(law_))
+      full_names.emplace(p.name, p.name);
+    for (const effects::Effect& e : effects_)
+      for (const friction::Parameter& p : e.description->parameters) {
+        const std::string full = fmt::format("{}.{}", e.description->id, p.name);
+        full_names.emplace(p.name, full);
+        full_names.emplace(full, full);
+      }
+    Names known;
+    for (const auto& [name, full] : full_names) known.push_back(name);
+    const toml::node* const node = s.find("free");
+    if (!node) {
+      Names names = fit::default_free(law_);
+      std::string text;
+      for (const std::string& name : names)
+        text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", name);
+      note_default("calibration", "free", "[" + text + "]");
+      return names;
+    }
+    const auto wrong = [&](const toml::node& at, const std::string& problem) {
+      throw InputError(fmt::format("{}: free = {}: {}", s.place(&at), shown(at), problem));
+    };
+    if (!node->is_array() || node->as_array()->empty())
+      wrong(*node, "must be a list of one name or more, as in [\"f0\", \"z\"]");
+    Names names;
+    for (const toml::node& entry : *node->as_array()) {
+      const auto name = entry.is_string() ? entry.value<std::string>() : std::nullopt;
+      if (!name) wrong(entry, "must be the name of a parameter in quotes");
+      const auto [first, last] = full_names.equal_range(*name);
+      if (first == last) {
+        const std::string near = suggestion(*name, known);
+        wrong(entry,
+              "no such parameter" + (near.empty() ? "; this model has " + listed(known) : near));
+      }
+      if (std::next(first) != last)
+        wrong(entry, "several effects have it; write effect-id." + *name);
+      if (std::find(names.begin(), names.end(), first->second) != names.end())
+        wrong(entry, "stands twice");
+      names.push_back(first->second);
+    }
+    return names;
+  }
+
+  toml::table root_;
+  std::string text_, source_, name_;
+  bool from_catalogue_ = false;
+  std::vector<Material> materials_;
+  friction::FrictionLaw law_ = friction::FrictionLaw::palmgren;
+  std::vector<double> law_values_;
+  std::vector<effects::Effect> effects_;
+  Names defaults_;
+};
+
+constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+
+/// "effect[0].f" as {"effect", "0", "f"} and where the indices are.
+struct KeyPath {
+  struct Step {
+    std::string name;
+    std::optional<std::size_t> index;  ///< into a list of tables
+  };
+  std::vector<Step> tables;
+  std::string key;
+};
+
+KeyPath parse_path(const std::string& text) {
+  KeyPath path;
+  std::size_t begin = 0;
+  for (std::size_t dot; (dot = text.find('.', begin)) != text.npos; begin = dot + 1) {
+    KeyPath::Step step{text.substr(begin, dot - begin), std::nullopt};
+    if (const std::size_t bracket = step.name.find('['); bracket != step.name.npos) {
+      step.index = std::stoul(step.name.substr(bracket + 1));
+      step.name.resize(bracket);
+    }
+    path.tables.push_back(std::move(step));
+  }
+  path.key = text.substr(begin);
+  return path;
+}
+
+const toml::table* find_table(const toml::table& root, const KeyPath& path) {
+  const toml::table* table = &root;
+  for (const KeyPath::Step& step : path.tables) {
+    const toml::node* node = table->get(step.name);
+    if (node && step.index) node = node->is_array() ? node->as_array()->get(*step.index) : nullptr;
+    table = node ? node->as_table() : nullptr;
+    if (!table) return nullptr;
+  }
+  return table;
+}
+
+std::size_t line_start(std::string_view text, std::size_t line) {
+  std::size_t at = 0;
+  for (; line > 1; --line) at = text.find('\n', at) + 1;
+  return at;
+}
+
+/// Byte of a place that toml++ gives as line and column, which counts code points.
+std::size_t byte_of(std::string_view text, const toml::source_position& place) {
+  std::size_t at = line_start(text, place.line);
+  for (auto column = place.column; column > 1 && at < text.size(); --column) {
+    ++at;
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) ++at;
+  }
+  return at;
+}
+
+/// A double as TOML: the shortest text that reads back the same, always a float.
+std::string toml_float(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".e") == text.npos) text += ".0";
+  return text;
+}
+
+std::string with_value(std::string text, const KeyValue& change) {
+  const std::string value = toml_float(change.value);
+  const KeyPath path = parse_path(change.key);
+  const toml::table root = parse_toml(text, "model");
+  const toml::table* const table = find_table(root, path);
+  const std::string_view line_end = text.find("\r\n") != text.npos ? "\r\n" : "\n";
+  const std::string assignment = fmt::format("{} = {}", path.key, value);
+
+  if (!table) {
+    if (path.tables.size() != 1 || path.tables[0].index)
+      throw InputError(fmt::format("{}: there is no such table in the model", change.key));
+    if (!text.empty() && text.back() != '\n') text += line_end;
+    return fmt::format("{}{}[{}]{}{}{}", text, line_end, path.tables[0].name, line_end, assignment,
+                       line_end);
+  }
+  if (const toml::node* const node = table->get(path.key)) {
+    if (!node->is_number())
+      throw InputError(fmt::format("{} = {}: is not a number", change.key, shown(*node)));
+    const std::size_t begin = byte_of(text, node->source().begin);
+    return text.replace(begin, byte_of(text, node->source().end) - begin, value);
+  }
+
+  // A new key goes behind the last one of its table, written as that one is.
+  const toml::key* last_key = nullptr;
+  const toml::node* last = nullptr;
+  const auto ends_before = [](const toml::node& a, const toml::node& b) {
+    const auto x = a.source().end, y = b.source().end;
+    return x.line != y.line ? x.line < y.line : x.column < y.column;
+  };
+  for (const auto& [key, node] : *table) {
+    const bool elsewhere =
+        (node.is_table() && !node.as_table()->is_inline()) || node.is_array_of_tables();
+    if (elsewhere || (last && ends_before(node, *last))) continue;
+    last = &node;
+    last_key = &key;
+  }
+  if (table->is_inline()) {
+    if (last) return text.insert(byte_of(text, last->source().end), ", " + assignment);
+    return text.insert(byte_of(text, table->source().begin) + 1, " " + assignment + " ");
+  }
+  const std::size_t line = last ? last->source().end.line : table->source().begin.line;
+  std::string before;
+  if (last) {
+    const std::size_t begin = line_start(text, last_key->source().begin.line);
+    before = text.substr(begin, byte_of(text, last_key->source().begin) - begin);
+  }
+  std::size_t at = text.find('\n', line_start(text, line));
+  if (at == text.npos) {
+    text += line_end;
+    at = text.size();
+  } else {
+    ++at;
+  }
+  return text.insert(at, before + assignment + std::string(line_end));
+}
+
+}  // namespace
+
+ModelFile parse_model(std::string text, const std::string& source) {
+  return Reader(std::move(text), source).read();
+}
+
+ModelFile read_model(const std::string& path) {
+  bool marked = false;
+  std::string text = read_text(path, &marked);
+  ModelFile file = parse_model(std::move(text), path);
+  if (marked) file.text.insert(0, utf8_mark);
+  return file;
+}
+
+std::string file_key(const fit::ModelParameter& parameter) {
+  if (parameter.effect < 0) return "friction." + parameter.name;
+  return fmt::format("effect[{}].{}", parameter.effect,
+                     parameter.name.substr(parameter.name.find('.') + 1));
+}
+
+std::string with_values(std::string_view text, std::span<const KeyValue> changes) {
+  const bool marked = text.starts_with(utf8_mark);
+  if (marked) text.remove_prefix(utf8_mark.size());
+  std::string result(text);
+  for (const KeyValue& change : changes) {
+    if (!std::isfinite(change.value))
+      throw std::invalid_argument(fmt::format("{} = {}: must be finite", change.key, change.value));
+    result = with_value(std::move(result), change);
+  }
+  const toml::table root = parse_toml(result, "model");
+  for (const KeyValue& change : changes) {
+    const KeyPath path = parse_path(change.key);
+    const toml::table* const table = find_table(root, path);
+    if (!table || (*table)[path.key].value<double>() != change.value)
+      throw InputError(fmt::format("{}: its place in the model was not found", change.key));
+  }
+  if (marked) result.insert(0, utf8_mark);
+  return result;
+}
+
+std::string new_model_text(const CatalogueBearing& row) {
+  const bearing::BearingGeometry& g = row.geometry;
+  const fit::Rig rig;
+  const auto number = [](double value) { return fmt::format("{:.10g}", value); };
+  std::string text = fmt::format(
+      R"(# Model of a {0} on a rig. Every default is written out: change what you know better.
+
+[bearing]                          # same as catalogue = "{0}"
+name = "{0}"
+ball_count = {1}
+ball_diameter_mm = {2}
+pitch_diameter_mm = {3}
+contact_angle_deg = {4}
+inner_conformity = {5}            # groove radius / ball diameter; makers do not print it: assumed
+outer_conformity = {6}            # assumed
+static_load_rating_N = {7}
+bore_mm = {8}
+outer_diameter_mm = {9}
+ball_material = "steel"            # or "silicon-nitride", or a [material.NAME] as below
+ring_material = "steel"
+
+[lubricant]                        # assumed: a thin spindle oil; put in the values of yours
+viscosity_40C_mm2_s = 22.0         # of a grease: of its base oil
+viscosity_100C_mm2_s = 4.8
+)",
+      row.full_name(), g.ball_count, number(g.ball_diameter / mm), number(g.pitch_diameter / mm),
+      number(g.contact_angle / degree), number(g.inner_conformity), number(g.outer_conformity),
+      number(g.static_load_rating), number(g.bore / mm), number(g.outer_diameter / mm));
+  text += fmt::format(R"(
+[friction]
+law = "palmgren"                   # or "skf", then mu_bl, mu_EHL and K_rs in place of f0, z and y
+f0 = {}                           # viscous torque, about 1 (oil-air, little grease) to 6 (oil jet)
+z = {}                          # load torque
+y = {}                           # exponent of the load torque
+
+[rig]
+bearings = {}                       # equal bearings whose torque the rig sees
+# axial_load_N = 0                 # per bearing, for measured rows without that column
+radial_load_N = {}
+temperature_C = {}
+minimum_speed_rpm = {}              # slower rows of a coast-down are left out
+# inertia_kgm2 = 0.5               # of all that turns; coast-down records need it
+
+[solver]
+race_control = "outer"             # or "inner"
+tilt = "locked"                    # or "free"
+
+[calibration]
+free = ["f0", "z"]                 # what may be re-fitted to measurements
+
+# [material.my-ball]
+# elastic_modulus_GPa = 208
+# poisson_ratio = 0.3
+# density_kg_m3 = 7800
+# thermal_expansion_1e6_K = 11.5
+)",
+                      catalogue_f0, catalogue_z, catalogue_y, rig.bearings, number(rig.radial_load),
+                      number(celsius(rig.temperature)), number(rig.minimum_speed / rpm));
+  return text;
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/free_parameters.h"
+#include "fit/model.h"
+#include "io/catalogue_file.h"
+
+namespace raceway::io {
+
+/// A model as read from its file.
+struct ModelFile {
+  fit::Model model;
+  std::string source;  ///< file name, for messages
+  std::string text;    ///< of the file, to be edited with with_values()
+  /// Every default that was used, e.g. `solver.tilt = "locked" (default)`.
+  std::vector<std::string> defaults;
+};
+
+/// Reads a TOML model (keys with their units: DESIGN.md, Files) into SI.
+///
+/// Throws InputError naming file, line, key, value and allowed range: text that is no TOML, unknown
+/// and missing keys and tables, wrong types, values out of range, bearings that cannot be.
+[[nodiscard]] ModelFile read_model(const std::string& path);
+
+/// The same from text; `source` stands in messages.
+[[nodiscard]] ModelFile parse_model(std::string text, const std::string& source);
+
+/// Where a parameter that may be fitted stands in its file, as KeyValue::key.
+[[nodiscard]] std::string file_key(const fit::ModelParameter& parameter);
+
+/// A new value for a number of a model file, in the unit of its key.
+struct KeyValue {
+  std::string key;  ///< "friction.f0", or "effect[0].friction_coefficient" for the first [[effect]]
+  double value;
+};
+
+/// The text with these values and nothing else changed: comments, order and blanks are kept. A key
+/// that was left to its default is added to its table. The values read back exactly.
+/// Throws InputError where the text is no TOML or has no such [[effect]], std::invalid_argument for
+/// a value that is not finite.
+[[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
+
+/// A commented model of a catalogue bearing, with every default written out.
+[[nodiscard]] std::string new_model_text(const CatalogueBearing& row);
+
+}  // namespace raceway::io

@@ -1,0 +1,235 @@
+#include "io/results.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "io/column_unit.h"
+
+namespace raceway::io {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+std::string text(const json& document) { return document.dump(2) + "\n"; }
+
+json report_json(const bearing::SolveReport& report) {
+  return {{"status", bearing::name(report.status)},
+          {"iterations", report.iterations},
+          {"residual", report.residual},
+          {"recovered_load_error", report.recovered_load_error}};
+}
+
+json friction_json(const fit::Model& model, const fit::FrictionPrediction& f) {
+  json parts = {{"load_Nmm", f.load / N_mm}, {"viscous_Nmm", f.viscous / N_mm}};
+  for (std::size_t i = 0; i < f.effects.size(); ++i)
+    parts[std::string(model.effects[i].description->id) + "_Nmm"] = f.effects[i] / N_mm;
+  return parts;
+}
+
+}  // namespace
+
+std::string solve_json(const fit::Model& model, const bearing::OperatingPoint& point,
+                       const bearing::BearingEquilibrium& e,
+                       const fit::FrictionPrediction& friction, const friction::HeatSplit& heat) {
+  json balls = json::array();
+  for (const bearing::BallEquilibrium& b : e.balls) {
+    balls.push_back({{"azimuth_deg", b.azimuth / degree},
+                     {"inner_contact_angle_deg", b.inner_contact_angle / degree},
+                     {"outer_contact_angle_deg", b.outer_contact_angle / degree},
+                     {"inner_load_N", b.inner_load},
+                     {"outer_load_N", b.outer_load},
+                     {"centrifugal_force_N", b.centrifugal_force},
+                     {"gyroscopic_moment_Nmm", b.gyroscopic_moment / N_mm}});
+  }
+  json matrix = json::array();
+  for (int i = 0; i < 5; ++i) {
+    json row = json::array();
+    for (int j = 0; j < 5; ++j) row.push_back(e.stiffness(i, j));
+    matrix.push_back(row);
+  }
+  const auto& u = e.displacement;
+  return text({{"bearing", model.name},
+               {"speed_rpm", point.speed / rpm},
+               {"axial_load_N", point.axial_load},
+               {"radial_load_N", point.radial_load},
+               {"temperature_C", celsius(point.temperature)},
+               {"axial_displacement_um", u[0] / um},
+               {"radial_displacement_um", std::hypot(u[1], u[2]) / um},
+               {"tilt_y_mrad", u[3] / mrad},
+               {"tilt_z_mrad", u[4] / mrad},
+               {"balls", balls},
+               {"stiffness",
+                {{"axial_N_um", e.stiffness(0, 0) / N_per_um},
+                 {"radial_N_um", e.stiffness(1, 1) / N_per_um},
+                 {"matrix", matrix}}},
+               {"friction", friction_json(model, friction)},
+               {"friction_torque_Nmm", friction.torque / N_mm},
+               {"power_loss_W", friction.power_loss},
+               {"inner_ring_heat_W", heat.inner},
+               {"outer_ring_heat_W", heat.outer},
+               {"report", report_json(e.report)}});
+}
+
+std::string table_json(const fit::Model& model, const friction::StribeckTable& table) {
+  json rows = json::array();
+  for (std::size_t i = 0; i < table.friction_moment.size(); ++i) {
+    const bearing::OperatingPoint p = table.point(i);
+    json row = {{"speed_rpm", p.speed / rpm},
+                {"axial_load_N", p.axial_load},
+                {"radial_load_N", p.radial_load},
+                {"temperature_C", celsius(p.temperature)},
+                {"friction_torque_Nmm", table.friction_moment[i] / N_mm}};
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      row[table.columns[c]] = table.row(i)[c] / column_unit(table.columns[c]);
+    row["status"] = bearing::name(table.status[i]);
+    rows.push_back(std::move(row));
+  }
+  return text({{"bearing", model.name}, {"rows", rows}});
+}
+
+std::string calibration_json(const fit::Calibration& c) {
+  json parameters = json::object();
+  for (const fit::FittedParameter& p : c.parameters)
+    parameters[p.name] = {{"value", p.value},
+                          {"std", p.std},
+                          {"unit", p.unit},
+                          {"start", p.start},
+                          {"lower", p.lower},
+                          {"upper", p.upper},
+                          {"at_bound", p.at_bound != fit::Bound::none},
+                          {"identifiable", p.identifiable}};
+  json correlation = json::array();
+  for (Eigen::Index i = 0; i < c.correlation.rows(); ++i) {
+    json row = json::array();
+    for (Eigen::Index j = 0; j < c.correlation.cols(); ++j) row.push_back(c.correlation(i, j));
+    correlation.push_back(row);
+  }
+  return text({{"parameters", parameters},
+               {"correlation", correlation},
+               {"rows", c.rows},
+               {"rows_not_predicted", c.rows_not_predicted},
+               {"degrees_of_freedom", c.degrees_of_freedom},
+               {"reduced_chi_square", c.reduced_chi_square},
+               {"unit", "Nmm"},
+               {"rmse_before", c.rmse_before / N_mm},
+               {"rmse", c.rmse_after / N_mm},
+               {"messages", c.messages},
+               {"report", {{"status", fit::name(c.status)}, {"iterations", c.iterations}}}});
+}
+
+namespace {
+
+struct RangeUnit {
+  const char* unit;
+  double factor;
+  double offset;
+};
+
+RangeUnit range_unit(fit::Variable v) {
+  switch (v) {
+    case fit::Variable::speed:
+      return {"rpm", rpm, 0.0};
+    case fit::Variable::temperature:
+      return {"C", 1.0, celsius_zero};
+    case fit::Variable::run:
+      return {"", 1.0, 0.0};
+    default:
+      return {"N", 1.0, 0.0};
+  }
+}
+
+json one_comparison(const std::string& file, const fit::Comparison& c) {
+  json where = json::array();
+  for (const fit::ErrorRange& r : c.where) {
+    const RangeUnit u = range_unit(r.variable);
+    json range = {{"variable", fit::name(r.variable)}};
+    if (r.variable == fit::Variable::run) {
+      range["from"] = range["to"] = r.run;
+    } else {
+      range["from"] = (r.from - u.offset) / u.factor;
+      range["to"] = (r.to - u.offset) / u.factor;
+    }
+    range["unit"] = u.unit;
+    range["rows"] = r.rows;
+    range["rmse"] = r.rmse / N_mm;
+    range["bias"] = r.bias / N_mm;
+    where.push_back(range);
+  }
+  json worst = json::array();
+  for (const fit::RowError& r : c.worst)
+    worst.push_back({{"line", r.line},
+                     {"predicted", r.predicted / N_mm},
+                     {"measured", r.measured / N_mm},
+                     {"residual", r.residual / N_mm},
+                     {"sigmas", r.sigmas}});
+  return {
+      {"model", file},
+      {"quantity",
+       c.quantity == fit::Quantity::friction_torque ? "friction_torque" : "axial_displacement"},
+      {"unit", "Nmm"},
+      {"rows", c.rows},
+      {"rows_not_predicted", c.rows_not_predicted},
+      {"rmse", c.rmse / N_mm},
+      {"mae", c.mae / N_mm},
+      {"max_abs", c.max_abs / N_mm},
+      {"bias", c.bias / N_mm},
+      {"fit_percent", c.fit_percent},
+      {"noise", {{"rms", c.noise.rms / N_mm}, {"source", fit::name(c.noise.source)}}},
+      {"lack_of_fit", {{"statistic", c.lack_of_fit.statistic}, {"p_value", c.lack_of_fit.p_value}}},
+      {"statement", c.statement},
+      {"where", where},
+      {"worst_rows", worst}};
+}
+
+}  // namespace
+
+std::string comparison_json(const std::vector<std::string>& model_files,
+                            const std::vector<fit::Comparison>& comparisons,
+                            const fit::DataSet& data) {
+  json documents = json::array();
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    json document = one_comparison(model_files[i], comparisons[i]);
+    document["data"] = data.source;
+    documents.push_back(document);
+  }
+  if (documents.size() == 1) return text(documents[0]);
+  return text({{"models", documents}});
+}
+
+std::string bearings_json(const std::vector<CatalogueBearing>& rows) {
+  json bearings = json::array();
+  for (const CatalogueBearing& r : rows)
+    bearings.push_back({{"name", r.full_name()},
+                        {"bore_mm", r.geometry.bore / mm},
+                        {"outer_diameter_mm", r.geometry.outer_diameter / mm},
+                        {"pitch_diameter_mm", r.geometry.pitch_diameter / mm},
+                        {"ball_diameter_mm", r.geometry.ball_diameter / mm},
+                        {"ball_count", r.geometry.ball_count},
+                        {"contact_angle_deg", r.geometry.contact_angle / degree},
+                        {"static_load_rating_N", r.geometry.static_load_rating}});
+  return text({{"bearings", bearings}});
+}
+
+std::string check_json(const CheckSummary& s) {
+  json columns = json::array();
+  for (const ColumnSummary& c : s.columns)
+    columns.push_back({{"name", c.name}, {"from", c.lower}, {"to", c.upper}, {"levels", c.levels}});
+  json effects = json::array();
+  for (const CheckSummary::Testable& t : s.effects)
+    effects.push_back({{"id", t.id}, {"testable", t.missing.empty()}, {"missing", t.missing}});
+  json parameters = json::array();
+  for (const CheckSummary::Free& f : s.free_parameters)
+    parameters.push_back({{"name", f.name}, {"identifiable", f.identifiable}});
+  return text({{"model", s.model_name},
+               {"quantity", s.quantity},
+               {"rows", s.rows},
+               {"runs", s.runs},
+               {"noise", {{"rms", s.noise / N_mm}, {"source", s.noise_source}}},
+               {"columns", columns},
+               {"free_parameters", parameters},
+               {"effects", effects},
+               {"defaults", s.defaults},
+               {"notes", s.notes}});
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,204 @@
+#include "io/table_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "bearing/units.h"
+#include "io/column_unit.h"
+#include "io/csv.h"
+#include "io/error.h"
+#include "io/input_file.h"
+#include "io/names.h"
+
+namespace raceway::io {
+namespace {
+
+using bearing::SolveStatus;
+
+constexpr std::array<std::string_view, 5> leading_columns{
+    "speed_rpm", "axial_load_N", "radial_load_N", "temperature_C", "friction_torque_Nmm"};
+constexpr std::string_view status_column = "status";
+constexpr std::string_view model_mark = "#|";
+
+SolveStatus status_of(std::string_view text, const std::string& place) {
+  for (const SolveStatus status :
+       {SolveStatus::not_run, SolveStatus::converged, SolveStatus::no_equilibrium,
+        SolveStatus::iteration_limit, SolveStatus::singular, SolveStatus::not_finite})
+    if (bearing::name(status) == text) return status;
+  throw InputError(fmt::format("{}: status = {}: is unknown", place, quoted(text)));
+}
+
+std::string shown(const bearing::OperatingPoint& point) {
+  return fmt::format(
+      "speed_rpm {:.12g}, axial_load_N {:.12g}, radial_load_N {:.12g}, temperature_C "
+      "{:.12g}",
+      point.speed / rpm, point.axial_load, point.radial_load, celsius(point.temperature));
+}
+
+void append_value(fmt::memory_buffer& out, double value) {
+  if (!std::isnan(value)) fmt::format_to(std::back_inserter(out), "{:.12g}", value);
+}
+
+std::string model_text_of(const CsvTable& csv) {
+  std::string text;
+  for (const std::string& comment : csv.comments) {
+    if (!comment.starts_with(model_mark)) continue;
+    std::string_view line = std::string_view(comment).substr(model_mark.size());
+    if (line.starts_with(' ')) line.remove_prefix(1);
+    text.append(line).push_back('\n');
+  }
+  return text;
+}
+
+/// Different values of one column, in increasing order.
+std::vector<double> axis_of(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+std::size_t place_on(const std::vector<double>& axis, double value) {
+  return static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), value) - axis.begin());
+}
+
+}  // namespace
+
+std::string table_text(const friction::StribeckTable& table, std::string_view title,
+                       std::string_view model_text) {
+  fmt::memory_buffer out;
+  const auto put = std::back_inserter(out);
+  fmt::format_to(put, "# Stribeck table: {}\n# raceway {}\n# model:\n", title, RACEWAY_VERSION);
+  while (!model_text.empty()) {
+    const std::size_t end = std::min(model_text.find('\n'), model_text.size());
+    std::string_view line = model_text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    fmt::format_to(put, "{}{}{}\n", model_mark, line.empty() ? "" : " ", line);
+    model_text.remove_prefix(std::min(end + 1, model_text.size()));
+  }
+  for (const std::string_view name : leading_columns) fmt::format_to(put, "{},", name);
+  std::vector<double> factors;
+  for (const std::string& name : table.columns) {
+    fmt::format_to(put, "{},", name);
+    factors.push_back(column_unit(name));
+  }
+  fmt::format_to(put, "{}\n", status_column);
+  for (std::size_t i = 0; i < table.axes.size(); ++i) {
+    const bearing::OperatingPoint point = table.point(i);
+    fmt::format_to(put, "{:.12g},{:.12g},{:.12g},{:.12g},", point.speed / rpm, point.axial_load,
+                   point.radial_load, celsius(point.temperature));
+    append_value(out, table.friction_moment[i] / N_mm);
+    out.push_back(',');
+    const auto row = table.row(i);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      append_value(out, row[k] / factors[k]);
+      out.push_back(',');
+    }
+    fmt::format_to(put, "{}\n", bearing::name(table.status[i]));
+  }
+  return fmt::to_string(out);
+}
+
+TableFile parse_table(std::string text, const std::string& source) {
+  const CsvTable csv = parse_csv(std::move(text), source);
+  TableFile file;
+  file.source = source;
+  file.model_text = model_text_of(csv);
+
+  std::array<std::size_t, leading_columns.size()> at{};
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const auto column = csv.column(leading_columns[k]);
+    if (!column)
+      throw InputError(fmt::format("{}:{}: column {} is missing{}", source, csv.header_line,
+                                   leading_columns[k], suggestion(leading_columns[k], csv.header)));
+    at[k] = *column;
+  }
+  const auto status = csv.column(status_column);
+  std::vector<std::size_t> further;
+  for (std::size_t k = 0; k < csv.header.size(); ++k) {
+    if (std::find(at.begin(), at.end(), k) != at.end() || k == status) continue;
+    further.push_back(k);
+    file.table.columns.push_back(csv.header[k]);
+  }
+
+  const std::size_t rows = csv.rows();
+  std::array<std::vector<double>, 4> inputs;
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    inputs[k].reserve(rows);
+    const double factor = k == 0 ? rpm : 1.0;
+    const double offset = k == 3 ? celsius_zero : 0.0;
+    for (std::size_t i = 0; i < rows; ++i)
+      inputs[k].push_back(csv.number(i, at[k]) * factor + offset);
+  }
+  friction::StribeckTable& table = file.table;
+  table.axes = {axis_of(inputs[0]), axis_of(inputs[1]), axis_of(inputs[2]), axis_of(inputs[3])};
+  try {
+    friction::validate(table.axes);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(source + ": " + error.what());
+  }
+
+  const std::array axes{&table.axes.speed, &table.axes.axial_load, &table.axes.radial_load,
+                        &table.axes.temperature};
+  double points = 1.0;
+  for (const auto* axis : axes) points *= static_cast<double>(axis->size());
+  // Far beyond what can be complete, an index would no longer be a number that counts exactly.
+  constexpr double countable = 1e15;
+  if (points > countable)
+    throw InputError(
+        fmt::format("{}: the rows do not form a grid of speeds, loads and temperatures", source));
+  std::unordered_map<std::size_t, std::size_t> row_of_index;
+  row_of_index.reserve(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::size_t index =
+        table.index(place_on(*axes[0], inputs[0][i]), place_on(*axes[1], inputs[1][i]),
+                    place_on(*axes[2], inputs[2][i]), place_on(*axes[3], inputs[3][i]));
+    const auto [twin, is_new] = row_of_index.emplace(index, i);
+    if (!is_new)
+      throw InputError(fmt::format("{}:{}: the point {} stands in line {} already", source,
+                                   csv.line(i), shown(table.point(index)), csv.line(twin->second)));
+  }
+  const std::size_t size = table.axes.size();
+  if (size != rows) {
+    std::size_t missing = 0;
+    while (row_of_index.count(missing) > 0) ++missing;
+    throw InputError(fmt::format(
+        "{}: the grid is not complete: {} speeds x {} axial loads x {} radial loads x {} "
+        "temperatures are {} points, the file has {}; missing is {}",
+        source, axes[0]->size(), axes[1]->size(), axes[2]->size(), axes[3]->size(), size, rows,
+        shown(table.point(missing))));
+  }
+
+  table.friction_moment.assign(size, unset);
+  table.status.assign(size, SolveStatus::not_run);
+  table.values.assign(size * table.columns.size(), unset);
+  std::vector<double> factors;
+  for (const std::string& name : table.columns) factors.push_back(column_unit(name));
+  for (const auto& [index, i] : row_of_index) {
+    const auto value = [&csv, row = i](std::size_t column) {
+      return csv.cell(row, column).empty() ? unset : csv.number(row, column);
+    };
+    const std::string_view word = status ? csv.cell(i, *status) : std::string_view();
+    const double moment = value(at[4]);
+    table.friction_moment[index] = moment * N_mm;
+    if (status)
+      table.status[index] = status_of(word, fmt::format("{}:{}", source, csv.line(i)));
+    else
+      table.status[index] = std::isnan(moment) ? SolveStatus::not_run : SolveStatus::converged;
+    if (table.status[index] == SolveStatus::converged && std::isnan(moment))
+      throw InputError(fmt::format(
+          "{}:{}: friction_torque_Nmm is empty, but the status is converged", source, csv.line(i)));
+    for (std::size_t k = 0; k < further.size(); ++k)
+      table.values[index * further.size() + k] = value(further[k]) * factors[k];
+  }
+  return file;
+}
+
+TableFile read_table(const std::string& path) { return parse_table(read_text(path), path); }
+
+}  // namespace raceway::io

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "friction/stribeck_table.h"
+
+namespace raceway::io {
+
+/// A Stribeck table as read from its file.
+struct TableFile {
+  friction::StribeckTable table;
+  std::string source;      ///< file name, for messages
+  std::string model_text;  ///< TOML of the model it came from, empty where the file carries none
+};
+
+/// A Stribeck table as CSV: `#` lines with title, version and the model's text (each line behind
+/// `#| `), then speed_rpm, axial_load_N, radial_load_N, temperature_C, friction_torque_Nmm, the
+/// table's columns and the status. Points without value have empty cells.
+///
+/// The further columns change from SI to the unit at the end of their names (_Nmm, _deg, _um, ...;
+/// without one they are dimensionless). Accuracy: 12 digits.
+[[nodiscard]] std::string table_text(const friction::StribeckTable& table, std::string_view title,
+                                     std::string_view model_text);
+
+/// Reads what table_text() wrote; the order of rows does not matter. Throws InputError as
+/// read_csv(), for cells that are no numbers, and for points of the grid that are missing or stand
+/// twice.
+[[nodiscard]] TableFile read_table(const std::string& path);
+
+/// The same from text; `source` stands in messages.
+[[nodiscard]] TableFile parse_table(std::string text, const std::string& source);
+
+}  // namespace raceway::io

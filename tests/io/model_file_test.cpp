@@ -1,0 +1,389 @@
+#include "io/model_file.h"
+
+#include <fstream>
+#include <random>
+#include <stdexcept>
+
+#include "bearing/units.h"
+#include "effects/catalogue.h"
+#include "io/input_file.h"
+#include "tests/io/message_of.h"
+
+namespace raceway::io {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::StartsWith;
+
+const std::string complete = R"([bearing]
+name = "7014"
+ball_count = 20
+ball_diameter_mm = 11.906
+pitch_diameter_mm = 90
+contact_angle_deg = 25.0
+inner_conformity = 0.52
+outer_conformity = 0.53
+static_load_rating_N = 43000
+ball_material = "my-ball"
+ring_material = "steel"
+
+[lubricant]
+viscosity_40C_mm2_s = 22.0
+viscosity_100C_mm2_s = 4.8
+
+[friction]
+f0 = 1.5
+z = 0.001
+y = 0.33
+
+[rig]
+inertia_kgm2 = 0.8489
+bearings = 2
+axial_load_N = 0
+minimum_speed_rpm = 40
+
+[solver]
+race_control = "inner"
+tilt = "free"
+
+[material.my-ball]
+elastic_modulus_GPa = 300
+poisson_ratio = 0.25
+density_kg_m3 = 3300
+thermal_expansion_1e6_K = 3
+
+[calibration]
+free = ["z", "spin-friction.friction_coefficient"]
+
+[[effect]]
+id = "spin-friction"
+friction_coefficient = 0.06
+)";
+
+/// `complete` with one piece of text replaced.
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = complete;
+  const std::size_t at = text.find(from);
+  if (at == text.npos) throw std::logic_error(from + " is not in the model");
+  return text.replace(at, from.size(), to);
+}
+
+std::string error_of(const std::string& text) {
+  return message_of([&] { (void)parse_model(text, "m.toml"); });
+}
+
+TEST(ModelFile, EveryKeyIsReadInSI) {
+  const ModelFile file = parse_model(complete, "m.toml");
+  const fit::Model& m = file.model;
+  const auto& g = m.bearing.geometry();
+  EXPECT_EQ(m.name, "7014");
+  EXPECT_EQ(g.ball_count, 20);
+  EXPECT_DOUBLE_EQ(g.ball_diameter, 11.906e-3);
+  EXPECT_DOUBLE_EQ(g.pitch_diameter, 0.09);
+  EXPECT_DOUBLE_EQ(g.contact_angle, 25 * degree);
+  EXPECT_DOUBLE_EQ(g.outer_conformity, 0.53);
+  EXPECT_DOUBLE_EQ(g.static_load_rating, 43000);
+  EXPECT_DOUBLE_EQ(m.bearing.balls().elastic_modulus, 300e9);
+  EXPECT_DOUBLE_EQ(m.bearing.balls().thermal_expansion, 3e-6);
+  EXPECT_EQ(m.bearing.rings().name, "steel");
+  EXPECT_NEAR(m.lubricant.kinematic_viscosity(kelvin(40)), 22e-6, 1e-9);
+  EXPECT_EQ(m.law, friction::FrictionLaw::palmgren);
+  EXPECT_THAT(m.law_values, ElementsAre(1.5, 0.001, 0.33));
+  EXPECT_DOUBLE_EQ(m.rig.inertia, 0.8489);
+  EXPECT_EQ(m.rig.bearings, 2);
+  EXPECT_DOUBLE_EQ(m.rig.axial_load, 0.0);
+  EXPECT_DOUBLE_EQ(m.rig.minimum_speed, 40 * rpm);
+  EXPECT_EQ(m.solver.race_control, bearing::RaceControl::inner);
+  EXPECT_EQ(m.solver.tilt, bearing::Tilt::free);
+  EXPECT_THAT(m.free, ElementsAre("z", "spin-friction.friction_coefficient"));
+  ASSERT_EQ(m.effects.size(), 1u);
+  EXPECT_EQ(m.effects[0].description->id, "spin-friction");
+  EXPECT_THAT(m.effects[0].values, ElementsAre(0.06));
+  EXPECT_EQ(file.text, complete);
+}
+
+TEST(ModelFile, EveryDefaultUsedIsNamed) {
+  const ModelFile file = parse_model(
+      complete.substr(0, complete.find("[rig]")).replace(complete.find("my-ball"), 7, "steel"),
+      "m.toml");
+  EXPECT_THAT(
+      file.defaults,
+      IsSupersetOf({"solver.race_control = \"outer\" (default)",
+                    "solver.tilt = \"locked\" (default)", "friction.law = \"palmgren\" (default)",
+                    "rig.bearings = 1 (default)", "rig.temperature_C = 40 (default)",
+                    "calibration.free = [\"f0\", \"z\"] (default)"}));
+  EXPECT_THAT(file.defaults, Contains(StartsWith("bearing.bore_mm = 72.141 (default: ")));
+}
+
+TEST(ModelFile, SkfTakesItsPublishedConstantsByDefault) {
+  std::string text = changed("f0 = 1.5\nz = 0.001\ny = 0.33", "law = \"skf\"\nmu_bl = 0.12");
+  text.replace(text.find("[\"z\""), 4, "[\"mu_bl\"");
+  const ModelFile file = parse_model(text, "m.toml");
+  EXPECT_EQ(file.model.law, friction::FrictionLaw::skf);
+  EXPECT_EQ(file.model.law_values[0], 0.12);
+  EXPECT_EQ(file.model.law_values[2], friction::parameters(file.model.law)[2].initial);
+  EXPECT_THAT(file.defaults, Contains(StartsWith("friction.K_rs = ")));
+}
+
+TEST(ModelFile, MisspeltKeysAreErrorsWithTheNearestName) {
+  EXPECT_EQ(error_of(changed("ball_count", "ball_cuont")),
+            "m.toml:3: ball_cuont = 20: unknown key in [bearing]; did you mean ball_count?");
+  EXPECT_THAT(error_of(changed("[lubricant]", "[lubricants]")),
+              StartsWith("m.toml:13: [lubricants]: unknown table; did you mean lubricant?"));
+  EXPECT_THAT(error_of(changed("tilt = \"free\"", "tilt = \"fre\"")),
+              StartsWith("m.toml:30: tilt = \"fre\": must be locked or free; did you mean free?"));
+  EXPECT_THAT(error_of(changed("id = \"spin-friction\"", "id = \"spin-fricton\"")),
+              HasSubstr("unknown effect; did you mean spin-friction?"));
+  EXPECT_THAT(error_of(changed("free = [\"z\"", "free = [\"zz\"")), HasSubstr("no such parameter"));
+  EXPECT_THAT(error_of(changed("\"my-ball\"\nring", "\"my-bal\"\nring")),
+              HasSubstr("did you mean my-ball?"));
+}
+
+TEST(ModelFile, MissingKeysAndTablesAreNamedWithTheirRange) {
+  EXPECT_EQ(error_of(changed("pitch_diameter_mm = 90\n", "")),
+            "m.toml:1: [bearing] pitch_diameter_mm is missing: must be from 1 to 5000 mm");
+  EXPECT_THAT(error_of(changed("ball_count = 20\n", "")),
+              StartsWith("m.toml:1: [bearing] ball_count is missing"));
+  EXPECT_THAT(error_of(changed("f0 = 1.5\n", "")),
+              StartsWith("m.toml:17: [friction] f0 is missing: must be from"));
+  EXPECT_THAT(error_of(changed("static_load_rating_N = 43000\n", "")),
+              HasSubstr("static_load_rating_N is missing, which the friction law palmgren needs"));
+  EXPECT_THAT(error_of("[lubricant]\nviscosity_40C_mm2_s = 22\nviscosity_100C_mm2_s = 5\n"),
+              StartsWith("m.toml: table [bearing] is missing"));
+  EXPECT_THAT(error_of(changed("density_kg_m3 = 3300\n", "")),
+              HasSubstr("[material.my-ball] density_kg_m3 is missing"));
+}
+
+TEST(ModelFile, WrongTypesAreErrors) {
+  EXPECT_EQ(
+      error_of(changed("= 11.906", "= \"11.906\"")),
+      "m.toml:4: ball_diameter_mm = \"11.906\": must be a number, not a text; must be from 0.1 "
+      "to 300 mm");
+  EXPECT_THAT(error_of(changed("= 20", "= 20.5")),
+              StartsWith("m.toml:3: ball_count = 20.5: must be a whole number"));
+  EXPECT_THAT(error_of(changed("ring_material = \"steel\"", "ring_material = 3")),
+              HasSubstr("must be a text in quotes, not a number"));
+  EXPECT_THAT(error_of(changed("[solver]", "[[solver]]")), HasSubstr("must be a table"));
+  EXPECT_THAT(error_of(changed("[[effect]]", "[effect]")),
+              HasSubstr("[[effect]] with two brackets"));
+}
+
+TEST(ModelFile, WholeNumbersServeAsNumbersAndTheOtherWayRound) {
+  EXPECT_EQ(parse_model(changed("= 20", "= 20.0"), "m.toml").model.bearing.geometry().ball_count,
+            20);
+}
+
+TEST(ModelFile, ImpossibleValuesNameKeyValueAndRange) {
+  EXPECT_EQ(error_of(changed("= 11.906", "= -12")),
+            "m.toml:4: ball_diameter_mm = -12 mm: must be from 0.1 to 300 mm");
+  EXPECT_EQ(error_of(changed("= 11.906", "= nan")),
+            "m.toml:4: ball_diameter_mm = nan mm: must be from 0.1 to 300 mm");
+  EXPECT_EQ(error_of(changed("inner_conformity = 0.52", "inner_conformity = 0.5")),
+            "m.toml:7: inner_conformity = 0.5: must be from 0.5005 to 0.7");
+  EXPECT_EQ(error_of(changed("= 20", "= 0")), "m.toml:3: ball_count = 0: must be from 3 to 200");
+  EXPECT_EQ(
+      error_of(changed("= 20", "= 30")),
+      "m.toml:3: ball_count = 30: at most 23 balls of 11.906 mm fit on a pitch circle of 90 mm");
+  EXPECT_THAT(error_of(changed("z = 0.001", "z = -1")),
+              StartsWith("m.toml:19: z = -1: must be from"));
+  EXPECT_THAT(error_of(changed("= 4.8", "= 48")),
+              StartsWith("m.toml:15: viscosity_100C_mm2_s = 48 mm2/s: must be below"));
+  EXPECT_THAT(error_of(changed("friction_coefficient = 0.06", "friction_coefficient = inf")),
+              HasSubstr("friction_coefficient = inf: must be from"));
+  EXPECT_THAT(error_of(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = 0")),
+              HasSubstr("inertia_kgm2 = 0 kg m2: must be from"));
+}
+
+TEST(ModelFile, TextThatIsNoTomlIsErrorWithLineAndColumn) {
+  EXPECT_THAT(error_of("[bearing]\nball_count = = 3\n"), StartsWith("m.toml:2:14: "));
+  EXPECT_THAT(error_of("[bearing]\nball_count = 3\nball_count = 4\n"), StartsWith("m.toml:3:"));
+  EXPECT_THAT(error_of("ball_count = 3\n"), HasSubstr("stands outside any table"));
+  // toml++ 3.3 asserts on this text.
+  EXPECT_THAT(error_of("[a]\n[ = 1.5\nc = 2\n"), StartsWith("m.toml:2: no TOML: "));
+}
+
+TEST(ModelFile, ArrangementsAreRefusedByName) {
+  EXPECT_THAT(error_of(complete + "[arrangement]\nlayout = \"O\"\n"),
+              StartsWith("m.toml:44: [arrangement] is not available in this version"));
+}
+
+TEST(ModelFile, FactorsOfTheOtherLawAreRefused) {
+  EXPECT_EQ(error_of(changed("y = 0.33", "y = 0.33\nmu_bl = 0.1")),
+            "m.toml:21: mu_bl = 0.1: belongs to law = \"skf\", but the law is \"palmgren\"");
+}
+
+TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
+  EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"spin-friction\"\n"),
+              HasSubstr("listed twice"));
+  EXPECT_THAT(error_of(complete + "[[effect]]\n"), HasSubstr("[[effect]] has no id"));
+  EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"mine\"\ntorque_Nmm = \"c\"\n"),
+              HasSubstr("not available in this version"));
+  const ModelFile file = parse_model(changed("friction_coefficient = 0.06\n", ""), "m.toml");
+  EXPECT_THAT(file.defaults, Contains(StartsWith("effect[0].friction_coefficient = ")));
+}
+
+TEST(ModelFile, AnEffectsParameterMayBeFreeByItsNameAlone) {
+  const auto file = parse_model(changed("spin-friction.friction", "friction"), "m.toml");
+  EXPECT_THAT(file.model.free, ElementsAre("z", "spin-friction.friction_coefficient"));
+}
+
+TEST(ModelFile, MutilatedModelsAreErrorsAndNothingElse) {
+  std::mt19937 random(20);
+  const std::string letters = "\n\r\"'[]{}.,=#0159e-_ \xc3\xbc";
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = complete;
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t at = random() % text.size();
+      const char letter = letters[random() % letters.size()];
+      if (k == 0) text[at] = letter;
+      if (k == 1) text.erase(at, 1 + random() % 5);
+      if (k == 2) text.insert(at, 1, letter);
+    }
+    try {
+      const ModelFile file = parse_model(text, "m.toml");
+      const std::vector<KeyValue> change{{"friction.f0", 2.5}};
+      EXPECT_EQ(parse_model(with_values(file.text, change), "m.toml").model.law_values[0], 2.5);
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), StartsWith("m.toml:"));
+    }
+  }
+}
+
+const std::string from_catalogue = R"([bearing]
+catalogue = "GMN S 6014 C"
+[lubricant]
+viscosity_40C_mm2_s = 22.0
+viscosity_100C_mm2_s = 4.8
+)";
+
+TEST(ModelFile, ACatalogueBearingNeedsNoMoreThanItsName) {
+  const ModelFile file = parse_model(from_catalogue, "m.toml");
+  const auto row = find_bearing(read_catalogues(), "S 6014 C");
+  EXPECT_EQ(file.model.name, row.full_name());
+  EXPECT_EQ(file.model.bearing.geometry().ball_count, row.geometry.ball_count);
+  EXPECT_EQ(file.model.bearing.geometry().bore, row.geometry.bore);
+  EXPECT_THAT(file.model.law_values, ElementsAre(1.5, 0.001, 0.33));
+  EXPECT_THAT(file.defaults, IsSupersetOf({"bearing.inner_conformity = 0.52 (default)",
+                                           "friction.f0 = 1.5 (default)"}));
+}
+
+TEST(ModelFile, OtherKeysOverrideTheCatalogue) {
+  std::string text = from_catalogue;
+  text.insert(text.find("[lubricant]"), "ball_count = 19\nouter_conformity = 0.53\n");
+  const auto g = parse_model(text, "m.toml").model.bearing.geometry();
+  EXPECT_EQ(g.ball_count, 19);
+  EXPECT_DOUBLE_EQ(g.outer_conformity, 0.53);
+  text.replace(text.find("= 19"), 4, "= 90");
+  EXPECT_THAT(error_of(text), StartsWith("m.toml:3: ball_count = 90: at most"));
+}
+
+TEST(ModelFile, UnknownCatalogueBearingsAreAnsweredWithTheNearest) {
+  std::string text = from_catalogue;
+  text.replace(text.find("6014"), 4, "6O14");
+  EXPECT_THAT(error_of(text),
+              StartsWith("m.toml:2: bearing \"GMN S 6O14 C\" is not in the catalogue; "
+                         "the nearest are GMN S 6014 C TA"));
+}
+
+TEST(ModelFile, ANewModelReadsBackWithoutDefaultsExceptCommentedOnes) {
+  for (const auto& row : read_catalogues()) {
+    const ModelFile file = parse_model(new_model_text(row), "new.toml");
+    EXPECT_TRUE(file.defaults.empty()) << row.full_name() << ": " << file.defaults.front();
+    EXPECT_EQ(file.model.name, row.full_name());
+    EXPECT_DOUBLE_EQ(file.model.bearing.geometry().ball_diameter, row.geometry.ball_diameter);
+  }
+}
+
+TEST(ModelFile, TheFlywheelModelIsRead) {
+  const ModelFile file =
+      read_model(std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/flywheel.toml");
+  EXPECT_GT(file.model.rig.inertia, 0.0);
+}
+
+std::string edited(const std::string& text, std::vector<KeyValue> changes) {
+  return with_values(text, changes);
+}
+
+TEST(ModelEdit, OnlyTheValueChanges) {
+  const std::string text =
+      "# ü\n[friction]   # Reibung: µ\nf0   =  1_500.25e-3\t# viscous\nz=1 # load\n";
+  EXPECT_EQ(edited(text, {{"friction.f0", 2.25}, {"friction.z", 0.0005}}),
+            "# ü\n[friction]   # Reibung: µ\nf0   =  2.25\t# viscous\nz=0.0005 # load\n");
+}
+
+TEST(ModelEdit, ColumnsAreCodePointsNotBytes) {
+  const std::string text = "friction = { \"Größe 😀\" = \"€\", f0 = 1.5, z = 2 } # ü\n";
+  EXPECT_EQ(edited(text, {{"friction.f0", 3}}),
+            "friction = { \"Größe 😀\" = \"€\", f0 = 3.0, z = 2 } # ü\n");
+}
+
+TEST(ModelEdit, AByteOrderMarkAndCarriageReturnsStay) {
+  const std::string mark = "\xef\xbb\xbf";
+  EXPECT_EQ(edited(mark + "friction.f0 = 1 # a\r\n", {{"friction.f0", 2}}),
+            mark + "friction.f0 = 2.0 # a\r\n");
+  EXPECT_EQ(edited("[friction]\r\nf0 = 1\r\n", {{"friction.z", 0.5}}),
+            "[friction]\r\nf0 = 1\r\nz = 0.5\r\n");
+  const std::string path = testing::TempDir() + "marked.toml";
+  std::ofstream(path, std::ios::binary) << mark << complete;
+  EXPECT_EQ(read_model(path).text, mark + complete);
+}
+
+TEST(ModelEdit, AKeyLeftToItsDefaultIsAddedToItsTable) {
+  EXPECT_EQ(edited("[friction]\n  f0 = 1 # a\n\n[rig]\n", {{"friction.z", 0.5}}),
+            "[friction]\n  f0 = 1 # a\n  z = 0.5\n\n[rig]\n");
+  EXPECT_EQ(edited("[friction]\n[rig]\nbearings = 1\n", {{"friction.z", 0.5}}),
+            "[friction]\nz = 0.5\n[rig]\nbearings = 1\n");
+  EXPECT_EQ(edited("[friction]", {{"friction.z", 0.5}}), "[friction]\nz = 0.5\n");
+  EXPECT_EQ(edited("friction.f0 = 1\n", {{"friction.z", 0.5}}),
+            "friction.f0 = 1\nfriction.z = 0.5\n");
+  EXPECT_EQ(edited("friction = { f0 = 1 }\n", {{"friction.z", 0.5}}),
+            "friction = { f0 = 1, z = 0.5 }\n");
+  EXPECT_EQ(edited("friction = {}\n", {{"friction.z", 0.5}}), "friction = { z = 0.5 }\n");
+  EXPECT_EQ(edited("[rig]\nbearings = 1\n", {{"friction.f0", 2}, {"friction.z", 0.5}}),
+            "[rig]\nbearings = 1\n\n[friction]\nf0 = 2.0\nz = 0.5\n");
+}
+
+TEST(ModelEdit, EffectsAreEditedByTheirPlace) {
+  const std::string text = "[[effect]]\nid = \"a\"\nx = 1\n[[effect]]\nid = \"b\" # second\n";
+  EXPECT_EQ(edited(text, {{"effect[0].x", 0.25}, {"effect[1].y", 1e-9}}),
+            "[[effect]]\nid = \"a\"\nx = 0.25\n[[effect]]\nid = \"b\" # second\ny = 1e-09\n");
+  EXPECT_THAT(message_of([&] {
+                (void)edited(text, {{"effect[2].x", 1}});
+              }),
+              HasSubstr("no such table"));
+}
+
+TEST(ModelEdit, EveryValueReadsBackExactly) {
+  for (const double value :
+       {0.1, 1.0 / 3.0, -2.0, 1e22, 1.7976931348623157e308, 5e-324, 123456789.0}) {
+    const std::string text = edited(complete, {{"friction.f0", value}});
+    EXPECT_EQ(edited(text, {{"friction.f0", 1.5}}), complete);
+  }
+  EXPECT_THROW((void)edited(complete, {{"friction.f0", unset}}), std::invalid_argument);
+}
+
+TEST(ModelEdit, TheEditedModelHoldsTheNewValues) {
+  const std::string text =
+      edited(complete, {{"friction.f0", 2.125}, {"effect[0].friction_coefficient", 0.0625}});
+  const fit::Model m = parse_model(text, "m.toml").model;
+  EXPECT_EQ(m.law_values[0], 2.125);
+  EXPECT_EQ(m.effects[0].values[0], 0.0625);
+}
+
+TEST(ModelEdit, EveryParameterOfAModelHasItsPlaceInTheFile) {
+  const ModelFile file = parse_model(complete, "m.toml");
+  std::vector<KeyValue> changes;
+  for (const fit::ModelParameter& p : fit::model_parameters(file.model))
+    changes.push_back({file_key(p), p.initial + 0.25 * (p.upper - p.initial)});
+  const fit::Model m = parse_model(with_values(complete, changes), "m.toml").model;
+  const auto parameters = fit::model_parameters(m);
+  ASSERT_EQ(parameters.size(), 4u);
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    EXPECT_EQ(parameters[k].get(m), changes[k].value) << changes[k].key;
+}
+
+}  // namespace
+}  // namespace raceway::io

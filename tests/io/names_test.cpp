@@ -1,0 +1,39 @@
+#include "io/names.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace raceway::io {
+namespace {
+
+const std::vector<std::string> keys{"ball_count", "ball_diameter_mm", "pitch_diameter_mm",
+                                    "speed_rpm", "axial_load_N"};
+
+TEST(Names, EditDistanceCountsSwapsAsOneChangeAndIgnoresCase) {
+  EXPECT_EQ(edit_distance("ball_count", "ball_count"), 0u);
+  EXPECT_EQ(edit_distance("ball_cuont", "ball_count"), 1u);
+  EXPECT_EQ(edit_distance("Speed_RPM", "speed_rpm"), 0u);
+  EXPECT_EQ(edit_distance("", "abc"), 3u);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
+}
+
+TEST(Names, NearestNameFindsMisspeltKeys) {
+  EXPECT_EQ(nearest_name("ball_cuont", keys), "ball_count");
+  EXPECT_EQ(nearest_name("pich_diameter_mm", keys), "pitch_diameter_mm");
+}
+
+TEST(Names, NearestNameFindsAForgottenUnitOrFirstWord) {
+  EXPECT_EQ(nearest_name("speed", keys), "speed_rpm");
+  EXPECT_EQ(nearest_name("load_N", keys), "axial_load_N");
+}
+
+TEST(Names, NamesThatAreFarFromAllHaveNoNearest) {
+  EXPECT_FALSE(nearest_name("samples_in_median", keys));
+  EXPECT_FALSE(nearest_name("", keys));
+  EXPECT_EQ(suggestion("zzzzzz", keys), "");
+  EXPECT_EQ(suggestion("ball_cont", keys), "; did you mean ball_count?");
+}
+
+}  // namespace
+}  // namespace raceway::io
