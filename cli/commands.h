@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+/// The subcommands of `raceway`, one file each. A setup function declares the flags; what it
+/// returns runs the command after parsing and gives the exit status.
+namespace raceway::cli {
+
+enum ExitStatus { done = 0, wrong_input = 1, not_converged = 2 };
+
+using Run = std::function<int()>;
+
+Run setup_solve(CLI::App& command);
+Run setup_table(CLI::App& command);
+Run setup_calibrate(CLI::App& command);
+Run setup_compare(CLI::App& command);
+Run setup_bearings(CLI::App& command);
+Run setup_new(CLI::App& command);
+Run setup_check(CLI::App& command);
+
+}  // namespace raceway::cli

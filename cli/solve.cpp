@@ -1,0 +1,143 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "cli/commands.h"
+#include "cli/open_input.h"
+#include "cli/text_table.h"
+#include "fit/prediction.h"
+#include "friction/heat.h"
+#include "io/error.h"
+#include "io/results.h"
+
+namespace raceway::cli {
+namespace {
+
+struct Flags {
+  std::string model;
+  double speed = unset, axial_load = unset, radial_load = unset, temperature = unset;
+  double moment_y = 0.0, moment_z = 0.0;
+  bool json = false;
+};
+
+bearing::OperatingPoint operating_point(const Flags& f, const fit::Rig& rig) {
+  bearing::OperatingPoint p;
+  p.speed = f.speed * rpm;
+  p.axial_load = std::isnan(f.axial_load) ? rig.axial_load : f.axial_load;
+  p.radial_load = std::isnan(f.radial_load) ? rig.radial_load : f.radial_load;
+  p.temperature = std::isnan(f.temperature) ? rig.temperature : kelvin(f.temperature);
+  p.moment_y = f.moment_y * N_mm;
+  p.moment_z = f.moment_z * N_mm;
+  if (std::isnan(p.axial_load))
+    throw io::InputError("raceway solve: --axial-load is missing, and " + f.model +
+                         " has no axial_load_N under [rig]");
+  return p;
+}
+
+friction::HeatSplit heat_split(const fit::Model& model, const bearing::OperatingPoint& point,
+                               const bearing::BearingEquilibrium& e,
+                               const fit::FrictionPrediction& friction) {
+  friction::HeatSources sources{.load = friction.load, .viscous = friction.viscous};
+  for (std::size_t i = 0; i < friction.effects.size(); ++i) {
+    const effects::Effect& effect = model.effects[i];
+    if (effect.description->id == "spin-friction") {
+      sources.spin_coefficient += effect.values[0];
+    } else {
+      sources.viscous += friction.effects[i];
+    }
+  }
+  return friction::split_heat(fit::bearing_state(model, point, &e), sources);
+}
+
+void print_balls(const bearing::BearingEquilibrium& e) {
+  bool alike = true;
+  for (const bearing::BallEquilibrium& b : e.balls)
+    alike = alike && b.inner_load == e.balls[0].inner_load;
+  TextTable table({{alike ? "balls" : "ball", ""},
+                   {"azimuth", "deg"},
+                   {"inner angle", "deg"},
+                   {"outer angle", "deg"},
+                   {"inner load", "N"},
+                   {"outer load", "N"},
+                   {"centrifugal", "N"},
+                   {"gyroscopic", "Nmm"}});
+  for (std::size_t k = 0; k < (alike ? 1 : e.balls.size()); ++k) {
+    const bearing::BallEquilibrium& b = e.balls[k];
+    table.add({alike ? fmt::format("all {}", e.balls.size()) : fmt::format("{}", k),
+               alike ? "" : fmt::format("{:.1f}", b.azimuth / degree),
+               number(b.inner_contact_angle / degree), number(b.outer_contact_angle / degree),
+               number(b.inner_load), number(b.outer_load), number(b.centrifugal_force),
+               number(b.gyroscopic_moment / N_mm)});
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+void print(const fit::Model& model, const bearing::OperatingPoint& p,
+           const bearing::BearingEquilibrium& e, const fit::FrictionPrediction& friction,
+           const friction::HeatSplit& heat) {
+  fmt::print("{} at {:.6g} rpm, axial load {:.6g} N, radial load {:.6g} N, {:.4g} C\n", model.name,
+             p.speed / rpm, p.axial_load, p.radial_load, celsius(p.temperature));
+  fmt::print("{} in {} Newton steps, loads recovered to {:.0e}\n\n", bearing::name(e.report.status),
+             e.report.iterations, e.report.recovered_load_error);
+  print_balls(e);
+  if (e.lost_balls() > 0)
+    fmt::print("{} of {} balls have lost the inner race\n", e.lost_balls(), e.balls.size());
+  const auto& u = e.displacement;
+  fmt::print("\naxial displacement  {:>10} um      axial stiffness   {:>8} N/um\n",
+             number(u[0] / um), number(e.stiffness(0, 0) / N_per_um));
+  fmt::print("radial displacement {:>10} um      radial stiffness  {:>8} N/um\n",
+             number(std::hypot(u[1], u[2]) / um), number(e.stiffness(1, 1) / N_per_um));
+  if (model.solver.tilt == bearing::Tilt::free)
+    fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[3] / mrad), number(u[4] / mrad));
+  fmt::print("\nfriction torque     {:>10} Nmm     power loss        {:>8} W\n",
+             number(friction.torque / N_mm), number(friction.power_loss));
+  fmt::print("  load              {:>10} Nmm       inner ring      {:>8} W\n",
+             number(friction.load / N_mm), number(heat.inner));
+  fmt::print("  viscous           {:>10} Nmm       outer ring      {:>8} W\n",
+             number(friction.viscous / N_mm), number(heat.outer));
+  for (std::size_t i = 0; i < friction.effects.size(); ++i)
+    fmt::print("  {:<17} {:>10} Nmm\n", model.effects[i].description->id,
+               number(friction.effects[i] / N_mm));
+}
+
+int run(const Flags& flags) {
+  const io::ModelFile file = open_model(flags.model);
+  const bearing::OperatingPoint point = operating_point(flags, file.model.rig);
+  const fit::FrictionPrediction friction = fit::predict_friction(file.model, point, true);
+  const bearing::BearingEquilibrium& e = *friction.equilibrium;
+  const friction::HeatSplit heat = heat_split(file.model, point, e, friction);
+  if (flags.json) {
+    fmt::print("{}", io::solve_json(file.model, point, e, friction, heat));
+  } else if (e.report.converged()) {
+    print(file.model, point, e, friction, heat);
+  }
+  if (e.report.converged()) return done;
+  fmt::print(stderr, "raceway solve: {}: {} after {} Newton steps at {:.6g} rpm, {:.6g} N axial\n",
+             flags.model, bearing::name(e.report.status), e.report.iterations, flags.speed,
+             point.axial_load);
+  return not_converged;
+}
+
+}  // namespace
+
+Run setup_solve(CLI::App& command) {
+  auto flags = std::make_shared<Flags>();
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required();
+  command.add_option("--speed", flags->speed, "shaft speed [rpm]")
+      ->required()
+      ->check(CLI::Range(0.0, 1e6));
+  command.add_option("--axial-load", flags->axial_load, "[N]; default: [rig] of the model");
+  command.add_option("--radial-load", flags->radial_load,
+                     "along +y [N]; default: [rig] of the model, else 0");
+  command
+      .add_option("--temperature", flags->temperature,
+                  "of the lubricant [C]; default: [rig] of the model, else 40")
+      ->check(CLI::Range(-100.0, 400.0));
+  command.add_option("--moment-y", flags->moment_y, "about y, carried where tilt is free [Nmm]");
+  command.add_option("--moment-z", flags->moment_z, "about z, carried where tilt is free [Nmm]");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer("Example:\n  raceway solve my.toml --speed 10000 --axial-load 600");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,226 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "cli/commands.h"
+#include "cli/open_input.h"
+#include "cli/text_table.h"
+#include "fit/prediction.h"
+#include "friction/stribeck_table.h"
+#include "io/csv.h"
+#include "io/error.h"
+#include "io/output_file.h"
+#include "io/results.h"
+#include "io/table_file.h"
+
+namespace raceway::cli {
+namespace {
+
+struct Flags {
+  std::string model, output;
+  std::string speed, axial_load, radial_load, temperature;
+  bool json = false, force = false;
+};
+
+double one_number(std::string_view text, const std::string& flag) {
+  const io::ParsedNumber n = io::parse_number(text, false);
+  if (!n.problem.empty())
+    throw io::InputError(fmt::format("{}: {} {}; write 100,300,900 or 0:12000:250 (from:to:step)",
+                                     flag, io::quoted(text), n.problem));
+  return n.value;
+}
+
+/// "100,300,900", "0:12000:250", or both: "0,100:500:100".
+std::vector<double> axis(const std::string& text, const std::string& flag) {
+  std::vector<double> values;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view item = std::string_view(text).substr(begin, end - begin);
+    begin = end + 1;
+    const std::size_t first = item.find(':');
+    if (first == std::string_view::npos) {
+      values.push_back(one_number(item, flag));
+      continue;
+    }
+    const std::size_t second = item.find(':', first + 1);
+    if (second == std::string_view::npos)
+      throw io::InputError(flag + ": " + io::quoted(item) + ": a range is from:to:step");
+    const double from = one_number(item.substr(0, first), flag);
+    const double to = one_number(item.substr(first + 1, second - first - 1), flag);
+    const double step = one_number(item.substr(second + 1), flag);
+    if (!(step > 0.0) || to < from)
+      throw io::InputError(flag + ": " + io::quoted(item) +
+                           ": a range goes up from:to by a step above 0");
+    const double count = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
+    if (count > 1e7)
+      throw io::InputError(flag + ": " + io::quoted(item) + ": more than ten million values");
+    for (double i = 0.0; i <= count; i += 1.0) values.push_back(from + i * step);
+  }
+  if (!std::is_sorted(values.begin(), values.end()) ||
+      std::adjacent_find(values.begin(), values.end()) != values.end())
+    throw io::InputError(flag + ": the values must grow");
+  return values;
+}
+
+void require_range(const std::vector<double>& values, double lower, double upper,
+                   const std::string& flag, const std::string& unit) {
+  for (const double v : values)
+    if (!(v >= lower && v <= upper))
+      throw io::InputError(fmt::format("{} = {:.6g} {}: must be from {:.6g} to {:.6g} {}", flag, v,
+                                       unit, lower, upper, unit));
+}
+
+friction::TableAxes axes(const Flags& f, const fit::Rig& rig) {
+  friction::TableAxes a;
+  a.speed = axis(f.speed, "--speed");
+  require_range(a.speed, 0.0, 1e6, "--speed", "rpm");
+  for (double& v : a.speed) v *= rpm;
+  if (f.axial_load.empty() && std::isnan(rig.axial_load))
+    throw io::InputError("raceway table: --axial-load is missing, and " + f.model +
+                         " has no axial_load_N under [rig]");
+  a.axial_load =
+      f.axial_load.empty() ? std::vector{rig.axial_load} : axis(f.axial_load, "--axial-load");
+  require_range(a.axial_load, 0.0, 1e8, "--axial-load", "N");
+  a.radial_load =
+      f.radial_load.empty() ? std::vector{rig.radial_load} : axis(f.radial_load, "--radial-load");
+  require_range(a.radial_load, 0.0, 1e8, "--radial-load", "N");
+  a.temperature = f.temperature.empty() ? std::vector{celsius(rig.temperature)}
+                                        : axis(f.temperature, "--temperature");
+  require_range(a.temperature, -100.0, 400.0, "--temperature", "C");
+  for (double& v : a.temperature) v = kelvin(v);
+  return a;
+}
+
+std::vector<std::string> columns(const fit::Model& model) {
+  std::vector<std::string> names{"load_Nmm", "viscous_Nmm"};
+  for (const effects::Effect& e : model.effects)
+    names.push_back(std::string(e.description->id) + "_Nmm");
+  for (const char* name :
+       {"power_loss_W", "inner_contact_angle_min_deg", "inner_contact_angle_max_deg",
+        "outer_contact_angle_min_deg", "outer_contact_angle_max_deg", "axial_displacement_um"})
+    names.emplace_back(name);
+  return names;
+}
+
+void fill_line(const fit::Model& model, std::span<const bearing::OperatingPoint> points,
+               std::span<friction::TablePoint> out) {
+  std::vector<fit::FrictionPrediction> predictions(points.size());
+  fit::predict_sweep(model, points, predictions, true);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const fit::FrictionPrediction& p = predictions[i];
+    // A law that needs no balls has a torque where they find no balance.
+    out[i].status = p.predicted() ? bearing::SolveStatus::converged : p.report.status;
+    out[i].friction_moment = p.torque;
+    std::size_t c = 0;
+    out[i].columns[c++] = p.load;
+    out[i].columns[c++] = p.viscous;
+    for (const double moment : p.effects) out[i].columns[c++] = moment;
+    out[i].columns[c++] = p.power_loss;
+    if (!p.equilibrium || !p.equilibrium->report.converged()) continue;
+    // NaN of lost balls must not spread: fmin and fmax pass over it.
+    double inner_min = unset, inner_max = unset, outer_min = unset, outer_max = unset;
+    for (const bearing::BallEquilibrium& b : p.equilibrium->balls) {
+      inner_min = std::fmin(inner_min, b.inner_contact_angle);
+      inner_max = std::fmax(inner_max, b.inner_contact_angle);
+      outer_min = std::fmin(outer_min, b.outer_contact_angle);
+      outer_max = std::fmax(outer_max, b.outer_contact_angle);
+    }
+    for (const double v :
+         {inner_min, inner_max, outer_min, outer_max, p.equilibrium->displacement[0]})
+      out[i].columns[c++] = v;
+  }
+}
+
+void show_progress(double fraction) {
+  constexpr int width = 40;
+  const int filled = static_cast<int>(fraction * width);
+  fmt::print(stderr, "\r[{}{}] {:3.0f} %{}", std::string(static_cast<std::size_t>(filled), '#'),
+             std::string(static_cast<std::size_t>(width - filled), '.'), 100.0 * fraction,
+             fraction >= 1.0 ? "\r\033[K" : "");
+  std::fflush(stderr);
+}
+
+/// Speed down, axial load across, a block for each radial load and temperature.
+void print(const fit::Model& model, const friction::StribeckTable& t) {
+  fmt::print("Friction torque [Nmm] of {}\n", model.name);
+  for (std::size_t k = 0; k < t.axes.temperature.size(); ++k) {
+    for (std::size_t r = 0; r < t.axes.radial_load.size(); ++r) {
+      fmt::print("\nradial load {:.6g} N, {:.4g} C, axial load across\n", t.axes.radial_load[r],
+                 celsius(t.axes.temperature[k]));
+      std::vector<TextTable::Column> heads{{"speed", "rpm"}};
+      for (const double load : t.axes.axial_load)
+        heads.push_back({fmt::format("{:.6g} N", load), "Nmm"});
+      TextTable table(heads);
+      for (std::size_t s = 0; s < t.axes.speed.size(); ++s) {
+        std::vector<std::string> row{fmt::format("{:.6g}", t.axes.speed[s] / rpm)};
+        for (std::size_t a = 0; a < t.axes.axial_load.size(); ++a)
+          row.push_back(number(t.friction_moment[t.index(s, a, r, k)] / N_mm, 4));
+        table.add(row);
+      }
+      fmt::print("{}", table.text(terminal_width()));
+    }
+  }
+}
+
+int run(const Flags& flags) {
+  const bool to_file = !flags.output.empty() && flags.output != "-";
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (to_file) io::require_writable(flags.output, if_exists);
+  const io::ModelFile file = open_model(flags.model);
+  const fit::Model& model = file.model;
+  const friction::TableAxes grid = axes(flags, model.rig);
+  if (static_cast<double>(grid.size()) > 1e8)
+    throw io::InputError(fmt::format("raceway table: {} points: at most 1e8", grid.size()));
+  std::function<void(double)> progress;
+  if (isatty(STDERR_FILENO) != 0 && grid.size() >= 20000) progress = show_progress;
+  const friction::StribeckTable table = friction::build_stribeck_table(
+      grid, columns(model), [&](auto points, auto out) { fill_line(model, points, out); },
+      progress);
+  const std::string title = "raceway Stribeck table of " + model.name;
+  if (to_file) {
+    io::write_text(flags.output, io::table_text(table, title, file.text), if_exists);
+    fmt::print(stderr, "{}: {} points\n", flags.output, grid.size());
+  } else if (flags.output == "-") {
+    fmt::print("{}", io::table_text(table, title, file.text));
+  }
+  if (flags.json) {
+    fmt::print("{}", io::table_json(model, table));
+  } else if (flags.output.empty()) {
+    print(model, table);
+  }
+  long unbalanced = 0;
+  for (std::size_t i = 0; i < grid.size(); ++i) unbalanced += std::isnan(table.row(i).back());
+  const auto empty = std::count_if(table.friction_moment.begin(), table.friction_moment.end(),
+                                   [](double m) { return std::isnan(m); });
+  if (unbalanced > 0)
+    fmt::print(stderr, "note: {} of {} points have no equilibrium: no contact angles there{}\n",
+               unbalanced, grid.size(),
+               empty > 0 ? fmt::format(", and no torque at {}", empty) : "");
+  return empty > 0 ? not_converged : done;
+}
+
+}  // namespace
+
+Run setup_table(CLI::App& command) {
+  auto flags = std::make_shared<Flags>();
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required();
+  command.add_option("--speed", flags->speed, "[rpm], as 0:12000:250 (from:to:step) or 100,500")
+      ->required();
+  command.add_option("--axial-load", flags->axial_load, "[N]; default: [rig] of the model");
+  command.add_option("--radial-load", flags->radial_load,
+                     "[N]; default: [rig] of the model, else 0");
+  command.add_option("--temperature", flags->temperature,
+                     "of the lubricant [C]; default: [rig] of the model, else 40");
+  command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout");
+  command.add_flag("--force", flags->force, "replace the file if it exists");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer(
+      "Example:\n  raceway table my.toml --speed 0:12000:250 --axial-load 100,300,900 "
+      "-o stribeck.csv");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,66 @@
+#include "cli/text_table.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace raceway::cli {
+
+std::string TextTable::text(std::size_t width) const {
+  std::vector<std::size_t> widths;
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    std::size_t w = std::max(columns_[c].name.size(), columns_[c].unit.size());
+    for (const auto& row : rows_) w = std::max(w, row[c].size());
+    widths.push_back(w);
+  }
+  std::string out;
+  const auto put = [&](std::size_t c, const std::string& cell, bool first) {
+    if (!first) out += "  ";
+    out += columns_[c].left ? fmt::format("{:<{}}", cell, widths[c])
+                            : fmt::format("{:>{}}", cell, widths[c]);
+  };
+  const auto end_line = [&] {
+    while (!out.empty() && out.back() == ' ') out.pop_back();
+    out += '\n';
+  };
+  for (std::size_t begin = 1; begin < columns_.size() || begin == 1;) {
+    std::size_t end = begin, used = widths[0];
+    while (end < columns_.size() && (end == begin || used + 2 + widths[end] <= width))
+      used += 2 + widths[end++];
+    const auto line = [&](auto cell_of) {
+      put(0, cell_of(std::size_t{0}), true);
+      for (std::size_t c = begin; c < end; ++c) put(c, cell_of(c), false);
+      end_line();
+    };
+    if (begin > 1) out += '\n';
+    line([&](std::size_t c) { return columns_[c].name; });
+    const bool units = std::any_of(columns_.begin(), columns_.end(),
+                                   [](const Column& c) { return !c.unit.empty(); });
+    if (units) line([&](std::size_t c) { return columns_[c].unit; });
+    for (const auto& row : rows_) line([&](std::size_t c) { return row[c]; });
+    if (end == columns_.size()) break;
+    begin = end;
+  }
+  return out;
+}
+
+std::string number(double value, int digits) {
+  if (std::isnan(value)) return "-";
+  if (value == 0.0) return "0";
+  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  if (magnitude < -4 || magnitude > 7) return fmt::format("{:.{}e}", value, digits - 1);
+  return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - magnitude));
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  if (isatty(STDOUT_FILENO) != 0 && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 &&
+      size.ws_col > 20)
+    return size.ws_col;
+  return 80;
+}
+
+}  // namespace raceway::cli

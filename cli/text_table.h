@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace raceway::cli {
+
+/// A plain table for people: columns of text, right-aligned, header and unit line on top. Columns
+/// that do not fit the width are set below, behind the first column again.
+class TextTable {
+ public:
+  struct Column {
+    std::string name;
+    std::string unit;
+    bool left = false;  ///< left-aligned, for words
+  };
+  explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  [[nodiscard]] std::string text(std::size_t width) const;
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// A number in so many significant digits, without exponent where people would write none;
+/// "-" for NaN.
+[[nodiscard]] std::string number(double value, int digits = 4);
+
+/// Columns of the terminal on stdout; 80 where it is none.
+[[nodiscard]] std::size_t terminal_width();
+
+}  // namespace raceway::cli
