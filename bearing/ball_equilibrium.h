@@ -12,6 +12,7 @@ namespace raceway::bearing {
 struct Plane {
   double axial = 0.0;
   double radial = 0.0;
+  bool operator==(const Plane&) const = default;
 };
 
 /// What all balls of a bearing share at one speed.
@@ -28,6 +29,14 @@ struct BallConstants {
 
 [[nodiscard]] BallConstants ball_constants(const Bearing& bearing, double speed,
                                            RaceControl race_control, bool gyroscopic_moment);
+
+/// Contact loads and forces of one ball.
+struct BallForces {
+  double inner_load, outer_load;          ///< Qi, Qo [N]
+  double inner_friction, outer_friction;  ///< Ti, To [N]
+  double centrifugal;                     ///< Fc [N]
+  double inner_approach, outer_approach;  ///< δi, δo [m]
+};
 
 /// Imbalance of one ball and what it does to the inner ring, with all first derivatives.
 ///
@@ -51,21 +60,15 @@ struct BallConstants {
 /// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18) together give the wrong sign.
 /// A ball that has lost the inner race (δi <= 0) is under outer control and pushes on nothing.
 /// The race control jumps there when it is `inner`, so a load can fall into a gap without balance.
-struct BallBalance {
+struct BallBalance : BallForces {
   Plane imbalance;      ///< r [N]
   Plane force;          ///< f [N]
   double moment_force;  ///< f_m [N]
   // Row-major 2x2 blocks: derivatives with respect to (axial, radial).
-  double r_a[4];                  ///< ∂r/∂A at fixed X [N/m]
-  double r_x[4];                  ///< ∂r/∂X at fixed A [N/m]
-  double f_a[6];                  ///< ∂(f, f_m)/∂A at fixed X, 3x2 [N/m]
-  double f_x[6];                  ///< ∂(f, f_m)/∂X at fixed A, 3x2 [N/m]
-  double inner_load, outer_load;  ///< Qi, Qo [N]
-  double inner_friction;          ///< Ti [N]
-  double outer_friction;          ///< To [N]
-  double centrifugal;             ///< Fc [N]
-  double outer_approach;          ///< δo [m]
-  double inner_approach;          ///< δi [m]
+  double r_a[4];  ///< ∂r/∂A at fixed X [N/m]
+  double r_x[4];  ///< ∂r/∂X at fixed A [N/m]
+  double f_a[6];  ///< ∂(f, f_m)/∂A at fixed X, 3x2 [N/m]
+  double f_x[6];  ///< ∂(f, f_m)/∂X at fixed A, 3x2 [N/m]
 };
 
 /// Who decides whether a ball touches the inner race. `automatic` is the physics; the other two

@@ -11,28 +11,24 @@ namespace {
 void fill_ball(const RingSystem& system, const RingState& state, std::size_t k,
                BallEquilibrium& ball) {
   const Plane a = system.groove_centre(state.ring, k);
+  const BallForces& f = system.solution().balls[k].forces;
+  const bool touches = f.inner_load > 0.0;
   if (system.at_rest()) {
-    const StaticBall b = static_ball(system.constants(), a);
-    if (b.load > 0.0)
+    if (touches)
       ball.inner_contact_angle = ball.outer_contact_angle = std::atan2(a.axial, a.radial);
-    ball.inner_load = ball.outer_load = b.load;
-    ball.inner_friction = ball.outer_friction = ball.centrifugal_force = ball.gyroscopic_moment =
-        0.0;
-    return;
+  } else {
+    const Plane x = state.balls[k];
+    ball.outer_contact_angle = std::atan2(x.axial, x.radial);
+    if (touches) ball.inner_contact_angle = std::atan2(a.axial - x.axial, a.radial - x.radial);
   }
-  const Plane x = state.balls[k];
-  const BallBalance b = ball_balance(system.constants(), a, x, system.moment_arm_ratio());
-  ball.outer_contact_angle = std::atan2(x.axial, x.radial);
-  if (b.inner_approach > 0.0)
-    ball.inner_contact_angle = std::atan2(a.axial - x.axial, a.radial - x.radial);
-  ball.inner_load = b.inner_load;
-  ball.outer_load = b.outer_load;
-  ball.inner_friction = b.inner_friction;
-  ball.outer_friction = b.outer_friction;
-  ball.centrifugal_force = b.centrifugal;
+  ball.inner_load = f.inner_load;
+  ball.outer_load = f.outer_load;
+  ball.inner_friction = f.inner_friction;
+  ball.outer_friction = f.outer_friction;
+  ball.centrifugal_force = f.centrifugal;
   // λo is 1 where the inner race shares the couple, else 2.
-  const double share = b.inner_friction != 0.0 ? 1.0 : 0.5;
-  ball.gyroscopic_moment = share * b.outer_friction * system.geometry().ball_diameter;
+  const double share = f.inner_friction != 0.0 ? 1.0 : 0.5;
+  ball.gyroscopic_moment = share * f.outer_friction * system.geometry().ball_diameter;
 }
 
 /// Sums the loads again from the reported angles and forces: an independent check of the frame

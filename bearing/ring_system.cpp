@@ -105,7 +105,7 @@ void RingSystem::advance(const RingState& from, const Vector5& step, double frac
   if (at_rest_) return;
   for (std::size_t k = 0; k < from.balls.size(); ++k) {
     const Plane da = groove_step(step, k);
-    const Assembly::Elimination& e = now_.balls[k];
+    const Assembly::Ball& e = now_.balls[k];
     const Plane x = from.balls[k];
     Plane next{x.axial + fraction * (e.own[0] + e.follow[0] * da.axial + e.follow[1] * da.radial),
                x.radial + fraction * (e.own[1] + e.follow[2] * da.axial + e.follow[3] * da.radial)};
@@ -177,47 +177,24 @@ void RingSystem::assemble(const RingState& state, Assembly& a) const {
   stiffness.setZero();
   a.balls.resize(balls_used());
   double worst_ball = 0.0, ball_merit = 0.0;
+  Plane last_centre{unset, unset}, last_ball{unset, unset};
+  BallShare share{};
   for (std::size_t k = 0; k < balls_used(); ++k) {
     const Plane centre = groove_centre(state.ring, k);
-    double t[6];  // ∂(f_axial, f_radial, f_m)/∂A with the ball eliminated
-    double f[3], gain[3] = {0.0, 0.0, 0.0};
-    if (at_rest_) {
-      const StaticBall b = static_ball(constants_, centre);
-      std::copy(b.f_a, b.f_a + 4, t);
-      t[4] = t[0];
-      t[5] = t[1];
-      f[0] = f[2] = b.force.axial;
-      f[1] = b.force.radial;
+    const bool alike = centre == last_centre && state.balls[k] == last_ball && contacts.empty();
+    if (alike) {
+      a.balls[k] = a.balls[k - 1];
     } else {
-      const BallBalance b = ball_balance(constants_, centre, state.balls[k], moment_arm_ratio_,
-                                         contacts.empty() ? InnerContact::automatic : contacts[k]);
-      const double det = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
-      const double inv = -1.0 / det;
-      // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r
-      Assembly::Elimination& e = a.balls[k];
-      e.own[0] = inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial);
-      e.own[1] = inv * (b.r_x[0] * b.imbalance.radial - b.r_x[2] * b.imbalance.axial);
-      e.follow[0] = inv * (b.r_x[3] * b.r_a[0] - b.r_x[1] * b.r_a[2]);
-      e.follow[1] = inv * (b.r_x[3] * b.r_a[1] - b.r_x[1] * b.r_a[3]);
-      e.follow[2] = inv * (b.r_x[0] * b.r_a[2] - b.r_x[2] * b.r_a[0]);
-      e.follow[3] = inv * (b.r_x[0] * b.r_a[3] - b.r_x[2] * b.r_a[1]);
-      for (int j = 0; j < 3; ++j) {
-        const double fx0 = b.f_x[2 * j], fx1 = b.f_x[2 * j + 1];
-        gain[j] = fx0 * e.own[0] + fx1 * e.own[1];
-        t[2 * j] = b.f_a[2 * j] + fx0 * e.follow[0] + fx1 * e.follow[2];
-        t[2 * j + 1] = b.f_a[2 * j + 1] + fx0 * e.follow[1] + fx1 * e.follow[3];
-      }
-      f[0] = b.force.axial;
-      f[1] = b.force.radial;
-      f[2] = b.moment_force;
-      const double r2 =
-          b.imbalance.axial * b.imbalance.axial + b.imbalance.radial * b.imbalance.radial;
-      const double scale = ball_scale_ + b.outer_load;
-      const double scaled = r2 / (scale * scale);
-      worst_ball = std::max(worst_ball, scaled);
-      ball_merit += weight(k) * scaled;
+      share = at_rest_ ? static_share(centre, a.balls[k])
+                       : moving_share(centre, state.balls[k],
+                                      contacts.empty() ? InnerContact::automatic : contacts[k],
+                                      a.balls[k]);
     }
-    add_ball(k, f, gain, t, carried, ahead, stiffness);
+    last_centre = centre;
+    last_ball = state.balls[k];
+    worst_ball = std::max(worst_ball, share.imbalance);
+    ball_merit += weight(k) * share.imbalance;
+    add_ball(k, share, carried, ahead, stiffness);
   }
   if (symmetry_ == Symmetry::thrust) complete_thrust(carried, ahead, stiffness);
   if (symmetry_ == Symmetry::mirror) drop_odd(carried, ahead, stiffness);
@@ -230,10 +207,51 @@ void RingSystem::assemble(const RingState& state, Assembly& a) const {
       a.missing.squaredNorm() / (load_scale_ * load_scale_) + ball_merit / geometry().ball_count;
 }
 
+BallShare RingSystem::static_share(Plane centre, Assembly::Ball& ball) const {
+  const StaticBall b = static_ball(constants_, centre);
+  ball.forces = {};
+  ball.forces.inner_load = ball.forces.outer_load = b.load;
+  return {.force = {b.force.axial, b.force.radial, b.force.axial},
+          .gain = {0.0, 0.0, 0.0},
+          .tangent = {b.f_a[0], b.f_a[1], b.f_a[2], b.f_a[3], b.f_a[0], b.f_a[1]},
+          .imbalance = 0.0};
+}
+
+BallShare RingSystem::moving_share(Plane centre, Plane x, InnerContact contact,
+                                   Assembly::Ball& e) const {
+  const BallBalance b = ball_balance(constants_, centre, x, moment_arm_ratio_, contact);
+  e.forces = b;
+  // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r
+  const double inv = -1.0 / (b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2]);
+  e.own[0] = inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial);
+  e.own[1] = inv * (b.r_x[0] * b.imbalance.radial - b.r_x[2] * b.imbalance.axial);
+  e.follow[0] = inv * (b.r_x[3] * b.r_a[0] - b.r_x[1] * b.r_a[2]);
+  e.follow[1] = inv * (b.r_x[3] * b.r_a[1] - b.r_x[1] * b.r_a[3]);
+  e.follow[2] = inv * (b.r_x[0] * b.r_a[2] - b.r_x[2] * b.r_a[0]);
+  e.follow[3] = inv * (b.r_x[0] * b.r_a[3] - b.r_x[2] * b.r_a[1]);
+  BallShare share;
+  for (int j = 0; j < 3; ++j) {
+    const double fx0 = b.f_x[2 * j], fx1 = b.f_x[2 * j + 1];
+    share.gain[j] = fx0 * e.own[0] + fx1 * e.own[1];
+    share.tangent[2 * j] = b.f_a[2 * j] + fx0 * e.follow[0] + fx1 * e.follow[2];
+    share.tangent[2 * j + 1] = b.f_a[2 * j + 1] + fx0 * e.follow[1] + fx1 * e.follow[3];
+  }
+  share.force[0] = b.force.axial;
+  share.force[1] = b.force.radial;
+  share.force[2] = b.moment_force;
+  const double scale = ball_scale_ + b.outer_load;
+  share.imbalance =
+      (b.imbalance.axial * b.imbalance.axial + b.imbalance.radial * b.imbalance.radial) /
+      (scale * scale);
+  return share;
+}
+
 /// Adds the forces of ball k and its tangent, turned from its plane into the bearing's axes.
-void RingSystem::add_ball(std::size_t k, const double (&f)[3], const double (&gain)[3],
-                          const double (&t)[6], Vector5& carried, Vector5& ahead,
+void RingSystem::add_ball(std::size_t k, const BallShare& share, Vector5& carried, Vector5& ahead,
                           Matrix5& stiffness) const {
+  const double(&f)[3] = share.force;
+  const double(&gain)[3] = share.gain;
+  const double(&t)[6] = share.tangent;
   const double w = weight(k);
   const double c = bearing_.cos_azimuth()[k], s = bearing_.sin_azimuth()[k];
   const Vector5 axial{1.0, 0.0, 0.0, s, -c};  // ∂A_axial/∂ring; the moment rows alike

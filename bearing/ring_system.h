@@ -29,11 +29,20 @@ struct Assembly {
   Matrix5 stiffness;      ///< with the balls eliminated [N/m]
   double residual;        ///< largest imbalance of ring and balls, scaled [1]
   double merit;           ///< sum of squares of the same
-  struct Elimination {
+  struct Ball {
     double own[2];     ///< step of the ball for a ring at rest [m]
     double follow[4];  ///< step of the ball per step of its groove centre [1]
+    BallForces forces;
   };
-  std::vector<Elimination> balls;
+  std::vector<Ball> balls;
+};
+
+/// What one ball does to the ring, in its own plane, the ball's position eliminated.
+struct BallShare {
+  double force[3];    ///< f_axial, f_radial, f_m [N]
+  double gain[3];     ///< change of these by the ball's own Newton step [N]
+  double tangent[6];  ///< their derivatives by (A_axial, A_radial), row-major 3x2 [N/m]
+  double imbalance;   ///< of the ball, squared and scaled [1]
 };
 
 /// The balance of one inner ring under one load, and Newton's method on it. Internal to the solver:
@@ -85,8 +94,11 @@ class RingSystem {
   template <int N>
   bool solve_active(const std::array<int, N>& active, Vector5& step) const;
   bool ring_step(Vector5& step) const;
-  void add_ball(std::size_t k, const double (&f)[3], const double (&gain)[3], const double (&t)[6],
-                Vector5& carried, Vector5& ahead, Matrix5& stiffness) const;
+  [[nodiscard]] BallShare static_share(Plane centre, Assembly::Ball& ball) const;
+  [[nodiscard]] BallShare moving_share(Plane centre, Plane ball_centre, InnerContact contact,
+                                       Assembly::Ball& ball) const;
+  void add_ball(std::size_t k, const BallShare& share, Vector5& carried, Vector5& ahead,
+                Matrix5& stiffness) const;
 
   const Bearing& bearing_;
   const EquilibriumOptions& options_;

@@ -13,6 +13,8 @@ struct Statics {
   double inner_length = unset, outer_length = unset;  ///< groove centre to ball centre [m]
 };
 
+double norm_of(double a, double b) { return std::sqrt(a * a + b * b); }
+
 double length(double load, double stiffness, double radius) {
   const double root = std::cbrt(load / stiffness);
   return radius + root * root;
@@ -39,14 +41,14 @@ void statics(const BallConstants& c, double thrust, double cotangent, Statics& s
     double norm;
     if (c.race_control == RaceControl::inner) {
       // P cos αo - R sin αo = To: turn (P, R) back by asin(To/ρ).
-      norm = std::hypot(thrust, radial);
+      norm = norm_of(thrust, radial);
       if (!(ti < norm)) return;
       const double sin_turn = ti / norm, cos_turn = std::sqrt(1.0 - sin_turn * sin_turn);
       s.so = (thrust * cos_turn - radial * sin_turn) / norm;
       s.co = (radial * cos_turn + thrust * sin_turn) / norm;
     } else {
       const double turned = radial + 0.4 * fc * c.gyroscopic;
-      norm = std::hypot(thrust, turned);
+      norm = norm_of(thrust, turned);
       s.so = thrust / norm;
       s.co = turned / norm;
     }
@@ -131,11 +133,11 @@ bool ball_under_force(const BallConstants& c, Plane force, Plane& groove_centre,
     const double tau = 0.2 * c.full_centrifugal * c.gyroscopic * m * (1.0 - m);
     const double fc = c.full_centrifugal * m * m;
     const double turned = force.radial + tau;
-    const double norm = std::hypot(force.axial, turned);
+    const double norm = norm_of(force.axial, turned);
     si = force.axial / norm;
     ci = turned / norm;
     const double radial = force.radial + fc, friction = tau * si;
-    const double outer = std::hypot(force.axial, radial);
+    const double outer = norm_of(force.axial, radial);
     if (!(friction < outer)) return false;
     const double sin_turn = friction / outer, cos_turn = std::sqrt(1.0 - sin_turn * sin_turn);
     so = (force.axial * cos_turn - radial * sin_turn) / outer;

@@ -8,18 +8,14 @@
 
 namespace raceway::tests {
 
-/// The sizes of data/reference/gmn_axial_rigidity.csv. Static ratings are not in that table; they
-/// follow from C0 = 13 Z D² cos α, close to what makers print.
+/// The sizes of data/reference/gmn_sizes.csv.
 inline std::vector<robustness::Size> catalogue_sizes() {
   std::vector<robustness::Size> sizes;
-  for (const auto& row : reference_table("gmn_axial_rigidity.csv")) {
-    const double diameter = row["ball_diameter_mm"];
+  for (const auto& row : reference_table("gmn_sizes.csv"))
     sizes.push_back({.ball_count = static_cast<int>(row["ball_count"]),
-                     .ball_diameter = diameter * mm,
+                     .ball_diameter = row["ball_diameter_mm"] * mm,
                      .pitch_diameter = row["pitch_diameter_mm"] * mm,
-                     .static_load_rating = 13.0 * row["ball_count"] * diameter * diameter *
-                                           std::cos(row["contact_angle_deg"] * degree)});
-  }
+                     .static_load_rating = row["static_load_rating_N"]});
   return sizes;
 }
 

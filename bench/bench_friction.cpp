@@ -1,0 +1,85 @@
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+#include "effects/catalogue.h"
+#include "fit/prediction.h"
+#include "friction/stribeck_table.h"
+
+namespace {
+
+using namespace raceway;
+
+fit::Model spindle_model(bool with_spin) {
+  fit::Model model{.name = "7014",
+                   .bearing = bearing::Bearing({.ball_count = 20,
+                                                .ball_diameter = 11.906 * mm,
+                                                .pitch_diameter = 90 * mm,
+                                                .contact_angle = 25 * degree,
+                                                .inner_conformity = 0.52,
+                                                .outer_conformity = 0.52,
+                                                .static_load_rating = 43000},
+                                               bearing::steel(), bearing::steel()),
+                   .lubricant = friction::Lubricant(22 * mm2_per_s, 4.8 * mm2_per_s),
+                   .law = friction::FrictionLaw::palmgren,
+                   .law_values = {1.5, 0.001, 0.33},
+                   .effects = {},
+                   .solver = {},
+                   .rig = {},
+                   .free = {}};
+  if (with_spin) model.effects.push_back({effects::find("spin-friction"), {0.06}});
+  return model;
+}
+
+friction::TableAxes axes_of_1000_points(bool radial) {
+  friction::TableAxes axes;
+  for (int i = 1; i <= 20; ++i) axes.speed.push_back(600.0 * i * rpm);
+  for (int i = 1; i <= 10; ++i) axes.axial_load.push_back(150.0 * i);
+  for (int i = 0; i < 5; ++i) axes.temperature.push_back(kelvin(30.0 + 10.0 * i));
+  axes.radial_load = {radial ? 50.0 : 0.0};
+  return axes;
+}
+
+/// A table with contact angles and the spin torque, on one core.
+void table_of_1000_points(benchmark::State& state, bool radial) {
+  const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
+  const fit::Model model = spindle_model(true);
+  const friction::TableAxes axes = axes_of_1000_points(radial);
+  double iterations = 0.0, residual = 0.0;
+  for (auto _ : state) {
+    iterations = residual = 0.0;
+    const auto table = friction::build_stribeck_table(
+        axes, {"inner_contact_angle_deg"}, [&](auto points, auto out) {
+          std::vector<fit::FrictionPrediction> p(points.size());
+          fit::predict_sweep(model, points, p, true);
+          for (std::size_t i = 0; i < p.size(); ++i) {
+            out[i].status = p[i].report.status;
+            out[i].friction_moment = p[i].torque;
+            out[i].columns[0] = p[i].equilibrium->balls[0].inner_contact_angle;
+            iterations += p[i].report.iterations;
+            residual = std::fmax(residual, p[i].report.residual);
+          }
+        });
+    benchmark::DoNotOptimize(table.friction_moment.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(axes.size()));
+  state.counters["iterations_per_point"] = iterations / static_cast<double>(axes.size());
+  state.counters["residual"] = residual;
+}
+BENCHMARK_CAPTURE(table_of_1000_points, thrust, false)
+    ->Name("table/1000_thrust")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(table_of_1000_points, combined, true)
+    ->Name("table/1000_combined")
+    ->Unit(benchmark::kMillisecond);
+
+void laws_only(benchmark::State& state) {
+  const fit::Model model = spindle_model(false);
+  const bearing::OperatingPoint point{.speed = 10000 * rpm, .axial_load = 600};
+  for (auto _ : state) benchmark::DoNotOptimize(fit::predict_friction(model, point).torque);
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(laws_only)->Name("friction/palmgren");
+
+}  // namespace
