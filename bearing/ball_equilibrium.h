@@ -76,10 +76,13 @@ struct BallBalance : BallForces {
 /// pull: Q = K δ |δ|^0.5, smooth through zero; such a solution counts only if no contact pulls.
 enum class InnerContact : signed char { automatic, kept, lost };
 
-/// `moment_arm_ratio` = f_i D / R_i [1].
-[[nodiscard]] inline BallBalance ball_balance(const BallConstants& c, Plane groove_centre,
-                                              Plane ball_centre, double moment_arm_ratio,
-                                              InnerContact contact = InnerContact::automatic) {
+/// The balance of a ball, written once for both race controls; `control` is that of the constants.
+template <RaceControl control>
+[[nodiscard, gnu::always_inline]] inline BallBalance ball_balance_under(const BallConstants& c,
+                                                                        Plane groove_centre,
+                                                                        Plane ball_centre,
+                                                                        double moment_arm_ratio,
+                                                                        InnerContact contact) {
   const double x1 = ball_centre.axial, x2 = ball_centre.radial;
   const double v1 = groove_centre.axial - x1, v2 = groove_centre.radial - x2;
   const double outer_length = std::sqrt(x1 * x1 + x2 * x2);
@@ -104,7 +107,7 @@ enum class InnerContact : signed char { automatic, kept, lost };
   const double sd = si * co - ci * so;
   const double inv = 1.0 / (1.0 + cd);
   const double g = c.diameter_ratio;
-  const bool inner_control = c.race_control == RaceControl::inner && touches;
+  const bool inner_control = control == RaceControl::inner && touches;
   double m, m_i, m_o;
   if (inner_control) {
     m = (cd - g * co) * inv;
@@ -137,8 +140,11 @@ enum class InnerContact : signed char { automatic, kept, lost };
   }
 
   BallBalance b;
-  b.force = {qi * si + ti * ci, qi * ci - ti * si};
-  b.moment_force = b.force.axial - moment_arm_ratio * ti;
+  b.force = {qi * si, qi * ci};
+  if constexpr (control == RaceControl::inner)
+    b.force = {b.force.axial + ti * ci, b.force.radial - ti * si};
+  b.moment_force = b.force.axial;
+  if constexpr (control == RaceControl::inner) b.moment_force -= moment_arm_ratio * ti;
   b.imbalance = {b.force.axial - qo * so - to * co, b.force.radial + fc - qo * co + to * so};
   b.inner_load = qi;
   b.outer_load = qo;
@@ -149,28 +155,38 @@ enum class InnerContact : signed char { automatic, kept, lost };
   b.inner_approach = delta_i;
 
   // With dV = dA - dX: dδi = n_i·dV, dαi = t_i·dV/|V|; with dX alike at the outer contact.
-  // pa, pr: what one radian of αi does to (f), ea, er: to (r) beyond f; likewise for αo.
-  const double f_ai_1 = qi * ci + ti_i * ci - ti * si, f_ai_2 = -qi * si - ti_i * si - ti * ci;
-  const double f_ao_1 = ti_o * ci, f_ao_2 = -ti_o * si;
+  // f_ai, r_ai: what one radian of αi does to f and to r; f_ao, r_ao: the same of αo.
+  double f_ai_1 = qi * ci, f_ai_2 = -qi * si;
+  double r_ao_1 = to * so - (qo + to_o) * co, r_ao_2 = fc_o + (qo + to_o) * so + to * co;
+  if constexpr (control == RaceControl::inner) {
+    f_ai_1 += ti_i * ci - ti * si;
+    f_ai_2 -= ti_i * si + ti * ci;
+    r_ao_1 += ti_o * ci;
+    r_ao_2 -= ti_o * si;
+  }
   const double r_ai_1 = f_ai_1 - to_i * co, r_ai_2 = f_ai_2 + fc_i + to_i * so;
-  const double r_ao_1 = f_ao_1 - qo * co - to_o * co + to * so;
-  const double r_ao_2 = f_ao_2 + fc_o + qo * so + to_o * so + to * co;
   const double tiv1 = ci * inv_li, tiv2 = -si * inv_li;  // ∂αi/∂V
   const double tox1 = co * inv_lo, tox2 = -so * inv_lo;  // ∂αo/∂X
 
   const double n11 = ki * si * si, n12 = ki * si * ci, n22 = ki * ci * ci;
-  b.f_a[0] = n11 + f_ai_1 * tiv1;
-  b.f_a[1] = n12 + f_ai_1 * tiv2;
+  b.f_a[0] = b.f_a[4] = n11 + f_ai_1 * tiv1;
+  b.f_a[1] = b.f_a[5] = n12 + f_ai_1 * tiv2;
   b.f_a[2] = n12 + f_ai_2 * tiv1;
   b.f_a[3] = n22 + f_ai_2 * tiv2;
-  b.f_a[4] = b.f_a[0] - moment_arm_ratio * ti_i * tiv1;
-  b.f_a[5] = b.f_a[1] - moment_arm_ratio * ti_i * tiv2;
-  b.f_x[0] = -b.f_a[0] + f_ao_1 * tox1;
-  b.f_x[1] = -b.f_a[1] + f_ao_1 * tox2;
-  b.f_x[2] = -b.f_a[2] + f_ao_2 * tox1;
-  b.f_x[3] = -b.f_a[3] + f_ao_2 * tox2;
-  b.f_x[4] = -b.f_a[4] + (f_ao_1 - moment_arm_ratio * ti_o) * tox1;
-  b.f_x[5] = -b.f_a[5] + (f_ao_1 - moment_arm_ratio * ti_o) * tox2;
+  if constexpr (control == RaceControl::inner) {
+    b.f_a[4] -= moment_arm_ratio * ti_i * tiv1;
+    b.f_a[5] -= moment_arm_ratio * ti_i * tiv2;
+  }
+  // The ring feels the ball's place only through V, and through Ti that follows αo.
+  for (int j = 0; j < 6; ++j) b.f_x[j] = -b.f_a[j];
+  if constexpr (control == RaceControl::inner) {
+    b.f_x[0] += ti_o * ci * tox1;
+    b.f_x[1] += ti_o * ci * tox2;
+    b.f_x[2] -= ti_o * si * tox1;
+    b.f_x[3] -= ti_o * si * tox2;
+    b.f_x[4] += ti_o * (ci - moment_arm_ratio) * tox1;
+    b.f_x[5] += ti_o * (ci - moment_arm_ratio) * tox2;
+  }
   b.r_a[0] = n11 + r_ai_1 * tiv1;
   b.r_a[1] = n12 + r_ai_1 * tiv2;
   b.r_a[2] = n12 + r_ai_2 * tiv1;
@@ -180,6 +196,17 @@ enum class InnerContact : signed char { automatic, kept, lost };
   b.r_x[2] = -b.r_a[2] - ko * so * co + r_ao_2 * tox1;
   b.r_x[3] = -b.r_a[3] - ko * co * co + r_ao_2 * tox2;
   return b;
+}
+
+/// The same for the race control of the constants; `moment_arm_ratio` = f_i D / R_i [1].
+[[nodiscard]] inline BallBalance ball_balance(const BallConstants& c, Plane groove_centre,
+                                              Plane ball_centre, double moment_arm_ratio,
+                                              InnerContact contact = InnerContact::automatic) {
+  return c.race_control == RaceControl::outer
+             ? ball_balance_under<RaceControl::outer>(c, groove_centre, ball_centre,
+                                                      moment_arm_ratio, contact)
+             : ball_balance_under<RaceControl::inner>(c, groove_centre, ball_centre,
+                                                      moment_arm_ratio, contact);
 }
 
 /// A ball of a bearing at rest, between groove centres at distance A: two springs in series on one

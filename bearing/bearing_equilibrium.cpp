@@ -87,9 +87,10 @@ void fill(const RingSystem& system, const RingState& state, const OperatingPoint
 BearingEquilibrium solve(const Bearing& bearing, const OperatingPoint& point,
                          const EquilibriumOptions& options, const BearingEquilibrium* neighbour) {
   validate(point);
-  RingSystem system(bearing, point, options);
+  thread_local RingWorkspace workspace;
+  RingSystem system(bearing, point, options, workspace);
   BearingEquilibrium result;
-  RingState state;
+  RingState& state = workspace.state;
   result.report.status = find_equilibrium(system, point, neighbour, state);
   result.report.iterations = system.iterations();
   if (result.report.converged()) fill(system, state, point, result);

@@ -111,6 +111,8 @@ class Search {
     }
     found = contacts_hold(base);
     state = base;
+    // A pattern that fits is found in a few steps; there are many that do not.
+    system_.newton_limit = 16;
     const bool free_tilt = system_.options().tilt == Tilt::free;
     // Intervals that grow away from each place where they can begin.
     for (std::size_t first = 0; first < n && !found; ++first) {
@@ -120,6 +122,7 @@ class Search {
       if (!free_tilt) break;
     }
     system_.contacts.clear();
+    system_.newton_limit = 40;
     if (found) system_.assemble_solution(state);
     return found;
   }

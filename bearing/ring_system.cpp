@@ -42,8 +42,8 @@ void drop_odd(Vector5& carried, Vector5& ahead, Matrix5& k) {
 }  // namespace
 
 RingSystem::RingSystem(const Bearing& bearing, const OperatingPoint& point,
-                       const EquilibriumOptions& options)
-    : bearing_(bearing), options_(options) {
+                       const EquilibriumOptions& options, RingWorkspace& workspace)
+    : bearing_(bearing), options_(options), workspace_(workspace) {
   const BearingGeometry& geometry = bearing.geometry();
   lever_ = geometry.inner_groove_centre_radius();
   moment_arm_ratio_ = geometry.inner_conformity * geometry.ball_diameter / lever_;
@@ -67,11 +67,12 @@ void RingSystem::set_point(const OperatingPoint& p) {
 }
 
 bool RingSystem::newton(RingState& state) {
-  constexpr int limit = 40;
-  assemble(state, now_);
-  for (int i = 0; i < limit && iterations_ < options_.max_iterations; ++i) {
-    if (now_.residual <= options_.tolerance) return true;
-    if (!std::isfinite(now_.merit)) return false;
+  Assembly &now = workspace_.now, &trial = workspace_.trial;
+  RingState& trial_state = workspace_.trial_state;
+  assemble(state, now);
+  for (int i = 0; i < newton_limit && iterations_ < options_.max_iterations; ++i) {
+    if (now.residual <= options_.tolerance) return true;
+    if (!std::isfinite(now.merit)) return false;
     Vector5 step;
     if (!ring_step(step)) return false;
     ++iterations_;
@@ -80,22 +81,22 @@ bool RingSystem::newton(RingState& state) {
     const double allowed = 0.5 * (constants_.inner_radius + constants_.outer_radius);
     if (longest > allowed) fraction = allowed / longest;
     for (int halving = 0;; ++halving) {
-      advance(state, step, fraction, trial_state_);
-      assemble(trial_state_, trial_);
+      advance(state, step, fraction, trial_state);
+      assemble(trial_state, trial);
       // A ball that changes between contact and none may raise the residual on the way.
       const double accept = halving == 0 ? 4.0 : 1.0;
-      if (trial_.merit <= accept * now_.merit) break;
+      if (trial.merit <= accept * now.merit) break;
       if (halving == 6) break;
       fraction *= 0.5;
     }
     const bool stalled =
-        trial_.residual < 1e3 * options_.tolerance && trial_.merit > 0.25 * now_.merit;
-    std::swap(state.ring, trial_state_.ring);
-    std::swap(state.balls, trial_state_.balls);
-    std::swap(now_, trial_);
-    if (stalled && now_.residual <= 10.0 * options_.tolerance) return true;
+        trial.residual < 1e3 * options_.tolerance && trial.merit > 0.25 * now.merit;
+    std::swap(state.ring, trial_state.ring);
+    std::swap(state.balls, trial_state.balls);
+    std::swap(now, trial);
+    if (stalled && now.residual <= 10.0 * options_.tolerance) return true;
   }
-  return now_.residual <= options_.tolerance;
+  return now.residual <= options_.tolerance;
 }
 
 void RingSystem::advance(const RingState& from, const Vector5& step, double fraction,
@@ -105,7 +106,7 @@ void RingSystem::advance(const RingState& from, const Vector5& step, double frac
   if (at_rest_) return;
   for (std::size_t k = 0; k < from.balls.size(); ++k) {
     const Plane da = groove_step(step, k);
-    const Assembly::Ball& e = now_.balls[k];
+    const Assembly::Ball& e = workspace_.now.balls[k];
     const Plane x = from.balls[k];
     Plane next{x.axial + fraction * (e.own[0] + e.follow[0] * da.axial + e.follow[1] * da.radial),
                x.radial + fraction * (e.own[1] + e.follow[2] * da.axial + e.follow[3] * da.radial)};
@@ -137,8 +138,9 @@ bool RingSystem::solve_active(const std::array<int, N>& active, Vector5& step) c
   Eigen::Matrix<double, N, 1> f;
   for (int i = 0; i < N; ++i) {
     const auto row = active[static_cast<std::size_t>(i)];
-    f[i] = now_.missing_ahead[row];
-    for (int j = 0; j < N; ++j) k(i, j) = now_.stiffness(row, active[static_cast<std::size_t>(j)]);
+    f[i] = workspace_.now.missing_ahead[row];
+    for (int j = 0; j < N; ++j)
+      k(i, j) = workspace_.now.stiffness(row, active[static_cast<std::size_t>(j)]);
   }
   const Eigen::Matrix<double, N, 1> x = k.partialPivLu().solve(f);
   step.setZero();
@@ -171,6 +173,55 @@ Plane RingSystem::thrown_ball() const {
   return {0.0, constants_.outer_radius + std::pow(force / constants_.outer_stiffness, 2.0 / 3.0)};
 }
 
+BallShare RingSystem::static_share(Plane centre, Assembly::Ball& ball) const {
+  const StaticBall b = static_ball(constants_, centre);
+  ball.forces = {};
+  ball.forces.inner_load = ball.forces.outer_load = b.load;
+  return {.force = {b.force.axial, b.force.radial, b.force.axial},
+          .gain = {0.0, 0.0, 0.0},
+          .tangent = {b.f_a[0], b.f_a[1], b.f_a[2], b.f_a[3], b.f_a[0], b.f_a[1]},
+          .imbalance = 0.0};
+}
+
+template <RaceControl control>
+[[gnu::always_inline]] inline BallShare RingSystem::moving_share(Plane centre, Plane x,
+                                                                 InnerContact contact,
+                                                                 Assembly::Ball& e) const {
+  const BallBalance b =
+      ball_balance_under<control>(constants_, centre, x, moment_arm_ratio_, contact);
+  e.forces = b;
+  // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r
+  const double inv = -1.0 / (b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2]);
+  e.own[0] = inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial);
+  e.own[1] = inv * (b.r_x[0] * b.imbalance.radial - b.r_x[2] * b.imbalance.axial);
+  e.follow[0] = inv * (b.r_x[3] * b.r_a[0] - b.r_x[1] * b.r_a[2]);
+  e.follow[1] = inv * (b.r_x[3] * b.r_a[1] - b.r_x[1] * b.r_a[3]);
+  e.follow[2] = inv * (b.r_x[0] * b.r_a[2] - b.r_x[2] * b.r_a[0]);
+  e.follow[3] = inv * (b.r_x[0] * b.r_a[3] - b.r_x[2] * b.r_a[1]);
+  BallShare share;
+  // Under outer control the moment's row is the axial one.
+  constexpr int rows = control == RaceControl::inner ? 3 : 2;
+  for (int j = 0; j < rows; ++j) {
+    const double fx0 = b.f_x[2 * j], fx1 = b.f_x[2 * j + 1];
+    share.gain[j] = fx0 * e.own[0] + fx1 * e.own[1];
+    share.tangent[2 * j] = b.f_a[2 * j] + fx0 * e.follow[0] + fx1 * e.follow[2];
+    share.tangent[2 * j + 1] = b.f_a[2 * j + 1] + fx0 * e.follow[1] + fx1 * e.follow[3];
+  }
+  if constexpr (rows == 2) {
+    share.gain[2] = share.gain[0];
+    share.tangent[4] = share.tangent[0];
+    share.tangent[5] = share.tangent[1];
+  }
+  share.force[0] = b.force.axial;
+  share.force[1] = b.force.radial;
+  share.force[2] = b.moment_force;
+  const double scale = ball_scale_ + b.outer_load;
+  share.imbalance =
+      (b.imbalance.axial * b.imbalance.axial + b.imbalance.radial * b.imbalance.radial) /
+      (scale * scale);
+  return share;
+}
+
 void RingSystem::assemble(const RingState& state, Assembly& a) const {
   Vector5 carried = Vector5::Zero(), ahead = Vector5::Zero();
   Matrix5& stiffness = a.stiffness;
@@ -185,10 +236,11 @@ void RingSystem::assemble(const RingState& state, Assembly& a) const {
     if (alike) {
       a.balls[k] = a.balls[k - 1];
     } else {
+      const InnerContact contact = contacts.empty() ? InnerContact::automatic : contacts[k];
       share = at_rest_ ? static_share(centre, a.balls[k])
-                       : moving_share(centre, state.balls[k],
-                                      contacts.empty() ? InnerContact::automatic : contacts[k],
-                                      a.balls[k]);
+              : constants_.race_control == RaceControl::outer
+                  ? moving_share<RaceControl::outer>(centre, state.balls[k], contact, a.balls[k])
+                  : moving_share<RaceControl::inner>(centre, state.balls[k], contact, a.balls[k]);
     }
     last_centre = centre;
     last_ball = state.balls[k];
@@ -205,45 +257,6 @@ void RingSystem::assemble(const RingState& state, Assembly& a) const {
   a.residual = std::max(ring, std::sqrt(worst_ball));
   a.merit =
       a.missing.squaredNorm() / (load_scale_ * load_scale_) + ball_merit / geometry().ball_count;
-}
-
-BallShare RingSystem::static_share(Plane centre, Assembly::Ball& ball) const {
-  const StaticBall b = static_ball(constants_, centre);
-  ball.forces = {};
-  ball.forces.inner_load = ball.forces.outer_load = b.load;
-  return {.force = {b.force.axial, b.force.radial, b.force.axial},
-          .gain = {0.0, 0.0, 0.0},
-          .tangent = {b.f_a[0], b.f_a[1], b.f_a[2], b.f_a[3], b.f_a[0], b.f_a[1]},
-          .imbalance = 0.0};
-}
-
-BallShare RingSystem::moving_share(Plane centre, Plane x, InnerContact contact,
-                                   Assembly::Ball& e) const {
-  const BallBalance b = ball_balance(constants_, centre, x, moment_arm_ratio_, contact);
-  e.forces = b;
-  // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r
-  const double inv = -1.0 / (b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2]);
-  e.own[0] = inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial);
-  e.own[1] = inv * (b.r_x[0] * b.imbalance.radial - b.r_x[2] * b.imbalance.axial);
-  e.follow[0] = inv * (b.r_x[3] * b.r_a[0] - b.r_x[1] * b.r_a[2]);
-  e.follow[1] = inv * (b.r_x[3] * b.r_a[1] - b.r_x[1] * b.r_a[3]);
-  e.follow[2] = inv * (b.r_x[0] * b.r_a[2] - b.r_x[2] * b.r_a[0]);
-  e.follow[3] = inv * (b.r_x[0] * b.r_a[3] - b.r_x[2] * b.r_a[1]);
-  BallShare share;
-  for (int j = 0; j < 3; ++j) {
-    const double fx0 = b.f_x[2 * j], fx1 = b.f_x[2 * j + 1];
-    share.gain[j] = fx0 * e.own[0] + fx1 * e.own[1];
-    share.tangent[2 * j] = b.f_a[2 * j] + fx0 * e.follow[0] + fx1 * e.follow[2];
-    share.tangent[2 * j + 1] = b.f_a[2 * j + 1] + fx0 * e.follow[1] + fx1 * e.follow[3];
-  }
-  share.force[0] = b.force.axial;
-  share.force[1] = b.force.radial;
-  share.force[2] = b.moment_force;
-  const double scale = ball_scale_ + b.outer_load;
-  share.imbalance =
-      (b.imbalance.axial * b.imbalance.axial + b.imbalance.radial * b.imbalance.radial) /
-      (scale * scale);
-  return share;
 }
 
 /// Adds the forces of ball k and its tangent, turned from its plane into the bearing's axes.

@@ -37,6 +37,12 @@ struct Assembly {
   std::vector<Ball> balls;
 };
 
+/// Memory of a solve, kept between solves so that they need not allocate. One per thread.
+struct RingWorkspace {
+  Assembly now, trial;
+  RingState state, trial_state;
+};
+
 /// What one ball does to the ring, in its own plane, the ball's position eliminated.
 struct BallShare {
   double force[3];    ///< f_axial, f_radial, f_m [N]
@@ -50,8 +56,8 @@ struct BallShare {
 /// first point has been assembled.
 class RingSystem {
  public:
-  RingSystem(const Bearing& bearing, const OperatingPoint& point,
-             const EquilibriumOptions& options);
+  RingSystem(const Bearing& bearing, const OperatingPoint& point, const EquilibriumOptions& options,
+             RingWorkspace& workspace);
 
   void set_point(const OperatingPoint& point);
 
@@ -59,8 +65,8 @@ class RingSystem {
   [[nodiscard]] bool newton(RingState& state);
   /// Forces and derivatives at `state`; newton() leaves them at its solution.
   void assemble(const RingState& state, Assembly& assembly) const;
-  [[nodiscard]] const Assembly& solution() const { return now_; }
-  void assemble_solution(const RingState& state) { assemble(state, now_); }
+  [[nodiscard]] const Assembly& solution() const { return workspace_.now; }
+  void assemble_solution(const RingState& state) { assemble(state, workspace_.now); }
 
   [[nodiscard]] const Bearing& bearing() const { return bearing_; }
   [[nodiscard]] const BearingGeometry& geometry() const { return bearing_.geometry(); }
@@ -86,6 +92,7 @@ class RingSystem {
   [[nodiscard]] Plane thrown_ball() const;
 
   std::vector<InnerContact> contacts;  ///< held contacts; empty while physics decides
+  int newton_limit = 40;               ///< steps of one newton()
   double couple = 1.0;  ///< share of the gyroscopic couple that is applied [1]; see set_point()
 
  private:
@@ -95,6 +102,7 @@ class RingSystem {
   bool solve_active(const std::array<int, N>& active, Vector5& step) const;
   bool ring_step(Vector5& step) const;
   [[nodiscard]] BallShare static_share(Plane centre, Assembly::Ball& ball) const;
+  template <RaceControl control>
   [[nodiscard]] BallShare moving_share(Plane centre, Plane ball_centre, InnerContact contact,
                                        Assembly::Ball& ball) const;
   void add_ball(std::size_t k, const BallShare& share, Vector5& carried, Vector5& ahead,
@@ -102,6 +110,7 @@ class RingSystem {
 
   const Bearing& bearing_;
   const EquilibriumOptions& options_;
+  RingWorkspace& workspace_;
   double lever_, moment_arm_ratio_;
   Plane free_;  ///< inner groove centre without displacement
   Symmetry symmetry_ = Symmetry::none;
@@ -111,8 +120,6 @@ class RingSystem {
   double load_scale_ = 0.0, ball_scale_ = 0.0;
   int balls_used_ = 0;
   int iterations_ = 0;
-  Assembly now_, trial_;
-  RingState trial_state_;
 };
 
 }  // namespace raceway::bearing

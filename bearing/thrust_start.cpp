@@ -72,7 +72,7 @@ bool thrust_start(const BallConstants& c, Plane free, double thrust, ThrustStart
   // From flat contact angles (too long) to steep ones (too short). Under inner control statics may
   // become impossible on the way: then there may be no root.
   Statics s;
-  double high = 1.2 * free.radial / std::max(free.axial, 0.01 * free.radial);
+  double high = free.radial / std::max(free.axial, 0.01 * free.radial);
   double at_high = excess(high, s);
   for (int i = 0; i < 20 && at_high < 0.0; ++i) at_high = excess(high *= 4.0, s);
   if (!(at_high >= 0.0)) return false;
@@ -81,7 +81,7 @@ bool thrust_start(const BallConstants& c, Plane free, double thrust, ThrustStart
     if (i == 80) return false;
     high = low;
     at_high = at_low;
-    low = low > 0.05 ? low * 0.5 : low - 0.5;
+    low = low > 0.05 ? low * 0.7 : low - 0.5;
     at_low = excess(low, s);
   }
   if (std::isnan(at_low)) {
@@ -106,7 +106,7 @@ bool thrust_start(const BallConstants& c, Plane free, double thrust, ThrustStart
     const double secant = high - at_high * (high - low) / (at_high - at_low);
     cotangent = std::isfinite(secant) ? secant : 0.5 * (low + high);
     const double value = excess(cotangent, s);
-    if (std::abs(value) < 1e-5 * free.radial || high - low < 1e-9 * (1.0 + std::abs(high))) break;
+    if (std::abs(value) < 1e-4 * free.radial || high - low < 1e-9 * (1.0 + std::abs(high))) break;
     // Illinois: halve the value at the end that stays, so that both ends move.
     if (value > 0.0) {
       high = cotangent;
