@@ -8,6 +8,9 @@
 namespace raceway::bearing {
 namespace {
 
+/// Of the loads summed again from the reported balls, relative; rounding leaves a thousandth of it.
+constexpr double largest_load_error = 1e-8;
+
 void fill_ball(const RingSystem& system, const RingState& state, std::size_t k,
                BallEquilibrium& ball) {
   const Plane a = system.groove_centre(state.ring, k);
@@ -93,8 +96,14 @@ BearingEquilibrium solve(const Bearing& bearing, const OperatingPoint& point,
   RingState& state = workspace.state;
   result.report.status = find_equilibrium(system, point, neighbour, state);
   result.report.iterations = system.iterations();
-  if (result.report.converged()) fill(system, state, point, result);
-  return result;
+  if (!result.report.converged()) return result;
+  fill(system, state, point, result);
+  // The self-check of every solve: what does not carry the load is no result.
+  if (result.report.recovered_load_error <= largest_load_error) return result;
+  BearingEquilibrium refused;
+  refused.report = result.report;
+  refused.report.status = SolveStatus::no_equilibrium;
+  return refused;
 }
 
 }  // namespace

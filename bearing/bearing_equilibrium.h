@@ -50,7 +50,7 @@ struct BearingEquilibrium {
   Matrix5 stiffness = Matrix5::Constant(unset);
   SolveReport report;
 
-  /// True if not a single ball carries load at the inner race... and at least one has lost it.
+  /// Balls that carry nothing at the inner race [1].
   [[nodiscard]] int lost_balls() const;
   /// Ball speeds of ball k; under outer control where the inner race is lost.
   [[nodiscard]] BallSpeeds speeds(std::size_t k, const Bearing& bearing, double speed,
@@ -60,9 +60,12 @@ struct BearingEquilibrium {
 /// Finds the displacement of the inner ring at which the balls carry the applied load.
 ///
 /// Newton-Raphson on ring and balls together, the two unknowns of each ball eliminated (Schur
-/// complement), all derivatives analytic. Where a cold start fails the solution is followed from
-/// the pure thrust case in load, and from standstill in speed. `no_equilibrium` is returned where
-/// these paths end before the operating point, and where nothing presses the rings together.
+/// complement), all derivatives analytic; loads that leave all balls alike, or are mirrored about
+/// the x-y plane, are solved with one ball or half of them. Where a cold start fails the solution
+/// is followed from the pure thrust case in load and from standstill in speed, and under inner
+/// control searched over the balls that may have lost the race (equilibrium_search.h says what that
+/// covers). `no_equilibrium` is returned where all this finds nothing, and where no load presses
+/// the rings together.
 ///
 /// Domain:   speed >= 0; a bearing with contact angle carries axial load only in +x.
 /// Accuracy: `tolerance` on the residual scaled by the applied load, near rounding in practice.

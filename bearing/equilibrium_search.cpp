@@ -38,8 +38,7 @@ class Search {
       if (point.axial_load > 0.0 && drop_least_loaded(point.axial_load, last, state))
         return SolveStatus::converged;
     }
-    if (system_.exhausted()) return SolveStatus::iteration_limit;
-    return SolveStatus::no_equilibrium;
+    return system_.exhausted() ? SolveStatus::iteration_limit : system_.failure();
   }
 
  private:
@@ -83,7 +82,7 @@ class Search {
           p.speed *= std::sqrt(s);
           return p;
         },
-        0.0, state);
+        0.1, state);
   }
 
   /// Inner control switches off where a ball loses the inner race, so the balls that have lost it
@@ -274,9 +273,9 @@ class Search {
 
   /// Follows the solution along path(s) to s = 1 with steps as long as Newton allows.
   template <typename Path>
-  bool follow(const Path& path, double first, RingState& state) {
+  bool follow(const Path& path, double step, RingState& state) {
     constexpr double shortest = 1e-5;
-    double s = 0.0, step = first > 0.0 ? first : 0.1;
+    double s = 0.0;
     while (s < 1.0) {
       const double next = std::min(1.0, s + step);
       system_.set_point(path(next));

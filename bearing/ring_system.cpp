@@ -72,9 +72,9 @@ bool RingSystem::newton(RingState& state) {
   assemble(state, now);
   for (int i = 0; i < newton_limit && iterations_ < options_.max_iterations; ++i) {
     if (now.residual <= options_.tolerance) return true;
-    if (!std::isfinite(now.merit)) return false;
+    if (!std::isfinite(now.merit)) return fail(SolveStatus::not_finite);
     Vector5 step;
-    if (!ring_step(step)) return false;
+    if (!ring_step(step)) return fail(SolveStatus::singular);
     ++iterations_;
     double fraction = 1.0;
     const double longest = step.head<3>().cwiseAbs().maxCoeff();
@@ -96,7 +96,13 @@ bool RingSystem::newton(RingState& state) {
     std::swap(now, trial);
     if (stalled && now.residual <= 10.0 * options_.tolerance) return true;
   }
-  return now.residual <= options_.tolerance;
+  return now.residual <= options_.tolerance || fail(SolveStatus::no_equilibrium);
+}
+
+bool RingSystem::fail(SolveStatus why) {
+  if (!attempted_ || why == SolveStatus::no_equilibrium) failure_ = why;
+  attempted_ = true;
+  return false;
 }
 
 void RingSystem::advance(const RingState& from, const Vector5& step, double fraction,

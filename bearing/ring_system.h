@@ -80,6 +80,8 @@ class RingSystem {
   [[nodiscard]] double moment_arm_ratio() const { return moment_arm_ratio_; }
   [[nodiscard]] Plane free_groove_centre() const { return free_; }
   [[nodiscard]] int iterations() const { return iterations_; }
+  /// Why newton() failed: no_equilibrium unless every attempt was singular or not finite.
+  [[nodiscard]] SolveStatus failure() const { return failure_; }
   [[nodiscard]] bool exhausted() const { return iterations_ >= options_.max_iterations; }
 
   /// Balls that are unknowns: one, half of them, or all.
@@ -96,6 +98,7 @@ class RingSystem {
   double couple = 1.0;  ///< share of the gyroscopic couple that is applied [1]; see set_point()
 
  private:
+  bool fail(SolveStatus why);
   void advance(const RingState& from, const Vector5& step, double fraction, RingState& to) const;
   [[nodiscard]] Plane groove_step(const Vector5& step, std::size_t k) const;
   template <int N>
@@ -120,6 +123,8 @@ class RingSystem {
   double load_scale_ = 0.0, ball_scale_ = 0.0;
   int balls_used_ = 0;
   int iterations_ = 0;
+  SolveStatus failure_ = SolveStatus::no_equilibrium;
+  bool attempted_ = false;
 };
 
 }  // namespace raceway::bearing

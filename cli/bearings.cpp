@@ -33,7 +33,10 @@ int run(const std::string& filter, bool json) {
     fmt::print("{}", table.text(terminal_width()));
   }
   if (rows.empty()) {
-    fmt::print(stderr, "raceway bearings: no bearing has {} in its name\n", "\"" + filter + "\"");
+    fmt::print(
+        stderr,
+        "raceway bearings: no bearing has \"{}\" in its name; without a filter all are listed\n",
+        filter);
     return wrong_input;
   }
   return done;
@@ -44,7 +47,8 @@ int run(const std::string& filter, bool json) {
 Run setup_bearings(CLI::App& command) {
   auto filter = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  command.add_option("FILTER", *filter, "part of a designation; all bearings without it");
+  command.add_option("FILTER", *filter, "part of a designation; all bearings without it")
+      ->type_name("");
   command.add_flag("--json", *json, "one JSON document instead of text");
   command.footer("Example:\n  raceway bearings \"S 60\"");
   return [=] { return run(*filter, *json); };

@@ -42,11 +42,13 @@ void print(const fit::Calibration& c) {
         fmt::print("correlation of {} and {}: {:.2f}\n",
                    c.parameters[static_cast<std::size_t>(j)].name,
                    c.parameters[static_cast<std::size_t>(i)].name, c.correlation(i, j));
-  fmt::print("\nRMS error over {} rows: {} Nmm before, {} Nmm after\n", c.rows,
+  fmt::print("\nRMS error over {} rows: {} N mm before, {} N mm after\n", c.rows,
              number(c.rmse_before / N_mm), number(c.rmse_after / N_mm));
 }
 
 int run(const Flags& flags) {
+  if (flags.output == "-")
+    throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file");
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
   const io::ModelFile file = open_model(flags.model);
@@ -55,7 +57,7 @@ int run(const Flags& flags) {
     try {
       return fit::calibrate(file.model, data);
     } catch (const std::invalid_argument& e) {
-      throw io::InputError(flags.model + " with " + flags.data + ": " + e.what());
+      refuse_data(flags.model, data, e);
     }
   }();
   if (flags.json) {
@@ -65,8 +67,8 @@ int run(const Flags& flags) {
   }
   tell(c.messages);
   if (!c.converged()) {
-    fmt::print(stderr, "raceway calibrate: {} after {} steps; {}\n", fit::name(c.status),
-               c.iterations, flags.output.empty() ? "no result" : flags.output + " is not written");
+    say(fmt::format("raceway calibrate: {} after {} steps; {}", fit::name(c.status), c.iterations,
+                    flags.output.empty() ? "no result" : flags.output + " is not written"));
     return not_converged;
   }
   if (!flags.output.empty()) {
@@ -74,7 +76,7 @@ int run(const Flags& flags) {
     for (const fit::ModelParameter& p : fit::free_parameters(c.model))
       if (p.get(c.model) != p.get(file.model)) changes.push_back({io::file_key(p), p.get(c.model)});
     io::write_text(flags.output, io::with_values(file.text, changes), if_exists);
-    fmt::print(stderr, "{} written\n", flags.output);
+    say(flags.output + " written");
   }
   return done;
 }
@@ -83,10 +85,12 @@ int run(const Flags& flags) {
 
 Run setup_calibrate(CLI::App& command) {
   auto flags = std::make_shared<Flags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required();
-  command.add_option("DATA", flags->data, "measurements (CSV)")->required();
-  command.add_option("-o,--output", flags->output,
-                     "model file to write: MODEL with the new values, all else as it is");
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
+  command
+      .add_option("-o,--output", flags->output,
+                  "model file to write: MODEL with the new values, all else as it is")
+      ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

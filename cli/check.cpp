@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "cli/commands.h"
 #include "cli/open_input.h"
@@ -58,9 +59,14 @@ io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) 
   if (torque) {
     add_column(s, data, "friction_torque_Nmm", [](const fit::Row& r) { return r.measured / N_mm; });
     add_column(s, data, "std_Nmm", [](const fit::Row& r) { return r.std / N_mm; });
-    const fit::Calibration c = fit::calibrate(model, data);
-    for (const fit::FittedParameter& p : c.parameters)
-      s.free_parameters.push_back({p.name, p.identifiable});
+    try {
+      for (const fit::FittedParameter& p : fit::calibrate(model, data).parameters)
+        s.free_parameters.push_back({p.name, p.identifiable});
+    } catch (const std::invalid_argument& e) {
+      s.notes.emplace_back(e.what());  // fewer rows than parameters, for example
+      tell({s.notes.back()});
+      for (const std::string& name : model.free) s.free_parameters.push_back({name, false});
+    }
   } else {
     add_column(s, data, "axial_displacement_um", [](const fit::Row& r) { return r.measured / um; });
   }
@@ -79,10 +85,17 @@ io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) 
 }
 
 void print(const io::CheckSummary& s, const std::string& data) {
-  fmt::print("{}: {} rows, {} runs, {}\n", data, s.rows, s.runs, s.quantity);
+  const bool torque = s.quantity == "friction_torque";
+  fmt::print("{}: {} row{} of {}", data, s.rows, s.rows == 1 ? "" : "s",
+             torque ? "friction torque" : "axial displacement");
+  fmt::print("{}\n", s.runs == 0   ? ""
+                     : s.runs == 1 ? ", one run"
+                                   : fmt::format(", {} runs", s.runs));
   fmt::print("noise: {}\n\n",
-             std::isnan(s.noise) ? "not known"
-                                 : number(s.noise / N_mm, 3) + " Nmm rms (" + s.noise_source + ")");
+             std::isnan(s.noise)
+                 ? "not known (no std column, no repeated rows)"
+                 : fmt::format("{} {} rms ({})", number(torque ? s.noise / N_mm : s.noise / um, 3),
+                               torque ? "N mm" : "um", s.noise_source));
   TextTable columns({{"column", "", true}, {"from", ""}, {"to", ""}, {"levels", ""}});
   for (const io::ColumnSummary& c : s.columns)
     columns.add({c.name, number(c.lower, 5), number(c.upper, 5), fmt::format("{}", c.levels)});
@@ -102,8 +115,8 @@ Run setup_check(CLI::App& command) {
     bool json = false;
   };
   auto flags = std::make_shared<Flags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required();
-  command.add_option("DATA", flags->data, "measurements (CSV)")->required();
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer("Example:\n  raceway check my.toml rig.csv");
   return [flags] {

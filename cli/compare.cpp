@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/commands.h"
@@ -18,82 +19,119 @@ struct Flags {
   bool json = false;
 };
 
+/// Differences show the decimals of the error they belong to: rounding noise reads 0.
+std::string difference(double value, double error, bool sign = true) {
+  return beside(value / N_mm, error / N_mm, 3, sign);
+}
+
 std::string range_text(const fit::ErrorRange& r) {
+  if (r.variable == fit::Variable::run) return r.run.empty() ? "no run_id" : "run " + r.run;
+  std::string_view what, unit = "N";
+  double from = r.from, to = r.to;
   switch (r.variable) {
     case fit::Variable::speed:
-      return fmt::format("speed {:.0f} to {:.0f} rpm", r.from / rpm, r.to / rpm);
+      what = "speed", unit = "rpm", from /= rpm, to /= rpm;
+      break;
     case fit::Variable::axial_load:
-      return r.from == r.to ? fmt::format("axial load {:.6g} N", r.from)
-                            : fmt::format("axial load {:.6g} to {:.6g} N", r.from, r.to);
+      what = "axial load";
+      break;
     case fit::Variable::radial_load:
-      return r.from == r.to ? fmt::format("radial load {:.6g} N", r.from)
-                            : fmt::format("radial load {:.6g} to {:.6g} N", r.from, r.to);
-    case fit::Variable::temperature:
-      return fmt::format("temperature {:.1f} to {:.1f} C", celsius(r.from), celsius(r.to));
-    case fit::Variable::run:
-      return "run " + r.run;
+      what = "radial load";
+      break;
+    default:
+      what = "temperature", unit = "C", from = celsius(from), to = celsius(to);
   }
-  return {};
+  const std::string low = fmt::format("{:.4g}", from), high = fmt::format("{:.4g}", to);
+  return low == high ? fmt::format("{} {} {}", what, low, unit)
+                     : fmt::format("{} {} to {} {}", what, low, high, unit);
 }
 
 std::string noise_text(const fit::Comparison& c) {
-  if (std::isnan(c.noise.rms)) return "not known (no std_Nmm column, no repeated rows)";
-  return fmt::format("{} Nmm ({})", number(c.noise.rms / N_mm, 3), fit::name(c.noise.source));
+  if (std::isnan(c.noise.rms)) return "not known (no column std_Nmm, no repeated rows)";
+  return fmt::format("{} N mm ({})", number(c.noise.rms / N_mm, 3), fit::name(c.noise.source));
+}
+
+std::string p_text(double p) {
+  return p < 1e-300 ? "p < 1e-300"
+         : p < 1e-3 ? fmt::format("p = {:.0e}", p)
+                    : fmt::format("p = {:.2g}", p);
 }
 
 void print(const std::string& model, const std::string& data, const fit::Comparison& c) {
-  fmt::print("{} against {}: {} rows, friction torque\n\n", model, data, c.rows);
-  fmt::print("RMS error       {:>10} Nmm    mean error (bias) {:>10} Nmm\n", number(c.rmse / N_mm),
-             number(c.bias / N_mm, 3));
-  fmt::print("mean abs error  {:>10} Nmm    largest error     {:>10} Nmm\n", number(c.mae / N_mm),
+  fmt::print("{} against {}: {} row{}, friction torque\n\n", model, data, c.rows,
+             c.rows == 1 ? "" : "s");
+  fmt::print("RMS error       {:>10} N mm   mean error (bias) {:>10} N mm\n", number(c.rmse / N_mm),
+             difference(c.bias, c.rmse));
+  fmt::print("mean abs error  {:>10} N mm   largest error     {:>10} N mm\n", number(c.mae / N_mm),
              number(c.max_abs / N_mm));
-  fmt::print("fit             {:>10} %\n", number(c.fit_percent, 3));
+  if (!std::isnan(c.fit_percent))
+    fmt::print("fit             {:>10} %\n", number(c.fit_percent, 3));
   fmt::print("noise of the data: {}\n", noise_text(c));
   if (!std::isnan(c.lack_of_fit.p_value))
-    fmt::print("lack of fit: statistic {}, p {:.1e}\n", number(c.lack_of_fit.statistic, 3),
-               c.lack_of_fit.p_value);
-  TextTable where({{"where it fails", "", true}, {"rows", ""}, {"RMS", "Nmm"}, {"bias", "Nmm"}});
+    fmt::print("lack of fit: {} = {}, {}\n",
+               c.noise.source == fit::NoiseSource::repeats ? "F" : "chi2/dof",
+               number(c.lack_of_fit.statistic, 3), p_text(c.lack_of_fit.p_value));
+  TextTable where({{"where it fails", "", true}, {"rows", ""}, {"RMS", "N mm"}, {"bias", "N mm"}});
   for (std::size_t i = 0; i < std::min<std::size_t>(c.where.size(), 8); ++i) {
     const fit::ErrorRange& r = c.where[i];
-    where.add({range_text(r), fmt::format("{}", r.rows), number(r.rmse / N_mm, 3),
-               fmt::format("{:+.3g}", r.bias / N_mm)});
+    where.add({range_text(r), fmt::format("{}", r.rows), difference(r.rmse, c.rmse, false),
+               difference(r.bias, c.rmse)});
   }
   if (!c.where.empty()) fmt::print("\n{}", where.text(terminal_width()));
-  TextTable worst({{"worst rows: line", "", true},
-                   {"predicted", "Nmm"},
-                   {"measured", "Nmm"},
-                   {"difference", "Nmm"},
+  TextTable worst({{"worst rows", "", true},
+                   {"predicted", "N mm"},
+                   {"measured", "N mm"},
+                   {"difference", "N mm"},
                    {"in sigma", ""}});
   for (const fit::RowError& r : c.worst)
-    worst.add({fmt::format("{}", r.line), number(r.predicted / N_mm), number(r.measured / N_mm),
-               fmt::format("{:+.3g}", r.residual / N_mm),
+    worst.add({fmt::format("line {}", r.line), difference(r.predicted, c.rmse, false),
+               difference(r.measured, c.rmse, false), difference(r.residual, c.rmse),
                std::isnan(r.sigmas) ? "-" : fmt::format("{:+.1f}", r.sigmas)});
   fmt::print("\n{}\n{}\n", worst.text(terminal_width()), c.statement);
 }
 
 void print_ladder(const std::vector<std::string>& models,
                   const std::vector<fit::Comparison>& comparisons) {
-  TextTable ladder({{"model", "", true}, {"RMS", "Nmm"}, {"bias", "Nmm"}, {"fit", "%"}});
-  for (std::size_t i = 0; i < models.size(); ++i)
-    ladder.add({models[i], number(comparisons[i].rmse / N_mm),
-                number(comparisons[i].bias / N_mm, 3), number(comparisons[i].fit_percent, 3)});
+  TextTable ladder({{"model", "", true}, {"RMS", "N mm"}, {"bias", "N mm"}, {"fit", "%"}});
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const fit::Comparison& c = comparisons[i];
+    ladder.add(
+        {models[i], number(c.rmse / N_mm), difference(c.bias, c.rmse), number(c.fit_percent, 3)});
+  }
   fmt::print("{}noise of the data: {}\n", ladder.text(terminal_width()),
              noise_text(comparisons[0]));
 }
 
+/// What the rows lack is filled in from the first model; another rig would need other rows.
+void note_other_rigs(const std::vector<io::ModelFile>& files) {
+  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  const fit::Rig& first = files[0].model.rig;
+  for (const io::ModelFile& file : files) {
+    const fit::Rig& rig = file.model.rig;
+    if (!same(rig.inertia, first.inertia) || !same(rig.axial_load, first.axial_load) ||
+        !same(rig.radial_load, first.radial_load) || !same(rig.temperature, first.temperature) ||
+        !same(rig.minimum_speed, first.minimum_speed))
+      tell({fmt::format("{}: its [rig] differs from that of {}, which is used for all models",
+                        file.source, files[0].source)});
+  }
+}
+
 int run(const Flags& flags) {
+  if (flags.files.size() < 2)
+    throw io::InputError(
+        "raceway compare: DATA is missing: one model or more come first, the measurements last");
   const std::string& data_file = flags.files.back();
   const std::vector<std::string> models(flags.files.begin(), flags.files.end() - 1);
   std::vector<io::ModelFile> files;
   for (const std::string& m : models) files.push_back(open_model(m));
   std::vector<fit::Comparison> comparisons;
-  // The rig of the first model fills in what the data do not carry.
+  note_other_rigs(files);
   const fit::DataSet data = open_data(data_file, files[0].model.rig);
   for (std::size_t i = 0; i < models.size(); ++i) {
     try {
       comparisons.push_back(fit::compare(files[i].model, data));
     } catch (const std::invalid_argument& e) {
-      throw io::InputError(models[i] + " against " + data_file + ": " + e.what());
+      refuse_data(models[i], data, e);
     }
     if (const auto& missing = comparisons.back().rows_not_predicted; !missing.empty())
       tell({fmt::format("{}: {} rows have no equilibrium and are left out, the first in line {}",
@@ -113,15 +151,14 @@ int run(const Flags& flags) {
 
 Run setup_compare(CLI::App& command) {
   auto flags = std::make_shared<Flags>();
-  command
-      .add_option("MODEL... DATA", flags->files,
-                  "one or more model files (TOML), then measurements (CSV)")
-      ->required()
-      ->expected(2, 1000);
+  command.add_option("FILES", flags->files, "MODEL [MODEL2 ...] DATA: models (TOML), then one CSV")
+      ->type_name("")
+      ->expected(-1);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
       "Errors are prediction minus reading.\n\n"
-      "Example:\n  raceway compare my.toml rig.csv");
+      "Example:\n  raceway compare my.toml rig.csv\n"
+      "  raceway compare my.toml fitted.toml rig.csv");
   return [flags] { return run(*flags); };
 }
 

@@ -2,10 +2,14 @@
 
 #include <array>
 #include <cstdio>
+#include <exception>
 #include <map>
-#include <stdexcept>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
+#include "cli/parse_problem.h"
 #include "io/error.h"
 #include "io/names.h"
 
@@ -33,14 +37,10 @@ constexpr std::array commands{
             cli::setup_check},
 };
 
-std::string unknown_command(int argc, char** argv) {
-  std::vector<std::string> names;
-  for (const Command& c : commands) names.emplace_back(c.name);
-  if (argc < 2 || argv[1][0] == '-') return {};
-  for (const std::string& name : names)
-    if (name == argv[1]) return {};
-  return fmt::format("raceway: {}: no such command{}\nTry raceway --help.\n", argv[1],
-                     io::suggestion(argv[1], names));
+/// Tells on stderr what is wrong with the command line; gives the exit status.
+int refuse(const std::string& command, const std::string& problem) {
+  fmt::print(stderr, "{0}: {1}\nTry {0} --help.\n", command, problem);
+  return cli::wrong_input;
 }
 
 }  // namespace
@@ -62,16 +62,29 @@ int main(int argc, char** argv) {
     CLI::App* command = app.add_subcommand(c.name, c.summary);
     runs[command] = c.setup(*command);
   }
-  if (const std::string message = unknown_command(argc, argv); !message.empty()) {
-    fmt::print(stderr, "{}", message);
+  if (argc < 2) {
+    fmt::print(stderr, "{}", app.help());
     return cli::wrong_input;
   }
+  const std::string first = argv[1];
+  if (first == "help") {
+    fmt::print("{}", app.help());
+    return cli::done;
+  }
+  const CLI::App* command = first.starts_with('-') ? &app : nullptr;
+  std::vector<std::string> names;
+  for (const CLI::App* known : app.get_subcommands({})) {
+    names.push_back(known->get_name());
+    if (names.back() == first) command = known;
+  }
+  if (command == nullptr)
+    return refuse("raceway", first + ": no such command" + io::suggestion(first, names));
+  const std::string command_name = command == &app ? "raceway" : "raceway " + first;
+  const std::span<char*> arguments(argv + (command == &app ? 1 : 2), argv + argc);
+  if (const std::string problem = cli::flag_problem(*command, arguments); !problem.empty())
+    return refuse(command_name, problem);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? cli::done : cli::wrong_input;
-  }
-  try {
     const int status = runs.at(app.get_subcommands().front())();
     // A full disk or a closed pipe shows up when the last of stdout leaves.
     if (std::fflush(stdout) != 0) {
@@ -79,10 +92,11 @@ int main(int argc, char** argv) {
       return cli::wrong_input;
     }
     return status;
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // help and version
+    return refuse(command_name, e.what());
   } catch (const io::InputError& e) {
     fmt::print(stderr, "{}\n", e.what());
-  } catch (const std::invalid_argument& e) {
-    fmt::print(stderr, "raceway: {}\n", e.what());
   } catch (const std::exception& e) {
     fmt::print(stderr, "raceway: {}\n", e.what());
   }

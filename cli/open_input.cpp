@@ -2,18 +2,41 @@
 
 #include <fmt/core.h>
 
+#include <cstdio>
+
 #include "fit/coast_down.h"
 #include "io/data_file.h"
 #include "io/error.h"
 
 namespace raceway::cli {
 
+void say(const std::string& line) {
+  std::fflush(stdout);  // a log of both keeps the order
+  fmt::print(stderr, "{}\n", line);
+}
+
 void tell(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : notes) say("note: " + note);
+}
+
+void refuse_data(const std::string& model, const fit::DataSet& data,
+                 const std::invalid_argument& error) {
+  std::string message = error.what();
+  if (const std::string place = data.source + ": "; message.starts_with(place))
+    message.erase(0, place.size());
+  throw io::InputError(fmt::format("{} with {}: {}", data.source, model, message));
 }
 
 io::ModelFile open_model(const std::string& path) {
-  io::ModelFile file = io::read_model(path);
+  io::ModelFile file = [&] {
+    try {
+      return io::read_model(path);
+    } catch (const io::InputError& e) {
+      if (!path.ends_with(".csv")) throw;
+      throw io::InputError(std::string(e.what()) + "\n" + path +
+                           ": stands where a model (TOML) is expected");
+    }
+  }();
   if (!file.defaults.empty()) {
     std::string line = path + ": defaults used:";
     for (const std::string& d : file.defaults) {
@@ -26,6 +49,8 @@ io::ModelFile open_model(const std::string& path) {
 }
 
 fit::DataSet open_data(const std::string& path, const fit::Rig& rig) {
+  if (path.ends_with(".toml"))
+    throw io::InputError(path + ": stands where measurements (CSV) are expected");
   io::Measurement measurement = io::read_measurement(path, rig);
   if (auto* data = std::get_if<fit::DataSet>(&measurement)) {
     tell(data->notes);
@@ -37,7 +62,8 @@ fit::DataSet open_data(const std::string& path, const fit::Rig& rig) {
     tell(data.notes);
     return data;
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(path + ": " + e.what());
+    const std::string message = e.what();
+    throw io::InputError(message.starts_with(path) ? message : path + ": " + message);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,13 @@ namespace raceway::cli {
 
 /// Reads measurements for a model, a coast-down turned into torque, and tells the notes on stderr.
 [[nodiscard]] fit::DataSet open_data(const std::string& path, const fit::Rig& rig);
+
+/// Puts the name of the model before what `fit` says of the data, and makes it an io::InputError.
+[[noreturn]] void refuse_data(const std::string& model, const fit::DataSet& data,
+                              const std::invalid_argument& error);
+
+/// A line on stderr, behind all that stdout has so far.
+void say(const std::string& line);
 
 /// Lines on stderr, each behind `note: `.
 void tell(const std::vector<std::string>& notes);

@@ -1,8 +1,10 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
 #include "fit/prediction.h"
@@ -50,24 +52,23 @@ friction::HeatSplit heat_split(const fit::Model& model, const bearing::Operating
 }
 
 void print_balls(const bearing::BearingEquilibrium& e) {
-  bool alike = true;
-  for (const bearing::BallEquilibrium& b : e.balls)
-    alike = alike && b.inner_load == e.balls[0].inner_load;
-  TextTable table({{alike ? "balls" : "ball", ""},
-                   {"azimuth", "deg"},
+  const bool alike = std::all_of(
+      e.balls.begin(), e.balls.end(),
+      [&](const bearing::BallEquilibrium& b) { return b.inner_load == e.balls[0].inner_load; });
+  TextTable table({alike ? TextTable::Column{"balls", ""} : TextTable::Column{"ball at", "deg"},
                    {"inner angle", "deg"},
                    {"outer angle", "deg"},
                    {"inner load", "N"},
                    {"outer load", "N"},
-                   {"centrifugal", "N"},
-                   {"gyroscopic", "Nmm"}});
+                   {"centrifug.", "N"},
+                   {"gyrosc.", "N mm"}});
   for (std::size_t k = 0; k < (alike ? 1 : e.balls.size()); ++k) {
     const bearing::BallEquilibrium& b = e.balls[k];
-    table.add({alike ? fmt::format("all {}", e.balls.size()) : fmt::format("{}", k),
-               alike ? "" : fmt::format("{:.1f}", b.azimuth / degree),
-               number(b.inner_contact_angle / degree), number(b.outer_contact_angle / degree),
-               number(b.inner_load), number(b.outer_load), number(b.centrifugal_force),
-               number(b.gyroscopic_moment / N_mm)});
+    table.add(
+        {alike ? fmt::format("all {}", e.balls.size()) : fmt::format("{:.1f}", b.azimuth / degree),
+         number(b.inner_contact_angle / degree), number(b.outer_contact_angle / degree),
+         number(b.inner_load), number(b.outer_load), number(b.centrifugal_force),
+         number(b.gyroscopic_moment / N_mm)});
   }
   fmt::print("{}", table.text(terminal_width()));
 }
@@ -89,32 +90,45 @@ void print(const fit::Model& model, const bearing::OperatingPoint& p,
              number(std::hypot(u[1], u[2]) / um), number(e.stiffness(1, 1) / N_per_um));
   if (model.solver.tilt == bearing::Tilt::free)
     fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[3] / mrad), number(u[4] / mrad));
-  fmt::print("\nfriction torque     {:>10} Nmm     power loss        {:>8} W\n",
+  fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
              number(friction.torque / N_mm), number(friction.power_loss));
-  fmt::print("  load              {:>10} Nmm       inner ring      {:>8} W\n",
+  fmt::print("  load              {:>10} N mm      inner ring      {:>8} W\n",
              number(friction.load / N_mm), number(heat.inner));
-  fmt::print("  viscous           {:>10} Nmm       outer ring      {:>8} W\n",
+  fmt::print("  viscous           {:>10} N mm      outer ring      {:>8} W\n",
              number(friction.viscous / N_mm), number(heat.outer));
   for (std::size_t i = 0; i < friction.effects.size(); ++i)
-    fmt::print("  {:<17} {:>10} Nmm\n", model.effects[i].description->id,
+    fmt::print("  {:<17} {:>10} N mm\n", model.effects[i].description->id,
                number(friction.effects[i] / N_mm));
 }
 
 int run(const Flags& flags) {
   const io::ModelFile file = open_model(flags.model);
   const bearing::OperatingPoint point = operating_point(flags, file.model.rig);
-  const fit::FrictionPrediction friction = fit::predict_friction(file.model, point, true);
-  const bearing::BearingEquilibrium& e = *friction.equilibrium;
-  const friction::HeatSplit heat = heat_split(file.model, point, e, friction);
+  fit::FrictionPrediction friction = fit::predict_friction(file.model, point, true);
+  const bearing::SolveReport report = friction.report;
+  // Without balance there are no numbers: what is printed then is all unset.
+  if (!report.converged()) {
+    const std::size_t effects = friction.effects.size();
+    friction = {};
+    friction.effects.assign(effects, unset);
+  }
+  bearing::BearingEquilibrium unbalanced;
+  unbalanced.report = report;
+  const bearing::BearingEquilibrium& e = report.converged() ? *friction.equilibrium : unbalanced;
+  const friction::HeatSplit heat =
+      report.converged() ? heat_split(file.model, point, e, friction) : friction::HeatSplit();
   if (flags.json) {
     fmt::print("{}", io::solve_json(file.model, point, e, friction, heat));
-  } else if (e.report.converged()) {
+  } else if (report.converged()) {
     print(file.model, point, e, friction, heat);
   }
-  if (e.report.converged()) return done;
-  fmt::print(stderr, "raceway solve: {}: {} after {} Newton steps at {:.6g} rpm, {:.6g} N axial\n",
-             flags.model, bearing::name(e.report.status), e.report.iterations, flags.speed,
-             point.axial_load);
+  if (report.converged()) return done;
+  say(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",
+                  flags.model, bearing::name(report.status), flags.speed, point.axial_load,
+                  point.radial_load,
+                  report.status == bearing::SolveStatus::no_equilibrium
+                      ? ": no position of the inner ring carries this load"
+                      : fmt::format(" after {} Newton steps", report.iterations)));
   return not_converged;
 }
 
@@ -122,21 +136,22 @@ int run(const Flags& flags) {
 
 Run setup_solve(CLI::App& command) {
   auto flags = std::make_shared<Flags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required();
-  command.add_option("--speed", flags->speed, "shaft speed [rpm]")
-      ->required()
-      ->check(CLI::Range(0.0, 1e6));
-  command.add_option("--axial-load", flags->axial_load, "[N]; default: [rig] of the model");
-  command.add_option("--radial-load", flags->radial_load,
-                     "along +y [N]; default: [rig] of the model, else 0");
-  command
-      .add_option("--temperature", flags->temperature,
-                  "of the lubricant [C]; default: [rig] of the model, else 40")
-      ->check(CLI::Range(-100.0, 400.0));
-  command.add_option("--moment-y", flags->moment_y, "about y, carried where tilt is free [Nmm]");
-  command.add_option("--moment-z", flags->moment_z, "about z, carried where tilt is free [Nmm]");
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  add_number(command, "--speed", flags->speed, speed_range, "of the shaft [rpm]")->required();
+  add_number(command, "--axial-load", flags->axial_load, load_range,
+             "[N]; default: [rig] of the model");
+  add_number(command, "--radial-load", flags->radial_load, load_range,
+             "along +y [N]; default: [rig] of the model, else 0");
+  add_number(command, "--temperature", flags->temperature, temperature_range,
+             "of the lubricant [C]; default: [rig] of the model, else 40");
+  add_number(command, "--moment-y", flags->moment_y, moment_range,
+             "about y [N mm], carried where tilt is free; default 0");
+  add_number(command, "--moment-z", flags->moment_z, moment_range,
+             "about z [N mm], carried where tilt is free; default 0");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway solve my.toml --speed 10000 --axial-load 600");
+  command.footer(
+      "Example:\n  raceway solve my.toml --speed 10000 --axial-load 600\n"
+      "  raceway solve my.toml --speed 10000 --axial-load 600 --radial-load 100 --json");
   return [flags] { return run(*flags); };
 }
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 #include "cli/commands.h"
+#include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
 #include "fit/prediction.h"
@@ -65,31 +67,28 @@ std::vector<double> axis(const std::string& text, const std::string& flag) {
   return values;
 }
 
-void require_range(const std::vector<double>& values, double lower, double upper,
-                   const std::string& flag, const std::string& unit) {
-  for (const double v : values)
-    if (!(v >= lower && v <= upper))
-      throw io::InputError(fmt::format("{} = {:.6g} {}: must be from {:.6g} to {:.6g} {}", flag, v,
-                                       unit, lower, upper, unit));
+void require_all(const std::vector<double>& values, const NumberRange& range,
+                 const std::string& flag) {
+  for (const double value : values) require_range(value, range, flag);
 }
 
 friction::TableAxes axes(const Flags& f, const fit::Rig& rig) {
   friction::TableAxes a;
   a.speed = axis(f.speed, "--speed");
-  require_range(a.speed, 0.0, 1e6, "--speed", "rpm");
+  require_all(a.speed, speed_range, "--speed");
   for (double& v : a.speed) v *= rpm;
   if (f.axial_load.empty() && std::isnan(rig.axial_load))
     throw io::InputError("raceway table: --axial-load is missing, and " + f.model +
                          " has no axial_load_N under [rig]");
   a.axial_load =
       f.axial_load.empty() ? std::vector{rig.axial_load} : axis(f.axial_load, "--axial-load");
-  require_range(a.axial_load, 0.0, 1e8, "--axial-load", "N");
+  require_all(a.axial_load, load_range, "--axial-load");
   a.radial_load =
       f.radial_load.empty() ? std::vector{rig.radial_load} : axis(f.radial_load, "--radial-load");
-  require_range(a.radial_load, 0.0, 1e8, "--radial-load", "N");
+  require_all(a.radial_load, load_range, "--radial-load");
   a.temperature = f.temperature.empty() ? std::vector{celsius(rig.temperature)}
                                         : axis(f.temperature, "--temperature");
-  require_range(a.temperature, -100.0, 400.0, "--temperature", "C");
+  require_all(a.temperature, temperature_range, "--temperature");
   for (double& v : a.temperature) v = kelvin(v);
   return a;
 }
@@ -145,14 +144,14 @@ void show_progress(double fraction) {
 
 /// Speed down, axial load across, a block for each radial load and temperature.
 void print(const fit::Model& model, const friction::StribeckTable& t) {
-  fmt::print("Friction torque [Nmm] of {}\n", model.name);
+  fmt::print("Friction torque [N mm] of {}\n", model.name);
   for (std::size_t k = 0; k < t.axes.temperature.size(); ++k) {
     for (std::size_t r = 0; r < t.axes.radial_load.size(); ++r) {
       fmt::print("\nradial load {:.6g} N, {:.4g} C, axial load across\n", t.axes.radial_load[r],
                  celsius(t.axes.temperature[k]));
       std::vector<TextTable::Column> heads{{"speed", "rpm"}};
       for (const double load : t.axes.axial_load)
-        heads.push_back({fmt::format("{:.6g} N", load), "Nmm"});
+        heads.push_back({fmt::format("{:.6g} N", load), "N mm"});
       TextTable table(heads);
       for (std::size_t s = 0; s < t.axes.speed.size(); ++s) {
         std::vector<std::string> row{fmt::format("{:.6g}", t.axes.speed[s] / rpm)};
@@ -166,6 +165,8 @@ void print(const fit::Model& model, const friction::StribeckTable& t) {
 }
 
 int run(const Flags& flags) {
+  if (flags.json && flags.output == "-")
+    throw io::InputError("raceway table: --json and --output - both write to stdout; take one");
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
@@ -179,42 +180,65 @@ int run(const Flags& flags) {
   const friction::StribeckTable table = friction::build_stribeck_table(
       grid, columns(model), [&](auto points, auto out) { fill_line(model, points, out); },
       progress);
-  const std::string title = "raceway Stribeck table of " + model.name;
   if (to_file) {
-    io::write_text(flags.output, io::table_text(table, title, file.text), if_exists);
-    fmt::print(stderr, "{}: {} points\n", flags.output, grid.size());
+    io::write_text(flags.output, io::table_text(table, model.name, file.text), if_exists);
+    say(fmt::format("{} written, {} points", flags.output, grid.size()));
   } else if (flags.output == "-") {
-    fmt::print("{}", io::table_text(table, title, file.text));
+    fmt::print("{}", io::table_text(table, model.name, file.text));
   }
   if (flags.json) {
     fmt::print("{}", io::table_json(model, table));
   } else if (flags.output.empty()) {
     print(model, table);
   }
-  long unbalanced = 0;
-  for (std::size_t i = 0; i < grid.size(); ++i) unbalanced += std::isnan(table.row(i).back());
-  const auto empty = std::count_if(table.friction_moment.begin(), table.friction_moment.end(),
-                                   [](double m) { return std::isnan(m); });
-  if (unbalanced > 0)
-    fmt::print(stderr, "note: {} of {} points have no equilibrium: no contact angles there{}\n",
-               unbalanced, grid.size(),
-               empty > 0 ? fmt::format(", and no torque at {}", empty) : "");
-  return empty > 0 ? not_converged : done;
+  // Displacement is the last column.
+  std::size_t only_torque = 0;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    only_torque += !std::isnan(table.friction_moment[i]) && std::isnan(table.row(i).back());
+  if (only_torque > 0)
+    tell(
+        {fmt::format("{} of {} points have no equilibrium: a torque, which needs none, but no "
+                     "contact angles",
+                     only_torque, grid.size())});
+  const auto missing = std::count_if(table.friction_moment.begin(), table.friction_moment.end(),
+                                     [](double moment) { return std::isnan(moment); });
+  if (missing == 0) return done;
+  std::map<bearing::SolveStatus, std::pair<long, std::size_t>> failures;  // count, first point
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (std::isnan(table.friction_moment[i]))
+      ++failures.try_emplace(table.status[i], 0, i).first->second.first;
+  for (const auto& [status, failure] : failures) {
+    const bearing::OperatingPoint p = table.point(failure.second);
+    tell(
+        {fmt::format("{} of {} points have no value: {}, the first at {:.6g} rpm, {:.6g} N axial, "
+                     "{:.6g} N radial",
+                     failure.first, grid.size(), bearing::name(status), p.speed / rpm, p.axial_load,
+                     p.radial_load)});
+  }
+  return not_converged;
 }
 
 }  // namespace
 
 Run setup_table(CLI::App& command) {
   auto flags = std::make_shared<Flags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required();
-  command.add_option("--speed", flags->speed, "[rpm], as 0:12000:250 (from:to:step) or 100,500")
-      ->required();
-  command.add_option("--axial-load", flags->axial_load, "[N]; default: [rig] of the model");
-  command.add_option("--radial-load", flags->radial_load,
-                     "[N]; default: [rig] of the model, else 0");
-  command.add_option("--temperature", flags->temperature,
-                     "of the lubricant [C]; default: [rig] of the model, else 40");
-  command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout");
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  command
+      .add_option("--speed", flags->speed,
+                  "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:250")
+      ->required()
+      ->type_name("VALUES");
+  command.add_option("--axial-load", flags->axial_load, "[N]; default: [rig] of the model")
+      ->type_name("VALUES");
+  command
+      .add_option("--radial-load", flags->radial_load, "[N]; default: [rig] of the model, else 0")
+      ->type_name("VALUES");
+  command
+      .add_option("--temperature", flags->temperature,
+                  "of the lubricant [C]; default: [rig] of the model, else 40")
+      ->type_name("VALUES");
+  command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
+      ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

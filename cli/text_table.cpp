@@ -8,19 +8,31 @@
 #include <cmath>
 
 namespace raceway::cli {
+namespace {
+
+/// Characters of UTF-8 text.
+std::size_t length(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  }));
+}
+
+int magnitude_of(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
+
+}  // namespace
 
 std::string TextTable::text(std::size_t width) const {
   std::vector<std::size_t> widths;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
-    std::size_t w = std::max(columns_[c].name.size(), columns_[c].unit.size());
-    for (const auto& row : rows_) w = std::max(w, row[c].size());
+    std::size_t w = std::max(length(columns_[c].name), length(columns_[c].unit));
+    for (const auto& row : rows_) w = std::max(w, length(row[c]));
     widths.push_back(w);
   }
   std::string out;
   const auto put = [&](std::size_t c, const std::string& cell, bool first) {
     if (!first) out += "  ";
-    out += columns_[c].left ? fmt::format("{:<{}}", cell, widths[c])
-                            : fmt::format("{:>{}}", cell, widths[c]);
+    const std::string blanks(widths[c] - length(cell), ' ');
+    out += columns_[c].left ? cell + blanks : blanks + cell;
   };
   const auto end_line = [&] {
     while (!out.empty() && out.back() == ' ') out.pop_back();
@@ -49,10 +61,19 @@ std::string TextTable::text(std::size_t width) const {
 
 std::string number(double value, int digits) {
   if (std::isnan(value)) return "-";
-  if (value == 0.0) return "0";
-  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  if (value == 0.0 || std::isinf(value)) return fmt::format("{:g}", value + 0.0);
+  const int magnitude = magnitude_of(value);
   if (magnitude < -4 || magnitude > 7) return fmt::format("{:.{}e}", value, digits - 1);
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - magnitude));
+}
+
+std::string beside(double value, double scale, int digits, bool sign) {
+  const int magnitude = scale == 0.0 || !std::isfinite(scale) ? 0 : magnitude_of(scale);
+  if (!std::isfinite(value) || magnitude < -4 || magnitude > 7) return number(value, digits);
+  const int decimals = std::max(0, digits - 1 - magnitude);
+  if (std::abs(value) < 0.5 * std::pow(10.0, -decimals))
+    return fmt::format("{:.{}f}", 0.0, decimals);
+  return sign ? fmt::format("{:+.{}f}", value, decimals) : fmt::format("{:.{}f}", value, decimals);
 }
 
 std::size_t terminal_width() {

@@ -27,6 +27,10 @@ class TextTable {
 /// "-" for NaN.
 [[nodiscard]] std::string number(double value, int digits = 4);
 
+/// A value with the decimals that number() gives `scale`, for values to be read against it; never
+/// "-0.0". `sign` writes + before positive values.
+[[nodiscard]] std::string beside(double value, double scale, int digits, bool sign);
+
 /// Columns of the terminal on stdout; 80 where it is none.
 [[nodiscard]] std::size_t terminal_width();
 

@@ -33,8 +33,11 @@ FrictionPrediction predict(const Model& model, const bearing::OperatingPoint& po
             ? bearing::solve_bearing_equilibrium(model.bearing, point, model.solver, *neighbour)
             : bearing::solve_bearing_equilibrium(model.bearing, point, model.solver));
     result.report = equilibrium->report;
-    if (!result.report.converged()) return result;
-    result.equilibrium = std::move(equilibrium);
+    if (result.report.converged()) {
+      result.equilibrium = std::move(equilibrium);
+    } else if (needs_equilibrium(model)) {
+      return result;
+    }
   }
   const friction::BearingState<double> state =
       bearing_state(model, point, result.equilibrium.get());

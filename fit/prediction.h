@@ -9,8 +9,9 @@
 
 namespace raceway::fit {
 
-/// Friction of one bearing at one operating point. All numbers are NaN where the point has no
-/// balance or an input is not known; `report` then says why.
+/// Friction of one bearing at one operating point. All numbers are NaN where an input is not known,
+/// or where the point has no balance and an effect needs it; `report` then says why. A model that
+/// needs no balls has its torque also where they find no balance.
 struct FrictionPrediction {
   double load = unset;          ///< load moment of the base law [N m]
   double viscous = unset;       ///< viscous moment of the base law [N m]

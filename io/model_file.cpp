@@ -386,6 +386,10 @@ class Reader {
         const CatalogueBearing row = find_bearing(rows, *catalogue);
         g = row.geometry;
         name_ = row.full_name();
+        // Makers rate bearings with ceramic balls lower.
+        if (s.text("ball_material") == "silicon-nitride" &&
+            !std::isnan(row.static_load_rating_silicon_nitride))
+          g.static_load_rating = row.static_load_rating_silicon_nitride;
       } catch (const InputError& error) {
         s.fail("catalogue", error.what());
       }

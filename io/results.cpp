@@ -1,6 +1,9 @@
 #include "io/results.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "io/column_unit.h"
@@ -10,7 +13,25 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string text(const json& document) { return document.dump(2) + "\n"; }
+/// Takes the rounding of a change of unit off: 6000 rpm are not 6000.000000000001.
+void round_to_15_digits(json& value) {
+  if (value.is_number_float()) {
+    const double exact = value.get<double>();
+    if (std::isfinite(exact)) value = std::strtod(fmt::format("{:.15g}", exact).c_str(), nullptr);
+  } else if (value.is_structured()) {
+    for (json& element : value) round_to_15_digits(element);
+  }
+}
+
+/// Numbers that are not finite become null; bytes that are no UTF-8 (file names) are replaced.
+std::string exact_text(const json& document) {
+  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::string text(json document) {
+  round_to_15_digits(document);
+  return exact_text(document);
+}
 
 json report_json(const bearing::SolveReport& report) {
   return {{"status", bearing::name(report.status)},
@@ -104,17 +125,18 @@ std::string calibration_json(const fit::Calibration& c) {
     for (Eigen::Index j = 0; j < c.correlation.cols(); ++j) row.push_back(c.correlation(i, j));
     correlation.push_back(row);
   }
-  return text({{"parameters", parameters},
-               {"correlation", correlation},
-               {"rows", c.rows},
-               {"rows_not_predicted", c.rows_not_predicted},
-               {"degrees_of_freedom", c.degrees_of_freedom},
-               {"reduced_chi_square", c.reduced_chi_square},
-               {"unit", "Nmm"},
-               {"rmse_before", c.rmse_before / N_mm},
-               {"rmse", c.rmse_after / N_mm},
-               {"messages", c.messages},
-               {"report", {{"status", fit::name(c.status)}, {"iterations", c.iterations}}}});
+  // The digits of the model file, all of them.
+  return exact_text({{"parameters", parameters},
+                     {"correlation", correlation},
+                     {"rows", c.rows},
+                     {"rows_not_predicted", c.rows_not_predicted},
+                     {"degrees_of_freedom", c.degrees_of_freedom},
+                     {"reduced_chi_square", c.reduced_chi_square},
+                     {"unit", "Nmm"},
+                     {"rmse_before", c.rmse_before / N_mm},
+                     {"rmse", c.rmse_after / N_mm},
+                     {"messages", c.messages},
+                     {"report", {{"status", fit::name(c.status)}, {"iterations", c.iterations}}}});
 }
 
 namespace {
@@ -211,6 +233,7 @@ std::string bearings_json(const std::vector<CatalogueBearing>& rows) {
 }
 
 std::string check_json(const CheckSummary& s) {
+  const bool torque = s.quantity == "friction_torque";
   json columns = json::array();
   for (const ColumnSummary& c : s.columns)
     columns.push_back({{"name", c.name}, {"from", c.lower}, {"to", c.upper}, {"levels", c.levels}});
@@ -224,7 +247,8 @@ std::string check_json(const CheckSummary& s) {
                {"quantity", s.quantity},
                {"rows", s.rows},
                {"runs", s.runs},
-               {"noise", {{"rms", s.noise / N_mm}, {"source", s.noise_source}}},
+               {"unit", torque ? "Nmm" : "um"},
+               {"noise", {{"rms", s.noise / (torque ? N_mm : um)}, {"source", s.noise_source}}},
                {"columns", columns},
                {"free_parameters", parameters},
                {"effects", effects},

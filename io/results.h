@@ -46,7 +46,7 @@ struct CheckSummary {
   std::string quantity;
   int rows = 0, runs = 0;
   std::string noise_source;
-  double noise = unset;  ///< rms [N m]
+  double noise = unset;  ///< rms [N m] or [m]
   std::vector<ColumnSummary> columns;
   std::vector<std::string> defaults, notes;
   struct Testable {

@@ -4,6 +4,7 @@
 
 #include <ostream>
 
+#include "bench/equilibrium_scan.h"
 #include "tests/bearing/random_case.h"
 
 namespace raceway::bearing {
@@ -53,6 +54,37 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(part.param.race_control == RaceControl::outer ? "Outer" : "Inner") +
              "Control" + std::to_string(part.param.seed);
     });
+
+/// The brute-force search on cases of the domain under inner control, load along y.
+struct ScanTally {
+  int scanned = 0, found = 0;
+};
+
+ScanTally scan_cases(bool converged, int wanted) {
+  const auto sizes = tests::catalogue_sizes();
+  ScanTally tally;
+  for (std::uint64_t index = 0; tally.scanned < wanted; ++index) {
+    const auto c = robustness::make_case(sizes, RaceControl::inner, 1, index);
+    if (c.point.radial_load_z != 0.0) continue;
+    const Bearing one(c.geometry, steel(), steel());
+    if (solve_bearing_equilibrium(one, c.point, c.options).report.converged() != converged)
+      continue;
+    ++tally.scanned;
+    const int nodes = c.options.tilt == Tilt::free ? 16 : 60;
+    tally.found += robustness::scan_finds_equilibrium(one, c.point, c.options, nodes);
+  }
+  return tally;
+}
+
+TEST(RobustnessScan, FindsMostOfWhatTheSolverFinds) {
+  const ScanTally tally = scan_cases(true, 40);
+  EXPECT_GE(tally.found, 36);
+}
+
+TEST(RobustnessScan, FindsNothingWhereTheSolverSaysNoEquilibrium) {
+  const ScanTally tally = scan_cases(false, 40);
+  EXPECT_EQ(tally.found, 0);
+}
 
 }  // namespace
 }  // namespace raceway::bearing

@@ -46,13 +46,16 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// Runs the built program as a shell would, e.g. run("solve my.toml --speed 1000").
-inline Result run(const std::string& arguments) {
+/// Runs a line of shell in which `$raceway` is the built program, e.g. "$raceway bearings | head".
+inline Result run_shell(const std::string& line) {
   const ScratchFolder scratch;
   const std::string out = scratch.file("out"), err = scratch.file("err");
-  const int code =
-      std::system((RACEWAY_PROGRAM " " + arguments + " >" + out + " 2>" + err).c_str());
+  const int code = std::system(
+      ("raceway='" RACEWAY_PROGRAM "'; { " + line + "\n} >" + out + " 2>" + err).c_str());
   return {WIFEXITED(code) ? WEXITSTATUS(code) : -1, file_text(out), file_text(err)};
 }
+
+/// Runs the built program as a shell would, e.g. run("solve my.toml --speed 1000").
+inline Result run(const std::string& arguments) { return run_shell("$raceway " + arguments); }
 
 }  // namespace raceway::tests

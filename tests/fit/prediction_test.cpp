@@ -72,6 +72,14 @@ TEST(Prediction, WithoutBalanceIsNotANumberAndSaysWhy) {
   EXPECT_EQ(unknown.report.status, bearing::SolveStatus::not_finite);
 }
 
+TEST(Prediction, OfALawThatNeedsNoBallsIsThereWithoutBalance) {
+  const bearing::OperatingPoint point{.speed = 500 * rpm, .axial_load = 0.0};
+  const FrictionPrediction p = predict_friction(synthetic_model(), point, true);
+  EXPECT_TRUE(p.predicted());
+  EXPECT_EQ(p.equilibrium, nullptr);
+  EXPECT_EQ(p.report.status, bearing::SolveStatus::no_equilibrium);
+}
+
 TEST(Prediction, UsesTheViscosityOfTheRowsTemperature) {
   bearing::OperatingPoint point{.speed = 8000 * rpm, .axial_load = 600.0};
   const FrictionPrediction cold = predict_friction(synthetic_model(), point);

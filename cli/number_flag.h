@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+
+namespace raceway::cli {
+
+/// What a number on the command line may be, both ends included, in the unit of the flag.
+struct NumberRange {
+  double lower, upper;
+  std::string_view unit;
+};
+
+inline constexpr NumberRange speed_range{0.0, 1e6, "rpm"};
+inline constexpr NumberRange load_range{0.0, 1e8, "N"};
+inline constexpr NumberRange temperature_range{-100.0, 400.0, "C"};
+inline constexpr NumberRange moment_range{-1e9, 1e9, "N mm"};
+
+/// Throws io::InputError that names flag, value and range.
+void require_range(double value, const NumberRange& range, const std::string& flag);
+
+/// A flag that takes one number of a range; `value` keeps what it has where the flag is not given.
+/// Parsing throws io::InputError for anything else.
+CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
+                        const NumberRange& range, const std::string& help);
+
+}  // namespace raceway::cli

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "tests/cli/run_program.h"
+
+namespace raceway::tests {
+
+using json = nlohmann::json;
+
+/// The model of DESIGN.md, as short as it may be.
+inline const std::string model_text = R"([bearing]
+name = "7014"
+ball_count = 20
+ball_diameter_mm = 11.906
+pitch_diameter_mm = 90.0
+contact_angle_deg = 25.0
+inner_conformity = 0.52
+outer_conformity = 0.52
+static_load_rating_N = 43000
+
+[lubricant]
+viscosity_40C_mm2_s = 22.0
+viscosity_100C_mm2_s = 4.8
+
+[friction]
+f0 = 1.5
+z = 0.001
+y = 0.33
+)";
+
+inline const std::string spin_effect = "\n[[effect]]\nid = \"spin-friction\"\n";
+inline const std::string inner_control = "\n[solver]\nrace_control = \"inner\"\n";
+
+/// Rows near the model, over speed and load.
+inline const std::string data_text =
+    "speed_rpm,axial_load_N,friction_torque_Nmm\n"
+    "1000,100,92\n2000,100,140\n4000,100,221\n8000,100,347\n"
+    "1000,900,140\n2000,900,190\n4000,900,269\n8000,900,397\n";
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, text.npos) << from;
+  return at == text.npos ? text : text.replace(at, from.size(), to);
+}
+
+inline json parsed(const Result& result) {
+  const json document = json::parse(result.out, nullptr, false);
+  EXPECT_FALSE(document.is_discarded()) << result.out << result.err;
+  return document;
+}
+
+inline std::set<std::string> keys(const json& object) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : object.items()) names.insert(name);
+  return names;
+}
+
+/// One message with this text, exit status 1, nothing on stdout.
+inline void expect_refused(const Result& result, const std::string& message) {
+  EXPECT_EQ(result.status, 1) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, testing::HasSubstr(message));
+}
+
+}  // namespace raceway::tests

@@ -1,0 +1,28 @@
+# The README shows the example, what it prints, and the Stribeck table as the program prints it.
+# Run as: cmake -DROOT=<source folder> -DEXAMPLE=<program> [-DRACEWAY=<program> -DWORK=<folder>] -P readme.cmake
+cmake_minimum_required(VERSION 3.22)
+
+function(expect_in_readme what text)
+  string(STRIP "${text}" text)
+  string(FIND "${readme}" "${text}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "README.md does not show ${what} as it is now:\n${text}")
+  endif()
+endfunction()
+
+function(output_of)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(READ ${ROOT}/README.md readme)
+file(READ ${ROOT}/tests/install/example.cpp example)
+expect_in_readme("tests/install/example.cpp" "${example}")
+output_of(${EXAMPLE})
+expect_in_readme("the output of the example" "${output}")
+if(RACEWAY)
+  file(MAKE_DIRECTORY ${WORK})
+  output_of(${RACEWAY} new "S 6014 C" -o ${WORK}/my.toml --force)
+  output_of(${RACEWAY} table ${WORK}/my.toml --speed 0:12000:2000 --axial-load 100,300,900)
+  expect_in_readme("the Stribeck table" "${output}")
+endif()
