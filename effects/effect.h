@@ -1,17 +1,117 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bearing/operating_point.h"
+#include "friction/friction_law.h"
+#include "friction/lubricant.h"
 #include "friction/state.h"
 
 namespace raceway::effects {
 
+class Formula;
+
+/// A number of an effect. Values are in the unit of the files, named by `unit` and by the ending of
+/// `name`; the effect converts.
+struct Parameter {
+  std::string_view name;
+  std::string_view unit;  ///< "1" where dimensionless
+  double initial;         ///< default and start of a fit
+  double lower, upper;    ///< bounds of a fit and of what a file may say, closed
+  double plausible_lower = lower, plausible_upper = upper;  ///< range met in practice
+  /// With this value the effect changes nothing; NaN for a number that only gives the effect its
+  /// shape.
+  double neutral = 0.0;
+};
+
+/// What a model and its data must offer before an effect can be tested or fitted.
+enum class Need {
+  speed_levels,       ///< more than one speed
+  load_levels,        ///< more than one load
+  viscosity_levels,   ///< more than one temperature
+  time,               ///< a time of every row
+  ring_temperatures,  ///< of inner and outer ring
+  loads,              ///< loads above zero, so that the balls can be solved for
+  ball_load_law,      ///< another effect that uses ball loads: base laws see the entered load only
+  palmgren_law,       ///< the SKF law contains this already
+  torque_standard     ///< something beside the torque itself that fixes its scale
+};
+
+/// What the data lack, e.g. "the time of each row".
+[[nodiscard]] std::string_view text(Need need);
+
+/// What was recorded with a row beside its operating point; NaN where it was not.
+struct Record {
+  double time = unset;                    ///< by the clock of the file [s]
+  double inner_ring_temperature = unset;  ///< [K]
+  double outer_ring_temperature = unset;  ///< [K]
+  int run = -1;
+};
+
+/// The base law of a model with its parameter values.
+struct BaseLaw {
+  friction::FrictionLaw law = friction::FrictionLaw::palmgren;
+  std::span<const double> values;
+  [[nodiscard]] friction::BaseMoments<double> moments(
+      const friction::BearingState<double>& state) const {
+    return friction::base_moments<double>(law, state, values);
+  }
+};
+
+/// What an effect on the condition of the bearing may look at.
+struct ConditionInputs {
+  const bearing::Bearing& bearing;       ///< as entered
+  const bearing::OperatingPoint& point;  ///< as entered
+  const Record& record;
+  double power;  ///< of the base law at the entered load [W]
+};
+
+/// What the bearing really sees, as a change of what was entered. Changes of several effects add.
+struct Condition {
+  double extra_axial_load = 0.0;  ///< in the direction of the entered one [N]
+  double radial_growth = 0.0;     ///< of the inner raceway against the outer one [m]
+  double tilt = 0.0;              ///< of the inner ring about z, held by the shaft [rad]
+  double other_balls = 0.0;       ///< share of the way from the entered ball material to the other
+                                  ///< one of steel and silicon nitride [1]
+  [[nodiscard]] bool operator==(const Condition&) const = default;
+  [[nodiscard]] bool changes_bearing() const { return radial_growth != 0.0 || other_balls != 0.0; }
+};
+
+/// What an effect on the lubricant may look at.
+struct LubricantInputs {
+  const friction::Lubricant& lubricant;
+  const friction::BearingState<double>& state;  ///< at the viscosity of the row's temperature
+  const BaseLaw& base;
+};
+
+/// Lubricant at the contacts.
+struct Film {
+  double kinematic_viscosity = unset;  ///< [m²/s]
+  double viscous_share = 1.0;          ///< what is left of the viscous moment [1]
+};
+
+/// What an added moment may look at.
+struct MomentInputs {
+  const friction::BearingState<double>& state;  ///< loads as they are, viscosity of the film
+  friction::BaseMoments<double> base;           ///< of the base law there [N m]
+  const Record& record;
+};
+
+/// What an effect on the reading of the rig may look at.
+struct ReadingInputs {
+  double torque;  ///< of all bearings [N m]
+  const bearing::OperatingPoint& point;
+  const Record& record;
+};
+
 /// What the catalogue knows of one physical effect. Each effect is a struct in a file of its own
 /// (see spin_friction.h); this is that struct with its types erased, for choice by name at run
-/// time.
+/// time. Of the four steps it takes those that are not null; `values` are in the order of
+/// `parameters`.
 struct Description {
   std::string_view id;
   std::string_view title;      ///< one line
@@ -19,16 +119,41 @@ struct Description {
   std::string_view formula;
   std::string_view source;
   std::span<const std::string_view> confused_with;  ///< ids of effects and names of base parameters
-  std::span<const friction::Parameter> parameters;
-  bool needs_equilibrium;
-  /// Added friction moment [N m]; values in the order of `parameters`.
-  double (*moment)(const friction::BearingState<double>& state, std::span<const double> values);
+  std::span<const Parameter> parameters;
+  std::span<const Need> needs;
+  bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
+
+  /// Adds to what the bearing sees.
+  void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;
+  /// Changes viscosity or viscous share; several act in the order of the catalogue.
+  void (*lubricant)(const LubricantInputs&, std::span<const double> values, Film&) = nullptr;
+  /// Added friction moment of one bearing [N m].
+  double (*moment)(const MomentInputs&, std::span<const double> values) = nullptr;
+  /// In place of `moment` where it is one parameter times this [N m per unit of the parameter].
+  double (*unit_moment)(const MomentInputs&) = nullptr;
+  /// Added to the torque of all bearings [N m].
+  double (*reading)(const ReadingInputs&, std::span<const double> values) = nullptr;
+
+  const Formula* user_made = nullptr;  ///< the moment of an effect written as a formula
+
+  [[nodiscard]] bool has_moment() const { return moment || unit_moment || user_made; }
+  /// "condition", "lubricant", "moment" or "reading": the first step taken.
+  [[nodiscard]] std::string_view step() const;
 };
 
 /// An effect that a model has switched on, with its parameter values.
 struct Effect {
   const Description* description = nullptr;
   std::vector<double> values;
+  std::shared_ptr<const void> owner = nullptr;  ///< keeps a user-made description alive
+
+  /// Added moment [N m]; 0 where the effect acts at other steps.
+  [[nodiscard]] double moment(const MomentInputs& inputs) const;
 };
+
+/// Initial values of all parameters.
+[[nodiscard]] std::vector<double> initial_values(const Description& description);
+/// The same with every parameter that has one at its neutral value.
+[[nodiscard]] std::vector<double> neutral_values(const Description& description);
 
 }  // namespace raceway::effects

@@ -15,28 +15,33 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr std::size_t base_parameters = 3;  // of each base law
 constexpr double dependent = 1e-6;  // share of a unit column that others leave; below, it is theirs
+constexpr double difference_step = 1e-5;  // of the size of a parameter
 constexpr double bound_tolerance = 1e-7;  // of the scale of a parameter
 
-using Jet = ceres::Jet<double, base_parameters>;
+/// A typical size of a parameter, so that the optimiser works with numbers of order one.
+double typical_size(const ModelParameter& p, double start) {
+  const double size = std::max(std::abs(start), std::abs(p.initial));
+  if (size > 0.0) return size;
+  const double range = p.upper - p.lower;
+  return std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
+}
 
 /// Weighted residuals of all rows and their derivatives by the free parameters.
 class Residuals {
  public:
   Residuals(const Model& model, const DataSet& data, std::vector<ModelParameter> parameters)
-      : model_(model), parameters_(std::move(parameters)) {
-    if (friction::parameters(model.law).size() != base_parameters)
-      throw std::logic_error("calibrate: a base law has three parameters");
-    predictions_ = predict_rows(model, data);
+      : model_(model), steps_(model), parameters_(std::move(parameters)) {
     weighted_ = !data.rows.empty();
+    std::vector<FrictionPrediction> predictions = predict_rows(model, data);
     for (std::size_t i = 0; i < data.rows.size(); ++i) {
       const Row& row = data.rows[i];
-      if (!predictions_[i].predicted() || !std::isfinite(row.measured)) {
+      if (!std::isfinite(predictions[i].reading) || !std::isfinite(row.measured)) {
         lines_not_predicted_.push_back(row.line);
         continue;
       }
-      states_.push_back(bearing_state(model, row.point, predictions_[i].equilibrium.get()));
+      predictors_.emplace_back(model, steps_, row.point, record_of(row));
+      (void)predictors_.back().predict(model, steps_, predictions[i].equilibrium.get());
       measured_.push_back(row.measured);
       stds_.push_back(row.std);
       weighted_ = weighted_ && row.std > 0.0 && std::isfinite(row.std);
@@ -52,7 +57,7 @@ class Residuals {
     own_stds_ = stds_;
   }
 
-  [[nodiscard]] std::size_t rows() const { return states_.size(); }
+  [[nodiscard]] std::size_t rows() const { return measured_.size(); }
   [[nodiscard]] bool weighted() const { return weighted_; }
   [[nodiscard]] bool some_std() const { return some_std_; }
   [[nodiscard]] const std::vector<ModelParameter>& parameters() const { return parameters_; }
@@ -93,80 +98,54 @@ class Residuals {
     Model model = model_;
     for (std::size_t k = 0; k < parameters_.size(); ++k)
       parameters_[k].set(model, values[static_cast<Eigen::Index>(k)]);
-    std::vector<Jet> base;
-    for (std::size_t k = 0; k < base_parameters; ++k)
-      base.emplace_back(model.law_values[k], static_cast<int>(k));
-
-    Eigen::VectorXd residual(static_cast<Eigen::Index>(rows()));
-    if (jacobian) jacobian->resize(residual.size(), values.size());
-    for (Eigen::Index i = 0; i < residual.size(); ++i) {
-      const auto row = static_cast<std::size_t>(i);
-      const double scale = model.rig.bearings / stds_[row];
-      const friction::BaseMoments<Jet> moments =
-          friction::base_moments<Jet>(model.law, in_jets(states_[row]), std::span<const Jet>(base));
-      const Jet sum = moments.load + moments.viscous;
-      double torque = sum.a;
-      for (const effects::Effect& effect : model.effects)
-        torque += effect.description->moment(states_[row], effect.values);
-      residual[i] = (rig_torque(model.rig, torque) - measured_[row]) / stds_[row];
-      if (!jacobian) continue;
-      for (Eigen::Index k = 0; k < values.size(); ++k) {
-        const ModelParameter& p = parameters_[static_cast<std::size_t>(k)];
-        (*jacobian)(i, k) = scale * (p.effect < 0 ? sum.v[static_cast<Eigen::Index>(p.index)]
-                                                  : effect_derivative(model, p, states_[row]));
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
+    for (std::size_t i = 0; i < rows(); ++i)
+      readings[static_cast<Eigen::Index>(i)] = predictors_[i].predict(model, steps_);
+    const Eigen::Map<const Eigen::ArrayXd> measured(measured_.data(), readings.size());
+    const Eigen::Map<const Eigen::ArrayXd> stds(stds_.data(), readings.size());
+    if (jacobian) {
+      jacobian->resize(readings.size(), values.size());
+      for (std::size_t k = 0; k < parameters_.size(); ++k) {
+        jacobian->col(static_cast<Eigen::Index>(k)) =
+            (derivative(model, parameters_[k], readings).array() / stds).matrix();
+        parameters_[k].set(model, values[static_cast<Eigen::Index>(k)]);
       }
     }
-    return residual;
+    return ((readings.array() - measured) / stds).matrix();
   }
 
  private:
-  static friction::BearingState<Jet> in_jets(const friction::BearingState<double>& s) {
-    friction::BearingState<Jet> state;
-    state.bearing = s.bearing;
-    state.equilibrium = s.equilibrium;
-    state.race_control = s.race_control;
-    state.speed = Jet(s.speed);
-    state.axial_load = Jet(s.axial_load);
-    state.radial_load = Jet(s.radial_load);
-    state.temperature = Jet(s.temperature);
-    state.kinematic_viscosity = Jet(s.kinematic_viscosity);
-    return state;
-  }
-
-  /// Central difference inside the bounds: exact but for rounding where the effect is linear in the
-  /// parameter, as most are.
-  static double effect_derivative(const Model& model, const ModelParameter& parameter,
-                                  const friction::BearingState<double>& state) {
-    const effects::Effect& effect = model.effects[static_cast<std::size_t>(parameter.effect)];
-    std::vector<double> values = effect.values;
-    double& value = values[parameter.index];
-    const double centre = value;
-    const double step = 1e-5 * std::max({std::abs(centre), std::abs(parameter.initial), 1e-3});
-    const double above = std::min(centre + step, parameter.upper);
-    const double below = std::max(centre - step, parameter.lower);
-    value = above;
-    const double at_above = effect.description->moment(state, values);
-    value = below;
-    return (at_above - effect.description->moment(state, values)) / (above - below);
+  /// Of the readings by one parameter, at the values of `model`, whose parameter is left moved.
+  /// Differences of second order, inside the bounds: exact but for rounding where the parameter is
+  /// an amplitude, as most are.
+  Eigen::VectorXd derivative(Model& model, const ModelParameter& p,
+                             const Eigen::VectorXd& readings) const {
+    const Stage stage = first_stage(model, steps_, p.effect);
+    const double centre = p.get(model);
+    const double step = difference_step * typical_size(p, centre);
+    const auto at = [&](double value) {
+      p.set(model, value);
+      Eigen::VectorXd result(readings.size());
+      for (std::size_t i = 0; i < rows(); ++i)
+        result[static_cast<Eigen::Index>(i)] = predictors_[i].vary(model, steps_, stage);
+      return result;
+    };
+    if (centre - step < p.lower)
+      return (4.0 * at(centre + step) - at(centre + 2.0 * step) - 3.0 * readings) / (2.0 * step);
+    if (centre + step > p.upper)
+      return (3.0 * readings + at(centre - 2.0 * step) - 4.0 * at(centre - step)) / (2.0 * step);
+    return (at(centre + step) - at(centre - step)) / (2.0 * step);
   }
 
   Model model_;
+  Steps steps_;
   std::vector<ModelParameter> parameters_;
-  std::vector<FrictionPrediction> predictions_;  // keep the equilibria of the states alive
-  std::vector<friction::BearingState<double>> states_;
+  mutable std::vector<RowPredictor> predictors_;  // one per row that can be predicted
   std::vector<double> measured_;
   std::vector<double> own_stds_, stds_;  // of the rows; with the common scatter
   std::vector<int> lines_not_predicted_;
   bool weighted_ = false, some_std_ = false;
 };
-
-/// A typical size of a parameter, so that the optimiser works with numbers of order one.
-double typical_size(const ModelParameter& p, double start) {
-  const double size = std::max(std::abs(start), std::abs(p.initial));
-  if (size > 0.0) return size;
-  const double range = p.upper - p.lower;
-  return std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
-}
 
 /// The residuals as Ceres sees them: parameters scaled, held ones left out.
 class ScaledResiduals : public ceres::CostFunction {

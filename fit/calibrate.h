@@ -64,8 +64,9 @@ struct Calibration {
 /// the noise estimated from what is left. `excess` is zero unless χ² exceeds its degrees of
 /// freedom; then it is the common scatter that brings χ² down to them [PauleMandel1982], found with
 /// the parameters. Without it a model that misses something would be bent to the few quietest rows,
-/// and be far too sure of its parameters. Ball equilibrium does not depend on these parameters and
-/// is solved once per row. Rows without balance are left out and listed.
+/// and be far too sure of its parameters. Ball equilibrium is solved once per row, and again only
+/// where a parameter moves the condition of the bearing. Rows without balance are left out and
+/// listed.
 ///
 /// Standard errors are those of the linearised problem, sqrt(diag (JᵀWJ)^-1). They do not cover
 /// what a missing effect does to the values.

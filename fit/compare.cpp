@@ -356,8 +356,7 @@ Comparison compare(const std::vector<double>& predicted, const DataSet& data,
 Comparison compare(const Model& model, const DataSet& data, int fitted_parameters) {
   std::vector<double> predicted;
   predicted.reserve(data.rows.size());
-  for (const FrictionPrediction& p : predict_rows(model, data))
-    predicted.push_back(rig_torque(model.rig, p.torque));
+  for (const FrictionPrediction& p : predict_rows(model, data)) predicted.push_back(p.reading);
   return compare(predicted, data, fitted_parameters);
 }
 

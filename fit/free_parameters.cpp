@@ -34,16 +34,25 @@ std::string unknown_name(const std::string& name, std::vector<ModelParameter> kn
   return text;
 }
 
-void append(std::vector<ModelParameter>& list, std::span<const friction::Parameter> parameters,
+/// `parameters` are those of a base law or of an effect.
+template <typename Parameter>
+void append(std::vector<ModelParameter>& list, std::span<const Parameter> parameters,
             const std::string& prefix, int effect) {
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    list.push_back({.name = prefix + std::string(parameters[k].name),
-                    .unit = std::string(parameters[k].unit),
-                    .initial = parameters[k].initial,
-                    .lower = parameters[k].lower,
-                    .upper = parameters[k].upper,
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Parameter& p = parameters[k];
+    list.push_back({.name = prefix + std::string(p.name),
+                    .unit = std::string(p.unit),
+                    .initial = p.initial,
+                    .lower = p.lower,
+                    .upper = p.upper,
                     .effect = effect,
                     .index = k});
+    if constexpr (requires { p.neutral; }) {
+      list.back().plausible_lower = p.plausible_lower;
+      list.back().plausible_upper = p.plausible_upper;
+      list.back().neutral = p.neutral;
+    }
+  }
 }
 
 }  // namespace

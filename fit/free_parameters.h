@@ -15,8 +15,10 @@ struct ModelParameter {
   std::string unit;                     ///< as written in files, "1" where dimensionless
   double initial = unset;               ///< default of the law
   double lower = unset, upper = unset;  ///< closed bounds
-  int effect = -1;                      ///< index into Model::effects, -1 for the base law
-  std::size_t index = 0;                ///< in the values of that law
+  double plausible_lower = unset, plausible_upper = unset;  ///< of an effect: met in practice
+  double neutral = unset;  ///< of an effect: where it changes nothing; NaN for a shape
+  int effect = -1;         ///< index into Model::effects, -1 for the base law
+  std::size_t index = 0;   ///< in the values of that law
 
   [[nodiscard]] double get(const Model& model) const;
   void set(Model& model, double value) const;

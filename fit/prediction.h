@@ -4,52 +4,137 @@
 #include <span>
 #include <vector>
 
+#include "effects/effect.h"
 #include "fit/data_set.h"
 #include "fit/model.h"
 
 namespace raceway::fit {
 
-/// Friction of one bearing at one operating point. All numbers are NaN where an input is not known,
-/// or where the point has no balance and an effect needs it; `report` then says why. A model that
-/// needs no balls has its torque also where they find no balance.
+/// Friction of one bearing at one operating point, and what the rig reads of it. All numbers are
+/// NaN where an input is not known, or where the point has no balance and an effect needs it;
+/// `report` then says why. A model that needs no balls has its torque also without balance.
 struct FrictionPrediction {
-  double load = unset;          ///< load moment of the base law [N m]
-  double viscous = unset;       ///< viscous moment of the base law [N m]
-  std::vector<double> effects;  ///< added moment of each effect, in the order of the model [N m]
-  double torque = unset;        ///< sum of all these [N m]
-  double power_loss = unset;    ///< torque times speed [W]
-  /// Balls in balance; null where nobody asked for it and nothing needed it.
+  double load = unset;  ///< load moment of the base law, at the load the bearing really sees [N m]
+  double viscous =
+      unset;  ///< viscous moment of the base law, with what the film leaves of it [N m]
+  /// Added moment of each effect, in the order of the model [N m]; 0 for one that acts on
+  /// condition, lubricant or reading, and shows in the other terms.
+  std::vector<double> effects;
+  double torque = unset;      ///< sum of all these [N m]
+  double power_loss = unset;  ///< torque times speed [W]
+  double reading = unset;  ///< of the rig: torque of all its bearings, then the reading steps [N m]
+  effects::Condition condition;        ///< what effects change of the entered condition
+  double kinematic_viscosity = unset;  ///< of the film [m²/s]
+  /// The bearing as the condition makes it; null where that is the one entered.
+  std::shared_ptr<const bearing::Bearing> bearing;
+  /// Balls in balance; null where there is none, and where nobody asked for it and nothing needed
+  /// it.
   std::shared_ptr<const bearing::BearingEquilibrium> equilibrium;
   bearing::SolveReport report;  ///< not_run where no equilibrium was needed
 
   [[nodiscard]] bool predicted() const;  ///< torque is a number
 };
 
+/// What was recorded with a row, as effects see it.
+[[nodiscard]] effects::Record record_of(const Row& row);
+
 /// True if an effect of the model uses ball loads or angles. The base laws do not, so a bearing
 /// whose load is only assumed can be compared without a solve.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
-/// Friction of one bearing [N m]: base law plus effects, at the viscosity of the point's
-/// temperature. The equilibrium is solved where the model needs it, or `with_equilibrium` asks for
-/// it.
+/// Friction of one bearing [N m] on its way through four steps, at each of which effects may act:
+///
+///   condition    extra load, tilt, growth of rings, ball material: changes add up
+///   -> ball equilibrium, where an effect needs it or `with_equilibrium` asks for it
+///   lubricant    viscosity of the film and share of the viscous moment, in the order of the
+///                catalogue
+///   -> base law at the real load and the film's viscosity; Palmgren's with the entered bearing
+///   moment       added moments, each from the base moments before this step
+///   -> torque of all bearings of the rig
+///   reading      added torques, each from the torque before this step
+///
+/// so the order of effects in the model changes nothing.
 [[nodiscard]] FrictionPrediction predict_friction(const Model& model,
                                                   const bearing::OperatingPoint& point,
-                                                  bool with_equilibrium = false);
+                                                  bool with_equilibrium = false,
+                                                  const effects::Record& record = {});
 
 /// The same for many points, shared among threads in fixed chunks with a warm start inside a chunk:
-/// the number of threads changes no digit. Throws std::invalid_argument if the sizes differ.
+/// the number of threads changes no digit. `records` may be empty. Throws std::invalid_argument if
+/// the sizes differ.
 void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> points,
-                   std::span<FrictionPrediction> predictions, bool with_equilibrium = false);
+                   std::span<FrictionPrediction> predictions, bool with_equilibrium = false,
+                   std::span<const effects::Record> records = {});
 
 /// Friction of one bearing at every row of a data set, in its order.
 [[nodiscard]] std::vector<FrictionPrediction> predict_rows(const Model& model, const DataSet& data);
 
-/// What the rig reads: all its bearings turn on one shaft, M_rig = bearings * M [N m].
+/// Torque of all bearings of a rig, which turn on one shaft, M = bearings * M_bearing [N m]; the
+/// steps of reading not included.
 [[nodiscard]] double rig_torque(const Rig& rig, double bearing_torque);
 
-/// The state of one bearing that friction laws and effects look at; `equilibrium` may be null.
+/// The state of one bearing that friction laws and effects look at, as entered; `equilibrium` may
+/// be null.
 [[nodiscard]] friction::BearingState<double> bearing_state(
     const Model& model, const bearing::OperatingPoint& point,
     const bearing::BearingEquilibrium* equilibrium);
+
+/// Which effects of a model act where; found once for many predictions.
+struct Steps {
+  std::vector<std::size_t> condition, lubricant, moment, reading;  ///< indices into Model::effects
+  bool equilibrium = false;                                        ///< to be solved
+  bool needs_balls = false;  ///< without it there is no prediction
+  explicit Steps(const Model& model, bool with_equilibrium = false);
+};
+
+/// The first thing that a changed parameter can change.
+enum class Stage { condition, lubricant, base, moment, reading };
+
+/// The stage that a parameter of the base law (`effect` < 0) or of an effect acts on first.
+[[nodiscard]] Stage first_stage(const Model& model, const Steps& steps, int effect);
+
+/// One row that is predicted again and again with other parameter values of the same model. It
+/// remembers the equilibrium, solved again only when the condition moved, and what else a parameter
+/// leaves alone.
+class RowPredictor {
+ public:
+  RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
+               const effects::Record& record);
+
+  /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered.
+  double predict(const Model& model, const Steps& steps,
+                 const bearing::BearingEquilibrium* neighbour = nullptr);
+  /// The same for values that differ from the remembered ones from `stage` on; remembers nothing.
+  [[nodiscard]] double vary(const Model& model, const Steps& steps, Stage stage) const;
+
+  /// All that the last predict() found.
+  [[nodiscard]] FrictionPrediction prediction(const Model& model) const;
+  [[nodiscard]] const bearing::BearingEquilibrium* equilibrium() const {
+    return now_.equilibrium.get();
+  }
+
+ private:
+  /// Everything on the way of one prediction.
+  struct Way {
+    effects::Condition condition;
+    std::shared_ptr<const bearing::Bearing> bearing;  // null: as entered
+    std::shared_ptr<const bearing::BearingEquilibrium> equilibrium;
+    bearing::SolveReport report;
+    effects::Film film;
+    friction::BaseMoments<double> base{unset, unset};
+    std::vector<double> units;  // unit moments of Steps::moment, NaN where it has none
+    double torque = unset, reading = unset;
+  };
+  void run(const Model& model, const Steps& steps, Stage stage, Way& way,
+           const bearing::BearingEquilibrium* neighbour) const;
+  void solve(const Model& model, Way& way, const bearing::BearingEquilibrium* neighbour) const;
+  [[nodiscard]] friction::BearingState<double> state(const Model& model, const Way& way) const;
+
+  bearing::OperatingPoint point_;
+  effects::Record record_;
+  double entered_viscosity_;
+  Way now_;
+  mutable Way varied_;  // memory kept between calls of vary()
+};
 
 }  // namespace raceway::fit

@@ -5,25 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
 #include "bearing/units.h"
 #include "effects/catalogue.h"
+#include "effects/formula.h"
+#include "io/catalogue_defaults.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
-
-namespace {
-[[noreturn]] void fail_in_parser() { throw std::logic_error("toml++ stopped"); }
-}  // namespace
-
-// toml++ 3.3 asserts where some malformed texts, such as `[ = 1`, should be errors: make them
-// errors in every build. The other headers are included before, so none of them sees these macros.
-#undef NDEBUG
-#define TOML_ASSERT(condition) ((condition) ? void() : fail_in_parser())
-#include <toml++/toml.h>
+#include "io/toml_text.h"
 
 namespace raceway::io {
 namespace {
@@ -62,9 +56,6 @@ constexpr Key poisson_ratio{"poisson_ratio", "", 0, 0.49};
 constexpr Key density{"density_kg_m3", "kg/m3", 500, 20000};
 constexpr Key thermal_expansion{"thermal_expansion_1e6_K", "1e-6/K", 0, 50};
 
-// What a maker's catalogue does not print; f_i and f_o come with the row.
-constexpr double catalogue_f0 = 1.5, catalogue_z = 0.001, catalogue_y = 0.33;
-
 std::string with_unit(std::string_view number, std::string_view unit) {
   return unit.empty() || unit == "1" ? std::string(number) : fmt::format("{} {}", number, unit);
 }
@@ -84,17 +75,6 @@ std::string listed(const Names& names, std::string_view last_word = "and") {
   return text;
 }
 
-/// A value as the user wrote it, near enough.
-std::string shown(const toml::node& node) {
-  if (const auto* s = node.as_string()) return fmt::format("\"{}\"", s->get());
-  if (const auto* i = node.as_integer()) return fmt::format("{}", i->get());
-  if (const auto* f = node.as_floating_point()) return fmt::format("{}", f->get());
-  if (const auto* b = node.as_boolean()) return b->get() ? "true" : "false";
-  if (node.is_table()) return "{...}";
-  if (node.is_array()) return "[...]";
-  return "a date or time";
-}
-
 std::string_view kind(const toml::node& node) {
   if (node.is_string()) return "a text";
   if (node.is_number()) return "a number";
@@ -102,34 +82,6 @@ std::string_view kind(const toml::node& node) {
   if (node.is_table()) return "a table";
   if (node.is_array()) return "a list";
   return "a date or time";
-}
-
-/// Line at which toml++ trips over its own assertion: the first lines up to it do so as well.
-std::size_t broken_line(std::string_view text) {
-  std::size_t line = 1;
-  for (std::size_t end = 0; (end = text.find('\n', end)) != text.npos; ++end, ++line) {
-    try {
-      (void)toml::parse(text.substr(0, end));
-    } catch (const toml::parse_error&) {
-      // A value over several lines is not complete yet.
-    } catch (const std::logic_error&) {
-      break;
-    }
-  }
-  return line;
-}
-
-toml::table parse_toml(std::string_view text, std::string_view source) {
-  try {
-    return toml::parse(text, source);
-  } catch (const toml::parse_error& error) {
-    const toml::source_position at = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: {}", source, at.line, at.column, error.description()));
-  } catch (const std::logic_error&) {
-    throw InputError(
-        fmt::format("{}:{}: no TOML: a key, a value or a bracket is missing or misplaced", source,
-                    broken_line(text)));
-  }
 }
 
 /// One table of the file. Asking for a value checks its type and range.
@@ -141,6 +93,7 @@ class Section {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] bool given() const { return table_ != nullptr; }
+  [[nodiscard]] const toml::table* table() const { return table_; }
   [[nodiscard]] const toml::node* find(std::string_view key) const {
     return table_ ? table_->get(key) : nullptr;
   }
@@ -513,37 +466,116 @@ class Reader {
       if (!id)
         throw InputError(
             fmt::format("{}: [[effect]] has no id; the catalogue has {}", s.place(), listed(ids)));
-      const auto all = effects::catalogue();
-      const auto found = std::find_if(all.begin(), all.end(),
-                                      [&](const effects::Description& d) { return d.id == *id; });
-      if (found == all.end()) {
-        if (s.find("torque_Nmm") && s.find("torque_Nmm")->is_string())
-          s.fail("torque_Nmm",
-                 fmt::format("effect {}: formulas of your own are not available in this version",
-                             *id));
+      const effects::Description* const found = effects::find(*id);
+      if (!found && !s.find("torque_Nmm")) {
         const std::string near = suggestion(*id, ids);
-        s.fail("id", fmt::format("id = \"{}\": unknown effect{}", *id,
-                                 near.empty() ? "; the catalogue has " + listed(ids) : near));
+        s.fail("id", fmt::format(
+                         "id = \"{}\": unknown effect{}; one of your own has a formula, torque_Nmm",
+                         *id, near.empty() ? "; the catalogue has " + listed(ids) : near));
       }
       for (const effects::Effect& before : effects_)
         if (before.description->id == *id)
           s.fail("id", fmt::format("id = \"{}\": this effect is listed twice", *id));
-      Names known{"id"};
-      for (const friction::Parameter& p : found->parameters) known.emplace_back(p.name);
-      s.allow_only(known);
-      effects::Effect effect{.description = &*found, .values = {}};
-      for (const friction::Parameter& p : found->parameters) {
-        const Key key{p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper};
-        if (const auto value = s.number(key)) {
-          effect.values.push_back(*value);
-        } else {
-          effect.values.push_back(p.initial);
-          note_default(fmt::format("effect[{}]", effects_.size()), p.name,
-                       fmt::format("{:.10g}", p.initial), "default of " + *id);
-        }
-      }
-      effects_.push_back(std::move(effect));
+      effects_.push_back(found ? read_effect(s, *found) : read_user_made(s, *id));
     }
+  }
+
+  effects::Effect read_effect(const Section& s, const effects::Description& description) {
+    if (s.find("torque_Nmm"))
+      s.fail("torque_Nmm",
+             fmt::format("torque_Nmm: {} is an effect of the catalogue; give yours another id",
+                         description.id));
+    Names known{"id"};
+    for (const effects::Parameter& p : description.parameters) known.emplace_back(p.name);
+    s.allow_only(known);
+    effects::Effect effect;
+    effect.description = &description;
+    for (const effects::Parameter& p : description.parameters) {
+      const Key key{p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper};
+      if (const auto value = s.number(key)) {
+        effect.values.push_back(*value);
+      } else {
+        effect.values.push_back(p.initial);
+        note_default(fmt::format("effect[{}]", effects_.size()), p.name,
+                     fmt::format("{:.10g}", p.initial),
+                     fmt::format("default of {}", description.id));
+      }
+    }
+    return effect;
+  }
+
+  /// An effect of the user's own: a formula and its parameters,
+  /// `c = { value = 0.0, unit = "N mm", lower = 0.0 }` or short `c = 0.0`.
+  [[nodiscard]] effects::Effect read_user_made(const Section& s, const std::string& id) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    effects::UserMadeEffect effect{.id = id,
+                                   .title = s.text("title").value_or(""),
+                                   .torque_Nmm = *s.text("torque_Nmm"),
+                                   .parameters = {}};
+    if (id.empty() || id.find_first_of(" .\t\n") != id.npos)
+      s.fail("id", fmt::format("id = \"{}\": must be a name without blanks and dots", id));
+    for (const auto& [key, node] : *s.table()) {
+      const std::string name(key.str());
+      if (name == "id" || name == "title" || name == "torque_Nmm") continue;
+      const auto is = [&](const effects::Formula::Variable& v) { return v.name == name; };
+      const auto variables = effects::Formula::variables();
+      if (std::any_of(variables.begin(), variables.end(), is))
+        s.fail(name, fmt::format("{}: a variable has this name; take another", name));
+      if (!valid_name(name))
+        s.fail(name, fmt::format("{}: must be letters, digits and _, not a digit first", name));
+      effects::UserMadeEffect::Number number{.name = name, .unit = "1"};
+      const Key any{name, "", -infinity, infinity};
+      if (!node.is_table()) {
+        number.value = *s.number(any);
+      } else {
+        const Section t(source_, fmt::format("effect {}, {}", id, name), node.as_table());
+        t.allow_only({"value", "unit", "lower", "upper"});
+        number.unit = t.text("unit").value_or("1");
+        if (const auto lower = t.number({"lower", number.unit, -infinity, infinity}))
+          number.lower = *lower;
+        if (const auto upper = t.number({"upper", number.unit, -infinity, infinity}))
+          number.upper = *upper;
+        const double from = std::isnan(number.lower) ? -infinity : number.lower;
+        const double to = std::isnan(number.upper) ? infinity : number.upper;
+        if (!(from < to))
+          t.fail("upper", fmt::format("{}: upper = {} must be above lower = {}", name, to, from));
+        number.value = t.required({"value", number.unit, from, to});
+      }
+      effect.parameters.push_back(std::move(number));
+    }
+    try {
+      return effects::make_effect(effect);
+    } catch (const effects::FormulaError& error) {
+      wrong_formula(s, effect, error);
+    }
+  }
+
+  /// A name that muParser takes for a variable.
+  [[nodiscard]] static bool valid_name(std::string_view name) {
+    const auto letter = [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    };
+    return !name.empty() && letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
+      return letter(c) || (c >= '0' && c <= '9');
+    });
+  }
+
+  /// File, line and column of what is wrong, and the formula with a mark under it.
+  [[noreturn]] void wrong_formula(const Section& s, const effects::UserMadeEffect& effect,
+                                  const effects::FormulaError& error) const {
+    std::string hint;
+    if (!error.unknown_name.empty()) {
+      Names known;
+      for (const auto& v : effects::Formula::variables()) known.emplace_back(v.name);
+      for (const auto& p : effect.parameters) known.push_back(p.name);
+      hint = suggestion(error.unknown_name, known);
+      if (hint.empty()) hint = "; a formula knows " + listed(known);
+    }
+    const toml::source_position at = s.find("torque_Nmm")->source().begin;
+    // Exact for a formula in plain quotes, which has no escapes.
+    throw InputError(fmt::format("{}:{}:{}: effect {}: torque_Nmm: {}{}\n  {}\n  {:>{}}", source_,
+                                 at.line, at.column + 1 + error.position, effect.id, error.what(),
+                                 hint, effect.torque_Nmm, "^", error.position + 1));
   }
 
   bearing::EquilibriumOptions read_solver() {
@@ -584,7 +616,7 @@ class Reader {
     for (const friction::Parameter& p : friction::parameters(law_))
       full_names.emplace(p.name, p.name);
     for (const effects::Effect& e : effects_)
-      for (const friction::Parameter& p : e.description->parameters) {
+      for (const effects::Parameter& p : e.description->parameters) {
         const std::string full = fmt::format("{}.{}", e.description->id, p.name);
         full_names.emplace(p.name, full);
         full_names.emplace(full, full);
@@ -634,123 +666,6 @@ class Reader {
   Names defaults_;
 };
 
-constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
-
-/// "effect[0].f" as {"effect", "0", "f"} and where the indices are.
-struct KeyPath {
-  struct Step {
-    std::string name;
-    std::optional<std::size_t> index;  ///< into a list of tables
-  };
-  std::vector<Step> tables;
-  std::string key;
-};
-
-KeyPath parse_path(const std::string& text) {
-  KeyPath path;
-  std::size_t begin = 0;
-  for (std::size_t dot; (dot = text.find('.', begin)) != text.npos; begin = dot + 1) {
-    KeyPath::Step step{text.substr(begin, dot - begin), std::nullopt};
-    if (const std::size_t bracket = step.name.find('['); bracket != step.name.npos) {
-      step.index = std::stoul(step.name.substr(bracket + 1));
-      step.name.resize(bracket);
-    }
-    path.tables.push_back(std::move(step));
-  }
-  path.key = text.substr(begin);
-  return path;
-}
-
-const toml::table* find_table(const toml::table& root, const KeyPath& path) {
-  const toml::table* table = &root;
-  for (const KeyPath::Step& step : path.tables) {
-    const toml::node* node = table->get(step.name);
-    if (node && step.index) node = node->is_array() ? node->as_array()->get(*step.index) : nullptr;
-    table = node ? node->as_table() : nullptr;
-    if (!table) return nullptr;
-  }
-  return table;
-}
-
-std::size_t line_start(std::string_view text, std::size_t line) {
-  std::size_t at = 0;
-  for (; line > 1; --line) at = text.find('\n', at) + 1;
-  return at;
-}
-
-/// Byte of a place that toml++ gives as line and column, which counts code points.
-std::size_t byte_of(std::string_view text, const toml::source_position& place) {
-  std::size_t at = line_start(text, place.line);
-  for (auto column = place.column; column > 1 && at < text.size(); --column) {
-    ++at;
-    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) ++at;
-  }
-  return at;
-}
-
-/// A double as TOML: the shortest text that reads back the same, always a float.
-std::string toml_float(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == text.npos) text += ".0";
-  return text;
-}
-
-std::string with_value(std::string text, const KeyValue& change) {
-  const std::string value = toml_float(change.value);
-  const KeyPath path = parse_path(change.key);
-  const toml::table root = parse_toml(text, "model");
-  const toml::table* const table = find_table(root, path);
-  const std::string_view line_end = text.find("\r\n") != text.npos ? "\r\n" : "\n";
-  const std::string assignment = fmt::format("{} = {}", path.key, value);
-
-  if (!table) {
-    if (path.tables.size() != 1 || path.tables[0].index)
-      throw InputError(fmt::format("{}: there is no such table in the model", change.key));
-    if (!text.empty() && text.back() != '\n') text += line_end;
-    return fmt::format("{}{}[{}]{}{}{}", text, line_end, path.tables[0].name, line_end, assignment,
-                       line_end);
-  }
-  if (const toml::node* const node = table->get(path.key)) {
-    if (!node->is_number())
-      throw InputError(fmt::format("{} = {}: is not a number", change.key, shown(*node)));
-    const std::size_t begin = byte_of(text, node->source().begin);
-    return text.replace(begin, byte_of(text, node->source().end) - begin, value);
-  }
-
-  // A new key goes behind the last one of its table, written as that one is.
-  const toml::key* last_key = nullptr;
-  const toml::node* last = nullptr;
-  const auto ends_before = [](const toml::node& a, const toml::node& b) {
-    const auto x = a.source().end, y = b.source().end;
-    return x.line != y.line ? x.line < y.line : x.column < y.column;
-  };
-  for (const auto& [key, node] : *table) {
-    const bool elsewhere =
-        (node.is_table() && !node.as_table()->is_inline()) || node.is_array_of_tables();
-    if (elsewhere || (last && ends_before(node, *last))) continue;
-    last = &node;
-    last_key = &key;
-  }
-  if (table->is_inline()) {
-    if (last) return text.insert(byte_of(text, last->source().end), ", " + assignment);
-    return text.insert(byte_of(text, table->source().begin) + 1, " " + assignment + " ");
-  }
-  const std::size_t line = last ? last->source().end.line : table->source().begin.line;
-  std::string before;
-  if (last) {
-    const std::size_t begin = line_start(text, last_key->source().begin.line);
-    before = text.substr(begin, byte_of(text, last_key->source().begin) - begin);
-  }
-  std::size_t at = text.find('\n', line_start(text, line));
-  if (at == text.npos) {
-    text += line_end;
-    at = text.size();
-  } else {
-    ++at;
-  }
-  return text.insert(at, before + assignment + std::string(line_end));
-}
-
 }  // namespace
 
 ModelFile parse_model(std::string text, const std::string& source) {
@@ -763,93 +678,6 @@ ModelFile read_model(const std::string& path) {
   ModelFile file = parse_model(std::move(text), path);
   if (marked) file.text.insert(0, utf8_mark);
   return file;
-}
-
-std::string file_key(const fit::ModelParameter& parameter) {
-  if (parameter.effect < 0) return "friction." + parameter.name;
-  return fmt::format("effect[{}].{}", parameter.effect,
-                     parameter.name.substr(parameter.name.find('.') + 1));
-}
-
-std::string with_values(std::string_view text, std::span<const KeyValue> changes) {
-  const bool marked = text.starts_with(utf8_mark);
-  if (marked) text.remove_prefix(utf8_mark.size());
-  std::string result(text);
-  for (const KeyValue& change : changes) {
-    if (!std::isfinite(change.value))
-      throw std::invalid_argument(fmt::format("{} = {}: must be finite", change.key, change.value));
-    result = with_value(std::move(result), change);
-  }
-  const toml::table root = parse_toml(result, "model");
-  for (const KeyValue& change : changes) {
-    const KeyPath path = parse_path(change.key);
-    const toml::table* const table = find_table(root, path);
-    if (!table || (*table)[path.key].value<double>() != change.value)
-      throw InputError(fmt::format("{}: its place in the model was not found", change.key));
-  }
-  if (marked) result.insert(0, utf8_mark);
-  return result;
-}
-
-std::string new_model_text(const CatalogueBearing& row) {
-  const bearing::BearingGeometry& g = row.geometry;
-  const fit::Rig rig;
-  const auto number = [](double value) { return fmt::format("{:.10g}", value); };
-  std::string text = fmt::format(
-      R"(# Model of a {0} on a rig. Every default is written out: change what you know better.
-
-[bearing]                          # same as catalogue = "{0}"
-name = "{0}"
-ball_count = {1}
-ball_diameter_mm = {2}
-pitch_diameter_mm = {3}
-contact_angle_deg = {4}
-inner_conformity = {5}            # groove radius / ball diameter; makers do not print it: assumed
-outer_conformity = {6}            # assumed
-static_load_rating_N = {7}
-bore_mm = {8}
-outer_diameter_mm = {9}
-ball_material = "steel"            # or "silicon-nitride", or a [material.NAME] as below
-ring_material = "steel"
-
-[lubricant]                        # assumed: a thin spindle oil; put in the values of yours
-viscosity_40C_mm2_s = 22.0         # of a grease: of its base oil
-viscosity_100C_mm2_s = 4.8
-)",
-      row.full_name(), g.ball_count, number(g.ball_diameter / mm), number(g.pitch_diameter / mm),
-      number(g.contact_angle / degree), number(g.inner_conformity), number(g.outer_conformity),
-      number(g.static_load_rating), number(g.bore / mm), number(g.outer_diameter / mm));
-  text += fmt::format(R"(
-[friction]
-law = "palmgren"                   # or "skf", then mu_bl, mu_EHL and K_rs in place of f0, z and y
-f0 = {}                           # viscous torque, about 1 (oil-air, little grease) to 6 (oil jet)
-z = {}                          # load torque
-y = {}                           # exponent of the load torque
-
-[rig]
-bearings = {}                       # equal bearings whose torque the rig sees
-# axial_load_N = 0                 # per bearing, for measured rows without that column
-radial_load_N = {}
-temperature_C = {}
-minimum_speed_rpm = {}              # slower rows of a coast-down are left out
-# inertia_kgm2 = 0.5               # of all that turns; coast-down records need it
-
-[solver]
-race_control = "outer"             # or "inner"
-tilt = "locked"                    # or "free"
-
-[calibration]
-free = ["f0", "z"]                 # what may be re-fitted to measurements
-
-# [material.my-ball]
-# elastic_modulus_GPa = 208
-# poisson_ratio = 0.3
-# density_kg_m3 = 7800
-# thermal_expansion_1e6_K = 11.5
-)",
-                      catalogue_f0, catalogue_z, catalogue_y, rig.bearings, number(rig.radial_load),
-                      number(celsius(rig.temperature)), number(rig.minimum_speed / rpm));
-  return text;
 }
 
 }  // namespace raceway::io

@@ -23,7 +23,8 @@ struct ModelFile {
 /// Reads a TOML model (keys with their units: DESIGN.md, Files) into SI.
 ///
 /// Throws InputError naming file, line, key, value and allowed range: text that is no TOML, unknown
-/// and missing keys and tables, wrong types, values out of range, bearings that cannot be.
+/// and missing keys and tables, wrong types, values out of range, bearings that cannot be, formulas
+/// that are none.
 [[nodiscard]] ModelFile read_model(const std::string& path);
 
 /// The same from text; `source` stands in messages.
@@ -43,6 +44,10 @@ struct KeyValue {
 /// Throws InputError where the text is no TOML or has no such [[effect]], std::invalid_argument for
 /// a value that is not finite.
 [[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
+
+/// The text with this effect as one more [[effect]] at its end; nothing else changed. It reads back
+/// as it is. Throws std::invalid_argument for a value that is not finite.
+[[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
 
 /// A commented model of a catalogue bearing, with every default written out.
 [[nodiscard]] std::string new_model_text(const CatalogueBearing& row);

@@ -47,6 +47,30 @@ json friction_json(const fit::Model& model, const fit::FrictionPrediction& f) {
   return parts;
 }
 
+json effect_page(const effects::Description& d) {
+  json needs = json::array();
+  for (const effects::Need need : d.needs) needs.push_back(effects::text(need));
+  json parameters = json::object();
+  for (const effects::Parameter& p : d.parameters)
+    parameters[std::string(p.name)] = {{"unit", p.unit},
+                                       {"initial", p.initial},
+                                       {"lower", p.lower},
+                                       {"upper", p.upper},
+                                       {"usual_lower", p.plausible_lower},
+                                       {"usual_upper", p.plausible_upper},
+                                       {"no_effect_at", p.neutral}};
+  return {{"id", d.id},
+          {"title", d.title},
+          {"acts_at", d.step()},
+          {"mechanism", d.mechanism},
+          {"formula", d.formula},
+          {"source", d.source},
+          {"parameters", parameters},
+          {"needs", needs},
+          {"needs_equilibrium", d.needs_equilibrium},
+          {"confused_with", d.confused_with}};
+}
+
 }  // namespace
 
 std::string solve_json(const fit::Model& model, const bearing::OperatingPoint& point,
@@ -230,6 +254,14 @@ std::string bearings_json(const std::vector<CatalogueBearing>& rows) {
                         {"contact_angle_deg", r.geometry.contact_angle / degree},
                         {"static_load_rating_N", r.geometry.static_load_rating}});
   return text({{"bearings", bearings}});
+}
+
+std::string effect_json(const effects::Description& effect) { return text(effect_page(effect)); }
+
+std::string effects_json(std::span<const effects::Description> all) {
+  json pages = json::array();
+  for (const effects::Description& effect : all) pages.push_back(effect_page(effect));
+  return text({{"effects", pages}});
 }
 
 std::string check_json(const CheckSummary& s) {

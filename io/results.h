@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "bearing/operating_point.h"
+#include "effects/effect.h"
 #include "fit/calibrate.h"
 #include "fit/compare.h"
 #include "fit/data_set.h"
@@ -32,6 +34,10 @@ namespace raceway::io {
                                           const fit::DataSet& data);
 
 [[nodiscard]] std::string bearings_json(const std::vector<CatalogueBearing>& rows);
+
+/// The page of one effect, or `{"effects": [...]}` of all.
+[[nodiscard]] std::string effect_json(const effects::Description& effect);
+[[nodiscard]] std::string effects_json(std::span<const effects::Description> effects);
 
 /// One column of a data set: what was read, in the file's unit.
 struct ColumnSummary {

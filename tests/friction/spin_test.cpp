@@ -36,7 +36,9 @@ TEST(Spin, MeetsTheReferenceCases) {
         e.speeds(0, bearing, point.speed, RaceControl::outer).inner_spin_speed / point.speed,
         row["spin_speed_ratio"], tolerance);
     const auto s = tests::state_of(bearing, e, point, RaceControl::outer);
-    const double moment = effects::SpinFriction::moment(s, std::span<const double>(&mu, 1));
+    const double moment =
+        mu * effects::SpinFriction::unit_moment(
+                 {.state = s, .base = {.load = 0.0, .viscous = 0.0}, .record = {}});
     tests::expect_relative(moment / N_mm, row["moment_Nmm"], tolerance);
     tests::expect_relative(moment * point.speed, row["power_W"], tolerance);
   }

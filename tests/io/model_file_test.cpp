@@ -219,10 +219,50 @@ TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
   EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"spin-friction\"\n"),
               HasSubstr("listed twice"));
   EXPECT_THAT(error_of(complete + "[[effect]]\n"), HasSubstr("[[effect]] has no id"));
-  EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"mine\"\ntorque_Nmm = \"c\"\n"),
-              HasSubstr("not available in this version"));
+  EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"lubricant-drag\"\ntorque_Nmm = \"1\"\n"),
+              HasSubstr("is an effect of the catalogue; give yours another id"));
   const ModelFile file = parse_model(changed("friction_coefficient = 0.06\n", ""), "m.toml");
   EXPECT_THAT(file.defaults, Contains(StartsWith("effect[0].friction_coefficient = ")));
+}
+
+const std::string windage = R"([[effect]]
+id = "my-windage"
+torque_Nmm = "c * (speed_rpm/1000)^2"
+c = { value = 0.5, unit = "N mm", lower = 0.0 }
+)";
+
+TEST(ModelFile, AnEffectMayBeAFormula) {
+  const fit::Model m = parse_model(complete + windage, "m.toml").model;
+  ASSERT_EQ(m.effects.size(), 2u);
+  const effects::Description& d = *m.effects[1].description;
+  EXPECT_EQ(d.id, "my-windage");
+  EXPECT_EQ(d.formula, "c * (speed_rpm/1000)^2");
+  ASSERT_EQ(d.parameters.size(), 1u);
+  EXPECT_EQ(d.parameters[0].unit, "N mm");
+  EXPECT_EQ(d.parameters[0].lower, 0.0);
+  EXPECT_EQ(d.parameters[0].upper, std::numeric_limits<double>::infinity());
+  EXPECT_THAT(m.effects[1].values, ElementsAre(0.5));
+  const auto free =
+      parse_model(changed("free = [\"z\"", "free = [\"my-windage.c\"") + windage, "m.toml");
+  EXPECT_THAT(free.model.free, Contains("my-windage.c"));
+}
+
+TEST(ModelFile, AWrongFormulaIsShownWithItsPlace) {
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = windage;
+    return error_of(complete + text.replace(text.find(from), from.size(), to));
+  };
+  const std::string unknown = with("speed_rpm", "spede_rpm");
+  EXPECT_THAT(unknown,
+              HasSubstr("m.toml:46:20: effect my-windage: torque_Nmm: \"spede_rpm\" is not "
+                        "known; did you mean speed_rpm?"));
+  EXPECT_THAT(unknown, HasSubstr("\n  c * (spede_rpm/1000)^2\n       ^"));
+  EXPECT_THAT(with("1000)", "1000"), HasSubstr("m.toml:46:"));
+  EXPECT_THAT(with("\"c * ", "\"k * "), HasSubstr("\"k\" is not known"));
+  EXPECT_THAT(with("lower = 0.0", "lower = 1.0"), HasSubstr("value = 0.5 N mm: must be from 1"));
+  EXPECT_THAT(with("value = 0.5, ", ""), HasSubstr("value is missing"));
+  EXPECT_THAT(with("unit", "units"), HasSubstr("unknown key"));
+  EXPECT_THAT(with("\nc =", "\nspeed_rpm ="), HasSubstr("a variable has this name"));
 }
 
 TEST(ModelFile, AnEffectsParameterMayBeFreeByItsNameAlone) {
@@ -371,6 +411,27 @@ TEST(ModelEdit, TheEditedModelHoldsTheNewValues) {
   const fit::Model m = parse_model(text, "m.toml").model;
   EXPECT_EQ(m.law_values[0], 2.125);
   EXPECT_EQ(m.effects[0].values[0], 0.0625);
+}
+
+TEST(ModelEdit, TheValueOfAFormulasParameterIsEditedInItsTable) {
+  const std::string text = edited(complete + windage, {{"effect[1].c", 0.75}});
+  EXPECT_THAT(text, HasSubstr("c = { value = 0.75, unit = \"N mm\", lower = 0.0 }"));
+}
+
+TEST(ModelEdit, AnAddedEffectReadsBackAsItIs) {
+  std::string text = complete;
+  effects::Effect drag;
+  drag.description = effects::find("seal-friction");
+  drag.values = {1.0 / 3.0, 0.005};
+  text = with_effect(text, drag);
+  text = with_effect(text, parse_model(complete + windage, "m.toml").model.effects[1]);
+  EXPECT_TRUE(text.starts_with(complete));
+  const fit::Model m = parse_model(text, "m.toml").model;
+  ASSERT_EQ(m.effects.size(), 3u);
+  EXPECT_EQ(m.effects[1].description, drag.description);
+  EXPECT_EQ(m.effects[1].values, drag.values);
+  EXPECT_EQ(m.effects[2].description->formula, "c * (speed_rpm/1000)^2");
+  EXPECT_EQ(m.effects[2].description->parameters[0].lower, 0.0);
 }
 
 TEST(ModelEdit, EveryParameterOfAModelHasItsPlaceInTheFile) {

@@ -1,0 +1,134 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/commands.h"
+#include "cli/text_table.h"
+#include "effects/catalogue.h"
+#include "io/error.h"
+#include "io/names.h"
+#include "io/results.h"
+
+namespace raceway::cli {
+namespace {
+
+using effects::Description;
+
+std::string unit_of(const effects::Parameter& p) {
+  return p.unit == "1" ? "-" : std::string(p.unit);
+}
+
+/// A number as short as it can be said.
+std::string plain(double value) { return fmt::format("{:.6g}", value); }
+
+/// Words filled into lines, behind a heading in the left margin.
+void paragraph(const std::string& heading, std::string_view words) {
+  const std::size_t margin = 14, width = std::max<std::size_t>(terminal_width(), 50);
+  std::string line = fmt::format("{:<{}}", heading, margin);
+  bool empty = true;
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    const std::string_view word = words.substr(begin, end - begin);
+    if (!empty && line.size() + 1 + word.size() > width) {
+      fmt::print("{}\n", line);
+      line.assign(margin, ' ');
+      empty = true;
+    }
+    if (!empty) line += ' ';
+    line += word;
+    empty = false;
+    begin = end + 1;
+  }
+  fmt::print("{}\n", line);
+}
+
+std::string_view step_explained(const Description& d) {
+  if (d.condition) return "condition: what the bearing really sees, before its equilibrium";
+  if (d.lubricant) return "lubricant: viscosity and film at the contacts, before the base law";
+  if (d.has_moment()) return "moment: added to the moments of the base law";
+  return "reading: what the rig makes of the torque of its bearings";
+}
+
+std::string needs_of(const Description& d) {
+  std::string text;
+  for (const effects::Need need : d.needs) {
+    if (!text.empty()) text += "; ";
+    text += effects::text(need);
+  }
+  return text.empty() ? "nothing beside the torque" : text;
+}
+
+void print_list() {
+  TextTable table({{"effect", "", true}, {"acts at", "", true}, {"what it is", "", true}});
+  for (const Description& d : effects::catalogue())
+    table.add({std::string(d.id), std::string(d.step()), std::string(d.title)});
+  fmt::print("{}", table.text(std::max<std::size_t>(terminal_width(), 110)));
+  fmt::print("\nraceway effects ID explains one of them.\n");
+}
+
+void print_page(const Description& d) {
+  fmt::print("{}: {}\n\n", d.id, d.title);
+  paragraph("mechanism", d.mechanism);
+  paragraph("formula", d.formula);
+  paragraph("source", d.source);
+  paragraph("acts at", step_explained(d));
+  paragraph("needs", needs_of(d));
+  std::string others;
+  for (const std::string_view other : d.confused_with)
+    others += (others.empty() ? "" : ", ") + std::string(other);
+  paragraph("looks like", others);
+  fmt::print("\n");
+  TextTable table({{"parameter", "", true},
+                   {"start", ""},
+                   {"lower", ""},
+                   {"upper", ""},
+                   {"usual", ""},
+                   {"no effect at", ""},
+                   {"unit", "", true}});
+  for (const effects::Parameter& p : d.parameters)
+    table.add({std::string(p.name), plain(p.initial), plain(p.lower), plain(p.upper),
+               fmt::format("{} to {}", plain(p.plausible_lower), plain(p.plausible_upper)),
+               std::isnan(p.neutral) ? "-" : plain(p.neutral), unit_of(p)});
+  fmt::print("{}\nin a model file:\n\n  [[effect]]\n  id = \"{}\"\n",
+             table.text(std::max<std::size_t>(terminal_width(), 100)), d.id);
+  for (const effects::Parameter& p : d.parameters)
+    fmt::print("  {} = {}\n", p.name, plain(p.initial));
+}
+
+int run(const std::string& id, bool json) {
+  if (id.empty()) {
+    if (json)
+      fmt::print("{}", io::effects_json(effects::catalogue()));
+    else
+      print_list();
+    return done;
+  }
+  const Description* const d = effects::find(id);
+  if (d == nullptr) {
+    std::vector<std::string> ids;
+    for (const Description& known : effects::catalogue()) ids.emplace_back(known.id);
+    throw io::InputError(fmt::format("raceway effects: {}: no such effect{}", id,
+                                     io::suggestion(id, ids).empty()
+                                         ? "; raceway effects lists them"
+                                         : io::suggestion(id, ids)));
+  }
+  if (json)
+    fmt::print("{}", io::effect_json(*d));
+  else
+    print_page(*d);
+  return done;
+}
+
+}  // namespace
+
+Run setup_effects(CLI::App& command) {
+  auto id = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  command.add_option("ID", *id, "explain this effect; without it, the list");
+  command.add_flag("--json", *json, "one JSON document instead of text");
+  command.footer("Example:\n  raceway effects thermal-preload");
+  return [=] { return run(*id, *json); };
+}
+
+}  // namespace raceway::cli

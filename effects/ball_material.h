@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Balls of the other material: silicon nitride where steel was entered, steel where silicon
+/// nitride was entered.
+///
+///   X = (1 - c) X_entered + c X_other       density, elastic modulus, Poisson's ratio
+///
+/// Source:   definition; c = 1 is a wrong material card, values between serve the fit.
+/// Domain:   0 <= c <= 1. Reaches the torque through ball loads only: centrifugal force and
+///           gyroscopic moment go with density, contact areas with the modulus.
+struct BallMaterial {
+  static constexpr std::string_view id = "ball-material";
+  static constexpr std::string_view title = "balls of another material than entered";
+  static constexpr std::string_view mechanism =
+      "Ceramic balls weigh 0.41 of steel balls and are stiffer. At speed they press less on the "
+      "outer race and turn less against their gyroscopic moment.";
+  static constexpr std::string_view formula =
+      "density, modulus and Poisson's ratio a share c of the way to the other material";
+  static constexpr std::string_view source = "definition";
+  static constexpr std::array<std::string_view, 3> confused_with{
+      "elastic-hysteresis", "gyroscopic-slip", "spin-friction"};
+  static constexpr std::array parameters{Parameter{.name = "share",
+                                                   .unit = "1",
+                                                   .initial = 0.5,
+                                                   .lower = 0.0,
+                                                   .upper = 1.0,
+                                                   .plausible_lower = 0.8,
+                                                   .plausible_upper = 1.0}};
+  static constexpr std::array needs{Need::loads, Need::ball_load_law};
+
+  static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
+    c.other_balls += values[0];
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "effects/ball_sum.h"
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Friction moment of the slip across the contact ellipses (Heathcote slip) [N m].
+///
+///   M = μ Σ 0.0806 Q a²/R ω_roll/ω       over all contacts,  R = 2 f D/(2 f + 1)
+///
+/// Source:   derived: the common surface of ball and groove has the radius R across the rolling
+///           direction, so the slip at a distance y is ω_roll (y² - y0²)/(2 R). Under the Hertz
+///           pressure, summed over the rolling direction, forces cancel at y0 = 0.347 a, and the
+///           power left is 0.1611 μ Q ω_roll a²/(2 R). The usual estimate is about 0.1 μ Q a²/R.
+/// Domain:   converged equilibrium, else NaN.
+/// Accuracy: slip in one direction only; spin in the same contact lowers the true moment.
+struct DifferentialSlip {
+  static constexpr std::string_view id = "differential-slip";
+  static constexpr std::string_view title = "slip across the curved contact (Heathcote slip)";
+  static constexpr std::string_view mechanism =
+      "Ball and groove touch along a curved ellipse whose points lie at different radii, so only "
+      "two lines of it roll; the rest slides forward or backward.";
+  static constexpr std::string_view formula =
+      "M = sum of 0.0806 mu Q a^2/R w_roll/w over the contacts, R = 2 f D/(2 f + 1)";
+  static constexpr std::string_view source = "derived from slip and Hertz pressure in the contact";
+  static constexpr std::array<std::string_view, 3> confused_with{"z", "load-exponent",
+                                                                 "elastic-hysteresis"};
+  static constexpr std::array parameters{Parameter{.name = "friction_coefficient",
+                                                   .unit = "1",
+                                                   .initial = 0.06,
+                                                   .lower = 0.0,
+                                                   .upper = 2.0,
+                                                   .plausible_lower = 0.02,
+                                                   .plausible_upper = 0.15}};
+  static constexpr std::array needs{Need::loads, Need::load_levels};
+  static constexpr bool needs_equilibrium = true;
+
+  static double unit_moment(const MomentInputs& in) {
+    const double diameter = in.state.bearing->geometry().ball_diameter;
+    return sum_over_contacts(in.state, [&](const RollingContact& c) {
+      const double a = c.hertz.semi_major_axis(c.load);
+      const double radius = 2.0 * c.conformity * diameter / (2.0 * c.conformity + 1.0);
+      return 0.0806 * c.load * a * a / radius * c.rolling_ratio;
+    });
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Viscosity of a film that its own friction has warmed [m²/s].
+///
+///   ν = ν(T_film),   T_film = T + R P(T_film),   P = M0(ν(T_film)) ω
+///
+/// M0 is the viscous moment of the base law without other effects on the lubricant. P falls with
+/// temperature, so there is one solution, between T and T + R P(T).
+/// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.
+/// Domain:   speed >= 0, R >= 0. A sensor away from the film reads the same way: that alias cannot
+///           be resolved.
+struct FilmSelfHeating {
+  static constexpr std::string_view id = "film-self-heating";
+  static constexpr std::string_view title = "film hotter than the temperature sensor";
+  static constexpr std::string_view mechanism =
+      "The friction power warms the film above the place where temperature is measured. Its "
+      "viscosity falls, most where speed and viscosity are high.";
+  static constexpr std::string_view formula =
+      "nu at T_film = T + R P, P = M0 w at the film temperature itself";
+  static constexpr std::string_view source = "heat balance with one resistance; range assumed";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "inlet-shear-heating", "replenishment-starvation", "shear-thinning", "viscous-exponent"};
+  static constexpr std::array parameters{Parameter{.name = "resistance_K_per_kW",
+                                                   .unit = "K/kW",
+                                                   .initial = 15.0,
+                                                   .lower = 0.0,
+                                                   .upper = 500.0,
+                                                   .plausible_lower = 2.0,
+                                                   .plausible_upper = 60.0}};
+  static constexpr std::array needs{Need::speed_levels};
+
+  static void lubricant(const LubricantInputs& in, std::span<const double> values, Film& film) {
+    const double resistance = values[0] * 1e-3;
+    if (!(resistance > 0.0) || !(in.state.speed > 0.0)) return;
+    friction::BearingState<double> s = in.state;
+    const double outside = s.temperature;
+    const auto rise = [&](double temperature) {  // less what its own power gives
+      s.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
+      return temperature - outside - resistance * in.base.moments(s).viscous * s.speed;
+    };
+    double low = outside, f_low = rise(low);
+    double high = outside - f_low, f_high = rise(high);  // power there is less than at `low`
+    if (!std::isfinite(f_low) || !(f_high > 0.0)) return;
+    // Secants of the last two points, and the middle of the bracket where they leave it.
+    double before = low, f_before = f_low, temperature = high, f = f_high;
+    for (int i = 0; i < 60 && std::abs(f) > 1e-10; ++i) {
+      double next = temperature - f * (temperature - before) / (f - f_before);
+      if (!(next > low && next < high)) next = 0.5 * (low + high);
+      if (next == low || next == high) break;  // the bracket is one rounding wide
+      before = temperature;
+      f_before = f;
+      temperature = next;
+      f = rise(temperature);
+      (f > 0.0 ? high : low) = temperature;
+    }
+    film.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,183 @@
+#include "effects/formula.h"
+
+#include <muParser.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace raceway::effects {
+namespace {
+
+using Variable = Formula::Variable;
+using In = MomentInputs;
+
+constexpr std::array variable_list{
+    Variable{"speed_rpm", "shaft speed", [](const In& i) { return i.state.speed / rpm; }},
+    Variable{"axial_load_N", "axial load of one bearing",
+             [](const In& i) { return i.state.axial_load; }},
+    Variable{"radial_load_N", "radial load of one bearing",
+             [](const In& i) { return i.state.radial_load; }},
+    Variable{"temperature_C", "temperature of the row",
+             [](const In& i) { return celsius(i.state.temperature); }},
+    Variable{"viscosity_mm2_s", "kinematic viscosity of the film",
+             [](const In& i) { return i.state.kinematic_viscosity / mm2_per_s; }},
+    Variable{"time_s", "time by the clock of the file", [](const In& i) { return i.record.time; }},
+    Variable{"inner_ring_temperature_C", "measured with the row",
+             [](const In& i) { return celsius(i.record.inner_ring_temperature); }},
+    Variable{"outer_ring_temperature_C", "measured with the row",
+             [](const In& i) { return celsius(i.record.outer_ring_temperature); }},
+    Variable{"load_torque_Nmm", "load moment of the base law",
+             [](const In& i) { return i.base.load / N_mm; }},
+    Variable{"viscous_torque_Nmm", "viscous moment of the base law",
+             [](const In& i) { return i.base.viscous / N_mm; }},
+    Variable{"pitch_diameter_mm", "of the bearing",
+             [](const In& i) { return i.state.bearing->geometry().pitch_diameter / mm; }},
+    Variable{"ball_diameter_mm", "of the bearing",
+             [](const In& i) { return i.state.bearing->geometry().ball_diameter / mm; }},
+    Variable{
+        "ball_count", "of the bearing",
+        [](const In& i) { return static_cast<double>(i.state.bearing->geometry().ball_count); }},
+    Variable{"contact_angle_deg", "of the bearing",
+             [](const In& i) { return i.state.bearing->geometry().contact_angle / degree; }},
+    Variable{"static_load_rating_N", "of the bearing",
+             [](const In& i) { return i.state.bearing->geometry().static_load_rating; }}};
+
+}  // namespace
+
+std::span<const Variable> Formula::variables() { return variable_list; }
+
+/// A parser and the numbers it looks at; muParser keeps them by address.
+struct Formula::Instance {
+  mu::Parser parser;
+  std::vector<double> numbers;
+  std::vector<std::size_t> used;  ///< of the variables
+
+  Instance(const std::string& text, const std::vector<std::string>& parameters)
+      : numbers(variable_list.size() + parameters.size(), 1.0) {
+    std::size_t k = 0;
+    for (const Variable& v : variable_list) parser.DefineVar(std::string(v.name), &numbers[k++]);
+    for (const std::string& name : parameters) parser.DefineVar(name, &numbers[k++]);
+    parser.SetExpr(text);
+    (void)parser.Eval();
+    for (const auto& [name, address] : parser.GetUsedVar()) {
+      const auto index = static_cast<std::size_t>(address - numbers.data());
+      if (index < variable_list.size()) used.push_back(index);
+    }
+  }
+};
+
+/// Parsers at rest. A thread takes one and puts it back, so that none is shared.
+struct Formula::Pool {
+  std::mutex lock;
+  std::vector<std::unique_ptr<Instance>> at_rest;
+};
+
+Formula::Formula(std::string text, std::vector<std::string> parameters)
+    : text_(std::move(text)), parameters_(std::move(parameters)), pool_(new Pool) {
+  try {
+    pool_->at_rest.push_back(std::make_unique<Instance>(text_, parameters_));
+  } catch (const mu::Parser::exception_type& error) {
+    const bool unknown = error.GetCode() == mu::ecUNASSIGNABLE_TOKEN;
+    const int position = error.GetPos();
+    const std::string token = error.GetToken();
+    std::string message = error.GetMsg();
+    if (unknown) message = "\"" + token + "\" is not known";
+    throw FormulaError(
+        message,
+        position < 0 ? text_.size() : std::min(static_cast<std::size_t>(position), text_.size()),
+        unknown ? token : "");
+  }
+}
+
+Formula::~Formula() = default;
+
+bool Formula::uses(std::string_view variable) const {
+  const std::lock_guard hold(pool_->lock);
+  const std::vector<std::size_t>& used = pool_->at_rest.front()->used;
+  return std::any_of(used.begin(), used.end(),
+                     [&](std::size_t k) { return variable_list[k].name == variable; });
+}
+
+double Formula::moment(const MomentInputs& inputs, std::span<const double> values) const {
+  std::unique_ptr<Instance> mine;
+  {
+    const std::lock_guard hold(pool_->lock);
+    // The first stays, as the one that uses() looks at.
+    if (pool_->at_rest.size() > 1) {
+      mine = std::move(pool_->at_rest.back());
+      pool_->at_rest.pop_back();
+    }
+  }
+  if (!mine) mine = std::make_unique<Instance>(text_, parameters_);
+  for (const std::size_t k : mine->used) mine->numbers[k] = variable_list[k].value(inputs);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    mine->numbers[variable_list.size() + k] = values[k];
+  double result = unset;
+  try {
+    result = mine->parser.Eval() * N_mm;
+  } catch (const mu::Parser::exception_type&) {
+    // No number at this point, as where an argument is out of range: NaN says so.
+  }
+  const std::lock_guard hold(pool_->lock);
+  pool_->at_rest.push_back(std::move(mine));
+  return result;
+}
+
+namespace {
+
+/// All that the views of a description point to.
+struct Owner {
+  UserMadeEffect given;
+  std::string source;
+  std::vector<Parameter> parameters;
+  std::vector<Need> needs;
+  std::unique_ptr<Formula> formula;
+  Description description;
+};
+
+}  // namespace
+
+Effect make_effect(const UserMadeEffect& given) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto owner = std::make_shared<Owner>();
+  owner->given = given;
+  std::vector<std::string> names;
+  for (const UserMadeEffect::Number& n : owner->given.parameters) names.push_back(n.name);
+  owner->formula = std::make_unique<Formula>(given.torque_Nmm, std::move(names));
+  Effect effect;
+  for (const UserMadeEffect::Number& n : owner->given.parameters) {
+    const double lower = std::isnan(n.lower) ? -infinity : n.lower;
+    const double upper = std::isnan(n.upper) ? infinity : n.upper;
+    owner->parameters.push_back({.name = n.name,
+                                 .unit = n.unit,
+                                 .initial = n.value,
+                                 .lower = lower,
+                                 .upper = upper,
+                                 .plausible_lower = lower,
+                                 .plausible_upper = upper,
+                                 .neutral = unset});
+    effect.values.push_back(n.value);
+  }
+  const Formula& f = *owner->formula;
+  if (f.uses("time_s")) owner->needs.push_back(Need::time);
+  if (f.uses("inner_ring_temperature_C") || f.uses("outer_ring_temperature_C"))
+    owner->needs.push_back(Need::ring_temperatures);
+  if (owner->given.title.empty()) owner->given.title = "formula of the model file";
+  owner->description = {.id = owner->given.id,
+                        .title = owner->given.title,
+                        .mechanism = "Written as a formula in the model file.",
+                        .formula = owner->given.torque_Nmm,
+                        .source = "the user",
+                        .confused_with = {},
+                        .parameters = owner->parameters,
+                        .needs = owner->needs};
+  owner->description.user_made = owner->formula.get();
+  effect.description = &owner->description;
+  effect.owner = owner;
+  return effect;
+}
+
+}  // namespace raceway::effects

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// What is wrong with a formula, and where.
+struct FormulaError : std::invalid_argument {
+  FormulaError(const std::string& what, std::size_t where, std::string which)
+      : std::invalid_argument(what), position(where), unknown_name(std::move(which)) {}
+  std::size_t position;      ///< byte in the formula
+  std::string unknown_name;  ///< empty unless a name is not known
+};
+
+/// A friction moment that a user wrote as a formula, in the units of the files:
+/// "c * (speed_rpm/1000)^2" in N mm. Names are those of variables() and of its own parameters;
+/// operators and functions those of muParser. May be evaluated by several threads at once.
+class Formula {
+ public:
+  /// Throws FormulaError: no formula, or a name that is neither variable nor parameter.
+  Formula(std::string text, std::vector<std::string> parameters);
+  ~Formula();
+
+  /// [N m]
+  [[nodiscard]] double moment(const MomentInputs& inputs, std::span<const double> values) const;
+  /// True if the formula uses that variable.
+  [[nodiscard]] bool uses(std::string_view variable) const;
+
+  struct Variable {
+    std::string_view name;
+    std::string_view meaning;
+    double (*value)(const MomentInputs&);
+  };
+  /// What a formula may use beside its parameters.
+  [[nodiscard]] static std::span<const Variable> variables();
+
+ private:
+  struct Instance;
+  struct Pool;
+  std::string text_;
+  std::vector<std::string> parameters_;
+  std::unique_ptr<Pool> pool_;
+};
+
+/// What a model file says of an effect of the user's own.
+struct UserMadeEffect {
+  struct Number {
+    std::string name, unit;
+    double value = 0.0;
+    double lower = unset, upper = unset;  ///< NaN: no bound
+  };
+  std::string id;
+  std::string title;
+  std::string torque_Nmm;  ///< the formula
+  std::vector<Number> parameters;
+};
+
+/// The same kind of thing as an effect of the catalogue. Throws FormulaError.
+[[nodiscard]] Effect make_effect(const UserMadeEffect& given);
+
+}  // namespace raceway::effects

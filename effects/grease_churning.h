@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Friction moment of grease that is not yet worked in [N m], added:
+///
+///   M = A M0 exp(-t/τ)
+///
+/// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)) with A of 0.5 to 4
+/// and
+///           τ of 1 to 20 h, read as a statement on the viscous moment, since grease between the
+///           balls does not feel the load.
+/// Domain:   a time of each row, by the clock of the file; t = 0 is the start of churning.
+struct GreaseChurning {
+  static constexpr std::string_view id = "grease-churning";
+  static constexpr std::string_view title = "grease that is still being churned";
+  static constexpr std::string_view mechanism =
+      "Fresh grease lies in the way of the balls and is churned until it has found its place. The "
+      "viscous moment is raised at first and settles over hours.";
+  static constexpr std::string_view formula = "M = A M0 exp(-t/tau)";
+  static constexpr std::string_view source = "Lugt (2009), grease lubrication in rolling bearings";
+  static constexpr std::array<std::string_view, 2> confused_with{"torque-time-drift", "f0"};
+  static constexpr std::array parameters{Parameter{.name = "factor",
+                                                   .unit = "1",
+                                                   .initial = 0.5,
+                                                   .lower = 0.0,
+                                                   .upper = 20.0,
+                                                   .plausible_lower = 0.1,
+                                                   .plausible_upper = 4.0},
+                                         Parameter{.name = "decay_time_h",
+                                                   .unit = "h",
+                                                   .initial = 5.0,
+                                                   .lower = 0.1,
+                                                   .upper = 100.0,
+                                                   .plausible_lower = 1.0,
+                                                   .plausible_upper = 20.0,
+                                                   .neutral = unset}};
+  static constexpr std::array needs{Need::time};
+
+  static double moment(const MomentInputs& in, std::span<const double> values) {
+    return values[0] * in.base.viscous * std::exp(-in.record.time / (values[1] * 3600.0));
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Radial growth of the inner raceway that sits on the shaft with interference [m].
+///
+///   u = (d/d_i) I/2,   I = max(I0 - (3 + ν) ρ ω² d d_i²/(16 E), 0)
+///
+/// with bore d and inner raceway diameter d_i = d_m - D cos α0; changes the contact angle, at an
+/// entered axial load, by cos α0 -> cos α0 + u/(B D).
+/// Source:   Lamé, derived: ring of rectangular section on a solid shaft of the same material. The
+///           second term is by how much speed widens the bore more than the shaft. The growth by
+///           speed itself is another effect.
+/// Domain:   speed >= 0; the slope in ω jumps where the ring comes loose.
+struct InterferenceFit {
+  static constexpr std::string_view id = "interference-fit";
+  static constexpr std::string_view title = "inner ring widened by its fit";
+  static constexpr std::string_view mechanism =
+      "An inner ring pressed on the shaft is widened and takes away clearance. At high speed the "
+      "ring comes loose, and the widening with it.";
+  static constexpr std::string_view formula =
+      "u = (d/d_i) I/2, I = I0 - (3 + nu) rho w^2 d d_i^2/(16 E), not below zero";
+  static constexpr std::string_view source = "Lame's equations of thick rings, derived";
+  static constexpr std::array<std::string_view, 2> confused_with{"load-offset",
+                                                                 "thermal-ring-growth"};
+  static constexpr std::array parameters{Parameter{.name = "interference_um",
+                                                   .unit = "um",
+                                                   .initial = 5.0,
+                                                   .lower = 0.0,
+                                                   .upper = 25.0,
+                                                   .plausible_lower = 1.0,
+                                                   .plausible_upper = 15.0}};
+  static constexpr std::array needs{Need::loads, Need::ball_load_law};
+
+  static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {
+    const bearing::BearingGeometry& g = in.bearing.geometry();
+    const bearing::Material& m = in.bearing.rings();
+    const double raceway = g.pitch_diameter - g.ball_diameter * std::cos(g.contact_angle);
+    const double loosening = (3.0 + m.poisson_ratio) * m.density * in.point.speed * in.point.speed *
+                             g.bore * raceway * raceway / (16.0 * m.elastic_modulus);
+    const double interference = std::max(values[0] * um - loosening, 0.0);
+    c.radial_growth += 0.5 * interference * g.bore / raceway;
+  }
+};
+
+}  // namespace raceway::effects

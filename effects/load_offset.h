@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Axial load beside the entered one [N].
+///
+///   F_a -> F_a + c
+///
+/// Source:   a spring set, a load cell whose zero is off, a belt: definition.
+/// Domain:   the sum is not below zero.
+struct LoadOffset {
+  static constexpr std::string_view id = "load-offset";
+  static constexpr std::string_view title = "load that was not entered";
+  static constexpr std::string_view mechanism =
+      "Springs, a drifting zero of the load cell or a belt load the bearing with a constant force "
+      "beside the entered one. It shows most where the entered load is small.";
+  static constexpr std::string_view formula = "F_a + c in place of F_a";
+  static constexpr std::string_view source = "definition";
+  static constexpr std::array<std::string_view, 4> confused_with{"seal-friction", "torque-offset",
+                                                                 "load-exponent", "z"};
+  static constexpr std::array parameters{Parameter{.name = "force_N",
+                                                   .unit = "N",
+                                                   .initial = 50.0,
+                                                   .lower = -5000.0,
+                                                   .upper = 5000.0,
+                                                   .plausible_lower = -300.0,
+                                                   .plausible_upper = 300.0}};
+  static constexpr std::array needs{Need::load_levels};
+
+  static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
+    c.extra_axial_load += values[0];
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Friction moment of balls and cage that plough through lubricant [N m].
+///
+///   M = c (n/10 000 rpm)²
+///
+/// Source:   inertia of a fluid that is pushed aside; the first term of the drag moment in the SKF
+///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants of both
+///           terms depend on the oil level and are left to c.
+/// Domain:   every speed.
+struct LubricantDrag {
+  static constexpr std::string_view id = "lubricant-drag";
+  static constexpr std::string_view title = "drag of balls and cage in the lubricant";
+  static constexpr std::string_view mechanism =
+      "Balls and cage push lubricant aside that does not take part in the contacts. Its inertia "
+      "resists with the square of speed, whatever load and viscosity are.";
+  static constexpr std::string_view formula = "M = c (n/10000 rpm)^2";
+  static constexpr std::string_view source = "form of the SKF drag moment, first term";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "windage", "centrifugal-ring-growth", "gyroscopic-slip", "cage-friction"};
+  static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
+                                                   .unit = "N mm",
+                                                   .initial = 20.0,
+                                                   .lower = 0.0,
+                                                   .upper = 1e5,
+                                                   .plausible_lower = 1.0,
+                                                   .plausible_upper = 300.0}};
+  static constexpr std::array needs{Need::speed_levels};
+
+  static double unit_moment(const MomentInputs& in) {
+    const double ratio = in.state.speed / (10000.0 * rpm);
+    return ratio * ratio * N_mm;
+  }
+};
+
+}  // namespace raceway::effects

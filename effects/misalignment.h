@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Tilt of the inner ring that the shaft imposes [rad].
+///
+///   θ_z -> θ_z + c
+///
+/// Balls then meet different contact angles and loads round the ring; the equilibrium is solved at
+/// this tilt.
+/// Source:   definition; 1 to 5 arcmin (0.3 to 1.5 mrad) are usual tolerances of housings.
+/// Domain:   small angles. The sign is immaterial without radial load.
+struct Misalignment {
+  static constexpr std::string_view id = "misalignment";
+  static constexpr std::string_view title = "tilted inner ring";
+  static constexpr std::string_view mechanism =
+      "Shaft and housing bores that do not line up tilt the rings against each other. Some balls "
+      "carry more and run at other angles than the rest.";
+  static constexpr std::string_view formula = "theta_z = c, in the ball equilibrium";
+  static constexpr std::string_view source = "definition";
+  static constexpr std::array<std::string_view, 3> confused_with{"z", "load-offset",
+                                                                 "spin-friction"};
+  static constexpr std::array parameters{Parameter{.name = "tilt_mrad",
+                                                   .unit = "mrad",
+                                                   .initial = 0.5,
+                                                   .lower = 0.0,
+                                                   .upper = 3.0,
+                                                   .plausible_lower = 0.1,
+                                                   .plausible_upper = 1.5}};
+  static constexpr std::array needs{Need::loads, Need::ball_load_law};
+
+  static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
+    c.tilt += values[0] * mrad;
+  }
+};
+
+}  // namespace raceway::effects

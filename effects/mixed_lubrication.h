@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "effects/effect.h"
+#include "friction/skf.h"
+
+namespace raceway::effects {
+
+/// Friction moment of surfaces that touch through a thin film [N m].
+///
+///   M = μ φ_bl S1 d_m^0.26 (F_r^(4/3) + S2 F_a^(4/3)),   φ_bl = exp(-2.6e-8 (ν n)^1.4 d_m)
+///
+/// Dimensional as published: M [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]; converted here. μ is
+/// what boundary friction has beyond that of the full film, 0.05 to 0.12; d_m the mean of bore and
+/// outer diameter.
+/// Source:   φ_bl, S1 = 1.30e-2 and S2 = 0.68 of the sliding moment in [SKFGeneral, p. 91-101].
+/// Domain:   speed >= 0; all of it at standstill, nothing on a full film.
+struct MixedLubrication {
+  static constexpr std::string_view id = "mixed-lubrication";
+  static constexpr std::string_view title = "mixed lubrication at low speed";
+  static constexpr std::string_view mechanism =
+      "At low speed or viscosity the film does not part the surfaces; roughness tips touch and "
+      "rub. "
+      "This is the falling left branch of the Stribeck curve.";
+  static constexpr std::string_view formula =
+      "M = mu exp(-2.6e-8 (nu n)^1.4 d_m) 0.013 d_m^0.26 (F_r^(4/3) + 0.68 F_a^(4/3)), N mm";
+  static constexpr std::string_view source =
+      "sliding moment of the SKF general catalogue (2006), p. 91-101";
+  static constexpr std::array<std::string_view, 3> confused_with{"seal-friction", "z",
+                                                                 "load-exponent"};
+  static constexpr std::array parameters{Parameter{.name = "friction_coefficient",
+                                                   .unit = "1",
+                                                   .initial = 0.07,
+                                                   .lower = 0.0,
+                                                   .upper = 2.0,
+                                                   .plausible_lower = 0.02,
+                                                   .plausible_upper = 0.15}};
+  static constexpr std::array needs{Need::speed_levels, Need::palmgren_law};
+
+  static double unit_moment(const MomentInputs& in) {
+    const friction::BearingState<double>& s = in.state;
+    const bearing::BearingGeometry& g = s.bearing->geometry();
+    const friction::SkfConstants& c = friction::skf_angular_contact;
+    const double d_m = friction::RingSize{g.bore, g.outer_diameter}.mean_diameter();
+    return friction::boundary_share(s.speed, s.kinematic_viscosity, d_m) * c.S1 *
+           std::pow(d_m / mm, 0.26) *
+           (std::pow(s.radial_load, 4.0 / 3.0) +
+            c.S2 * std::pow(std::abs(s.axial_load), 4.0 / 3.0)) *
+           N_mm;
+  }
+};
+
+}  // namespace raceway::effects

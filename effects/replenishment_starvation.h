@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+#include "friction/skf.h"
+
+namespace raceway::effects {
+
+/// Share of the viscous moment that is left where lubricant flows back too slowly [1].
+///
+///   exp(-K ν n (d + D) sqrt(K_Z / (2 (D - d))))      ν [mm²/s], n [rpm], d and D [mm], K_Z = 4.4
+///
+/// with bore d and outer diameter D; replenishment_factor() in friction/skf.h is it.
+/// Source:   [SKFGeneral, p. 91-101]: K = 3e-8 for an oil bath of low level or an oil jet, 6e-8 for
+///           grease and oil-air.
+/// Domain:   speed >= 0.
+struct ReplenishmentStarvation {
+  static constexpr std::string_view id = "replenishment-starvation";
+  static constexpr std::string_view title = "starvation: lubricant flows back too slowly";
+  static constexpr std::string_view mechanism =
+      "Each ball pushes the lubricant aside. When the next ball comes before it has flowed back, "
+      "the film is thinner and drags less.";
+  static constexpr std::string_view formula = "M0 exp(-K nu n (d + D) sqrt(4.4 / (2 (D - d))))";
+  static constexpr std::string_view source = "SKF general catalogue (2006), p. 91-101";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "inlet-shear-heating", "film-self-heating", "shear-thinning", "viscous-exponent"};
+  static constexpr std::array parameters{Parameter{.name = "K_rs",
+                                                   .unit = "1",
+                                                   .initial = 3e-8,
+                                                   .lower = 0.0,
+                                                   .upper = 1e-6,
+                                                   .plausible_lower = 0.5e-8,
+                                                   .plausible_upper = 12e-8}};
+  static constexpr std::array needs{Need::speed_levels, Need::palmgren_law};
+
+  static void lubricant(const LubricantInputs& in, std::span<const double> values, Film& film) {
+    const bearing::BearingGeometry& g = in.state.bearing->geometry();
+    film.viscous_share *= friction::replenishment_factor(
+        values[0], in.state.speed, film.kinematic_viscosity,
+        friction::RingSize{g.bore, g.outer_diameter}, friction::skf_angular_contact.K_Z);
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Drag of the rig's own hydrostatic or aerostatic support [N m].
+///
+///   M = c (n/10 000 rpm)
+///
+/// Source:   shear of a film of constant height, η ω A r²/h, derived; its viscosity is taken as
+///           constant, since its temperature is not that of the bearing.
+/// Domain:   every speed. A tare run without the bearing separates it from the bearing.
+struct RigViscousDrag {
+  static constexpr std::string_view id = "rig-viscous-drag";
+  static constexpr std::string_view title = "drag of the rig's own support";
+  static constexpr std::string_view mechanism =
+      "The film that carries the housing or the shaft of the rig is sheared and adds a torque in "
+      "proportion to speed, whatever the bearing does.";
+  static constexpr std::string_view formula = "M_read = M + c (n/10000 rpm)";
+  static constexpr std::string_view source = "shear of a film of constant height, derived";
+  static constexpr std::array<std::string_view, 3> confused_with{"cage-friction", "lubricant-drag",
+                                                                 "windage"};
+  static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
+                                                   .unit = "N mm",
+                                                   .initial = 10.0,
+                                                   .lower = 0.0,
+                                                   .upper = 1e5,
+                                                   .plausible_lower = 0.5,
+                                                   .plausible_upper = 200.0}};
+  static constexpr std::array needs{Need::speed_levels};
+
+  static double reading(const ReadingInputs& in, std::span<const double> values) {
+    return values[0] * N_mm * in.point.speed / (10000.0 * rpm);
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Friction moment of rubbing seals [N m].
+///
+///   M = K (1 - s (T - 45 °C)),  not below zero
+///
+/// Source:   constant in speed and load as the seal moment of [SKFGeneral, p. 91-101]; the straight
+///           fall with temperature is an assumption for rubber that softens and grease that thins.
+/// Domain:   every speed. With s = 0 it is the alias of a torque zero that is off.
+struct SealFriction {
+  static constexpr std::string_view id = "seal-friction";
+  static constexpr std::string_view title = "rubbing seals";
+  static constexpr std::string_view mechanism =
+      "Lips rub on the ring with a force of their own, whatever speed and load are; warm lips are "
+      "softer and rub less.";
+  static constexpr std::string_view formula = "M = K (1 - s (T - 45 C))";
+  static constexpr std::string_view source =
+      "seal moment of the SKF general catalogue (2006); fall with temperature assumed";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "torque-offset", "load-offset", "torque-temperature-drift", "mixed-lubrication"};
+  static constexpr std::array parameters{Parameter{.name = "torque_at_45_C_Nmm",
+                                                   .unit = "N mm",
+                                                   .initial = 10.0,
+                                                   .lower = 0.0,
+                                                   .upper = 2000.0,
+                                                   .plausible_lower = 1.0,
+                                                   .plausible_upper = 100.0},
+                                         Parameter{.name = "slope_1_K",
+                                                   .unit = "1/K",
+                                                   .initial = 0.0075,
+                                                   .lower = 0.0,
+                                                   .upper = 0.015,
+                                                   .plausible_lower = 0.0,
+                                                   .plausible_upper = 0.015,
+                                                   .neutral = unset}};
+  static constexpr std::array<Need, 0> needs{};
+
+  static double moment(const MomentInputs& in, std::span<const double> values) {
+    const double share = 1.0 - values[1] * (in.state.temperature - kelvin(45.0));
+    return values[0] * N_mm * std::max(share, 0.0);
+  }
+};
+
+}  // namespace raceway::effects

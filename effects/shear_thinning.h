@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Share of the viscous moment that a lubricant leaves that thins under shear [1].
+///
+///   (1 + (n/n_c)²)^-p
+///
+/// Source:   the Carreau law of viscosity against shear rate, with the shear rate in proportion to
+///           speed and the exponents put together: p = (1 - m)/2 times the exponent with which the
+///           moment follows viscosity. Flow exponents m of 0.6 to 0.9 give p up to about 0.15.
+/// Domain:   speed >= 0, n_c > 0.
+struct ShearThinning {
+  static constexpr std::string_view id = "shear-thinning";
+  static constexpr std::string_view title = "lubricant that thins under shear";
+  static constexpr std::string_view mechanism =
+      "The thickener or polymers of a lubricant line up with the flow above a certain shear rate, "
+      "and its viscosity falls.";
+  static constexpr std::string_view formula = "M0 (1 + (n/n_c)^2)^-p";
+  static constexpr std::string_view source = "Carreau's law, shear rate in proportion to speed";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "inlet-shear-heating", "replenishment-starvation", "film-self-heating", "viscous-exponent"};
+  static constexpr std::array parameters{Parameter{.name = "exponent",
+                                                   .unit = "1",
+                                                   .initial = 0.08,
+                                                   .lower = 0.0,
+                                                   .upper = 0.3,
+                                                   .plausible_lower = 0.02,
+                                                   .plausible_upper = 0.2},
+                                         Parameter{.name = "critical_speed_rpm",
+                                                   .unit = "rpm",
+                                                   .initial = 5000.0,
+                                                   .lower = 1000.0,
+                                                   .upper = 20000.0,
+                                                   .plausible_lower = 1000.0,
+                                                   .plausible_upper = 20000.0,
+                                                   .neutral = unset}};
+  static constexpr std::array needs{Need::speed_levels};
+
+  static void lubricant(const LubricantInputs& in, std::span<const double> values, Film& film) {
+    const double ratio = in.state.speed / (values[1] * rpm);
+    film.viscous_share *= std::pow(1.0 + ratio * ratio, -values[0]);
+  }
+};
+
+}  // namespace raceway::effects

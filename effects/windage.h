@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Friction moment of the air that turns with shaft, cage and balls [N m].
+///
+///   M = c (n/10 000 rpm)^1.8
+///
+/// Source:   moment of a turning cylinder in a gap, C_f π ρ ω² R⁴ L with C_f ~ Re^-0.2 (Bilgen and
+///           Boulos, turbulent): the exponent 2 - 0.2; the size is left to c.
+/// Domain:   speed >= 0; below Re of about 10 000 the exponent nears 1.5.
+struct Windage {
+  static constexpr std::string_view id = "windage";
+  static constexpr std::string_view title = "air friction";
+  static constexpr std::string_view mechanism =
+      "Shaft, cage and balls drag the air in the gaps along. The flow is turbulent, and its "
+      "friction grows a little slower than the square of speed.";
+  static constexpr std::string_view formula = "M = c (n/10000 rpm)^1.8";
+  static constexpr std::string_view source =
+      "turning cylinder in a gap, Bilgen and Boulos: C_f ~ Re^-0.2; size left to c";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "lubricant-drag", "centrifugal-ring-growth", "cage-friction", "gyroscopic-slip"};
+  static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",
+                                                   .unit = "N mm",
+                                                   .initial = 10.0,
+                                                   .lower = 0.0,
+                                                   .upper = 1e5,
+                                                   .plausible_lower = 0.1,
+                                                   .plausible_upper = 200.0}};
+  static constexpr std::array needs{Need::speed_levels};
+
+  static double unit_moment(const MomentInputs& in) {
+    if (!(in.state.speed > 0.0)) return 0.0;
+    return std::pow(in.state.speed / (10000.0 * rpm), 1.8) * N_mm;
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace raceway::io {
+
+// What a maker's catalogue does not print; f_i and f_o come with the row.
+inline constexpr double catalogue_f0 = 1.5, catalogue_z = 0.001, catalogue_y = 0.33;
+
+}  // namespace raceway::io

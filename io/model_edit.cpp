@@ -1,0 +1,189 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "io/error.h"
+#include "io/model_file.h"
+#include "io/toml_text.h"
+
+// Changes a model file and leaves all else as the user wrote it.
+namespace raceway::io {
+namespace {
+
+/// "effect[0].f" as {"effect", "0", "f"} and where the indices are.
+struct KeyPath {
+  struct Step {
+    std::string name;
+    std::optional<std::size_t> index;  ///< into a list of tables
+  };
+  std::vector<Step> tables;
+  std::string key;
+};
+
+KeyPath parse_path(const std::string& text) {
+  KeyPath path;
+  std::size_t begin = 0;
+  for (std::size_t dot; (dot = text.find('.', begin)) != text.npos; begin = dot + 1) {
+    KeyPath::Step step{text.substr(begin, dot - begin), std::nullopt};
+    if (const std::size_t bracket = step.name.find('['); bracket != step.name.npos) {
+      step.index = std::stoul(step.name.substr(bracket + 1));
+      step.name.resize(bracket);
+    }
+    path.tables.push_back(std::move(step));
+  }
+  path.key = text.substr(begin);
+  return path;
+}
+
+const toml::table* find_table(const toml::table& root, const KeyPath& path) {
+  const toml::table* table = &root;
+  for (const KeyPath::Step& step : path.tables) {
+    const toml::node* node = table->get(step.name);
+    if (node && step.index) node = node->is_array() ? node->as_array()->get(*step.index) : nullptr;
+    table = node ? node->as_table() : nullptr;
+    if (!table) return nullptr;
+  }
+  return table;
+}
+
+std::size_t line_start(std::string_view text, std::size_t line) {
+  std::size_t at = 0;
+  for (; line > 1; --line) at = text.find('\n', at) + 1;
+  return at;
+}
+
+/// Byte of a place that toml++ gives as line and column, which counts code points.
+std::size_t byte_of(std::string_view text, const toml::source_position& place) {
+  std::size_t at = line_start(text, place.line);
+  for (auto column = place.column; column > 1 && at < text.size(); --column) {
+    ++at;
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) ++at;
+  }
+  return at;
+}
+
+/// A double as TOML: the shortest text that reads back the same, always a float.
+std::string toml_float(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".e") == text.npos) text += ".0";
+  return text;
+}
+
+std::string with_value(std::string text, const KeyValue& change) {
+  const std::string value = toml_float(change.value);
+  const KeyPath path = parse_path(change.key);
+  const toml::table root = parse_toml(text, "model");
+  const toml::table* const table = find_table(root, path);
+  const std::string_view line_end = text.find("\r\n") != text.npos ? "\r\n" : "\n";
+  const std::string assignment = fmt::format("{} = {}", path.key, value);
+
+  if (!table) {
+    if (path.tables.size() != 1 || path.tables[0].index)
+      throw InputError(fmt::format("{}: there is no such table in the model", change.key));
+    if (!text.empty() && text.back() != '\n') text += line_end;
+    return fmt::format("{}{}[{}]{}{}{}", text, line_end, path.tables[0].name, line_end, assignment,
+                       line_end);
+  }
+  if (const toml::node* node = table->get(path.key)) {
+    // A parameter of a user's own effect is a table with a value.
+    if (node->is_table()) node = node->as_table()->get("value");
+    if (!node || !node->is_number())
+      throw InputError(
+          fmt::format("{} = {}: is not a number", change.key, shown(*table->get(path.key))));
+    const std::size_t begin = byte_of(text, node->source().begin);
+    return text.replace(begin, byte_of(text, node->source().end) - begin, value);
+  }
+
+  // A new key goes behind the last one of its table, written as that one is.
+  const toml::key* last_key = nullptr;
+  const toml::node* last = nullptr;
+  const auto ends_before = [](const toml::node& a, const toml::node& b) {
+    const auto x = a.source().end, y = b.source().end;
+    return x.line != y.line ? x.line < y.line : x.column < y.column;
+  };
+  for (const auto& [key, node] : *table) {
+    const bool elsewhere =
+        (node.is_table() && !node.as_table()->is_inline()) || node.is_array_of_tables();
+    if (elsewhere || (last && ends_before(node, *last))) continue;
+    last = &node;
+    last_key = &key;
+  }
+  if (table->is_inline()) {
+    if (last) return text.insert(byte_of(text, last->source().end), ", " + assignment);
+    return text.insert(byte_of(text, table->source().begin) + 1, " " + assignment + " ");
+  }
+  const std::size_t line = last ? last->source().end.line : table->source().begin.line;
+  std::string before;
+  if (last) {
+    const std::size_t begin = line_start(text, last_key->source().begin.line);
+    before = text.substr(begin, byte_of(text, last_key->source().begin) - begin);
+  }
+  std::size_t at = text.find('\n', line_start(text, line));
+  if (at == text.npos) {
+    text += line_end;
+    at = text.size();
+  } else {
+    ++at;
+  }
+  return text.insert(at, before + assignment + std::string(line_end));
+}
+
+}  // namespace
+
+std::string file_key(const fit::ModelParameter& parameter) {
+  if (parameter.effect < 0) return "friction." + parameter.name;
+  return fmt::format("effect[{}].{}", parameter.effect,
+                     parameter.name.substr(parameter.name.find('.') + 1));
+}
+
+std::string with_values(std::string_view text, std::span<const KeyValue> changes) {
+  const bool marked = text.starts_with(utf8_mark);
+  if (marked) text.remove_prefix(utf8_mark.size());
+  std::string result(text);
+  for (const KeyValue& change : changes) {
+    if (!std::isfinite(change.value))
+      throw std::invalid_argument(fmt::format("{} = {}: must be finite", change.key, change.value));
+    result = with_value(std::move(result), change);
+  }
+  const toml::table root = parse_toml(result, "model");
+  for (const KeyValue& change : changes) {
+    const KeyPath path = parse_path(change.key);
+    const toml::table* const table = find_table(root, path);
+    const toml::node* node = table ? table->get(path.key) : nullptr;
+    if (node && node->is_table()) node = node->as_table()->get("value");
+    if (!node || node->value<double>() != change.value)
+      throw InputError(fmt::format("{}: its place in the model was not found", change.key));
+  }
+  if (marked) result.insert(0, utf8_mark);
+  return result;
+}
+
+std::string with_effect(std::string_view text, const effects::Effect& effect) {
+  const std::string_view line_end = text.find("\r\n") != text.npos ? "\r\n" : "\n";
+  std::string result(text);
+  if (!result.empty() && result.back() != '\n') result += line_end;
+  const effects::Description& d = *effect.description;
+  result += fmt::format("{}[[effect]]{}id = \"{}\"{}", line_end, line_end, d.id, line_end);
+  if (d.user_made) result += fmt::format("torque_Nmm = \"{}\"{}", d.formula, line_end);
+  for (std::size_t k = 0; k < d.parameters.size(); ++k) {
+    const effects::Parameter& p = d.parameters[k];
+    if (!std::isfinite(effect.values.at(k)))
+      throw std::invalid_argument(
+          fmt::format("{}.{} = {}: must be finite", d.id, p.name, effect.values[k]));
+    const std::string value = toml_float(effect.values[k]);
+    if (!d.user_made) {
+      result += fmt::format("{} = {}{}", p.name, value, line_end);
+      continue;
+    }
+    result += fmt::format("{} = {{ value = {}, unit = \"{}\"", p.name, value, p.unit);
+    if (std::isfinite(p.lower)) result += fmt::format(", lower = {}", toml_float(p.lower));
+    if (std::isfinite(p.upper)) result += fmt::format(", upper = {}", toml_float(p.upper));
+    result += fmt::format(" }}{}", line_end);
+  }
+  return result;
+}
+
+}  // namespace raceway::io

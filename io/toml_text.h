@@ -1,0 +1,28 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace {
+[[noreturn]] void fail_in_parser() { throw std::logic_error("toml++ stopped"); }
+}  // namespace
+
+// toml++ 3.3 asserts where some malformed texts, such as `[ = 1`, should be errors: make them
+// errors in every build. The other headers are included before, so none of them sees these macros.
+#undef NDEBUG
+#define TOML_ASSERT(condition) ((condition) ? void() : fail_in_parser())
+#include <toml++/toml.h>
+
+/// Shared by the readers and writers of model files; not for other code.
+namespace raceway::io {
+
+inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
+
+/// Throws InputError with `source`, line and, where known, column.
+[[nodiscard]] toml::table parse_toml(std::string_view text, std::string_view source);
+
+/// A value as the user wrote it, near enough.
+[[nodiscard]] std::string shown(const toml::node& node);
+
+}  // namespace raceway::io

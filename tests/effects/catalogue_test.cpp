@@ -1,0 +1,396 @@
+#include "effects/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "fit/calibrate.h"
+#include "tests/fit/synthetic.h"
+
+namespace raceway {
+namespace {
+
+using effects::Description;
+using effects::Need;
+
+bool has_need(const Description& d, Need need) {
+  return std::find(d.needs.begin(), d.needs.end(), need) != d.needs.end();
+}
+
+/// A model in which the effect can show: beside ball loads where it needs them.
+fit::Model model_with(const Description& d, const std::vector<double>& values) {
+  fit::Model model = fit::synthetic_model();
+  if (has_need(d, Need::ball_load_law))
+    model.effects.push_back({effects::find("spin-friction"), {0.06}, nullptr});
+  model.effects.push_back({&d, values, nullptr});
+  return model;
+}
+
+/// A rig that records all that effects can ask for.
+fit::DataSet full_plan() {
+  fit::DataSet data =
+      fit::factorial_plan({300, 1000, 3000, 6000, 10000, 15000}, {150, 400, 1000}, {25, 40, 60});
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    fit::Row& row = data.rows[i];
+    row.time = 1200.0 * static_cast<double>((i * 37) % data.rows.size());
+    row.outer_ring_temperature = row.point.temperature - 1.0;
+    row.inner_ring_temperature = row.point.temperature + 2.0 + static_cast<double>(i % 5);
+    row.run = 0;
+  }
+  data.runs = {"0"};
+  return data;
+}
+
+fit::FrictionPrediction predicted(const fit::Model& model, const fit::Row& row) {
+  return fit::predict_friction(model, row.point, false, fit::record_of(row));
+}
+
+double reading(const fit::Model& model, const fit::Row& row) {
+  return predicted(model, row).reading;
+}
+
+/// Sizes that a test may use where bounds are infinite or far beyond all reason.
+std::pair<double, double> usual_range(const effects::Parameter& p) {
+  return {p.plausible_lower, p.plausible_upper};
+}
+
+TEST(Catalogue, IsComplete) {
+  const std::set<std::string_view> torque_effects{"viscous-exponent",
+                                                  "load-exponent",
+                                                  "spin-friction",
+                                                  "differential-slip",
+                                                  "elastic-hysteresis",
+                                                  "gyroscopic-slip",
+                                                  "inlet-shear-heating",
+                                                  "replenishment-starvation",
+                                                  "shear-thinning",
+                                                  "film-self-heating",
+                                                  "mixed-lubrication",
+                                                  "seal-friction",
+                                                  "load-offset",
+                                                  "lubricant-drag",
+                                                  "churning",
+                                                  "windage",
+                                                  "cage-friction",
+                                                  "thermal-preload",
+                                                  "thermal-ring-growth",
+                                                  "centrifugal-ring-growth",
+                                                  "interference-fit",
+                                                  "misalignment",
+                                                  "ball-material",
+                                                  "grease-churning",
+                                                  "torque-gain",
+                                                  "torque-offset",
+                                                  "torque-temperature-drift",
+                                                  "torque-time-drift",
+                                                  "rig-viscous-drag"};
+  std::set<std::string_view> ids;
+  for (const Description& d : effects::catalogue()) EXPECT_TRUE(ids.insert(d.id).second) << d.id;
+  EXPECT_EQ(ids, torque_effects);
+  EXPECT_EQ(effects::find("no-such-effect"), nullptr);
+
+  std::set<std::string_view> names = ids;
+  for (const auto law : {friction::FrictionLaw::palmgren, friction::FrictionLaw::skf})
+    for (const auto& p : friction::parameters(law)) names.insert(p.name);
+  for (const Description& d : effects::catalogue()) {
+    SCOPED_TRACE(std::string(d.id));
+    EXPECT_EQ(effects::find(d.id), &d);
+    for (const auto text : {d.id, d.title, d.mechanism, d.formula, d.source})
+      EXPECT_FALSE(text.empty());
+    EXPECT_EQ(d.title.find('\n'), std::string_view::npos);
+    EXPECT_FALSE(d.confused_with.empty());
+    for (const auto other : d.confused_with) EXPECT_EQ(names.count(other), 1U) << other;
+    for (const Need need : d.needs) EXPECT_FALSE(effects::text(need).empty());
+    EXPECT_EQ((d.condition != nullptr) + (d.lubricant != nullptr) + d.has_moment() +
+                  (d.reading != nullptr),
+              1);
+    ASSERT_FALSE(d.parameters.empty());
+    EXPECT_FALSE(std::isnan(d.parameters[0].neutral)) << "the first parameter is the size";
+    for (const auto& p : d.parameters) {
+      EXPECT_FALSE(p.name.empty());
+      EXPECT_FALSE(p.unit.empty());
+      EXPECT_LE(p.lower, p.initial);
+      EXPECT_LE(p.initial, p.upper);
+      EXPECT_LE(p.lower, p.plausible_lower);
+      EXPECT_LT(p.plausible_lower, p.plausible_upper);
+      EXPECT_LE(p.plausible_upper, p.upper);
+      if (!std::isnan(p.neutral)) {
+        EXPECT_LE(p.lower, p.neutral);
+        EXPECT_LE(p.neutral, p.upper);
+      }
+    }
+  }
+}
+
+TEST(Catalogue, NeutralValuesChangeNothing) {
+  for (const Description& d : effects::catalogue()) {
+    SCOPED_TRACE(std::string(d.id));
+    const fit::Model with = model_with(d, effects::neutral_values(d));
+    fit::Model without = with;
+    without.effects.pop_back();
+    for (const fit::Row& row : full_plan().rows) {
+      const double plain = reading(without, row);
+      EXPECT_NEAR(reading(with, row), plain, 1e-13 * plain);
+    }
+  }
+}
+
+TEST(Catalogue, IsFiniteWithinBoundsAndTakesPowerWhereItIsFriction) {
+  const fit::DataSet plan = full_plan();
+  for (const Description& d : effects::catalogue()) {
+    SCOPED_TRACE(std::string(d.id));
+    for (std::size_t k = 0; k < d.parameters.size(); ++k) {
+      const effects::Parameter& p = d.parameters[k];
+      for (const double value : {p.lower, p.plausible_lower, p.plausible_upper, p.upper}) {
+        std::vector<double> values = effects::initial_values(d);
+        values[k] = value;
+        const fit::Model model = model_with(d, values);
+        for (const fit::Row& row : plan.rows) {
+          const fit::FrictionPrediction f = predicted(model, row);
+          EXPECT_TRUE(std::isfinite(f.reading))
+              << p.name << " = " << value << " at " << row.point.speed / rpm << " rpm, "
+              << row.point.axial_load << " N: " << bearing::name(f.report.status);
+          EXPECT_GE(f.load, 0.0);
+          EXPECT_GE(f.viscous, 0.0);
+          // Exponents correct a moment and may lower it; every other moment is friction.
+          if (d.has_moment() && d.id.find("exponent") == d.id.npos) {
+            EXPECT_GE(f.effects.back(), 0.0);
+          }
+          EXPECT_TRUE(d.reading || f.torque >= 0.0);
+        }
+      }
+    }
+  }
+}
+
+TEST(Catalogue, IsSmooth) {
+  // A kink would show as a difference quotient that changes with its step.
+  const fit::DataSet plan = full_plan();
+  for (const Description& d : effects::catalogue())
+    for (std::size_t k = 0; k < d.parameters.size(); ++k) {
+      if (d.id == "interference-fit") continue;  // comes loose at a speed: a kink by its source
+      const effects::Parameter& p = d.parameters[k];
+      SCOPED_TRACE(std::string(d.id) + "." + std::string(p.name));
+      const auto [lower, upper] = usual_range(p);
+      const double centre = lower + 0.37 * (upper - lower), h = 1e-3 * (upper - lower);
+      for (std::size_t i = 0; i < plan.rows.size(); i += 7) {
+        const auto slope = [&](double step) {
+          std::vector<double> values = effects::initial_values(d);
+          values[k] = centre + step;
+          const double above = reading(model_with(d, values), plan.rows[i]);
+          values[k] = centre - step;
+          return (above - reading(model_with(d, values), plan.rows[i])) / (2.0 * step);
+        };
+        const double coarse = slope(h), fine = slope(0.5 * h);
+        const double size = reading(fit::synthetic_model(), plan.rows[i]) / (upper - lower);
+        EXPECT_NEAR(coarse, fine, 1e-4 * std::abs(fine) + 1e-6 * size);
+      }
+    }
+}
+
+TEST(Catalogue, SizeMovesTheTorqueOneWay) {
+  const std::set<std::string_view> lowers{"film-self-heating", "inlet-shear-heating",
+                                          "replenishment-starvation", "shear-thinning"};
+  // Lighter balls lower the spin, stiffer ones the contact area, but the angle changes too; a
+  // smaller contact angle raises ball loads and lowers spin; the exponents turn at their reference.
+  const std::set<std::string_view> either{
+      "ball-material",           "interference-fit", "misalignment",
+      "thermal-ring-growth",     "viscous-exponent", "load-exponent",
+      "torque-temperature-drift"};
+  const fit::DataSet plan = full_plan();
+  for (const Description& d : effects::catalogue()) {
+    if (either.count(d.id) > 0) continue;
+    SCOPED_TRACE(std::string(d.id));
+    const auto [lower, upper] = usual_range(d.parameters[0]);
+    const double sign = lowers.count(d.id) > 0 ? -1.0 : 1.0;
+    for (const fit::Row& row : plan.rows) {
+      double last = -INFINITY;
+      for (int step = 0; step <= 4; ++step) {
+        std::vector<double> values = effects::initial_values(d);
+        values[0] = lower + 0.25 * step * (upper - lower);
+        const double now = sign * reading(model_with(d, values), row);
+        EXPECT_GE(now, last - 1e-13 * std::abs(now));
+        last = now;
+      }
+    }
+  }
+}
+
+/// d ln M/d ln x of an added moment, by a factor 1.01 on speed, load or viscosity.
+double exponent(const char* id, char of, bearing::OperatingPoint point) {
+  const Description& d = *effects::find(id);
+  const fit::Model model = model_with(d, effects::initial_values(d));
+  const auto moment = [&](const bearing::OperatingPoint& p) {
+    const fit::FrictionPrediction f = fit::predict_friction(model, p);
+    return d.reading ? f.reading - f.torque : f.effects.back();
+  };
+  const double before = moment(point);
+  double change = std::log(1.01);
+  if (of == 'n') point.speed *= 1.01;
+  if (of == 'F') point.axial_load *= 1.01;
+  if (of == 'v') {
+    point.temperature += 0.3;
+    change = std::log(model.lubricant.kinematic_viscosity(point.temperature) /
+                      model.lubricant.kinematic_viscosity(point.temperature - 0.3));
+  }
+  return std::log(moment(point) / before) / change;
+}
+
+TEST(Catalogue, MomentsFollowSpeedLoadAndViscosityAsTheirSourcesSay) {
+  const bearing::OperatingPoint p{.speed = 8000 * rpm, .axial_load = 600};
+  struct Case {
+    const char* id;
+    double speed, viscosity;
+  };
+  for (const Case& c :
+       {Case{"lubricant-drag", 2, 0}, Case{"windage", 1.8, 0}, Case{"churning", 0.621, 1.379},
+        Case{"cage-friction", 1, 1}, Case{"rig-viscous-drag", 1, 0}}) {
+    SCOPED_TRACE(c.id);
+    EXPECT_NEAR(exponent(c.id, 'n', p), c.speed, 1e-9);
+    EXPECT_NEAR(exponent(c.id, 'F', p), 0.0, 1e-9);
+    EXPECT_NEAR(exponent(c.id, 'v', p), c.viscosity, 1e-9);
+  }
+  // At low speed ball loads are in proportion to the axial load, nearly: the angle opens a little.
+  const bearing::OperatingPoint slow{.speed = 100 * rpm, .axial_load = 50};
+  EXPECT_NEAR(exponent("differential-slip", 'F', slow), 5.0 / 3.0, 0.02);
+  EXPECT_NEAR(exponent("elastic-hysteresis", 'F', slow), 1.33, 0.02);
+  EXPECT_NEAR(exponent("mixed-lubrication", 'F', slow), 4.0 / 3.0, 1e-9);
+  EXPECT_LT(exponent("mixed-lubrication", 'n', slow), 0.0);
+  EXPECT_NEAR(exponent("gyroscopic-slip", 'n', slow), 2.0, 0.01);
+  // Load opens the outer angle, and M_g goes with its sine.
+  EXPECT_GT(exponent("gyroscopic-slip", 'F', p), 0.0);
+  EXPECT_LT(exponent("gyroscopic-slip", 'F', p), 1.0);
+  // Centrifugal force loads the outer race, most where the axial load is small.
+  EXPECT_GT(exponent("elastic-hysteresis", 'n', {.speed = 15000 * rpm, .axial_load = 150}), 0.5);
+  EXPECT_LT(exponent("elastic-hysteresis", 'n', {.speed = 1000 * rpm, .axial_load = 1000}), 0.05);
+}
+
+TEST(Catalogue, HasTheLimitsOfItsSources) {
+  const bearing::OperatingPoint standstill{.speed = 0.0, .axial_load = 600};
+  for (const char* id :
+       {"lubricant-drag", "windage", "churning", "cage-friction", "gyroscopic-slip"}) {
+    const Description& d = *effects::find(id);
+    const auto f = fit::predict_friction(model_with(d, effects::initial_values(d)), standstill);
+    EXPECT_EQ(f.effects.back(), 0.0) << id;
+  }
+  // The SKF laws at strength 1 are the published factors.
+  const bearing::OperatingPoint p{.speed = 12000 * rpm, .axial_load = 600};
+  const fit::Model plain = fit::synthetic_model();
+  const auto& g = plain.bearing.geometry();
+  const double bare = fit::predict_friction(plain, p).viscous;
+  const double viscosity = plain.lubricant.kinematic_viscosity(p.temperature);
+  const auto left = [&](const char* id, double value) {
+    return fit::predict_friction(model_with(*effects::find(id), {value}), p).viscous / bare;
+  };
+  const friction::RingSize ring{g.bore, g.outer_diameter};
+  EXPECT_NEAR(left("inlet-shear-heating", 1.0),
+              friction::inlet_shear_factor(p.speed, viscosity, ring.mean_diameter()), 1e-14);
+  EXPECT_NEAR(left("replenishment-starvation", 6e-8),
+              friction::replenishment_factor(6e-8, p.speed, viscosity, ring, 4.4), 1e-14);
+  // A film finds its temperature: R times its own power above the bulk.
+  const fit::Model heated = model_with(*effects::find("film-self-heating"), {20.0});
+  const auto f = fit::predict_friction(heated, p);
+  const double rise = 20e-3 * f.viscous * p.speed;
+  EXPECT_GT(rise, 1.0);
+  EXPECT_NEAR(f.kinematic_viscosity, plain.lubricant.kinematic_viscosity(p.temperature + rise),
+              1e-9 * viscosity);
+  // Exponents are those of the law.
+  fit::Model y = plain;
+  y.law_values[2] = 0.43;
+  y.law_values[1] *= std::pow(1000.0 / 43000.0, -0.1);
+  EXPECT_NEAR(fit::predict_friction(model_with(*effects::find("load-exponent"), {0.1}), p).torque,
+              fit::predict_friction(y, p).torque, 1e-14);
+}
+
+TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {
+  const bearing::OperatingPoint p{.speed = 12000 * rpm, .axial_load = 600};
+  const auto with = [&](const char* id, double value) {
+    return fit::predict_friction(model_with(*effects::find(id), {value}), p, true);
+  };
+  const auto plain = fit::predict_friction(fit::synthetic_model(), p, true);
+  const auto& ball = plain.equilibrium->balls[0];
+  // 100 N more are 100 N more for the solver.
+  const auto more = with("load-offset", 100.0);
+  bearing::OperatingPoint loaded = p;
+  loaded.axial_load += 100.0;
+  const auto direct = fit::predict_friction(fit::synthetic_model(), loaded, true);
+  EXPECT_NEAR(more.equilibrium->balls[0].inner_load, direct.equilibrium->balls[0].inner_load, 1e-6);
+  EXPECT_NEAR(more.torque, direct.torque, 1e-12);
+  // Ceramic balls press less on the outer race.
+  const auto ceramic = with("ball-material", 1.0);
+  EXPECT_NEAR(ceramic.equilibrium->balls[0].centrifugal_force / ball.centrifugal_force,
+              3200.0 / 7800.0, 0.05);
+  EXPECT_EQ(ceramic.load, plain.load);  // the base law sees the entered load only
+  // A wider inner ring lowers the contact angle and raises the load of the balls.
+  const auto wide = with("interference-fit", 10.0);
+  EXPECT_LT(wide.equilibrium->balls[0].inner_contact_angle, ball.inner_contact_angle);
+  EXPECT_GT(wide.equilibrium->balls[0].inner_load, ball.inner_load);
+  // A tilted ring loads its balls unevenly, at the tilt that was asked for.
+  const auto tilted = with("misalignment", 0.5);
+  EXPECT_NEAR(tilted.equilibrium->displacement[4], 0.5 * mrad, 1e-10);
+  EXPECT_NEAR(tilted.equilibrium->displacement[3], 0.0, 1e-10);
+  double least = INFINITY, most = 0.0;
+  for (const auto& b : tilted.equilibrium->balls) {
+    least = std::min(least, b.inner_load);
+    most = std::max(most, b.inner_load);
+  }
+  EXPECT_GT(most, 1.1 * least);
+}
+
+TEST(Catalogue, OrderInTheModelChangesNothing) {
+  const fit::DataSet plan = full_plan();
+  fit::Model model = fit::synthetic_model();
+  for (const Description& d : effects::catalogue())
+    if (d.id != "misalignment") model.effects.push_back({&d, effects::initial_values(d), nullptr});
+  fit::Model reversed = model;
+  std::reverse(reversed.effects.begin(), reversed.effects.end());
+  for (std::size_t i = 0; i < plan.rows.size(); i += 5) {
+    const double a = reading(model, plan.rows[i]);
+    EXPECT_NEAR(reading(reversed, plan.rows[i]), a, 1e-10 * a);
+  }
+}
+
+TEST(Catalogue, IsRecoveredFromItsOwnData) {
+  const std::map<std::string_view, std::string_view> skipped{
+      {"torque-gain", "acts like a common factor on f0 and z"}};
+  for (const Description& d : effects::catalogue()) {
+    if (skipped.count(d.id) > 0) continue;
+    SCOPED_TRACE(std::string(d.id));
+    std::vector<double> truth;
+    for (const auto& p : d.parameters) {
+      const auto [lower, upper] = usual_range(p);
+      truth.push_back(lower + 0.4 * (upper - lower));
+    }
+    fit::DataSet data = full_plan();
+    std::mt19937 random(1);
+    fit::Model model = model_with(d, truth);
+    fit::measure(model, 0.0, random, data);
+    fit::Model start = model_with(d, effects::initial_values(d));
+    start.law_values = {2.0, 0.0008, 0.33};
+    start.free = {"f0", "z"};
+    for (const auto& p : d.parameters)
+      start.free.push_back(std::string(d.id) + "." + std::string(p.name));
+    const fit::Calibration fit = fit::calibrate(start, data);
+    ASSERT_TRUE(fit.converged()) << fit::name(fit.status);
+    EXPECT_TRUE(fit.rows_not_predicted.empty());
+    for (std::size_t k = 0; k < truth.size(); ++k)
+      EXPECT_NEAR(fit.model.effects.back().values[k], truth[k], 1e-4 * std::abs(truth[k]))
+          << d.parameters[k].name;
+    EXPECT_NEAR(fit.model.law_values[0], 1.5, 1.5e-4);
+  }
+}
+
+TEST(Catalogue, WithoutWhatItNeedsThereIsNoNumber) {
+  const bearing::OperatingPoint p{.speed = 8000 * rpm, .axial_load = 600};
+  for (const Description& d : effects::catalogue()) {
+    const bool asks = has_need(d, Need::time) || has_need(d, Need::ring_temperatures);
+    const auto f = fit::predict_friction(model_with(d, effects::initial_values(d)), p);
+    EXPECT_EQ(std::isfinite(f.reading), !asks) << d.id;
+  }
+}
+
+}  // namespace
+}  // namespace raceway

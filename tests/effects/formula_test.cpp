@@ -1,0 +1,131 @@
+#include "effects/formula.h"
+
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <map>
+
+#include "fit/calibrate.h"
+#include "tests/fit/synthetic.h"
+
+namespace raceway::effects {
+namespace {
+
+UserMadeEffect windage(const std::string& formula) {
+  return {.id = "my-windage",
+          .title = "",
+          .torque_Nmm = formula,
+          .parameters = {{.name = "c", .unit = "N mm", .value = 2.0, .lower = 0.0}}};
+}
+
+FormulaError error_of(const std::string& formula) {
+  try {
+    (void)make_effect(windage(formula));
+  } catch (const FormulaError& e) {
+    return e;
+  }
+  return {"accepted", 0, ""};
+}
+
+TEST(Formula, AddsItsMomentInTheUnitsOfTheFiles) {
+  fit::Model model = fit::synthetic_model();
+  model.effects.push_back(make_effect(windage("c * (speed_rpm/1000)^2")));
+  const auto f = fit::predict_friction(model, {.speed = 5000 * rpm, .axial_load = 600});
+  EXPECT_NEAR(f.effects[0], 50.0 * N_mm, 1e-15);
+  EXPECT_EQ(f.torque, f.load + f.viscous + f.effects[0]);
+  EXPECT_EQ(model.effects[0].description->step(), "moment");
+  EXPECT_EQ(model.effects[0].description->parameters[0].lower, 0.0);
+  EXPECT_EQ(model.effects[0].description->parameters[0].upper, INFINITY);
+}
+
+TEST(Formula, OutlivesTheModelItWasReadWith) {
+  fit::Model copy = fit::synthetic_model();
+  {
+    fit::Model model = fit::synthetic_model();
+    model.effects.push_back(make_effect(windage("c * speed_rpm")));
+    copy = model;
+  }
+  EXPECT_EQ(copy.effects[0].description->id, "my-windage");
+  EXPECT_TRUE(fit::predict_friction(copy, {.speed = 500, .axial_load = 100}).predicted());
+}
+
+TEST(Formula, KnowsEveryVariable) {
+  fit::Row row;
+  row.point = {.speed = 5000 * rpm, .axial_load = 600, .radial_load = 50};
+  row.time = 60;
+  row.inner_ring_temperature = kelvin(45);
+  row.outer_ring_temperature = kelvin(41);
+  const std::map<std::string_view, double> expected{{"speed_rpm", 5000},
+                                                    {"axial_load_N", 600},
+                                                    {"radial_load_N", 50},
+                                                    {"temperature_C", 40},
+                                                    {"viscosity_mm2_s", 22},
+                                                    {"time_s", 60},
+                                                    {"inner_ring_temperature_C", 45},
+                                                    {"outer_ring_temperature_C", 41},
+                                                    {"pitch_diameter_mm", 90},
+                                                    {"ball_diameter_mm", 11.906},
+                                                    {"ball_count", 20},
+                                                    {"contact_angle_deg", 25},
+                                                    {"static_load_rating_N", 43000}};
+  for (const Formula::Variable& v : Formula::variables()) {
+    fit::Model model = fit::synthetic_model();
+    model.effects.push_back(make_effect(windage(std::string(v.name))));
+    const auto f = fit::predict_friction(model, row.point, false, fit::record_of(row));
+    const double value = v.name == "load_torque_Nmm"      ? f.load / N_mm
+                         : v.name == "viscous_torque_Nmm" ? f.viscous / N_mm
+                                                          : expected.at(v.name);
+    EXPECT_NEAR(f.effects[0] / N_mm, value, 1e-9 * value) << v.name;
+  }
+}
+
+TEST(Formula, SaysWhatIsWrongAndWhere) {
+  FormulaError e = error_of("c * spede_rpm^2");
+  EXPECT_EQ(e.unknown_name, "spede_rpm");
+  EXPECT_EQ(e.position, 4U);
+  e = error_of("c * (speed_rpm/1000");
+  EXPECT_TRUE(e.unknown_name.empty());
+  EXPECT_STRNE(e.what(), "accepted");
+  EXPECT_GE(e.position, 4U);
+  e = error_of("c * / 2");
+  EXPECT_STRNE(e.what(), "accepted");
+  EXPECT_EQ(e.position, 4U);
+  EXPECT_STRNE(error_of("").what(), "accepted");
+}
+
+TEST(Formula, WithoutANumberThereIsNoPrediction) {
+  fit::Model model = fit::synthetic_model();
+  model.effects.push_back(make_effect(windage("c * time_s")));
+  EXPECT_FALSE(fit::predict_friction(model, {.speed = 500, .axial_load = 100}).predicted());
+  EXPECT_EQ(model.effects[0].description->needs.front(), Need::time);
+  model.effects[0] = make_effect(windage("c * log(axial_load_N - 200)"));
+  EXPECT_FALSE(fit::predict_friction(model, {.speed = 500, .axial_load = 100}).predicted());
+}
+
+TEST(Formula, MayBeUsedByManyThreads) {
+  fit::Model model = fit::synthetic_model();
+  model.effects.push_back(make_effect(windage("c * (speed_rpm/1000)^2")));
+  tbb::parallel_for(1, 2000, [&](int n) {
+    const auto f = fit::predict_friction(model, {.speed = n * rpm, .axial_load = 600});
+    EXPECT_NEAR(f.effects[0], 2e-6 * n * n * N_mm, 1e-12);
+  });
+}
+
+TEST(Formula, IsFittedLikeTheOthers) {
+  fit::Model truth = fit::synthetic_model();
+  truth.effects.push_back(make_effect(windage("c * (speed_rpm/1000)^2")));
+  truth.effects[0].values = {0.7};
+  fit::DataSet data = fit::factorial_plan({500, 3000, 8000, 12000}, {100, 600}, {25, 50});
+  std::mt19937 random(2);
+  fit::measure(truth, 0.0, random, data);
+  fit::Model model = truth;
+  model.effects[0].values = {0.0};
+  model.free = {"f0", "z", "my-windage.c"};
+  const fit::Calibration fit = fit::calibrate(model, data);
+  ASSERT_TRUE(fit.converged());
+  EXPECT_NEAR(fit.model.effects[0].values[0], 0.7, 1e-8);
+}
+
+}  // namespace
+}  // namespace raceway::effects
