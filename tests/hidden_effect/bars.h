@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/hidden_effect/generator.h"
+#include "tests/hidden_effect/judge.h"
+#include "tests/hidden_effect/separation.h"
+
+namespace hidden_effect {
+
+/// One rig to be made and judged, in the block it belongs to.
+struct Trial {
+  std::string_view block;
+  Setup setup;
+};
+
+/// What came of it.
+struct Outcome {
+  Trial trial;
+  Answer answer;
+  std::vector<std::vector<std::string_view>> accepted;  ///< right ids by hidden effect
+  Visibility visibility;
+  Improvement improvement;                 ///< factorial block, right single answers
+  std::string after_proposed, after_same;  ///< verdict after 12 proposed points, 12 repeated ones
+  bool right_after_proposed = false, right_after_same = false;
+  bool wrong_after_proposed = false;
+  std::string changed_by;  ///< presentation under which the answer was another one
+  bool outside = false;
+  /// A believable size does not reach half the wished share: no case for a bar on effects.
+  bool too_small = false;
+
+  [[nodiscard]] bool alarm() const { return answer.verdict != "nothing-missing"; }
+  [[nodiscard]] bool names_only_right() const;
+  [[nodiscard]] bool names_every_hidden() const;
+  [[nodiscard]] bool names_a_right() const;
+  [[nodiscard]] bool is(std::initializer_list<std::string_view> verdicts) const;
+  /// One name or exact aliases of one effect, and it is right.
+  [[nodiscard]] bool exact() const;
+  [[nodiscard]] bool in_set() const;
+  /// A statement that excludes the truth.
+  [[nodiscard]] bool wrong() const;
+  [[nodiscard]] bool right_first() const;
+};
+
+/// Ids and what they ask, in the order in which they run.
+struct Block {
+  std::string_view id;
+  std::string_view what;
+};
+[[nodiscard]] const std::vector<Block>& blocks();
+
+/// `seeds` rigs for each case of a block. Machines take turns with the seed.
+[[nodiscard]] std::vector<Trial> trials(std::string_view block, int seeds);
+
+[[nodiscard]] Outcome judge(const Trial& trial);
+
+/// On all cores; the outcome does not depend on their number. `progress` gets the count done.
+[[nodiscard]] std::vector<Outcome> judge_all(const std::vector<Trial>& trials,
+                                             const std::function<void(std::size_t)>& progress);
+
+struct Interval {
+  double lower, upper;
+};
+/// Wilson's interval of 95 % for a share.
+[[nodiscard]] Interval wilson(int successes, int trials);
+
+/// A bar of the study and what was measured against it.
+struct Bar {
+  std::string number;
+  std::string what;
+  bool at_least;      ///< the figure should be large
+  double must, good;  ///< in the unit of `measured`
+  std::string unit;   ///< "%", "s", ...
+  double measured;    ///< NaN where no trial bears on it
+  Interval interval;  ///< NaN for figures that are no shares
+  int trials;
+
+  [[nodiscard]] bool missed() const;
+  [[nodiscard]] bool is_good() const;
+};
+
+[[nodiscard]] std::vector<Bar> bars(const std::vector<Outcome>& judged);
+
+}  // namespace hidden_effect

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/hidden_effect/physics.h"
+
+/// Measurements of rigs of which the truth is known: what the user believes, what the rig reads,
+/// and what really goes on.
+namespace hidden_effect {
+
+enum class Plan {
+  factorial,  ///< 6 speeds x 4 loads x 5 temperatures
+  run_up,     ///< 10 speeds x 4 loads x 3, the oil warms with speed and load
+  sweep,      ///< 24 speeds x 5 at one load and temperature
+  replicated  ///< 5 speeds x 4 loads x 3 temperatures x 2
+};
+
+enum class Noise {
+  independent,     ///< 2 % of the torque
+  run_offsets,     ///< the same, and 2 % common to the ten rows of a run
+  autoregressive,  ///< 2 %, correlated 0.8 from row to row
+  absolute,        ///< 1 % of the torque and 2 % of its rms
+  outliers         ///< 2 %, and 5 % of the rows off by 6 to 15 sigma
+};
+
+[[nodiscard]] std::string_view name(Plan plan);
+[[nodiscard]] std::string_view name(Noise noise);
+
+/// Bearings of spindles; count, diameters and C0 of makers' catalogues.
+[[nodiscard]] std::span<const Machine> machines();
+
+struct Wish {
+  std::string_view id;
+  double share = 0.1;  ///< rms of what the effect changes over rms torque of the base law
+};
+
+struct Setup {
+  const Machine* machine = nullptr;
+  Plan plan = Plan::factorial;
+  Noise noise = Noise::independent;
+  double noise_level = 0.02;
+  BaseLaw law{};  ///< with another viscous_exponent and y: a base law that is slightly wrong
+  std::vector<Wish> hidden{};
+  std::uint64_t seed = 1;
+};
+
+struct Reading {
+  Point point;
+  int run;
+  double torque;    ///< without noise [N mm]
+  double sigma;     ///< standard deviation of the noise of this row [N mm]
+  double measured;  ///< [N mm]
+};
+
+struct Rig {
+  Setup setup;
+  Bearing bearing;
+  std::vector<Hidden> hidden;
+  std::vector<double> shares;  ///< reached by each hidden effect; below the wish at a limit
+  std::vector<Reading> train, test;
+
+  /// Ids by which an answer is right: of the hidden effects, and of those that have their shape.
+  [[nodiscard]] std::vector<std::string_view> accepted() const;
+  /// The same for one of the hidden effects.
+  [[nodiscard]] std::vector<std::string_view> accepted(std::size_t hidden_index) const;
+};
+
+/// The seed decides noise, order, jitter of the temperatures and, where both are possible, the sign
+/// of an effect. Everything but these follows from the setup.
+[[nodiscard]] Rig make_rig(const Setup& setup);
+
+/// More readings of the same rig in runs of ten, independent noise.
+[[nodiscard]] std::vector<Reading> measure(const Rig& rig, std::span<const Point> points,
+                                           std::uint64_t seed);
+
+[[nodiscard]] std::string model_text(const Rig& rig);
+[[nodiscard]] std::string measurement_text(std::span<const Reading> readings);
+[[nodiscard]] std::string truth_text(const Rig& rig);
+
+}  // namespace hidden_effect

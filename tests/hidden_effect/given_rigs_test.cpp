@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/hidden_effect/generator.h"
+#include "tests/hidden_effect/judge.h"
+
+namespace hidden_effect {
+namespace {
+
+/// A rig made by another program: its files as they are.
+struct GivenRig {
+  std::string name;
+  nlohmann::json truth;
+  std::string model, train;
+  std::vector<Point> points[2];  // of train and test
+};
+
+std::string read_all(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_TRUE(file.good()) << path;
+  return text.str();
+}
+
+std::vector<Point> points_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line, cell;
+  std::getline(lines, line);
+  std::vector<Point> points;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::vector<double> values;
+    while (std::getline(cells, cell, ',')) values.push_back(std::stod(cell));
+    points.push_back({values[2], values[3], values[5], values[1]});
+  }
+  return points;
+}
+
+GivenRig given(int number) {
+  const std::string name = "dev-0" + std::to_string(number);
+  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/" + name + "/";
+  GivenRig rig{.name = name,
+               .truth = nlohmann::json::parse(read_all(folder + "truth.json")),
+               .model = read_all(folder + "model.toml"),
+               .train = read_all(folder + "train.csv"),
+               .points = {}};
+  rig.points[0] = points_of(rig.train);
+  rig.points[1] = points_of(read_all(folder + "test.csv"));
+  return rig;
+}
+
+// Their files round temperatures to 0.01 K, which is 1.5e-4 of the torque of a cold oil.
+constexpr double rounding = 2e-4;
+
+TEST(GivenRigs, TheGeneratorHasTheirTorqueToRounding) {
+  for (int number = 1; number <= 8; ++number) {
+    const GivenRig rig = given(number);
+    const bool small = rig.model.find("\"7010\"") != std::string::npos;
+    const Bearing bearing(machines()[small ? 1 : 0]);
+    std::vector<Hidden> hidden;
+    for (const auto& [id, size] : rig.truth["size"].items())
+      hidden.push_back({&effect(id), {size.get<double>(), effect(id).shape}});
+    for (int part = 0; part < 2; ++part) {
+      const auto& torques = rig.truth[part == 0 ? "train" : "test"]["torque"];
+      ASSERT_EQ(torques.size(), rig.points[part].size());
+      for (std::size_t i = 0; i < torques.size(); ++i) {
+        const double theirs = torques[i].get<double>();
+        EXPECT_NEAR(torque(bearing, {}, rig.points[part][i], hidden), theirs, rounding * theirs)
+            << rig.name << " row " << i;
+      }
+    }
+  }
+}
+
+TEST(GivenRigs, GetTheirVerdictsAndNames) {
+  for (int number = 1; number <= 8; ++number) {
+    const GivenRig rig = given(number);
+    const Answer answer = ask(rig.model, rig.train);
+    const auto& verdicts = rig.truth["verdicts"];
+    EXPECT_NE(std::find(verdicts.begin(), verdicts.end(), answer.verdict), verdicts.end())
+        << rig.name << ": " << answer.verdict << ' ' << answer.message;
+    if (rig.truth["accept"].empty()) continue;
+    const auto accepted = rig.truth["accept"].get<std::vector<std::string>>();
+    EXPECT_THAT(accepted, testing::Contains(answer.first)) << rig.name;
+  }
+}
+
+}  // namespace
+}  // namespace hidden_effect

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/hidden_effect/generator.h"
+
+namespace hidden_effect {
+
+/// What the library answers to one rig, in the generator's units.
+struct Answer {
+  std::string verdict;             ///< as in JSON; "failed" where no diagnosis came back
+  std::vector<std::string> names;  ///< effects of the verdict, the leading one first
+  std::string first;               ///< leading effect whatever the verdict
+  std::vector<Point> suggested;    ///< operating points it would measure next
+  std::string shape;               ///< formula of what is missing, where there is one
+  std::vector<double> exponents;   ///< of speed, load and viscosity in `shape`
+  std::string message;             ///< why it failed
+  double seconds = 0.0;            ///< of processor time of the whole program, while it worked
+};
+
+/// Error of the model once the effects of an answer are added and everything free is refitted.
+struct Improvement {
+  double validation = 0.0;   ///< rms of prediction over true torque - 1, on the test points
+  double in_sample = 0.0;    ///< rms of (prediction - reading)/sigma on the rows of the fit
+  double f0 = 0.0, z = 0.0;  ///< refitted
+  bool converged = false;
+};
+
+/// How a rig is written down before it is read by the library.
+struct Presentation {
+  bool reversed_rows = false;
+  bool reversed_catalogue = false;  ///< candidates in the opposite order
+  bool other_start = false;         ///< believed f0 and z with other values, in the other order
+};
+
+/// Model and readings go through the files' text, as a user's would.
+[[nodiscard]] Answer ask(const Rig& rig, std::span<const Reading> readings,
+                         const Presentation& presentation = {});
+
+/// The same from files made elsewhere.
+[[nodiscard]] Answer ask(const std::string& model_text, const std::string& train_text,
+                         const Presentation& presentation = {});
+
+/// Adds these effects to the believed model and refits it.
+[[nodiscard]] Improvement improve(const Rig& rig, std::span<const std::string> names);
+
+/// True if the library has an effect of that id.
+[[nodiscard]] bool is_known(std::string_view id);
+
+}  // namespace hidden_effect

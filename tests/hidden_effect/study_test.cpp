@@ -1,0 +1,99 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/hidden_effect/bars.h"
+
+namespace hidden_effect {
+namespace {
+
+// A small study with fixed seeds. Its limits are those that a share of so few cases may still have
+// if the bar itself is met; scripts/study measures the bars.
+
+std::vector<Outcome> small_study(std::string_view block, int seeds, std::size_t every = 1) {
+  const std::vector<Trial> all = trials(block, seeds);
+  std::vector<Trial> some;
+  for (std::size_t i = 0; i < all.size(); i += every) some.push_back(all[i]);
+  std::vector<Outcome> outcomes = judge_all(some, [](std::size_t) {});
+  for (const Outcome& o : outcomes) EXPECT_NE(o.answer.verdict, "failed") << o.answer.message;
+  return outcomes;
+}
+
+/// The bars of the study that these outcomes bear on, and whether they could still be met.
+void expect_within_reach(const std::vector<Outcome>& outcomes,
+                         const std::vector<std::string>& numbers) {
+  for (const Bar& bar : bars(outcomes)) {
+    if (bar.trials == 0 || std::isnan(bar.interval.lower)) continue;
+    if (std::find(numbers.begin(), numbers.end(), bar.number) == numbers.end()) continue;
+    if (bar.at_least)
+      EXPECT_GE(bar.interval.upper, bar.must) << bar.what << ": " << bar.measured << " %";
+    else
+      EXPECT_LE(bar.interval.lower, bar.must) << bar.what << ": " << bar.measured << " %";
+  }
+}
+
+TEST(SmallStudy, NothingHiddenIsSeldomCalledSomething) {
+  expect_within_reach(small_study("null", 1), {"1"});
+}
+
+TEST(SmallStudy, StructuredNoiseIsSeldomCalledSomething) {
+  expect_within_reach(small_study("noise", 1), {"2"});
+}
+
+TEST(SmallStudy, EffectsOfTheCatalogueAreFoundOnAFactorialPlan) {
+  expect_within_reach(small_study("factorial", 1), {"3", "4", "5", "7"});
+}
+
+TEST(SmallStudy, EffectsOfTheCatalogueAreNotTakenForOthersOnARunUp) {
+  expect_within_reach(small_study("run-up", 1, 2), {"5", "6", "7"});
+}
+
+TEST(SmallStudy, EffectsOutsideTheCatalogueAreCalledSo) {
+  expect_within_reach(small_study("outside", 1), {"10", "11", "14b"});
+}
+
+TEST(SmallStudy, OtherFormsAreTakenForTheirFamily) {
+  expect_within_reach(small_study("forms", 1), {"12", "13"});
+}
+
+TEST(SmallStudy, TwoEffectsAreFoundTogether) {
+  expect_within_reach(small_study("two", 1, 2), {"14"});
+}
+
+TEST(SmallStudy, TheAnswerDoesNotDependOnHowTheRigIsWrittenDown) {
+  for (const Outcome& o : small_study("invariance", 1, 2)) EXPECT_EQ(o.changed_by, "");
+}
+
+// What the study itself must be able to see: with these its table would be worth nothing.
+TEST(Bars, WilsonsIntervalIsThatOfTheBooks) {
+  const Interval i = wilson(8, 10);
+  EXPECT_NEAR(i.lower, 0.4902, 1e-4);
+  EXPECT_NEAR(i.upper, 0.9433, 1e-4);
+  EXPECT_EQ(wilson(0, 20).lower, 0.0);
+}
+
+TEST(Bars, WrongAnswersAreCountedAsWrong) {
+  Outcome o{};
+  o.trial.block = "factorial";
+  o.trial.setup.hidden = {{.id = "lubricant-drag"}};
+  o.accepted = {{"lubricant-drag", "windage"}};
+  o.answer.verdict = "effect";
+  o.answer.names = {"spin-friction"};
+  EXPECT_TRUE(o.wrong());
+  EXPECT_FALSE(o.in_set());
+  o.answer.verdict = "ambiguous";
+  o.answer.names = {"spin-friction", "windage"};
+  EXPECT_FALSE(o.wrong());
+  EXPECT_TRUE(o.in_set());
+  EXPECT_FALSE(o.exact());
+  o.answer.names = {"windage", "lubricant-drag"};
+  EXPECT_TRUE(o.exact());
+  o.answer.verdict = "several-effects";
+  EXPECT_FALSE(o.exact());
+}
+
+}  // namespace
+}  // namespace hidden_effect
