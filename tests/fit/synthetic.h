@@ -55,7 +55,7 @@ inline void measure(const Model& model, double noise, std::mt19937& random, Data
   std::normal_distribution<double> gauss;
   const std::vector<FrictionPrediction> predictions = predict_rows(model, data);
   for (std::size_t i = 0; i < data.rows.size(); ++i)
-    data.rows[i].measured = rig_torque(model.rig, predictions[i].torque) + noise * gauss(random);
+    data.rows[i].measured = predictions[i].reading + noise * gauss(random);
 }
 
 inline void declare_noise(double std, DataSet& data) {

@@ -1,0 +1,170 @@
+#include "fit/diagnose.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+
+#include "cli/commands.h"
+#include "cli/open_input.h"
+#include "cli/text_table.h"
+#include "io/diagnosis_results.h"
+
+namespace raceway::cli {
+namespace {
+
+struct Flags {
+  std::string model, data;
+  bool json = false, no_pairs = false;
+  int tried_before = 0;
+};
+
+std::atomic<bool> interrupted{false};
+void interrupt(int) { interrupted = true; }
+
+void show_progress(double share, std::string_view step) {
+  fmt::print(stderr, "\r\033[K{:3.0f} %  {}{}", 100.0 * share, step,
+             share >= 1.0 ? "\r\033[K" : "");
+  std::fflush(stderr);
+}
+
+std::string torque(double value, int digits = 3) { return number(value / N_mm, digits); }
+
+std::string size_text(const std::vector<fit::EffectSize>& parameters) {
+  std::string text;
+  for (const fit::EffectSize& p : parameters) {
+    if (!text.empty()) text += ", ";
+    text += number(p.value, 3);
+    if (!std::isnan(p.std)) text += " +- " + number(p.std, 2);
+    if (p.unit != "1") text += " " + p.unit;
+    if (p.at_bound) text += " (at its bound)";
+    if (!p.plausible) text += " (implausible)";
+  }
+  return text;
+}
+
+void print_effects(const fit::Diagnosis& d) {
+  TextTable table({{"effect", "", true},
+                   {"", "", true},
+                   {"gain", ""},
+                   {"RMS", "N mm"},
+                   {"held out", "N mm"},
+                   {"size", "", true}});
+  std::size_t shown = 0;
+  for (const fit::RankedEffect& e : d.effects) {
+    if (!e.in_verdict && shown >= 8) break;
+    ++shown;
+    table.add({e.id, e.in_verdict ? "<-" : "", number(e.gain, 3), torque(e.rmse),
+               torque(e.rmse_cross_validated), size_text(e.parameters)});
+  }
+  if (shown == 0) return;
+  fmt::print("\n{}", table.text(terminal_width()));
+  fmt::print("gain: fall of -2 ln L; {} needed ({} explanations tried, {} rows)\n",
+             number(d.needed_gain, 3), d.candidates_tried, d.rows);
+}
+
+void print_verdict_details(const fit::Diagnosis& d) {
+  for (const fit::BaseShift& b : d.base_shifts)
+    fmt::print("{}: {} without, {} with what is missing{}\n", b.name, number(b.before),
+               number(b.after), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
+  for (const fit::HoldOut& h : d.hold_out)
+    fmt::print("held out by {}: {} N mm before, {} N mm after\n", h.variable, torque(h.rmse_before),
+               torque(h.rmse_after));
+  if (d.shape) {
+    fmt::print("\nShape of what is missing: {}\n  torque_Nmm = \"{}\"\n", d.shape->statement,
+               d.shape->formula);
+    for (const fit::EffectSize& c : d.shape->coefficients)
+      fmt::print("  {} = {}\n", c.name, number(c.value, 4));
+  }
+  if (!d.suggested_measurements.empty()) {
+    TextTable points({{"measure next: speed", "rpm"},
+                      {"axial load", "N"},
+                      {"temperature", "C"},
+                      {"repeats", ""},
+                      {"separates", "", true}});
+    for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
+      points.add({number(m.point.speed / rpm), number(m.point.axial_load),
+                  number(celsius(m.point.temperature), 3), fmt::format("{}", m.repeats),
+                  m.separates});
+    fmt::print("\n{}", points.text(terminal_width()));
+  }
+}
+
+void print_limits(const fit::Diagnosis& d) {
+  TextTable found({{"would have been found: effect", "", true},
+                   {"from", ""},
+                   {"unit", "", true},
+                   {"% of torque", ""}});
+  for (const fit::DetectableSize& s : d.would_have_been_found)
+    found.add({s.id, number(s.size, 2), s.unit == "1" ? "-" : s.unit,
+               number(100.0 * s.share_of_torque, 2)});
+  if (!d.would_have_been_found.empty()) fmt::print("\n{}", found.text(terminal_width()));
+  if (!d.not_testable.empty()) fmt::print("\ncould not have been found:\n");
+  for (const fit::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
+}
+
+void print(const fit::Diagnosis& d) {
+  fmt::print("{}\n\n", d.sentence);
+  fmt::print("verdict: {} (p of the misfit {:.1g})\n", fit::name(d.verdict), d.p_value);
+  fmt::print("RMS error {} N mm before, {} N mm after; noise {} N mm\n", torque(d.rmse_before),
+             torque(d.rmse_after), torque(d.noise.rms));
+  print_effects(d);
+  fmt::print("\n");
+  print_verdict_details(d);
+  print_limits(d);
+}
+
+int run(const Flags& flags) {
+  const io::ModelFile file = open_model(flags.model);
+  const fit::DataSet data = open_data(flags.data, file.model.rig);
+  // Effects of the user's own that change nothing yet are candidates, not part of the model.
+  fit::Model model = file.model;
+  fit::DiagnoseOptions options;
+  options.pairs = !flags.no_pairs;
+  options.tried_before = flags.tried_before;
+  options.cancelled = &interrupted;
+  std::erase_if(model.effects, [&](const effects::Effect& e) {
+    if (!e.description->user_made || e.values != effects::neutral_values(*e.description))
+      return false;
+    options.user_made.push_back(e.description);
+    return true;
+  });
+  if (isatty(STDERR_FILENO) != 0) options.progress = show_progress;
+  std::signal(SIGINT, interrupt);
+  const fit::Diagnosis diagnosis = [&] {
+    try {
+      return fit::diagnose(model, data, options);
+    } catch (const std::invalid_argument& e) {
+      refuse_data(flags.model, data, e);
+    }
+  }();
+  std::signal(SIGINT, SIG_DFL);
+  if (flags.json) {
+    fmt::print("{}", io::diagnosis_json(flags.model, data, diagnosis));
+  } else {
+    print(diagnosis);
+  }
+  tell(diagnosis.messages);
+  return done;
+}
+
+}  // namespace
+
+Run setup_diagnose(CLI::App& command) {
+  auto flags = std::make_shared<Flags>();
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
+  command.add_flag("--no-pairs", flags->no_pairs, "single effects only, for a quick look");
+  command
+      .add_option("--tried-before", flags->tried_before,
+                  "explanations of your own already tried on these data; each makes the "
+                  "evidence asked for stronger")
+      ->type_name("N");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer("Example:\n  raceway diagnose my.toml rig.csv");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

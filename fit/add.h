@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "effects/effect.h"
+#include "fit/calibrate.h"
+#include "fit/compare.h"
+#include "fit/hold_out.h"
+
+namespace raceway::fit {
+
+/// A model with effects switched on, and what that bought.
+struct AddResult {
+  Calibration calibration;  ///< `calibration.model` is the new model, all free parameters fitted
+  Comparison before{}, after{};     ///< in sample, each refitted
+  std::vector<HoldOut> hold_out{};  ///< blocks of rows that neither fit saw
+  double rmse_held_out_before = unset,
+         rmse_held_out_after = unset;  ///< rms over the blockings [N m]
+  bool refused = false;  ///< no better on rows it did not see, or the fit did not converge
+  std::string reason{};  ///< why, in a sentence; empty where accepted
+  std::vector<std::string> messages{};
+};
+
+/// Switches effects on, refits all free parameters with them and judges the result on blocks that
+/// the fit did not see: better in two of the blockings by speed, load and temperature,
+/// significantly worse in none, and a fall of -2 ln L beyond chance. Rows without a declared
+/// standard deviation are weighted by the estimated noise. Throws std::invalid_argument: no effect,
+/// one the model has already, one that the data cannot feed (with what they lack) or cannot tell
+/// from the base parameters.
+[[nodiscard]] AddResult add(const Model& model,
+                            std::span<const effects::Description* const> effects,
+                            const DataSet& data);
+
+/// The same by id; an unknown one is answered with the nearest.
+[[nodiscard]] AddResult add(const Model& model, std::span<const std::string> ids,
+                            const DataSet& data);
+
+}  // namespace raceway::fit

@@ -1,0 +1,182 @@
+#include "fit/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raceway::fit {
+
+namespace {
+
+constexpr double score_step = 1e-3;  // of the typical size of an effect
+
+double typical_size(const effects::Parameter& p) {
+  const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
+  const double size = std::max(
+      std::abs(p.initial - neutral),
+      std::isfinite(p.plausible_upper) ? 0.5 * std::abs(p.plausible_upper - neutral) : 0.0);
+  if (size > 0.0) return size;
+  const double range = p.upper - p.lower;
+  return std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
+}
+
+bool varies(const DataSet& data, double relative, double absolute, double (*value)(const Row&)) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Row& row : data.rows) {
+    low = std::min(low, value(row));
+    high = std::max(high, value(row));
+  }
+  return high - low > relative * std::abs(high) + absolute;
+}
+
+/// What of an effect's needs is not met, in words.
+std::string missing_need(const effects::Description& d, const Problem& problem) {
+  const DataSet& data = problem.data;
+  for (const effects::Need need : d.needs) {
+    bool met = true;
+    switch (need) {
+      case effects::Need::speed_levels:
+        met = varies(data, 0.01, 0.0, [](const Row& r) { return r.point.speed; });
+        break;
+      case effects::Need::load_levels:
+        met = varies(data, 0.01, 0.0, [](const Row& r) { return r.point.axial_load; }) ||
+              varies(data, 0.01, 0.0, [](const Row& r) {
+                return std::hypot(r.point.radial_load, r.point.radial_load_z);
+              });
+        break;
+      case effects::Need::viscosity_levels:
+        met = varies(data, 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
+        break;
+      case effects::Need::time:
+        met = std::all_of(data.rows.begin(), data.rows.end(),
+                          [](const Row& r) { return std::isfinite(r.time); });
+        break;
+      case effects::Need::ring_temperatures:
+        met = std::all_of(data.rows.begin(), data.rows.end(), [](const Row& r) {
+          return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
+        });
+        break;
+      case effects::Need::palmgren_law:
+        met = problem.model.law == friction::FrictionLaw::palmgren;
+        break;
+      case effects::Need::torque_standard:
+        met = false;
+        break;
+      case effects::Need::loads:          // shows in the readings: rows without balance
+      case effects::Need::ball_load_law:  // shows in the readings: nothing changes
+        break;
+    }
+    if (!met) return std::string(effects::text(need));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string Candidate::qualified(std::size_t parameter) const {
+  return id + "." + parameters[parameter].name;
+}
+
+std::vector<Candidate> make_candidates(const Model& model,
+                                       std::span<const effects::Description* const> descriptions) {
+  std::vector<Candidate> candidates;
+  for (const effects::Description* d : descriptions) {
+    const auto same = [&](const effects::Effect& e) { return e.description->id == d->id; };
+    if (std::any_of(model.effects.begin(), model.effects.end(), same)) continue;
+    Candidate c{.description = d, .id = std::string(d->id)};
+    bool found = false;
+    for (std::size_t k = 0; k < d->parameters.size(); ++k) {
+      const effects::Parameter& p = d->parameters[k];
+      c.parameters.push_back({.name = std::string(p.name),
+                              .unit = std::string(p.unit),
+                              .start = p.initial,
+                              .lower = p.lower,
+                              .upper = p.upper,
+                              .scale = typical_size(p)});
+      c.neutral.push_back(p.neutral);
+      if (found || std::isnan(p.neutral)) continue;
+      found = true;
+      c.size_index = k;
+      const double span = typical_size(p);
+      c.one_sided = p.lower >= p.neutral - 1e-9 * span || p.upper <= p.neutral + 1e-9 * span;
+      c.unit_size = p.upper <= p.neutral + 1e-9 * span ? -span : span;
+    }
+    if (found) candidates.push_back(std::move(c));
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return a.id < b.id; });
+  candidates.erase(std::unique(candidates.begin(), candidates.end(),
+                               [](const Candidate& a, const Candidate& b) { return a.id == b.id; }),
+                   candidates.end());
+  return candidates;
+}
+
+Response response_with(const Problem& problem, std::span<const Candidate* const> on) {
+  Model model = problem.model;
+  std::vector<std::string> names = problem.base;
+  std::vector<double> scale;
+  for (const Candidate* c : on) {
+    effects::Effect effect;
+    effect.description = c->description;
+    effect.values = effects::initial_values(*c->description);
+    model.effects.push_back(std::move(effect));
+    for (std::size_t k = 0; k < c->parameters.size(); ++k) {
+      names.push_back(c->qualified(k));
+      scale.push_back(c->parameters[k].scale);
+    }
+  }
+  Response response = model_response(model, problem.data, names);
+  for (std::size_t k = 0; k < scale.size(); ++k)
+    response.parameters[problem.base.size() + k].scale = scale[k];
+  return response;
+}
+
+void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values) {
+  const auto bases = static_cast<Eigen::Index>(problem.base.size());
+  const Eigen::VectorXd without = response_with(problem, {}).readings(base_values);
+  for (Candidate& c : problem.candidates) {
+    c.not_testable = missing_need(*c.description, problem);
+    if (!c.not_testable.empty()) continue;
+    const Candidate* const one[] = {&c};
+    const Response response = response_with(problem, one);
+    Eigen::VectorXd x = response.start();
+    x.head(bases) = base_values;
+    std::vector<std::size_t> shapes;
+    for (std::size_t k = 0; k < c.neutral.size(); ++k) {
+      if (std::isnan(c.neutral[k]))
+        shapes.push_back(k);
+      else
+        x[bases + static_cast<Eigen::Index>(k)] = c.neutral[k];
+    }
+    // Each shape at its start and towards both bounds.
+    std::vector<Eigen::VectorXd> points{x};
+    for (const std::size_t k : shapes) {
+      const FitParameter& p = c.parameters[k];
+      for (const double part : {0.1, 0.9}) {
+        Eigen::VectorXd y = x;
+        y[bases + static_cast<Eigen::Index>(k)] = p.lower + part * (p.upper - p.lower);
+        if (y.allFinite()) points.push_back(y);
+      }
+    }
+    c.scores.resize(without.size(), static_cast<Eigen::Index>(points.size()));
+    Eigen::Index count = 0;
+    for (Eigen::VectorXd& point : points) {
+      double& size = point[bases + static_cast<Eigen::Index>(c.size_index)];
+      const double step = score_step * c.unit_size;
+      size += step;
+      const Eigen::VectorXd column = (response.readings(point) - without) / score_step;
+      if (!column.allFinite()) {
+        c.not_testable = "rows at which the bearing with this effect is in balance";
+        break;
+      }
+      if (column.cwiseAbs().maxCoeff() > 1e-9 * without.cwiseAbs().maxCoeff())
+        c.scores.col(count++) = column;
+    }
+    c.scores.conservativeResize(Eigen::NoChange, count);
+    if (!c.not_testable.empty() || count > 0) continue;
+    c.not_testable = "a quantity on which it has any effect at these operating points";
+    for (const effects::Need need : c.description->needs)
+      if (need == effects::Need::ball_load_law) c.not_testable = effects::text(need);
+  }
+}
+
+}  // namespace raceway::fit

@@ -1,0 +1,623 @@
+#include "fit/diagnose.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "effects/catalogue.h"
+#include "fit/attribution.h"
+#include "fit/evidence.h"
+#include "fit/unknown_shape.h"
+
+namespace raceway::fit {
+
+namespace {
+
+constexpr double within_reach = 6.0;       // of the best, in -2 ln L
+constexpr double loss_of_a_member = 60.0;  // of a pair, in -2 ln L
+constexpr double detected = 25.0;          // squared misfit over variance: found in 99 of 100
+constexpr double told_apart = 20.0;        // the same, left by the best wrong effect
+constexpr double alike = 0.98;             // cosine of scores
+constexpr double passed = 0.01;            // of the gate
+constexpr double plausible_factor = 3.0;
+constexpr std::size_t ranked = 6;  // effects with a hold-out of their own
+
+std::string joined(const std::vector<std::string>& words, const char* last) {
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == words.size() ? std::string(" ") + last + " " : ", ") + words[k];
+  return text;
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit == "1" || unit.empty() ? fmt::format("{:.3g}", value)
+                                     : fmt::format("{:.3g} {}", value, unit);
+}
+
+double rms(const Eigen::VectorXd& v) { return v.norm() / std::sqrt(static_cast<double>(v.size())); }
+
+/// One diagnosis in the making.
+class Investigation {
+ public:
+  Investigation(const Model& model, const DataSet& data, const DiagnoseOptions& options)
+      : options_(options),
+        evidence_(
+            gather_evidence(model, data, candidates(options), options.most_rows, options.noise)),
+        problem_(evidence_.problem),
+        attribution_(problem_, evidence_.noise, evidence_.base, evidence_.size),
+        blockings_(blockings(problem_.data)) {}
+
+  Diagnosis run() {
+    describe_base();
+    what_can_be_seen();
+    const double rows = static_cast<double>(problem_.measured.size());
+    result_.needed_gain = std::log(rows) + 2.0 * std::log(std::max(1, result_.candidates_tried));
+    result_.p_value = attribution_.gate().p_value();
+    result_.remaining_p_value = result_.p_value;
+    if (!attribution_.gate().alarm()) {
+      nothing_missing();
+      return std::move(result_);
+    }
+    step(0.2, "refitting with each effect");
+    singles_ = attribution_.singles();
+    for (const Explanation& single : singles_)
+      if (!single.fit.converged)
+        result_.messages.push_back(fmt::format(
+            "the fit with {} did not converge: it takes no part in the verdict", id_of(single)));
+    attribute();
+    return std::move(result_);
+  }
+
+ private:
+  static std::vector<const effects::Description*> candidates(const DiagnoseOptions& options) {
+    std::vector<const effects::Description*> all = options.candidates;
+    if (all.empty())
+      for (const effects::Description& d : effects::catalogue()) all.push_back(&d);
+    all.insert(all.end(), options.user_made.begin(), options.user_made.end());
+    return all;
+  }
+
+  [[nodiscard]] bool cancelled() const { return options_.cancelled && options_.cancelled->load(); }
+
+  void step(double share, std::string_view what) const {
+    if (cancelled()) throw Cancelled();
+    if (options_.progress) options_.progress(share, what);
+  }
+
+  [[nodiscard]] const std::string& id(std::size_t candidate) const {
+    return problem_.candidates[candidate].id;
+  }
+  [[nodiscard]] std::string id_of(const Explanation& e) const { return joined(ids_of(e), "and"); }
+  [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const {
+    std::vector<std::string> ids;
+    for (const std::size_t k : e.members) ids.push_back(id(k));
+    return ids;
+  }
+
+  void describe_base() {
+    const std::vector<double> predicted(
+        evidence_.base.prediction.data(),
+        evidence_.base.prediction.data() + evidence_.base.prediction.size());
+    result_.baseline =
+        compare(predicted, problem_.data, static_cast<int>(evidence_.base.tangent.cols()));
+    result_.noise = evidence_.noise;
+    result_.rows = static_cast<int>(problem_.data.rows.size());
+    result_.rows_not_predicted = problem_.rows_not_predicted;
+    result_.rmse_before = rms(problem_.measured - evidence_.base.prediction);
+    for (const std::size_t i : evidence_.noise.outliers)
+      result_.outlier_lines.push_back(problem_.data.rows[i].line);
+    std::sort(result_.outlier_lines.begin(), result_.outlier_lines.end());
+    if (!result_.outlier_lines.empty())
+      result_.messages.push_back(
+          fmt::format("{} row(s) stand more than 3.5 standard deviations apart and count with less "
+                      "weight, first line {}",
+                      result_.outlier_lines.size(), result_.outlier_lines.front()));
+    if (result_.rows + static_cast<int>(result_.rows_not_predicted.size()) < evidence_.rows_in_file)
+      result_.messages.push_back(fmt::format("{} of {} rows were used, evenly spread in time",
+                                             result_.rows, evidence_.rows_in_file));
+    if (!result_.rows_not_predicted.empty())
+      result_.messages.push_back(
+          fmt::format("{} row(s) without balance were left out, first line {}",
+                      result_.rows_not_predicted.size(), result_.rows_not_predicted.front()));
+    for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
+      if (evidence_.base.at_bound[k])
+        result_.messages.push_back(evidence_.response.parameters[k].name +
+                                   " ends at a bound: the model lacks something, or is far off");
+    if (evidence_.noise.repeats_p_value < passed)
+      result_.messages.push_back(fmt::format(
+          "repeated rows scatter {:.2g} times as much as the noise found otherwise (p = {:.1g})",
+          std::sqrt(evidence_.noise.repeats_statistic), evidence_.noise.repeats_p_value));
+  }
+
+  /// The most visible score of a candidate.
+  [[nodiscard]] Eigen::Index clearest_score(std::size_t candidate) const {
+    const auto [first, count] = attribution_.score_range(candidate);
+    Eigen::Index best = first;
+    for (Eigen::Index j = first; j < first + count; ++j)
+      if (attribution_.gate().visibility[j] > attribution_.gate().visibility[best]) best = j;
+    return best;
+  }
+
+  void what_can_be_seen() {
+    const Gate& gate = attribution_.gate();
+    std::vector<std::size_t> visible;
+    for (std::size_t k = 0; k < problem_.candidates.size(); ++k) {
+      const Candidate& c = problem_.candidates[k];
+      if (!c.not_testable.empty())
+        result_.not_testable.push_back({c.id, "the data lack " + c.not_testable});
+      else if (attribution_.visibility(k) < invisible)
+        result_.not_testable.push_back(
+            {c.id, "on these data " + joined(problem_.base, "and") +
+                       (problem_.base.size() == 1 ? " does" : " together do") + " the same"});
+      else
+        visible.push_back(k);
+    }
+    result_.candidates_tried = static_cast<int>(visible.size()) + options_.tried_before;
+    const double torque = rms(problem_.measured);
+    std::vector<Eigen::VectorXd> unit;
+    for (const std::size_t k : visible)
+      unit.push_back(gate.projected.col(clearest_score(k)).normalized());
+    std::vector<bool> grouped(visible.size(), false);
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+      const std::size_t k = visible[i];
+      const Candidate& c = problem_.candidates[k];
+      const Eigen::Index score = clearest_score(k);
+      const double length = gate.projected.col(score).norm();
+      DetectableSize d{.id = c.id,
+                       .parameter = c.parameters[c.size_index].name,
+                       .unit = c.parameters[c.size_index].unit};
+      const double units = std::sqrt(detected) / length;
+      d.size = c.neutral[c.size_index] + units * c.unit_size;
+      d.share_of_torque =
+          units * rms(c.scores.col(score - attribution_.score_range(k).first)) / torque;
+      double closest = 0.0;
+      std::vector<std::string> group{c.id};
+      for (std::size_t j = 0; j < visible.size(); ++j) {
+        if (j == i) continue;
+        const double cosine = std::abs(unit[i].dot(unit[j]));
+        if (cosine > closest) {
+          closest = cosine;
+          d.most_alike = id(visible[j]);
+        }
+        if (cosine > alike && j > i && !grouped[i]) {
+          group.push_back(id(visible[j]));
+          grouped[j] = true;
+        }
+      }
+      const double apart = std::sqrt(std::max(0.0, 1.0 - closest * closest)) * length;
+      d.told_apart_from = apart > 1e-6 * length ? c.neutral[c.size_index] +
+                                                      std::sqrt(told_apart) / apart * c.unit_size
+                                                : unset;
+      result_.would_have_been_found.push_back(d);
+      if (group.size() > 1) result_.aliases.push_back(group);
+    }
+  }
+
+  void nothing_missing() {
+    result_.verdict = Verdict::nothing_missing;
+    result_.rmse_after = result_.rmse_before;
+    std::vector<DetectableSize> easy = result_.would_have_been_found;
+    std::erase_if(easy, [](const DetectableSize& d) { return !(d.share_of_torque < 0.2); });
+    std::stable_sort(easy.begin(), easy.end(),
+                     [](const DetectableSize& a, const DetectableSize& b) {
+                       return a.share_of_torque < b.share_of_torque;
+                     });
+    std::vector<std::string> found, hidden;
+    for (std::size_t k = 0; k < easy.size() && k < 3; ++k)
+      found.push_back(fmt::format("{} from {}", easy[k].id, with_unit(easy[k].size, easy[k].unit)));
+    for (const NotTestable& n : result_.not_testable)
+      if (hidden.size() < 3) hidden.push_back(n.id);
+    result_.sentence = fmt::format(
+        "Nothing missing that these data can show (p = {:.2g}, alarm level 1 %).{}{}",
+        result_.p_value,
+        found.empty() ? "" : " Would have been found: " + joined(found, "and") + ".",
+        hidden.empty() ? "" : " Could not have been found: " + joined(hidden, "and") + ", ...");
+  }
+
+  /// Candidates admitted and within reach of the best; the first is the best.
+  static std::vector<const Explanation*> best_set(const std::vector<Explanation>& ranked_list,
+                                                  double needed) {
+    std::vector<const Explanation*> set;
+    for (const Explanation& e : ranked_list)
+      if (e.fit.converged && e.gain > needed && e.gain >= ranked_list.front().gain - within_reach)
+        set.push_back(&e);
+    return set;
+  }
+
+  bool any_passes(std::vector<Explanation>& list,
+                  const std::vector<const Explanation*>& set) const {
+    bool passes = false;
+    for (Explanation& e : list) {
+      if (std::find(set.begin(), set.end(), &e) == set.end()) continue;
+      attribution_.recheck(e);
+      passes = passes || e.recheck.p_value() >= passed;
+    }
+    return passes;
+  }
+
+  void attribute() {
+    std::vector<const Explanation*> set = best_set(singles_, result_.needed_gain);
+    // The base law's own exponents come before physics.
+    std::stable_partition(set.begin(), set.end(), [this](const Explanation* e) {
+      const std::string& name = id(e->members.front());
+      return name == "viscous-exponent" || name == "load-exponent";
+    });
+    if (any_passes(singles_, set)) {
+      one_effect(set);
+      return;
+    }
+    if (options_.pairs && singles_.size() >= 2) {
+      step(0.5, "refitting with pairs of effects");
+      pairs_ = attribution_.pairs(singles_, [this] { return cancelled(); });
+      step(0.8, "checking what is left");
+      // Dropping either member must cost more than chance would pay for it.
+      const double needed =
+          std::log(static_cast<double>(problem_.measured.size())) +
+          2.0 * std::log(std::max(1, result_.candidates_tried - 1)) +
+          (singles_.front().fit.converged ? std::max(0.0, singles_.front().gain) : 0.0);
+      const std::vector<const Explanation*> two = best_set(pairs_, needed);
+      if (any_passes(pairs_, two)) {
+        std::vector<const Explanation*> strong;
+        for (const Explanation* e : two)
+          if (e->least_loss >= loss_of_a_member) strong.push_back(e);
+        if (!strong.empty() && strong.front() == two.front()) {
+          two_effects(strong);
+          return;
+        }
+        for (const Explanation* e : two) weak_pairs_.push_back(ids_of(*e));
+      }
+    }
+    bent_law();
+  }
+
+  void one_effect(const std::vector<const Explanation*>& set) {
+    const Explanation& best = *set.front();
+    hold_out(best);
+    fill(set, best);
+    bool plausible = false;
+    for (const Explanation* e : set) plausible = plausible || sizes_plausible(*e);
+    const bool holds = confirmed(result_.hold_out);
+    if (!plausible || !holds) {
+      result_.verdict = Verdict::effect_like;
+      result_.shape = unknown_shape();
+      result_.sentence = fmt::format(
+          "Something is missing (p = {:.1g}); it acts like {}, {}: {}.", result_.p_value,
+          joined_sets(set),
+          !plausible ? "but of an implausible size" : "but the hold-out does not confirm it",
+          size_text(best));
+      return;
+    }
+    if (set.size() == 1) {
+      result_.verdict = Verdict::effect;
+      double next = 0.0;
+      std::string next_id;
+      for (const Explanation& e : singles_)
+        if (&e != &best && e.fit.converged) {
+          next = e.gain;
+          next_id = id_of(e);
+          break;
+        }
+      result_.sentence = fmt::format(
+          "Consistent with {}, {}; gain {:.0f} (needed {:.1f}), what remains is {} (p = {:.2g})"
+          "{}. Error {}{}.",
+          id_of(best), size_text(best), best.gain, result_.needed_gain, "at noise level",
+          result_.remaining_p_value,
+          next_id.empty() ? ""
+                          : fmt::format(", next best {} {:.0f} behind", next_id, best.gain - next),
+          error_text(), shift_text());
+      return;
+    }
+    result_.verdict = Verdict::ambiguous;
+    suggest(set);
+    result_.sentence = fmt::format(
+        "{} cannot be told apart on these data (difference {:.1f}, needed {:.0f}); one of them is "
+        "missing (p = {:.1g}).{}",
+        joined_sets(set), std::abs(set.front()->gain - set[1]->gain), within_reach, result_.p_value,
+        measure_text());
+  }
+
+  void two_effects(const std::vector<const Explanation*>& set) {
+    const Explanation& best = *set.front();
+    hold_out(best);
+    fill(set, best);
+    if (!confirmed(result_.hold_out)) {
+      result_.verdict = Verdict::not_in_catalogue;
+      result_.shape = unknown_shape();
+      result_.sentence = fmt::format(
+          "Something is missing (p = {:.1g}); {} would do in sample, but the hold-out does not "
+          "confirm it.",
+          result_.p_value, id_of(best));
+      return;
+    }
+    result_.verdict = Verdict::several_effects;
+    if (set.size() > 1) suggest(set);
+    result_.sentence = fmt::format(
+        "Consistent with {} at once, {}; gain {:.0f}, the lesser alone {:.0f}; what remains is at "
+        "noise level (p = {:.2g}).{} Error {}{}.{}",
+        id_of(best), size_text(best), best.gain, best.least_loss, result_.remaining_p_value,
+        set.size() > 1 ? fmt::format(" {} other pair(s) do as well.", set.size() - 1) : "",
+        error_text(), shift_text(), measure_text());
+  }
+
+  void bent_law() {
+    step(0.85, "bending the laws of the best");
+    std::vector<Explanation> bent;
+    for (std::size_t k = 0; k < singles_.size() && k < 3; ++k) {
+      if (!singles_[k].fit.converged || singles_[k].gain < result_.needed_gain) continue;
+      Explanation e = attribution_.elastic(singles_[k]);
+      if (!e.fit.converged) continue;
+      attribution_.recheck(e);
+      if (e.recheck.p_value() >= passed) bent.push_back(std::move(e));
+    }
+    std::stable_sort(bent.begin(), bent.end(),
+                     [](const Explanation& a, const Explanation& b) { return a.gain > b.gain; });
+    std::vector<const Explanation*> set;
+    for (const Explanation& e : bent)
+      if (e.gain >= bent.front().gain - within_reach) set.push_back(&e);
+    result_.shape = unknown_shape();
+    const double pure = singles_.empty() || !singles_.front().rechecked
+                            ? result_.p_value
+                            : singles_.front().recheck.p_value();
+    if (set.empty()) {
+      result_.verdict = Verdict::not_in_catalogue;
+      fill({}, singles_.empty() ? Explanation{} : singles_.front());
+      std::string nearest;
+      if (!singles_.empty() && singles_.front().fit.converged) {
+        const double beyond = std::max(1.0, evidence_.base.misfit - degrees());
+        const double left = std::max(0.0, singles_.front().fit.misfit - degrees());
+        nearest = fmt::format(" Nearest entry: {}, leaves {:.0f} % of the misfit.",
+                              id_of(singles_.front()), 100.0 * std::min(1.0, left / beyond));
+      }
+      std::string pairs;
+      if (!weak_pairs_.empty())
+        pairs =
+            " Pairs that would do, without being shown: " + joined(weak_pairs_.front(), "and") +
+            (weak_pairs_.size() > 1 ? fmt::format(" and {} more.", weak_pairs_.size() - 1) : ".");
+      result_.sentence = fmt::format(
+          "Something is missing (p = {:.1g}), not in the catalogue.{}{}{}", result_.p_value,
+          result_.shape ? " Shape: " + result_.shape->statement + "." : "", nearest, pairs);
+      return;
+    }
+    result_.verdict = Verdict::effect_like;
+    fill(set, *set.front());
+    result_.sentence = fmt::format(
+        "Something is missing; it acts like {} but not with the catalogue's law (pure law "
+        "rejected, p = {:.1g}; exponents speed {:+.2f}, load {:+.2f}, viscosity {:+.2f}): either "
+        "that effect with another law, or an effect outside the catalogue that acts alike.",
+        joined_sets(set), pure, set.front()->speed_exponent, set.front()->load_exponent,
+        set.front()->viscosity_exponent);
+  }
+
+  [[nodiscard]] double degrees() const {
+    return static_cast<double>(problem_.measured.size() - evidence_.base.tangent.cols());
+  }
+
+  [[nodiscard]] std::optional<Shape> unknown_shape() const {
+    return find_unknown_shape(problem_, evidence_.noise, evidence_.base);
+  }
+
+  void hold_out(const Explanation& best) {
+    const Eigen::VectorXd& std = evidence_.noise.whitening.std();
+    for (const Blocking& b : blockings_)
+      result_.hold_out.push_back(compare_held_out(
+          held_out_errors(evidence_.response, evidence_.base, problem_.measured, std, b),
+          held_out_errors(best.response, best.fit, problem_.measured, std, b), std, b));
+  }
+
+  [[nodiscard]] double cross_validated(const Explanation& e) const {
+    if (e.elastic || blockings_.empty()) return unset;
+    double sum = 0.0;
+    for (const Blocking& b : blockings_)
+      sum +=
+          held_out_errors(e.response, e.fit, problem_.measured, evidence_.noise.whitening.std(), b)
+              .squaredNorm() /
+          static_cast<double>(problem_.measured.size());
+    return std::sqrt(sum / static_cast<double>(blockings_.size()));
+  }
+
+  /// Numbers of one member of an explanation.
+  [[nodiscard]] std::vector<EffectSize> sizes(const Explanation& e, std::size_t member) const {
+    std::vector<EffectSize> list;
+    std::size_t at = problem_.base.size();
+    for (const std::size_t k : e.members) {
+      const Candidate& c = problem_.candidates[k];
+      for (std::size_t j = 0; j < c.parameters.size(); ++j, ++at) {
+        if (k != member) continue;
+        const effects::Parameter& p = c.description->parameters[j];
+        EffectSize s{.name = c.parameters[j].name, .unit = c.parameters[j].unit};
+        s.value = e.fit.values[static_cast<Eigen::Index>(at)];
+        s.std = e.fit.standard_errors[static_cast<Eigen::Index>(at)];
+        s.plausible_lower = p.plausible_lower;
+        s.plausible_upper = p.plausible_upper;
+        s.at_bound = e.fit.at_bound[at];
+        const double margin = std::isfinite(s.std) ? 2.0 * s.std : 0.0;
+        const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
+        const double low = p.plausible_lower - neutral, high = p.plausible_upper - neutral;
+        const double value = s.value - neutral;
+        s.plausible =
+            value - margin <= (high > 0.0 ? high * plausible_factor : high / plausible_factor) &&
+            value + margin >= (low > 0.0 ? low / plausible_factor : low * plausible_factor);
+        list.push_back(s);
+      }
+    }
+    return list;
+  }
+
+  [[nodiscard]] bool sizes_plausible(const Explanation& e) const {
+    for (const std::size_t k : e.members)
+      if (!sizes(e, k)[problem_.candidates[k].size_index].plausible) return false;
+    return true;
+  }
+
+  /// Effects of the verdict first, the best set leading, then the others by rank.
+  void fill(const std::vector<const Explanation*>& set, const Explanation& best) {
+    if (!set.empty()) {
+      result_.rmse_after = rms(problem_.measured - best.fit.prediction);
+      result_.remaining_p_value = best.rechecked ? best.recheck.p_value() : unset;
+      for (std::size_t k = 0; k < problem_.base.size(); ++k)
+        result_.base_shifts.push_back(
+            {.name = problem_.base[k],
+             .unit = evidence_.response.parameters[k].unit,
+             .before = evidence_.base.values[static_cast<Eigen::Index>(k)],
+             .after = best.fit.values[static_cast<Eigen::Index>(k)],
+             .std = best.fit.standard_errors[static_cast<Eigen::Index>(k)]});
+      for (std::size_t k = 0; k < best.parameters.size(); ++k)
+        if (best.fit.at_bound[k] && k < problem_.base.size())
+          result_.messages.push_back(best.parameters[k].name + " ends at a bound");
+    } else {
+      result_.rmse_after = result_.rmse_before;
+    }
+    std::set<std::size_t> listed;
+    for (const Explanation* e : set) {
+      result_.sets.push_back(ids_of(*e));
+      for (const std::size_t k : e->members) {
+        if (!listed.insert(k).second) continue;
+        RankedEffect effect = rank(*e, k);
+        effect.in_verdict = true;
+        // Whatever stands in its place in another set of the verdict.
+        for (const Explanation* other : set) {
+          if (std::find(other->members.begin(), other->members.end(), k) != other->members.end())
+            continue;
+          for (const std::size_t j : other->members)
+            if (std::find(e->members.begin(), e->members.end(), j) == e->members.end())
+              add(effect.indistinguishable_from, id(j));
+        }
+        result_.effects.push_back(std::move(effect));
+      }
+    }
+    std::size_t count = 0;
+    for (const Explanation& single : singles_) {
+      if (!single.fit.converged) continue;
+      if (!listed.insert(single.members.front()).second) continue;
+      RankedEffect effect = rank(single, single.members.front(), ++count <= ranked);
+      result_.effects.push_back(std::move(effect));
+    }
+  }
+
+  static void add(std::vector<std::string>& list, const std::string& word) {
+    if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
+  }
+
+  [[nodiscard]] RankedEffect rank(const Explanation& e, std::size_t member,
+                                  bool validate = true) const {
+    RankedEffect effect{.id = id(member)};
+    effect.gain = e.gain;
+    effect.rmse = rms(problem_.measured - e.fit.prediction);
+    if (validate) effect.rmse_cross_validated = cross_validated(e);
+    effect.parameters = sizes(e, member);
+    if (e.rechecked) effect.remaining_p_value = e.recheck.p_value();
+    for (const auto& group : result_.aliases)
+      if (std::find(group.begin(), group.end(), effect.id) != group.end())
+        for (const std::string& other : group)
+          if (other != effect.id) add(effect.indistinguishable_from, other);
+    return effect;
+  }
+
+  void suggest(const std::vector<const Explanation*>& set) {
+    step(0.9, "choosing the next measurements");
+    const std::vector<const Explanation*> few(
+        set.begin(),
+        set.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(4, set.size())));
+    NextPoints next = next_points(problem_, evidence_.noise, few);
+    result_.suggested_measurements = std::move(next.points);
+    result_.predicted_separation = next.predicted_separation;
+    result_.separation_by_repetition = next.separation_by_repetition;
+  }
+
+  [[nodiscard]] std::string joined_sets(const std::vector<const Explanation*>& set) const {
+    std::vector<std::string> names;
+    for (const Explanation* e : set) names.push_back(id_of(*e));
+    return joined(names, "or");
+  }
+
+  [[nodiscard]] std::string size_text(const Explanation& e) const {
+    std::vector<std::string> texts;
+    for (const std::size_t k : e.members) {
+      const EffectSize s = sizes(e, k)[problem_.candidates[k].size_index];
+      std::string text = fmt::format("{} = {:.3g}", s.name, s.value);
+      if (std::isfinite(s.std)) text += fmt::format(" +- {:.1g}", s.std);
+      if (s.unit != "1") text += " " + s.unit;
+      texts.push_back(std::move(text));
+    }
+    return joined(texts, "and");
+  }
+
+  [[nodiscard]] std::string error_text() const {
+    std::string text =
+        fmt::format("{:.3g} -> {:.3g} N mm", result_.rmse_before / N_mm, result_.rmse_after / N_mm);
+    if (!result_.hold_out.empty()) {
+      double before = 0.0, after = 0.0;
+      for (const HoldOut& h : result_.hold_out) {
+        before += h.rmse_before * h.rmse_before;
+        after += h.rmse_after * h.rmse_after;
+      }
+      const double count = static_cast<double>(result_.hold_out.size());
+      text += fmt::format(", on held-out blocks {:.3g} -> {:.3g}", std::sqrt(before / count) / N_mm,
+                          std::sqrt(after / count) / N_mm);
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string shift_text() const {
+    std::vector<std::string> texts;
+    for (const BaseShift& b : result_.base_shifts) {
+      const double share = b.before / b.after - 1.0;
+      if (std::isfinite(share) && std::abs(share) >= 0.01)
+        texts.push_back(fmt::format("{} had been {:.0f} % too {}", b.name, 100.0 * std::abs(share),
+                                    share > 0.0 ? "high" : "low"));
+    }
+    return texts.empty() ? "" : "; " + joined(texts, "and");
+  }
+
+  [[nodiscard]] std::string measure_text() const {
+    std::vector<std::string> texts;
+    for (const SuggestedMeasurement& m : result_.suggested_measurements)
+      if (texts.size() < 3)
+        texts.push_back(fmt::format("{:.0f} rpm, {:.0f} N, {:.0f} C ({} times)",
+                                    m.point.speed / rpm, m.point.axial_load,
+                                    m.point.temperature - kelvin(0), m.repeats));
+    if (texts.empty()) return "";
+    return fmt::format(
+        " Measure: {}; predicted difference {:.0f}, by repeating what exists {:.0f}.",
+        fmt::join(texts, "; "), result_.predicted_separation, result_.separation_by_repetition);
+  }
+
+  const DiagnoseOptions& options_;
+  Evidence evidence_;
+  const Problem& problem_;
+  Attribution attribution_;
+  std::vector<Blocking> blockings_;
+  std::vector<Explanation> singles_, pairs_;
+  std::vector<std::vector<std::string>> weak_pairs_;
+  Diagnosis result_;
+};
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::nothing_missing:
+      return "nothing-missing";
+    case Verdict::effect:
+      return "effect";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::several_effects:
+      return "several-effects";
+    case Verdict::effect_like:
+      return "effect-like";
+    case Verdict::not_in_catalogue:
+      return "not-in-catalogue";
+  }
+  return "unknown";
+}
+
+Diagnosis diagnose(const Model& model, const DataSet& data, const DiagnoseOptions& options) {
+  if (options.progress) options.progress(0.0, "estimating the noise");
+  return Investigation(model, data, options).run();
+}
+
+}  // namespace raceway::fit

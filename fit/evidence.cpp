@@ -1,0 +1,149 @@
+#include "fit/evidence.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fit/free_parameters.h"
+#include "fit/prediction.h"
+#include "fit/screening.h"
+
+namespace raceway::fit {
+
+namespace {
+
+constexpr std::size_t fewest_rows = 15;
+constexpr Eigen::Index fewest_freedom = 8;  // of the noise
+constexpr double first_relative = 0.02;     // noise assumed before it is known
+
+int distinct(const DataSet& data, double relative, double absolute, double (*value)(const Row&)) {
+  std::vector<double> values;
+  for (const Row& row : data.rows) values.push_back(value(row));
+  std::sort(values.begin(), values.end());
+  int count = 0;
+  double last = unset;
+  for (const double v : values)
+    if (std::isnan(last) || v - last > relative * std::abs(v) + absolute) {
+      ++count;
+      last = v;
+    }
+  return count;
+}
+
+void require_enough(const DataSet& data, std::size_t parameters) {
+  const std::size_t needed = std::max(fewest_rows, parameters + 12);
+  if (data.rows.size() < needed)
+    throw std::invalid_argument(fmt::format(
+        "{}: {} rows that can be predicted: a verdict needs at least {}, better 60 or more over "
+        "several speeds, loads and temperatures",
+        data.source, data.rows.size(), needed));
+  const int speeds = distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.speed; });
+  const int loads = distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; });
+  const int temperatures =
+      distinct(data, 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
+  if (speeds * loads * temperatures < 2)
+    throw std::invalid_argument(
+        data.source +
+        ": all rows stand at one operating point: a verdict needs at least three speeds, better "
+        "with several loads and temperatures");
+  if (std::max({speeds, loads, temperatures}) < 3)
+    throw std::invalid_argument(fmt::format(
+        "{}: {} speed(s), {} load(s), {} temperature(s): a verdict needs three levels of at least "
+        "one of them",
+        data.source, speeds, loads, temperatures));
+}
+
+}  // namespace
+
+Evidence gather_evidence(const Model& model, const DataSet& data,
+                         std::span<const effects::Description* const> candidates, int most_rows,
+                         const NoiseOptions& options) {
+  if (data.quantity != Quantity::friction_torque)
+    throw std::invalid_argument(data.source + ": diagnosis needs measured friction torque");
+  Evidence evidence{.problem = {.model = model}};
+  Problem& problem = evidence.problem;
+  for (const ModelParameter& p : free_parameters(model)) problem.base.push_back(p.name);
+  problem.data = data;
+  problem.data.rows.clear();
+  evidence.rows_in_file = static_cast<int>(data.rows.size());
+  DataSet sorted = data;
+  sort_rows(sorted);
+  const std::size_t every =
+      std::max<std::size_t>(1, (sorted.rows.size() + static_cast<std::size_t>(most_rows) - 1) /
+                                   static_cast<std::size_t>(most_rows));
+  DataSet thinned = data;
+  thinned.rows.clear();
+  for (std::size_t i = every / 2; i < sorted.rows.size(); i += every)
+    thinned.rows.push_back(sorted.rows[i]);
+  const std::vector<FrictionPrediction> predictions = predict_rows(model, thinned);
+  for (std::size_t i = 0; i < predictions.size(); ++i) {
+    if (predictions[i].predicted() && std::isfinite(thinned.rows[i].measured))
+      problem.data.rows.push_back(thinned.rows[i]);
+    else
+      problem.rows_not_predicted.push_back(thinned.rows[i].line);
+  }
+  require_enough(problem.data, problem.base.size());
+  const auto rows = static_cast<Eigen::Index>(problem.data.rows.size());
+  problem.measured.resize(rows);
+  for (Eigen::Index i = 0; i < rows; ++i)
+    problem.measured[i] = problem.data.rows[static_cast<std::size_t>(i)].measured;
+  problem.candidates = make_candidates(model, candidates);
+
+  // A first fit with the noise that rigs have, for a smooth size of each torque.
+  evidence.response = response_with(problem, {});
+  evidence.response.find_affine_form();
+  const double rms = problem.measured.norm() / std::sqrt(static_cast<double>(rows));
+  if (!(rms > 0.0)) throw std::invalid_argument(data.source + ": all readings are zero");
+  const Eigen::VectorXd guess = first_relative * problem.measured.cwiseAbs().cwiseMax(0.1 * rms);
+  const auto starts_of = [&](const Eigen::VectorXd& x) {
+    return std::vector<Eigen::VectorXd>{x, 0.8 * x, 1.25 * x, 0.5 * x};
+  };
+  const ResponseFit first = fit_response(evidence.response, Whitening(guess, {}, 0.0, 0.0),
+                                         problem.measured, starts_of(evidence.response.start()));
+  if (!first.converged)
+    throw std::invalid_argument(
+        data.source +
+        ": the fit of the model's own parameters does not converge; free fewer of "
+        "them, or check units of model and data");
+  evidence.size = first.prediction.cwiseAbs().cwiseMax(0.05 * rms);
+  screen_candidates(problem, first.values);
+
+  // Saturated regression, in proportion to the torque.
+  const Eigen::VectorXd inverse = evidence.size.cwiseInverse();
+  const Eigen::MatrixXd base = inverse.asDiagonal() * evidence.response.jacobian(first.values);
+  std::vector<Eigen::MatrixXd> blocks{
+      base, inverse.asDiagonal() * surface_columns(problem.data, evidence.size),
+      inverse.asDiagonal() * level_columns(problem.data, evidence.size)};
+  Eigen::Index count = 0;
+  for (const Candidate& c : problem.candidates)
+    count += c.not_testable.empty() ? c.scores.cols() : 0;
+  Eigen::MatrixXd scores(rows, count);
+  count = 0;
+  for (const Candidate& c : problem.candidates) {
+    if (!c.not_testable.empty()) continue;
+    scores.middleCols(count, c.scores.cols()) = inverse.asDiagonal() * c.scores;
+    count += c.scores.cols();
+  }
+  blocks.push_back(std::move(scores));
+  const Eigen::MatrixXd saturated = independent_columns(blocks, {1e-6, 1e-3, 1e-2, invisible},
+                                                        std::min(rows / 2, rows - fewest_freedom));
+  evidence.noise = estimate_noise_model(problem.data, evidence.size.asDiagonal() * saturated,
+                                        evidence.size, options);
+  if (!(evidence.noise.whitening.std().minCoeff() > 0.0) ||
+      !evidence.noise.whitening.std().allFinite())
+    throw std::invalid_argument(
+        data.source +
+        ": the readings have no scatter at all, so nothing can be held against it; give std_Nmm "
+        "where they are exact");
+  evidence.base = fit_response(evidence.response, evidence.noise.whitening, problem.measured,
+                               starts_of(first.values));
+  if (!evidence.base.converged)
+    throw std::invalid_argument(data.source +
+                                ": the fit of the model's own parameters does not converge");
+  return evidence;
+}
+
+}  // namespace raceway::fit

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "fit/candidates.h"
+#include "fit/noise_model.h"
+
+namespace raceway::fit {
+
+/// Model, data, candidates and noise, made ready to be asked what is missing.
+struct Evidence {
+  Problem problem;
+  Eigen::VectorXd size{};  ///< typical torque of each row, by the base model [N m]
+  NoiseModel noise{};
+  Response response{};  ///< of the base model
+  ResponseFit base{};   ///< refitted under that noise
+  int rows_in_file = 0;
+};
+
+/// Checks the data, estimates the noise from a saturated regression and refits the base model.
+/// Of more than `most_rows` rows every k-th is used.
+/// Throws std::invalid_argument where the data cannot carry a verdict, with what is needed.
+[[nodiscard]] Evidence gather_evidence(const Model& model, const DataSet& data,
+                                       std::span<const effects::Description* const> candidates,
+                                       int most_rows, const NoiseOptions& options = {});
+
+}  // namespace raceway::fit

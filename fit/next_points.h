@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fit/attribution.h"
+
+namespace raceway::fit {
+
+/// A measurement that would tell apart what the data cannot.
+struct SuggestedMeasurement {
+  bearing::OperatingPoint point;
+  int repeats = 2;
+  std::string separates{};             ///< ids, e.g. "seal-friction / load-offset"
+  double difference_in_sigma = unset;  ///< of that pair at this point, before any refit [1]
+};
+
+struct NextPoints {
+  std::vector<SuggestedMeasurement> points;
+  /// Squared misfit over variance that the wrong one of the worst pair would keep after refit, with
+  /// these points and with as many repeats of rows that exist.
+  double predicted_separation = unset, separation_by_repetition = unset;
+};
+
+/// Points within the ranges of the data that best separate rival explanations: T-optimal, the
+/// worst pair counts, by greedy choice and exchange until the predicted separation reaches 20 or
+/// `most` points (with their repeats) are used.
+[[nodiscard]] NextPoints next_points(const Problem& problem, const NoiseModel& noise,
+                                     const std::vector<const Explanation*>& rivals, int most = 12);
+
+}  // namespace raceway::fit

@@ -1,0 +1,234 @@
+#include "fit/screening.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/normal_distribution.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace raceway::fit {
+
+namespace {
+
+constexpr double rank_tolerance = 1e-7;
+constexpr std::size_t most_levels = 12;
+constexpr double tail_resolved = 20.0;  // draws beyond the observed score
+
+/// A variable centred and scaled to [-1, 1]; zero where it does not vary by more than `least`.
+Eigen::VectorXd standardised(Eigen::VectorXd values, double least) {
+  const double low = values.minCoeff(), high = values.maxCoeff();
+  if (!(high - low > least)) return Eigen::VectorXd::Zero(values.size());
+  return ((values.array() - 0.5 * (low + high)) / (0.5 * (high - low))).matrix();
+}
+
+Eigen::VectorXd column_of(const DataSet& data, const std::function<double(const Row&)>& value) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(data.rows.size()));
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = value(data.rows[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+/// Logarithm with a floor, as an unloaded or resting bearing has none.
+Eigen::VectorXd logarithm(const Eigen::VectorXd& values) {
+  const double floor = 1e-2 * values.cwiseAbs().maxCoeff();
+  return values.cwiseAbs().cwiseMax(floor > 0.0 ? floor : 1.0).array().log().matrix();
+}
+
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return Eigen::MatrixXd(columns.rows(), 0);
+  Eigen::MatrixXd scaled = columns;
+  for (Eigen::Index k = 0; k < scaled.cols(); ++k) {
+    const double norm = scaled.col(k).norm();
+    if (norm > 0.0) scaled.col(k) /= norm;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
+  qr.setThreshold(rank_tolerance);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+}  // namespace
+
+Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size) {
+  const Eigen::ArrayXd n =
+      standardised(logarithm(column_of(data, [](const Row& r) { return r.point.speed; })), 1e-3)
+          .array();
+  const Eigen::ArrayXd f =
+      standardised(logarithm(column_of(data, [](const Row& r) { return r.point.axial_load; })),
+                   1e-3)
+          .array();
+  const Eigen::ArrayXd t =
+      standardised(column_of(data, [](const Row& r) { return r.point.temperature; }), 0.5).array();
+  Eigen::MatrixXd columns(size.size(), 15);
+  columns << Eigen::VectorXd::Ones(size.size()), n, f, t, n * n, f * f, t * t, n * f, n * t, f * t,
+      n * n * n, f * f * f, t * t * t, n * n * f, n * n * t;
+  return size.asDiagonal() * columns;
+}
+
+Eigen::MatrixXd level_columns(const DataSet& data, const Eigen::VectorXd& size) {
+  std::vector<Eigen::VectorXd> columns;
+  const auto add = [&](const Eigen::VectorXd& values, double width) {
+    std::vector<double> sorted(values.data(), values.data() + values.size());
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<double> levels;
+    for (const double v : sorted)
+      if (levels.empty() || v > levels.back() + width) levels.push_back(v);
+    if (levels.size() > most_levels || levels.size() < 3) return;
+    for (const double level : levels) {
+      Eigen::VectorXd column = Eigen::VectorXd::Zero(values.size());
+      for (Eigen::Index i = 0; i < values.size(); ++i)
+        if (values[i] >= level && values[i] <= level + width) column[i] = size[i];
+      columns.push_back(column);
+    }
+  };
+  const Eigen::VectorXd speed = column_of(data, [](const Row& r) { return r.point.speed; });
+  const Eigen::VectorXd load = column_of(data, [](const Row& r) { return r.point.axial_load; });
+  add(speed, 5e-3 * speed.cwiseAbs().maxCoeff());
+  add(load, 5e-3 * load.cwiseAbs().maxCoeff());
+  Eigen::MatrixXd result(size.size(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    result.col(static_cast<Eigen::Index>(k)) = columns[k];
+  return result;
+}
+
+Eigen::MatrixXd independent_columns(const std::vector<Eigen::MatrixXd>& blocks,
+                                    const std::vector<double>& tolerance, Eigen::Index most) {
+  const Eigen::Index rows = blocks.front().rows();
+  Eigen::MatrixXd basis(rows, most);
+  Eigen::Index count = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    Eigen::MatrixXd rest = blocks[b];
+    for (Eigen::Index k = 0; k < rest.cols(); ++k) {
+      const double norm = rest.col(k).norm();
+      if (norm > 0.0) rest.col(k) /= norm;
+    }
+    for (int pass = 0; pass < 2 && count > 0; ++pass)
+      rest -= basis.leftCols(count) * (basis.leftCols(count).transpose() * rest);
+    while (count < most && rest.cols() > 0) {
+      Eigen::Index largest = 0;
+      const double norm = rest.colwise().norm().maxCoeff(&largest);
+      if (!(norm > tolerance[b])) break;
+      basis.col(count) = rest.col(largest) / norm;
+      for (int pass = 0; pass < 2; ++pass)
+        basis.col(count) -=
+            basis.leftCols(count) * (basis.leftCols(count).transpose() * basis.col(count)).eval();
+      basis.col(count).normalize();
+      rest -= basis.col(count) * (basis.col(count).transpose() * rest);
+      ++count;
+    }
+  }
+  return basis.leftCols(count);
+}
+
+Eigen::MatrixXd project_off(const Eigen::MatrixXd& tangent, const Eigen::MatrixXd& columns) {
+  const Eigen::MatrixXd q = orthonormal(tangent);
+  Eigen::MatrixXd result = columns - q * (q.transpose() * columns);
+  result -= q * (q.transpose() * result);  // again, for orthogonality to rounding
+  return result;
+}
+
+NullDraws::NullDraws(Eigen::Index scores, int draws) : normal_(draws, scores), uniform_(draws) {
+  boost::random::mt19937 engine(20210305);
+  boost::random::normal_distribution<double> normal;
+  boost::random::uniform_01<double> uniform;
+  for (Eigen::Index k = 0; k < scores; ++k)
+    for (Eigen::Index d = 0; d < draws; ++d) normal_(d, k) = normal(engine);
+  for (Eigen::Index d = 0; d < draws; ++d) uniform_[d] = uniform(engine);
+}
+
+double NullDraws::p_value(const Eigen::MatrixXd& correlation, const std::vector<bool>& one_sided,
+                          double degrees_of_freedom, double observed) const {
+  const Eigen::Index count = correlation.cols();
+  if (count == 0 || !(observed > 0.0)) return 1.0;
+  const boost::math::students_t t(degrees_of_freedom);
+  const double tail = boost::math::cdf(boost::math::complement(t, observed));
+  double bonferroni = 0.0;
+  for (Eigen::Index k = 0; k < count; ++k)
+    bonferroni += one_sided[static_cast<std::size_t>(k)] ? tail : 2.0 * tail;
+  const auto draws = static_cast<double>(normal_.rows());
+  // Too rare to be counted, or too common to matter: the bounds say enough.
+  if (bonferroni * draws < tail_resolved) return std::min(1.0, bonferroni);
+  if (tail > 0.2) return tail;
+
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(correlation);
+  const Eigen::MatrixXd root = eigen.eigenvectors() *
+                               eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                               eigen.eigenvectors().transpose();
+  const Eigen::MatrixXd scores = normal_.leftCols(count) * root;
+  const boost::math::chi_squared chi(degrees_of_freedom);
+  // Wilson and Hilferty: χ² quantiles to three digits, where the exact ones cost ten thousand
+  // inversions.
+  const double c = 2.0 / (9.0 * degrees_of_freedom);
+  static const boost::math::normal_distribution<double> standard;
+  int beyond = 0;
+  for (Eigen::Index d = 0; d < scores.rows(); ++d) {
+    double largest = 0.0;
+    for (Eigen::Index k = 0; k < count; ++k)
+      largest = std::max(
+          largest, one_sided[static_cast<std::size_t>(k)] ? scores(d, k) : std::abs(scores(d, k)));
+    if (largest < 0.5 * observed) continue;
+    const double deviate = boost::math::quantile(standard, uniform_[d]);
+    const double cube = 1.0 - c + deviate * std::sqrt(c);
+    if (largest >= observed * std::sqrt(cube * cube * cube)) ++beyond;
+  }
+  return (1.0 + beyond) / (1.0 + draws);
+}
+
+double Gate::p_value() const {
+  return std::min(1.0, 2.0 * std::min(surface_p_value, score_p_value));
+}
+
+Gate open_gate(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& residual,
+               const Eigen::MatrixXd& surface, const Eigen::MatrixXd& scores,
+               const std::vector<bool>& one_sided, double degrees_of_freedom,
+               const NullDraws& draws) {
+  Gate gate;
+  const Eigen::VectorXd rest = project_off(tangent, residual);
+  const Eigen::MatrixXd smooth =
+      independent_columns({orthonormal(tangent), surface}, {0.5, 1e-4},
+                          std::max<Eigen::Index>(tangent.cols() + 1, residual.size() / 3))
+          .eval();
+  const Eigen::MatrixXd own = smooth.rightCols(
+      smooth.cols() - std::min<Eigen::Index>(smooth.cols(), orthonormal(tangent).cols()));
+  gate.surface_terms = static_cast<int>(own.cols());
+  if (gate.surface_terms > 0) {
+    gate.surface_statistic = (own.transpose() * rest).squaredNorm() / gate.surface_terms;
+    gate.surface_p_value = boost::math::cdf(boost::math::complement(
+        boost::math::fisher_f(gate.surface_terms, degrees_of_freedom), gate.surface_statistic));
+  }
+  gate.projected = project_off(tangent, scores);
+  gate.visibility = Eigen::VectorXd::Zero(scores.cols());
+  gate.scores = Eigen::VectorXd::Zero(scores.cols());
+  std::vector<Eigen::Index> visible;
+  for (Eigen::Index k = 0; k < scores.cols(); ++k) {
+    const double full = scores.col(k).norm(), left = gate.projected.col(k).norm();
+    gate.visibility[k] = full > 0.0 ? left / full : 0.0;
+    if (gate.visibility[k] < invisible) continue;
+    visible.push_back(k);
+    gate.scores[k] = gate.projected.col(k).dot(rest) / left;
+  }
+  if (visible.empty()) return gate;
+  Eigen::MatrixXd unit = gate.projected(Eigen::all, visible);
+  std::vector<bool> sided;
+  gate.largest_score = -std::numeric_limits<double>::infinity();
+  for (std::size_t j = 0; j < visible.size(); ++j) {
+    unit.col(static_cast<Eigen::Index>(j)).normalize();
+    const bool positive = one_sided[static_cast<std::size_t>(visible[j])];
+    sided.push_back(positive);
+    const double score = positive ? gate.scores[visible[j]] : std::abs(gate.scores[visible[j]]);
+    if (score > gate.largest_score) {
+      gate.largest_score = score;
+      gate.largest = static_cast<int>(visible[j]);
+    }
+  }
+  gate.score_p_value =
+      draws.p_value(unit.transpose() * unit, sided, degrees_of_freedom, gate.largest_score);
+  return gate;
+}
+
+}  // namespace raceway::fit

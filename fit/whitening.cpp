@@ -1,0 +1,58 @@
+#include "fit/whitening.h"
+
+#include <cmath>
+#include <utility>
+
+namespace raceway::fit {
+
+Whitening::Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation,
+                     double run_share)
+    : std_(std::move(std)) {
+  log_determinant_ = 2.0 * std_.array().log().sum();
+  if (correlation <= 0.0 && run_share <= 0.0) return;
+  const double ar_variance = 1.0 - run_share;
+  double p_aa = 0.0, p_ab = 0.0, p_bb = 0.0;  // covariance of the two states
+  for (std::size_t i = 0; i < order.step.size(); ++i) {
+    Step step{};
+    step.decay = correlation > 0.0 && std::isfinite(order.step[i])
+                     ? std::pow(correlation, order.step[i])
+                     : 0.0;
+    step.new_run = i == 0 || order.new_run[i];
+    p_aa = step.decay * step.decay * p_aa + (1.0 - step.decay * step.decay) * ar_variance;
+    p_ab = step.new_run ? 0.0 : step.decay * p_ab;
+    p_bb = step.new_run ? run_share : p_bb;
+    const double variance = p_aa + 2.0 * p_ab + p_bb;
+    step.gain_ar = (p_aa + p_ab) / variance;
+    step.gain_run = (p_ab + p_bb) / variance;
+    step.inverse_std = 1.0 / std::sqrt(variance);
+    log_determinant_ += std::log(variance);
+    p_aa -= step.gain_ar * step.gain_ar * variance;
+    p_ab -= step.gain_ar * step.gain_run * variance;
+    p_bb -= step.gain_run * step.gain_run * variance;
+    steps_.push_back(step);
+  }
+}
+
+Eigen::MatrixXd Whitening::operator()(const Eigen::MatrixXd& columns) const {
+  Eigen::MatrixXd result = std_.cwiseInverse().asDiagonal() * columns;
+  if (steps_.empty()) return result;
+  for (Eigen::Index c = 0; c < result.cols(); ++c) {
+    double ar = 0.0, run = 0.0;
+    double* value = result.col(c).data();
+    for (const Step& step : steps_) {
+      ar *= step.decay;
+      if (step.new_run) run = 0.0;
+      const double innovation = *value - ar - run;
+      ar += step.gain_ar * innovation;
+      run += step.gain_run * innovation;
+      *value++ = innovation * step.inverse_std;
+    }
+  }
+  return result;
+}
+
+Eigen::VectorXd Whitening::operator()(const Eigen::VectorXd& column) const {
+  return (*this)(Eigen::MatrixXd(column)).col(0);
+}
+
+}  // namespace raceway::fit

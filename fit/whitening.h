@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace raceway::fit {
+
+/// Where each row stands in time, for correlated noise. Rows are in that order.
+struct RowOrder {
+  /// Time since the row before, in units of the median step [1]; infinite where the correlation
+  /// starts anew, also in the first row.
+  std::vector<double> step;
+  std::vector<bool> new_run;  ///< the row belongs to another run than the row before
+  bool has_time = false;      ///< steps mean something
+  bool has_runs = false;      ///< two or more runs
+};
+
+/// Turns readings into independent numbers of unit variance.
+///
+///   cov(e_i, e_k) = s_i s_k [ (1 - g) φ^|t_i - t_k| + g (same run) ]
+///
+/// with the standard deviation s of each row [N m], a first-order autoregression along time and an
+/// offset common to the rows of a run. Innovations of the Kalman filter with these two states,
+/// divided by their standard deviation: exact, in time and memory proportional to the rows.
+class Whitening {
+ public:
+  Whitening() = default;
+  /// correlation φ in [0, 1), run_share g in [0, 1).
+  Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share);
+
+  [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
+  [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& column) const;
+  /// ln of the determinant of the covariance.
+  [[nodiscard]] double log_determinant() const { return log_determinant_; }
+  [[nodiscard]] const Eigen::VectorXd& std() const { return std_; }
+
+ private:
+  struct Step {
+    double decay;  // of the autoregressive state since the row before
+    bool new_run;  // the offset starts anew
+    double gain_ar, gain_run;
+    double inverse_std;  // of the innovation
+  };
+  Eigen::VectorXd std_;
+  std::vector<Step> steps_;  // empty where rows are independent
+  double log_determinant_ = 0.0;
+};
+
+}  // namespace raceway::fit

@@ -1,0 +1,71 @@
+#include "fit/add.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "effects/catalogue.h"
+#include "tests/fit/synthetic.h"
+
+namespace raceway::fit {
+namespace {
+
+using testing::HasSubstr;
+
+DataSet measured_with_drag(double drag) {
+  Model truth = synthetic_model();
+  effects::Effect effect;
+  effect.description = effects::find("lubricant-drag");
+  effect.values = {drag};
+  truth.effects.push_back(effect);
+  std::mt19937 random(1);
+  DataSet data = factorial_plan({600, 1500, 3500, 7000, 11000, 16000}, {250, 600, 1400, 3000},
+                                {25, 35, 45, 55, 65});
+  measure(truth, 0.0, random, data);
+  std::normal_distribution<double> gauss;
+  for (Row& row : data.rows) row.measured *= 1.0 + 0.02 * gauss(random);
+  return data;
+}
+
+const std::vector<std::string> drag{"lubricant-drag"};
+
+TEST(Add, CalibratesTheEffectTogetherWithTheBase) {
+  const AddResult result = add(synthetic_model(), drag, measured_with_drag(40.0));
+  ASSERT_TRUE(result.calibration.converged());
+  EXPECT_FALSE(result.refused) << result.reason;
+  const Model& model = result.calibration.model;
+  ASSERT_EQ(model.effects.size(), 1U);
+  EXPECT_NEAR(model.effects[0].values[0], 40.0, 3.0);
+  EXPECT_NEAR(model.law_values[0], 1.5, 0.03);
+  EXPECT_LT(result.after.rmse, 0.7 * result.before.rmse);
+  EXPECT_LT(result.rmse_held_out_after, 0.7 * result.rmse_held_out_before);
+  EXPECT_GE(result.hold_out.size(), 3U);
+}
+
+TEST(Add, RefusesAnEffectThatIsNotThere) {
+  const AddResult result = add(synthetic_model(), drag, measured_with_drag(0.0));
+  EXPECT_TRUE(result.refused);
+  EXPECT_THAT(result.reason, HasSubstr("no better"));
+}
+
+TEST(Add, SaysWhatIsWrongWithTheRequest) {
+  const DataSet data = measured_with_drag(40.0);
+  const auto message = [&](const Model& model, const std::vector<std::string>& ids) {
+    try {
+      (void)add(model, ids, data);
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(message(synthetic_model(), {"lubricant-drug"}), HasSubstr("lubricant-drag"));
+  EXPECT_THAT(message(synthetic_model(), {"torque-gain"}), HasSubstr("torque"));
+  EXPECT_THAT(message(synthetic_model(), {"torque-time-drift"}), HasSubstr("time"));
+  EXPECT_THAT(message(add(synthetic_model(), drag, data).calibration.model, drag),
+              HasSubstr("already"));
+  EXPECT_THAT(message(synthetic_model(), {}), HasSubstr("no effect"));
+}
+
+}  // namespace
+}  // namespace raceway::fit

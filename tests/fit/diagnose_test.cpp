@@ -1,0 +1,270 @@
+#include "fit/diagnose.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+
+#include "effects/catalogue.h"
+#include "tests/fit/synthetic.h"
+
+namespace raceway::fit {
+namespace {
+
+using testing::HasSubstr;
+
+using NoiseLaw = std::function<void(std::vector<double>& relative_error, std::mt19937&)>;
+
+DataSet full_plan() {
+  return factorial_plan({600, 1500, 3500, 7000, 11000, 16000}, {250, 600, 1400, 3000},
+                        {25, 35, 45, 55, 65});
+}
+
+Model with_effect(const std::string& id, std::vector<double> values) {
+  Model model = synthetic_model();
+  effects::Effect effect;
+  effect.description = effects::find(id);
+  effect.values = std::move(values);
+  model.effects.push_back(std::move(effect));
+  return model;
+}
+
+/// The user's belief: the base law with other factors.
+Model belief() {
+  Model model = synthetic_model();
+  model.law_values = {2.0, 0.0008, 0.33};
+  return model;
+}
+
+/// Twelve runs of ten rows in random order, ten minutes apart; 2 % noise, of which `shape` may
+/// change the structure.
+DataSet measured(const Model& truth, unsigned seed,
+                 const std::function<void(std::vector<double>&, const std::vector<double>& torque,
+                                          std::mt19937&)>& shape = {}) {
+  std::mt19937 random(seed);
+  DataSet data = full_plan();
+  std::shuffle(data.rows.begin(), data.rows.end(), random);
+  measure(truth, 0.0, random, data);
+  std::normal_distribution<double> gauss;
+  std::vector<double> error, torque;
+  for (const Row& row : data.rows) {
+    torque.push_back(row.measured);
+    error.push_back(0.02 * row.measured * gauss(random));
+  }
+  if (shape) shape(error, torque, random);
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    data.rows[i].time = 600.0 * static_cast<double>(i);
+    data.rows[i].run = static_cast<int>(i / 10);
+    data.rows[i].measured += error[i];
+  }
+  for (int run = 0; run < 12; ++run) data.runs.push_back(std::to_string(run));
+  return data;
+}
+
+void autoregressive(std::vector<double>& error, const std::vector<double>& torque,
+                    std::mt19937& random) {
+  std::normal_distribution<double> gauss;
+  double state = gauss(random);
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    error[i] = 0.02 * torque[i] * state;
+    state = 0.8 * state + 0.6 * gauss(random);
+  }
+}
+
+void run_offsets(std::vector<double>& error, const std::vector<double>& torque,
+                 std::mt19937& random) {
+  std::normal_distribution<double> gauss;
+  double offset = 0.0;
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    if (i % 10 == 0) offset = 0.02 * gauss(random);
+    error[i] += offset * torque[i];
+  }
+}
+
+void absolute(std::vector<double>& error, const std::vector<double>& torque, std::mt19937&) {
+  double square = 0.0;
+  for (const double t : torque) square += t * t;
+  const double rms = std::sqrt(square / static_cast<double>(torque.size()));
+  for (std::size_t i = 0; i < error.size(); ++i) error[i] *= rms / torque[i];
+}
+
+std::vector<std::string> named(const Diagnosis& d) {
+  std::vector<std::string> ids;
+  for (const RankedEffect& e : d.effects)
+    if (e.in_verdict) ids.push_back(e.id);
+  return ids;
+}
+
+template <typename Shape>
+double alarm_rate(const Shape& shape, const NoiseOptions& noise = {}, int sets = 40) {
+  DiagnoseOptions options;
+  options.noise = noise;
+  int alarms = 0;
+  for (int s = 0; s < sets; ++s)
+    if (diagnose(belief(), measured(synthetic_model(), 100 + static_cast<unsigned>(s), shape),
+                 options)
+            .verdict != Verdict::nothing_missing)
+      ++alarms;
+  return alarms / static_cast<double>(sets);
+}
+
+TEST(Diagnose, SeldomRaisesAFalseAlarmWhateverTheNoise) {
+  EXPECT_LE(alarm_rate(nullptr), 0.025);
+  EXPECT_LE(alarm_rate(autoregressive), 0.05);
+  EXPECT_LE(alarm_rate(run_offsets), 0.05);
+  EXPECT_LE(alarm_rate(absolute), 0.05);
+}
+
+TEST(Diagnose, WouldRaiseManyWithoutItsModelOfTheNoise) {
+  // The remedies are needed, and the test above can fail.
+  EXPECT_GT(alarm_rate(autoregressive, {.correlation = false, .runs = false}), 0.15);
+  EXPECT_GT(alarm_rate(absolute, {.absolute = false}), 0.15);
+}
+
+TEST(Diagnose, NamesAnEffectWithItsSizeAndWhatItHadBeenHiding) {
+  const Diagnosis d = diagnose(belief(), measured(with_effect("lubricant-drag", {40.0}), 1));
+  EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  ASSERT_EQ(named(d), std::vector<std::string>{"lubricant-drag"});
+  const EffectSize& size = d.effects.front().parameters.front();
+  EXPECT_NEAR(size.value, 40.0, 4.0 * size.std);
+  EXPECT_TRUE(size.plausible);
+  EXPECT_LT(d.rmse_after, 0.7 * d.rmse_before);
+  EXPECT_NEAR(d.noise.relative, 0.02, 0.004);
+  ASSERT_EQ(d.base_shifts.size(), 2U);
+  EXPECT_GT(d.base_shifts[0].before, 1.05 * 1.5);
+  EXPECT_NEAR(d.base_shifts[0].after, 1.5, 4.0 * d.base_shifts[0].std);
+  EXPECT_THAT(d.sentence, HasSubstr("Consistent with lubricant-drag"));
+}
+
+TEST(Diagnose, NamesTwoEffectsAtOnce) {
+  Model truth = with_effect("lubricant-drag", {30.0});
+  effects::Effect seal;
+  seal.description = effects::find("seal-friction");
+  seal.values = effects::initial_values(*seal.description);
+  seal.values[0] = 20.0;
+  truth.effects.push_back(seal);
+  const Diagnosis d = diagnose(belief(), measured(truth, 2));
+  EXPECT_EQ(d.verdict, Verdict::several_effects) << d.sentence;
+  EXPECT_THAT(named(d), testing::Contains("lubricant-drag"));
+  EXPECT_THAT(named(d), testing::AnyOf(testing::Contains("seal-friction"),
+                                       testing::Contains("torque-offset")));
+}
+
+TEST(Diagnose, GivesNoNameToWhatNoEntryExplains) {
+  const Diagnosis d = diagnose(
+      belief(),
+      measured(synthetic_model(), 3,
+               [](std::vector<double>& error, const std::vector<double>& torque, std::mt19937&) {
+                 // A few rows in the middle of the speeds, as a resonance would.
+                 for (std::size_t i = 0; i < error.size(); ++i)
+                   if (torque[i] > 0.25 && torque[i] < 0.45) error[i] += 0.06;
+               }));
+  EXPECT_TRUE(d.verdict == Verdict::not_in_catalogue || d.verdict == Verdict::effect_like)
+      << d.sentence;
+  ASSERT_TRUE(d.shape.has_value());
+  EXPECT_THAT(d.shape->formula, HasSubstr("speed_rpm"));
+}
+
+TEST(Diagnose, AsksForMeasurementsThatSeparateWhatItCannotTellApart) {
+  // A zero offset of the torque is what a seal would do whose friction does not fall with
+  // temperature.
+  const Diagnosis d = diagnose(belief(), measured(with_effect("torque-offset", {15.0}), 4));
+  ASSERT_EQ(d.verdict, Verdict::ambiguous) << d.sentence;
+  EXPECT_THAT(named(d), testing::IsSupersetOf({"seal-friction", "torque-offset"}));
+  EXPECT_THAT(d.effects[0].indistinguishable_from, testing::Not(testing::IsEmpty()));
+  EXPECT_FALSE(d.suggested_measurements.empty());
+  EXPECT_GE(d.predicted_separation, d.separation_by_repetition - 1e-6);
+}
+
+TEST(Diagnose, DoesNotDependOnOrderOrParametrisation) {
+  const Model truth = with_effect("spin-friction", {0.06});
+  DataSet data = measured(truth, 5);
+  const Diagnosis reference = diagnose(belief(), data);
+  ASSERT_NE(reference.verdict, Verdict::nothing_missing);
+
+  DataSet shuffled = data;
+  std::mt19937 random(6);
+  std::shuffle(shuffled.rows.begin(), shuffled.rows.end(), random);
+  DiagnoseOptions reversed;
+  for (const effects::Description& d : effects::catalogue()) reversed.candidates.push_back(&d);
+  std::reverse(reversed.candidates.begin(), reversed.candidates.end());
+  Model far = belief();
+  far.law_values = {5.0, 0.003, 0.33};
+  far.free = {"z", "f0"};
+  const auto same = [&](const Diagnosis& other, double tolerance) {
+    EXPECT_EQ(other.verdict, reference.verdict);
+    EXPECT_EQ(named(other), named(reference));
+    ASSERT_EQ(other.effects.size(), reference.effects.size());
+    EXPECT_NEAR(other.effects.front().gain, reference.effects.front().gain,
+                tolerance * reference.effects.front().gain);
+    EXPECT_NEAR(std::log(other.p_value), std::log(reference.p_value),
+                tolerance * std::abs(std::log(reference.p_value)));
+  };
+  same(diagnose(belief(), shuffled), 1e-9);
+  same(diagnose(belief(), data, reversed), 1e-9);
+  same(diagnose(far, data), 1e-5);
+}
+
+TEST(Diagnose, CountsEverythingThatWasTried) {
+  const DataSet data = measured(synthetic_model(), 7);
+  const Diagnosis once = diagnose(belief(), data);
+  DiagnoseOptions options;
+  options.tried_before = 60;
+  const Diagnosis more = diagnose(belief(), data, options);
+  EXPECT_EQ(more.candidates_tried, once.candidates_tried + 60);
+  EXPECT_NEAR(once.needed_gain, std::log(120.0) + 2.0 * std::log(once.candidates_tried), 1e-12);
+  EXPECT_GT(more.needed_gain, once.needed_gain);
+}
+
+TEST(Diagnose, SaysWhatCouldHaveBeenFoundAndWhatNot) {
+  const Diagnosis d = diagnose(belief(), measured(synthetic_model(), 8));
+  ASSERT_EQ(d.verdict, Verdict::nothing_missing) << d.sentence;
+  const auto found = std::find_if(d.would_have_been_found.begin(), d.would_have_been_found.end(),
+                                  [](const DetectableSize& s) { return s.id == "lubricant-drag"; });
+  ASSERT_NE(found, d.would_have_been_found.end());
+  EXPECT_GT(found->size, 0.0);
+  // That size is found indeed.
+  EXPECT_NE(
+      diagnose(belief(), measured(with_effect("lubricant-drag", {1.3 * found->size}), 9)).verdict,
+      Verdict::nothing_missing);
+  EXPECT_TRUE(std::any_of(d.not_testable.begin(), d.not_testable.end(),
+                          [](const NotTestable& n) { return n.id == "torque-gain"; }));
+}
+
+TEST(Diagnose, FlagsOutliersAndKeepsThem) {
+  DataSet data = measured(with_effect("lubricant-drag", {40.0}), 10);
+  data.rows[17].line = 1000;
+  data.rows[17].measured *= 1.4;
+  const Diagnosis d = diagnose(belief(), data);
+  EXPECT_EQ(d.rows, 120);
+  EXPECT_THAT(d.outlier_lines, testing::Contains(1000));
+  EXPECT_THAT(named(d), testing::Contains("lubricant-drag"));
+}
+
+TEST(Diagnose, RefusesDataThatCannotCarryAVerdict) {
+  std::mt19937 random(11);
+  DataSet few = factorial_plan({1000, 5000, 9000}, {600}, {40});
+  measure(synthetic_model(), 1.0 * N_mm, random, few);
+  EXPECT_THROW((void)diagnose(belief(), few), std::invalid_argument);
+  DataSet one = factorial_plan({5000}, {600}, {40}, 40);
+  measure(synthetic_model(), 1.0 * N_mm, random, one);
+  EXPECT_THROW((void)diagnose(belief(), one), std::invalid_argument);
+  DataSet other = full_plan();
+  other.quantity = Quantity::axial_displacement;
+  EXPECT_THROW((void)diagnose(belief(), other), std::invalid_argument);
+}
+
+TEST(Diagnose, CanBeCancelled) {
+  std::atomic<bool> cancelled = true;
+  DiagnoseOptions options;
+  options.cancelled = &cancelled;
+  EXPECT_THROW(
+      (void)diagnose(belief(), measured(with_effect("lubricant-drag", {40.0}), 12), options),
+      Cancelled);
+}
+
+}  // namespace
+}  // namespace raceway::fit
