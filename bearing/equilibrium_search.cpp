@@ -257,18 +257,7 @@ class Search {
     }
     if (load()[0] != 0.0) state.ring[0] = std::copysign(shift, load()[0]);
     if (system_.newton(state)) return true;
-    if (rest.axial_load <= 0.0 || system_.symmetry() == Symmetry::thrust) return false;
-    if (!start_from_thrust(rest.axial_load, state)) return false;
-    return follow(
-        [&](double s) {
-          OperatingPoint p = rest;
-          p.radial_load *= s;
-          p.radial_load_z *= s;
-          p.moment_y *= s;
-          p.moment_z *= s;
-          return p;
-        },
-        1e-3, state);
+    return rest.axial_load > 0.0 && follow_load(rest, state);
   }
 
   /// Follows the solution along path(s) to s = 1 with steps as long as Newton allows.
