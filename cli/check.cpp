@@ -11,8 +11,8 @@
 #include "effects/catalogue.h"
 #include "fit/calibrate.h"
 #include "fit/free_parameters.h"
+#include "fit/needs.h"
 #include "fit/noise.h"
-#include "fit/prediction.h"
 #include "io/results.h"
 
 namespace raceway::cli {
@@ -31,49 +31,6 @@ void add_column(io::CheckSummary& summary, const fit::DataSet& data, const char*
   }
   c.levels = static_cast<int>(levels.size());
   if (c.levels > 0) summary.columns.push_back(c);
-}
-
-/// What an effect needs and the model or the data do not have; empty if there is nothing.
-std::string what_is_missing(const effects::Description& effect, const fit::Model& model,
-                            const fit::DataSet& data, const io::CheckSummary& summary) {
-  const auto levels = [&](std::string_view name) {
-    for (const io::ColumnSummary& c : summary.columns)
-      if (c.name == name) return c.levels;
-    return 0;
-  };
-  const auto every_row = [&](const auto& has) {
-    return std::all_of(data.rows.begin(), data.rows.end(), has);
-  };
-  const auto met = [&](effects::Need need) {
-    switch (need) {
-      case effects::Need::speed_levels:
-        return levels("speed_rpm") > 1;
-      case effects::Need::load_levels:
-        return levels("axial_load_N") > 1 || levels("radial_load_N") > 1;
-      case effects::Need::viscosity_levels:
-        return levels("temperature_C") > 1;
-      case effects::Need::time:
-        return every_row([](const fit::Row& r) { return !std::isnan(r.time); });
-      case effects::Need::ring_temperatures:
-        return every_row([](const fit::Row& r) {
-          return !std::isnan(r.inner_ring_temperature) && !std::isnan(r.outer_ring_temperature);
-        });
-      case effects::Need::loads:
-        return every_row([](const fit::Row& r) {
-          return r.point.axial_load > 0.0 || r.point.radial_load != 0.0;
-        });
-      case effects::Need::ball_load_law:
-        return fit::needs_equilibrium(model);
-      case effects::Need::palmgren_law:
-        return model.law == friction::FrictionLaw::palmgren;
-      case effects::Need::torque_standard:
-        return false;
-    }
-    return true;
-  };
-  for (const effects::Need need : effect.needs)
-    if (!met(need)) return "needs " + std::string(effects::text(need));
-  return "";
 }
 
 io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) {
@@ -115,9 +72,12 @@ io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) 
     add_column(s, data, "axial_displacement_um", [](const fit::Row& r) { return r.measured / um; });
   }
   for (const effects::Description& e : effects::catalogue())
-    s.effects.push_back({std::string(e.id), torque ? what_is_missing(e, model, data, s)
-                                                   : "acts on friction torque, and the data have "
-                                                     "none"});
+    s.effects.push_back(
+        torque
+            ? io::CheckSummary::Testable{std::string(e.id), fit::missing_need(e, model, data),
+                                         fit::missing_levels(e, model, data)}
+            : io::CheckSummary::Testable{
+                  std::string(e.id), "torque: the effect acts on it, and the data have none", ""});
   return s;
 }
 
@@ -141,7 +101,10 @@ void print(const io::CheckSummary& s, const std::string& data) {
     fmt::print("free parameter {}: {}\n", f.name,
                f.identifiable ? "can be fitted" : "cannot be told from these data");
   for (const io::CheckSummary::Testable& t : s.effects)
-    fmt::print("effect {}: {}\n", t.id, t.missing.empty() ? "testable" : t.missing);
+    fmt::print("effect {}: {}\n", t.id,
+               !t.missing.empty()  ? "needs " + t.missing
+               : !t.levels.empty() ? "testable, but hard to tell apart without " + t.levels
+                                   : "testable");
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ struct Explanation {
   double least_loss = unset;  ///< rise of -2 ln L when the lesser member of a pair is dropped
   bool elastic = false;       ///< with exponents that bend the law
   double speed_exponent = 0.0, load_exponent = 0.0, viscosity_exponent = 0.0;
+  /// True if an exponent ended at the limit to which the law may be bent.
+  [[nodiscard]] bool bent_to_a_bound() const;
 };
 
 /// All that is needed to hold an extended model against the data, and the fits made so far.
@@ -46,8 +48,8 @@ class Attribution {
   /// within reach of the best are refitted.
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
-  /// The law of one candidate bent by powers of speed, load and viscosity within +-0.2.
-  [[nodiscard]] Explanation elastic(const Explanation& single) const;
+  /// The law of one candidate bent by powers of speed, load and viscosity within +-`limit`.
+  [[nodiscard]] Explanation elastic(const Explanation& single, double limit) const;
   /// The gate again on an extended model.
   void recheck(Explanation& explanation) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/needs.h"
+
 namespace raceway::fit {
 
 namespace {
@@ -17,57 +19,6 @@ double typical_size(const effects::Parameter& p) {
   if (size > 0.0) return size;
   const double range = p.upper - p.lower;
   return std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
-}
-
-bool varies(const DataSet& data, double relative, double absolute, double (*value)(const Row&)) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Row& row : data.rows) {
-    low = std::min(low, value(row));
-    high = std::max(high, value(row));
-  }
-  return high - low > relative * std::abs(high) + absolute;
-}
-
-/// What of an effect's needs is not met, in words.
-std::string missing_need(const effects::Description& d, const Problem& problem) {
-  const DataSet& data = problem.data;
-  for (const effects::Need need : d.needs) {
-    bool met = true;
-    switch (need) {
-      case effects::Need::speed_levels:
-        met = varies(data, 0.01, 0.0, [](const Row& r) { return r.point.speed; });
-        break;
-      case effects::Need::load_levels:
-        met = varies(data, 0.01, 0.0, [](const Row& r) { return r.point.axial_load; }) ||
-              varies(data, 0.01, 0.0, [](const Row& r) {
-                return std::hypot(r.point.radial_load, r.point.radial_load_z);
-              });
-        break;
-      case effects::Need::viscosity_levels:
-        met = varies(data, 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
-        break;
-      case effects::Need::time:
-        met = std::all_of(data.rows.begin(), data.rows.end(),
-                          [](const Row& r) { return std::isfinite(r.time); });
-        break;
-      case effects::Need::ring_temperatures:
-        met = std::all_of(data.rows.begin(), data.rows.end(), [](const Row& r) {
-          return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
-        });
-        break;
-      case effects::Need::palmgren_law:
-        met = problem.model.law == friction::FrictionLaw::palmgren;
-        break;
-      case effects::Need::torque_standard:
-        met = false;
-        break;
-      case effects::Need::loads:          // shows in the readings: rows without balance
-      case effects::Need::ball_load_law:  // shows in the readings: nothing changes
-        break;
-    }
-    if (!met) return std::string(effects::text(need));
-  }
-  return {};
 }
 
 }  // namespace
@@ -134,7 +85,7 @@ void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values) {
   const auto bases = static_cast<Eigen::Index>(problem.base.size());
   const Eigen::VectorXd without = response_with(problem, {}).readings(base_values);
   for (Candidate& c : problem.candidates) {
-    c.not_testable = missing_need(*c.description, problem);
+    c.not_testable = missing_need(*c.description, problem.model, problem.data);
     if (!c.not_testable.empty()) continue;
     const Candidate* const one[] = {&c};
     const Response response = response_with(problem, one);
@@ -174,8 +125,6 @@ void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values) {
     c.scores.conservativeResize(Eigen::NoChange, count);
     if (!c.not_testable.empty() || count > 0) continue;
     c.not_testable = "a quantity on which it has any effect at these operating points";
-    for (const effects::Need need : c.description->needs)
-      if (need == effects::Need::ball_load_law) c.not_testable = effects::text(need);
   }
 }
 

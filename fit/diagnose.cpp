@@ -10,6 +10,7 @@
 #include "effects/catalogue.h"
 #include "fit/attribution.h"
 #include "fit/evidence.h"
+#include "fit/needs.h"
 #include "fit/unknown_shape.h"
 
 namespace raceway::fit {
@@ -22,6 +23,7 @@ constexpr double detected = 25.0;          // squared misfit over variance: foun
 constexpr double told_apart = 20.0;        // the same, left by the best wrong effect
 constexpr double alike = 0.98;             // cosine of scores
 constexpr double passed = 0.01;            // of the gate
+constexpr double exponent_limit = 0.2;
 constexpr double plausible_factor = 3.0;
 constexpr std::size_t ranked = 6;  // effects with a hold-out of their own
 
@@ -97,6 +99,11 @@ class Investigation {
     return ids;
   }
 
+  [[nodiscard]] bool is_base_exponent(const Explanation& single) const {
+    const std::string& name = id(single.members.front());
+    return name == "viscous-exponent" || name == "load-exponent";
+  }
+
   void describe_base() {
     const std::vector<double> predicted(
         evidence_.base.prediction.data(),
@@ -141,6 +148,14 @@ class Investigation {
     return best;
   }
 
+  /// Why the data cannot tell an effect from the base parameters.
+  [[nodiscard]] std::string same_as_base(const effects::Description& effect) const {
+    const std::string levels = missing_levels(effect, problem_.model, problem_.data);
+    if (!levels.empty()) return "the data lack " + levels;
+    return "on these data " + joined(problem_.base, "and") +
+           (problem_.base.size() == 1 ? " does" : " together do") + " the same";
+  }
+
   void what_can_be_seen() {
     const Gate& gate = attribution_.gate();
     std::vector<std::size_t> visible;
@@ -149,9 +164,7 @@ class Investigation {
       if (!c.not_testable.empty())
         result_.not_testable.push_back({c.id, "the data lack " + c.not_testable});
       else if (attribution_.visibility(k) < invisible)
-        result_.not_testable.push_back(
-            {c.id, "on these data " + joined(problem_.base, "and") +
-                       (problem_.base.size() == 1 ? " does" : " together do") + " the same"});
+        result_.not_testable.push_back({c.id, same_as_base(*c.description)});
       else
         visible.push_back(k);
     }
@@ -241,14 +254,13 @@ class Investigation {
   void attribute() {
     std::vector<const Explanation*> set = best_set(singles_, result_.needed_gain);
     // The base law's own exponents come before physics.
-    std::stable_partition(set.begin(), set.end(), [this](const Explanation* e) {
-      const std::string& name = id(e->members.front());
-      return name == "viscous-exponent" || name == "load-exponent";
-    });
+    std::stable_partition(set.begin(), set.end(),
+                          [this](const Explanation* e) { return is_base_exponent(*e); });
     if (any_passes(singles_, set)) {
       one_effect(set);
       return;
     }
+    if (both_base_exponents()) return;
     if (options_.pairs && singles_.size() >= 2) {
       step(0.5, "refitting with pairs of effects");
       pairs_ = attribution_.pairs(singles_, [this] { return cancelled(); });
@@ -271,6 +283,28 @@ class Investigation {
       }
     }
     bent_law();
+  }
+
+  /// The base law with both its exponents wrong comes before two effects of physics, and each
+  /// needs no more than what admits a single effect.
+  bool both_base_exponents() {
+    std::vector<std::size_t> members;
+    double alone = 0.0;
+    for (const Explanation& single : singles_)
+      if (is_base_exponent(single) && single.fit.converged) {
+        members.push_back(single.members.front());
+        alone = std::max(alone, single.gain);
+      }
+    if (members.size() != 2) return false;
+    std::sort(members.begin(), members.end());
+    Explanation pair = attribution_.refit(members);
+    if (!pair.fit.converged || pair.gain < alone + result_.needed_gain) return false;
+    attribution_.recheck(pair);
+    if (pair.recheck.p_value() < passed) return false;
+    pair.least_loss = pair.gain - alone;
+    pairs_ = {std::move(pair)};
+    two_effects({&pairs_.front()});
+    return true;
   }
 
   void one_effect(const std::vector<const Explanation*>& set) {
@@ -342,13 +376,21 @@ class Investigation {
         error_text(), shift_text(), measure_text());
   }
 
+  /// True if an exponent at its limit would go on for a gain beyond chance: the law that is missing
+  /// acts like something else.
+  [[nodiscard]] bool pulled_further(const Explanation& single, const Explanation& bent) const {
+    if (!bent.bent_to_a_bound()) return false;
+    const Explanation further = attribution_.elastic(single, 2.0 * exponent_limit);
+    return !further.fit.converged || further.gain > bent.gain + result_.needed_gain;
+  }
+
   void bent_law() {
     step(0.85, "bending the laws of the best");
     std::vector<Explanation> bent;
     for (std::size_t k = 0; k < singles_.size() && k < 3; ++k) {
       if (!singles_[k].fit.converged || singles_[k].gain < result_.needed_gain) continue;
-      Explanation e = attribution_.elastic(singles_[k]);
-      if (!e.fit.converged) continue;
+      Explanation e = attribution_.elastic(singles_[k], exponent_limit);
+      if (!e.fit.converged || pulled_further(singles_[k], e)) continue;
       attribution_.recheck(e);
       if (e.recheck.p_value() >= passed) bent.push_back(std::move(e));
     }

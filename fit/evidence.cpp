@@ -56,6 +56,35 @@ void require_enough(const DataSet& data, std::size_t parameters) {
         data.source, speeds, loads, temperatures));
 }
 
+/// Noise from what base law, smooth surfaces, levels and all candidates together leave.
+NoiseModel noise_of_saturated_regression(const Evidence& evidence,
+                                         const Eigen::VectorXd& base_values,
+                                         const NoiseOptions& options) {
+  const Problem& problem = evidence.problem;
+  const auto rows = static_cast<Eigen::Index>(problem.data.rows.size());
+  // In proportion to the torque.
+  const Eigen::VectorXd inverse = evidence.size.cwiseInverse();
+  const Eigen::MatrixXd base = inverse.asDiagonal() * evidence.response.jacobian(base_values);
+  std::vector<Eigen::MatrixXd> blocks{
+      base, inverse.asDiagonal() * surface_columns(problem.data, evidence.size),
+      inverse.asDiagonal() * level_columns(problem.data, evidence.size)};
+  Eigen::Index count = 0;
+  for (const Candidate& c : problem.candidates)
+    count += c.not_testable.empty() ? c.scores.cols() : 0;
+  Eigen::MatrixXd scores(rows, count);
+  count = 0;
+  for (const Candidate& c : problem.candidates) {
+    if (!c.not_testable.empty()) continue;
+    scores.middleCols(count, c.scores.cols()) = inverse.asDiagonal() * c.scores;
+    count += c.scores.cols();
+  }
+  blocks.push_back(std::move(scores));
+  const Eigen::MatrixXd saturated = independent_columns(blocks, {1e-6, 1e-3, 1e-2, invisible},
+                                                        std::min(rows / 2, rows - fewest_freedom));
+  return estimate_noise_model(problem.data, evidence.size.asDiagonal() * saturated, evidence.size,
+                              options);
+}
+
 }  // namespace
 
 Evidence gather_evidence(const Model& model, const DataSet& data,
@@ -111,27 +140,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   evidence.size = first.prediction.cwiseAbs().cwiseMax(0.05 * rms);
   screen_candidates(problem, first.values);
 
-  // Saturated regression, in proportion to the torque.
-  const Eigen::VectorXd inverse = evidence.size.cwiseInverse();
-  const Eigen::MatrixXd base = inverse.asDiagonal() * evidence.response.jacobian(first.values);
-  std::vector<Eigen::MatrixXd> blocks{
-      base, inverse.asDiagonal() * surface_columns(problem.data, evidence.size),
-      inverse.asDiagonal() * level_columns(problem.data, evidence.size)};
-  Eigen::Index count = 0;
-  for (const Candidate& c : problem.candidates)
-    count += c.not_testable.empty() ? c.scores.cols() : 0;
-  Eigen::MatrixXd scores(rows, count);
-  count = 0;
-  for (const Candidate& c : problem.candidates) {
-    if (!c.not_testable.empty()) continue;
-    scores.middleCols(count, c.scores.cols()) = inverse.asDiagonal() * c.scores;
-    count += c.scores.cols();
-  }
-  blocks.push_back(std::move(scores));
-  const Eigen::MatrixXd saturated = independent_columns(blocks, {1e-6, 1e-3, 1e-2, invisible},
-                                                        std::min(rows / 2, rows - fewest_freedom));
-  evidence.noise = estimate_noise_model(problem.data, evidence.size.asDiagonal() * saturated,
-                                        evidence.size, options);
+  evidence.noise = problem.data.noise == NoiseSource::regression
+                       ? known_noise_model(problem.data)
+                       : noise_of_saturated_regression(evidence, first.values, options);
   if (!(evidence.noise.whitening.std().minCoeff() > 0.0) ||
       !evidence.noise.whitening.std().allFinite())
     throw std::invalid_argument(

@@ -19,6 +19,7 @@ constexpr double outlier_limit = 3.5;       // robust standard deviations
 constexpr double worth_a_parameter = 2.71;  // of -2 ln L: 5 % level of one variance >= 0
 constexpr Eigen::Index most_rows_of_a_search = 1500;
 constexpr int fewest_repeats = 8;
+constexpr double as_good_as_known = 1000.0;  // degrees of freedom
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double median(std::vector<double> values) {
@@ -138,6 +139,16 @@ RowOrder row_order(const DataSet& data) {
   const double middle = order.has_time ? median(steps) : 1.0;
   for (double& step : order.step) step = order.has_time ? std::max(step / middle, 0.05) : infinity;
   return order;
+}
+
+NoiseModel known_noise_model(const DataSet& data) {
+  Eigen::VectorXd std(static_cast<Eigen::Index>(data.rows.size()));
+  for (Eigen::Index i = 0; i < std.size(); ++i) std[i] = data.rows[static_cast<std::size_t>(i)].std;
+  NoiseModel noise;
+  noise.rms = noise.absolute = std.norm() / std::sqrt(static_cast<double>(std.size()));
+  noise.degrees_of_freedom = as_good_as_known;
+  noise.whitening = Whitening(std, {}, 0.0, 0.0);
+  return noise;
 }
 
 NoiseModel estimate_noise_model(const DataSet& data, const Eigen::MatrixXd& columns,

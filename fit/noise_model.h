@@ -49,4 +49,9 @@ void sort_rows(DataSet& data);
                                               const Eigen::VectorXd& size,
                                               const NoiseOptions& options = {});
 
+/// Noise that is known beforehand: the standard deviation of every row, rows independent. For the
+/// torques of a coast-down, whose regression has measured the scatter of far more samples than
+/// rows.
+[[nodiscard]] NoiseModel known_noise_model(const DataSet& data);
+
 }  // namespace raceway::fit

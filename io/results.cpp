@@ -271,7 +271,10 @@ std::string check_json(const CheckSummary& s) {
     columns.push_back({{"name", c.name}, {"from", c.lower}, {"to", c.upper}, {"levels", c.levels}});
   json effects = json::array();
   for (const CheckSummary::Testable& t : s.effects)
-    effects.push_back({{"id", t.id}, {"testable", t.missing.empty()}, {"missing", t.missing}});
+    effects.push_back({{"id", t.id},
+                       {"testable", t.missing.empty()},
+                       {"missing", t.missing},
+                       {"hard_without", t.levels}});
   json parameters = json::array();
   for (const CheckSummary::Free& f : s.free_parameters)
     parameters.push_back({{"name", f.name}, {"identifiable", f.identifiable}});

@@ -58,6 +58,7 @@ struct CheckSummary {
   struct Testable {
     std::string id;
     std::string missing;  ///< what the data or the model lack; empty if testable
+    std::string levels;   ///< without which base parameters do nearly the same; empty if none
   };
   std::vector<Testable> effects;
   struct Free {

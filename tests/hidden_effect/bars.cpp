@@ -329,7 +329,7 @@ Outcome judge(const Trial& trial) {
       next.answer = ask(rig, rows);
       right = next.exact();
       wrong = next.wrong();
-      return next.answer.verdict;
+      return next.answer.verdict + " " + next.answer.sentence;
     };
     bool ignored = false;
     if (!proposed.empty())

@@ -100,7 +100,7 @@ std::vector<double> torques(const Bearing& bearing, const BaseLaw& law,
   return out;
 }
 
-/// The size that changes the torque by the wished share, or the largest that is allowed and leaves
+/// The size that changes the torque by the wished share, or the largest that is believed and leaves
 /// every torque at 40 % of what it was.
 double size_for(const Bearing& bearing, const BaseLaw& law, std::span<const Point> points,
                 const Wish& wish, const Effect& effect, double sign) {
@@ -116,8 +116,8 @@ double size_for(const Bearing& bearing, const BaseLaw& law, std::span<const Poin
     }
     return (absurd ? 1e3 : rms(change) / scale) - wish.share;
   };
-  const double top = std::log(effect.largest);
-  if (gap(top) <= 0.0) return sign * effect.largest;
+  const double top = std::log(std::min(effect.largest, effect.believable));
+  if (gap(top) <= 0.0) return sign * std::exp(top);
   double lower = top;
   do lower -= 3.0;
   while (gap(lower) > 0.0 && lower > top - 90.0);

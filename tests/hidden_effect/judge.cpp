@@ -76,9 +76,14 @@ Answer ask(const std::string& model_text, const std::string& train_text,
     const fit::Diagnosis d = fit::diagnose(model, data, options);
     answer.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     answer.verdict = fit::name(d.verdict);
+    answer.sentence = d.sentence;
     for (const fit::RankedEffect& e : d.effects)
       if (e.in_verdict) answer.names.push_back(e.id);
-    if (!d.effects.empty()) answer.first = d.effects.front().id;
+    // By rank: a verdict lists the base law's own exponents first whatever their gain.
+    const auto best = std::max_element(
+        d.effects.begin(), d.effects.end(),
+        [](const fit::RankedEffect& a, const fit::RankedEffect& b) { return a.gain < b.gain; });
+    if (best != d.effects.end()) answer.first = best->id;
     for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
       for (int i = 0; i < m.repeats; ++i)
         answer.suggested.push_back(

@@ -13,11 +13,12 @@ namespace hidden_effect {
 struct Answer {
   std::string verdict;             ///< as in JSON; "failed" where no diagnosis came back
   std::vector<std::string> names;  ///< effects of the verdict, the leading one first
-  std::string first;               ///< leading effect whatever the verdict
+  std::string first;               ///< effect of the largest gain, whatever the verdict
   std::vector<Point> suggested;    ///< operating points it would measure next
   std::string shape;               ///< formula of what is missing, where there is one
   std::vector<double> exponents;   ///< of speed, load and viscosity in `shape`
   std::string message;             ///< why it failed
+  std::string sentence;            ///< what a user would read
   double seconds = 0.0;            ///< of processor time of the whole program, while it worked
 };
 

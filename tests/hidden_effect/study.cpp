@@ -25,13 +25,13 @@ using namespace hidden_effect;
 struct Arguments {
   int seeds = 20;
   std::vector<std::string> blocks;
-  bool json = false, by_effect = false;
+  bool json = false, by_effect = false, misses = false;
   int threads = 0;  // all
 };
 
 void usage() {
   std::puts(
-      "study [--seeds N] [--blocks LIST] [--json] [--by-effect] [--threads N]\n\n"
+      "study [--seeds N] [--blocks LIST] [--json] [--by-effect] [--misses] [--threads N]\n\n"
       "Hides effects in measurements of a generator of its own, has them diagnosed and holds what\n"
       "comes out against the bars. N seeds for each case (default 20). Blocks, by comma:\n");
   for (const Block& b : blocks())
@@ -62,6 +62,8 @@ Arguments parse(int argc, char** argv) {
       a.json = true;
     } else if (word == "--by-effect") {
       a.by_effect = true;
+    } else if (word == "--misses") {
+      a.misses = true;
     } else if (word == "--blocks") {
       std::istringstream list(value());
       for (std::string id; std::getline(list, id, ',');) {
@@ -181,6 +183,25 @@ void print_by_effect(const std::vector<Outcome>& outcomes) {
   std::puts("");
 }
 
+/// The sentence of every verdict that is neither exact nor a rightly named set.
+void print_misses(const std::vector<Outcome>& outcomes) {
+  for (const Outcome& o : outcomes) {
+    const bool right = o.trial.setup.hidden.empty()
+                           ? o.is({"nothing-missing"})
+                           : (o.outside ? o.is({"not-in-catalogue"}) : o.in_set());
+    const bool undecided = !o.after_proposed.empty() && !o.right_after_proposed;
+    if ((right && !undecided) || o.too_small) continue;
+    std::printf("\n%s", std::string(o.trial.block).c_str());
+    for (const Wish& w : o.trial.setup.hidden) std::printf(" %s", std::string(w.id).c_str());
+    std::printf(" (seed %llu, lambda_det %s, lambda_sep %s): %s\n  %s\n",
+                static_cast<unsigned long long>(o.trial.setup.seed),
+                number(o.visibility.detection).c_str(), number(o.visibility.separation).c_str(),
+                o.answer.verdict.c_str(), o.answer.sentence.c_str());
+    if (undecided) std::printf("  with the proposed points: %s\n", o.after_proposed.c_str());
+  }
+  std::puts("");
+}
+
 void print_json(const std::vector<Bar>& table, const Arguments& arguments, std::size_t rigs) {
   const auto value = [](double v) {
     return std::isnan(v) || std::abs(v) > 1e200 ? std::string("null") : number(v, 6);
@@ -228,6 +249,7 @@ int main(int argc, char** argv) try {
     print_json(table, arguments, all.size());
   } else {
     if (arguments.by_effect) print_by_effect(outcomes);
+    if (arguments.misses) print_misses(outcomes);
     print_table(table);
   }
   return 0;
