@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "cli/commands.h"
 #include "cli/open_input.h"
@@ -37,16 +39,22 @@ void print(const fit::AddResult& r) {
              r.after.statement);
 }
 
-/// The user's text with the new values and effects; effects of the user's own stand there already.
+/// The user's text with the new values and effects. An effect of the user's own stands there
+/// already, with a size of zero, and keeps its place.
 std::string new_text(const io::ModelFile& file, const fit::Model& fitted) {
   std::string text = file.text;
-  for (std::size_t i = file.model.effects.size(); i < fitted.effects.size(); ++i)
-    text = io::with_effect(text, fitted.effects[i]);
+  std::map<std::string, fit::ModelParameter> written;
+  for (const fit::ModelParameter& p : fit::model_parameters(file.model)) written.emplace(p.name, p);
+  for (const effects::Effect& e : fitted.effects)
+    if (std::none_of(
+            file.model.effects.begin(), file.model.effects.end(),
+            [&](const effects::Effect& old) { return old.description->id == e.description->id; }))
+      text = io::with_effect(text, e);
   std::vector<io::KeyValue> changes;
-  const std::size_t before = file.model.effects.size();
   for (const fit::ModelParameter& p : fit::model_parameters(fitted)) {
-    if (p.effect >= 0 && static_cast<std::size_t>(p.effect) >= before) continue;
-    if (p.get(fitted) != p.get(file.model)) changes.push_back({io::file_key(p), p.get(fitted)});
+    const auto old = written.find(p.name);
+    if (old != written.end() && p.get(fitted) != old->second.get(file.model))
+      changes.push_back({io::file_key(old->second), p.get(fitted)});
   }
   return io::with_values(text, changes);
 }

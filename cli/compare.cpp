@@ -1,6 +1,6 @@
 #include "fit/compare.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
+#include "fit/calibrate.h"
 #include "io/error.h"
 #include "io/results.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 struct Flags {
   std::vector<std::string> files;  // models, then the data
+  std::vector<std::string> refit;  // parameters fitted to the data before comparing
   bool json = false;
 };
 
@@ -90,6 +92,18 @@ void print(const std::string& model, const std::string& data, const fit::Compari
   fmt::print("\n{}\n{}\n", worst.text(terminal_width()), c.statement);
 }
 
+/// The model with `names` fitted to the data and everything else as it stands.
+fit::Model refitted(const fit::Model& model, const std::vector<std::string>& names,
+                    const fit::DataSet& data) {
+  fit::Model wanted = model;
+  wanted.free = names;
+  const fit::Calibration calibration = fit::calibrate(wanted, data);
+  if (!calibration.converged())
+    throw std::invalid_argument("the refit of " + fmt::format("{}", fmt::join(names, ", ")) +
+                                " does not converge");
+  return calibration.model;
+}
+
 void print_ladder(const std::vector<std::string>& models,
                   const std::vector<fit::Comparison>& comparisons) {
   TextTable ladder({{"model", "", true}, {"RMS", "N mm"}, {"bias", "N mm"}, {"fit", "%"}});
@@ -129,7 +143,11 @@ int run(const Flags& flags) {
   const fit::DataSet data = open_data(data_file, files[0].model.rig);
   for (std::size_t i = 0; i < models.size(); ++i) {
     try {
-      comparisons.push_back(fit::compare(files[i].model, data));
+      const fit::Model& model = files[i].model;
+      comparisons.push_back(flags.refit.empty()
+                                ? fit::compare(model, data)
+                                : fit::compare(refitted(model, flags.refit, data), data,
+                                               static_cast<int>(flags.refit.size())));
     } catch (const std::invalid_argument& e) {
       refuse_data(models[i], data, e);
     }
@@ -137,6 +155,9 @@ int run(const Flags& flags) {
       tell({fmt::format("{}: {} rows have no equilibrium and are left out, the first in line {}",
                         models[i], missing.size(), missing.front())});
   }
+  if (!flags.refit.empty())
+    tell({fmt::format("{} refitted to {} in each model; all else as in the files",
+                      fmt::join(flags.refit, " and "), data_file)});
   if (flags.json) {
     fmt::print("{}", io::comparison_json(models, comparisons, data));
   } else if (models.size() == 1) {
@@ -154,6 +175,13 @@ Run setup_compare(CLI::App& command) {
   command.add_option("FILES", flags->files, "MODEL [MODEL2 ...] DATA: models (TOML), then one CSV")
       ->type_name("")
       ->expected(-1);
+  command
+      .add_option("--refit", flags->refit,
+                  "parameters to fit to DATA first, by comma, such as f0,z: what differs from one "
+                  "day to the next")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
       "Errors are prediction minus reading.\n\n"

@@ -107,7 +107,8 @@ void print_limits(const fit::Diagnosis& d) {
 
 void print(const fit::Diagnosis& d) {
   fmt::print("{}\n\n", d.sentence);
-  fmt::print("verdict: {} (p of the misfit {:.1g})\n", fit::name(d.verdict), d.p_value);
+  fmt::print("verdict: {} (p of the misfit {})\n", fit::name(d.verdict),
+             d.p_value < 1e-300 ? "< 1e-300" : fmt::format("{:.1g}", d.p_value));
   fmt::print("RMS error {} N mm before, {} N mm after; noise {} N mm\n", torque(d.rmse_before),
              torque(d.rmse_after), torque(d.noise.rms));
   print_effects(d);
@@ -119,23 +120,15 @@ void print(const fit::Diagnosis& d) {
 int run(const Flags& flags) {
   const io::ModelFile file = open_model(flags.model);
   const fit::DataSet data = open_data(flags.data, file.model.rig);
-  // Effects of the user's own that change nothing yet are candidates, not part of the model.
-  fit::Model model = file.model;
   fit::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
   options.tried_before = flags.tried_before;
   options.cancelled = &interrupted;
-  std::erase_if(model.effects, [&](const effects::Effect& e) {
-    if (!e.description->user_made || e.values != effects::neutral_values(*e.description))
-      return false;
-    options.user_made.push_back(e.description);
-    return true;
-  });
   if (isatty(STDERR_FILENO) != 0) options.progress = show_progress;
   std::signal(SIGINT, interrupt);
   const fit::Diagnosis diagnosis = [&] {
     try {
-      return fit::diagnose(model, data, options);
+      return fit::diagnose(file.model, data, options);
     } catch (const std::invalid_argument& e) {
       refuse_data(flags.model, data, e);
     }

@@ -20,6 +20,8 @@ constexpr Description describe() {
                 .parameters = E::parameters,
                 .needs = E::needs};
   if constexpr (requires { E::needs_equilibrium; }) d.needs_equilibrium = E::needs_equilibrium;
+  if constexpr (requires { E::grows_with_the_rotor; })
+    d.grows_with_the_rotor = E::grows_with_the_rotor;
   if constexpr (requires { &E::condition; }) d.condition = &E::condition;
   if constexpr (requires { &E::lubricant; }) d.lubricant = &E::lubricant;
   if constexpr (requires { &E::moment; }) d.moment = &E::moment;

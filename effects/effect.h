@@ -122,6 +122,8 @@ struct Description {
   std::span<const Parameter> parameters;
   std::span<const Need> needs;
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
+  /// Whatever turns on the shaft adds to it: the plausible range is that of the bearing alone.
+  bool grows_with_the_rotor = false;
 
   /// Adds to what the bearing sees.
   void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;

@@ -101,6 +101,30 @@ bool Formula::uses(std::string_view variable) const {
                      [&](std::size_t k) { return variable_list[k].name == variable; });
 }
 
+bool Formula::is_size(std::size_t parameter, std::span<const double> values) const {
+  Instance mine(text_, parameters_);
+  const auto moments = [&](double size) {
+    std::vector<double> result;
+    for (const double input : {0.3, 2.0, 70.0, 5000.0}) {
+      for (std::size_t k = 0; k < variable_list.size(); ++k)
+        mine.numbers[k] = input * (1.0 + 0.1 * static_cast<double>(k));
+      for (std::size_t k = 0; k < values.size(); ++k)
+        mine.numbers[variable_list.size() + k] =
+            k == parameter ? size : (values[k] == 0.0 ? 1.0 : values[k]);
+      try {
+        result.push_back(mine.parser.Eval());
+      } catch (const mu::Parser::exception_type&) {
+        result.push_back(unset);
+      }
+    }
+    return result;
+  };
+  const auto is_zero = [](double m) { return m == 0.0; };
+  const std::vector<double> off = moments(0.0), on = moments(1.0);
+  return std::all_of(off.begin(), off.end(), is_zero) &&
+         !std::all_of(on.begin(), on.end(), is_zero);
+}
+
 double Formula::moment(const MomentInputs& inputs, std::span<const double> values) const {
   std::unique_ptr<Instance> mine;
   {
@@ -162,6 +186,12 @@ Effect make_effect(const UserMadeEffect& given) {
     effect.values.push_back(n.value);
   }
   const Formula& f = *owner->formula;
+  for (std::size_t k = 0; k < owner->parameters.size(); ++k) {
+    Parameter& p = owner->parameters[k];
+    if (p.lower > 0.0 || p.upper < 0.0 || !f.is_size(k, effect.values)) continue;
+    p.neutral = 0.0;
+    break;  // one size; what multiplies it is shape
+  }
   if (f.uses("time_s")) owner->needs.push_back(Need::time);
   if (f.uses("inner_ring_temperature_C") || f.uses("outer_ring_temperature_C"))
     owner->needs.push_back(Need::ring_temperatures);

@@ -30,6 +30,8 @@ class Formula {
 
   /// [N m]
   [[nodiscard]] double moment(const MomentInputs& inputs, std::span<const double> values) const;
+  /// True if that parameter at zero leaves no moment anywhere, and elsewhere leaves one.
+  [[nodiscard]] bool is_size(std::size_t parameter, std::span<const double> values) const;
   /// True if the formula uses that variable.
   [[nodiscard]] bool uses(std::string_view variable) const;
 

@@ -34,6 +34,7 @@ struct Windage {
                                                    .plausible_lower = 0.1,
                                                    .plausible_upper = 200.0}};
   static constexpr std::array needs{Need::speed_levels};
+  static constexpr bool grows_with_the_rotor = true;
 
   static double unit_moment(const MomentInputs& in) {
     if (!(in.state.speed > 0.0)) return 0.0;

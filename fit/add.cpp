@@ -4,47 +4,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "effects/catalogue.h"
 #include "fit/attribution.h"
 #include "fit/evidence.h"
+#include "fit/nearest_names.h"
+#include "fit/needs.h"
 
 namespace raceway::fit {
 
 namespace {
 
-constexpr int most_rows = 4000;
+constexpr double clearly_better = 6.0;  // in -2 ln L, as for the set of a verdict
+constexpr double passed = 0.01;         // of the gate
 
-std::string nearest_ids(const std::string& id) {
-  // Ids that share most pairs of letters.
-  const auto alike = [&](std::string_view other) {
-    double count = 0.0;
-    for (std::size_t k = 0; k + 1 < id.size(); ++k)
-      if (other.find(id.substr(k, 2)) != std::string_view::npos) count += 1.0;
-    return count / static_cast<double>(std::max(id.size(), other.size()));
-  };
-  std::vector<std::string_view> ids;
-  for (const effects::Description& d : effects::catalogue()) ids.push_back(d.id);
-  std::stable_sort(ids.begin(), ids.end(),
-                   [&](std::string_view a, std::string_view b) { return alike(a) > alike(b); });
-  std::string text;
-  for (std::size_t k = 0; k < std::min<std::size_t>(3, ids.size()); ++k)
-    text += (k == 0 ? "" : ", ") + std::string(ids[k]);
-  return text;
-}
-
-void require_new(const Model& model, std::span<const effects::Description* const> effects) {
-  if (effects.empty()) throw std::invalid_argument("no effect to add");
-  for (std::size_t k = 0; k < effects.size(); ++k) {
-    for (const effects::Effect& e : model.effects)
-      if (e.description->id == effects[k]->id)
-        throw std::invalid_argument(
-            fmt::format("{}: the model has this effect already", effects[k]->id));
-    for (std::size_t j = 0; j < k; ++j)
-      if (effects[j]->id == effects[k]->id)
-        throw std::invalid_argument(fmt::format("{} is listed twice", effects[k]->id));
+/// The effects to add, ready to be given to a model.
+std::vector<effects::Effect> find_effects(const Model& model,
+                                          std::span<const effects::Effect> user_made,
+                                          std::span<const std::string> ids) {
+  if (ids.empty()) throw std::invalid_argument("no effect to add");
+  std::vector<effects::Effect> found;
+  for (const std::string& id : ids) {
+    const auto named = [&](const effects::Effect& e) { return e.description->id == id; };
+    if (std::any_of(model.effects.begin(), model.effects.end(), named))
+      throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
+    if (std::any_of(found.begin(), found.end(), named))
+      throw std::invalid_argument(fmt::format("{} is listed twice", id));
+    const auto own = std::find_if(user_made.begin(), user_made.end(), named);
+    if (own != user_made.end()) {
+      found.push_back(*own);
+      continue;
+    }
+    const effects::Description* d = effects::find(id);
+    if (d == nullptr) {
+      std::vector<std::string> known;
+      for (const effects::Effect& e : user_made) known.emplace_back(e.description->id);
+      for (const effects::Description& e : effects::catalogue()) known.emplace_back(e.id);
+      throw std::invalid_argument(
+          fmt::format("unknown effect \"{}\"; nearest: {}", id, nearest_names(id, known, 3)));
+    }
+    effects::Effect effect;
+    effect.description = d;
+    effect.values = effects::initial_values(*d);
+    found.push_back(std::move(effect));
   }
+  return found;
 }
 
 double rms_of(const std::vector<HoldOut>& results, double HoldOut::*rmse) {
@@ -54,49 +60,71 @@ double rms_of(const std::vector<HoldOut>& results, double HoldOut::*rmse) {
   return std::sqrt(sum / static_cast<double>(results.size()));
 }
 
+/// The single effect that leaves nothing but noise, where what was asked for leaves structure.
+std::optional<Explanation> better_rival(const Attribution& attribution, Explanation& asked) {
+  attribution.recheck(asked);
+  if (asked.members.size() != 1 || asked.recheck.p_value() >= passed) return std::nullopt;
+  for (Explanation& single : attribution.singles()) {
+    if (!single.fit.converged || single.gain < asked.gain + clearly_better) break;
+    attribution.recheck(single);
+    if (single.recheck.p_value() >= passed) return std::move(single);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-AddResult add(const Model& model, std::span<const effects::Description* const> effects,
-              const DataSet& data) {
-  require_new(model, effects);
-  const Evidence evidence = gather_evidence(model, data, effects, most_rows);
+AddResult add(const Model& model, std::span<const std::string> ids, const DataSet& data) {
+  Model before = model;
+  const std::vector<effects::Effect> user_made = take_user_made(before);
+  const std::vector<effects::Effect> wanted = find_effects(before, user_made, ids);
+  std::vector<const effects::Description*> candidates;
+  for (const effects::Effect& e : wanted) candidates.push_back(e.description);
+  for (const effects::Description& d : effects::catalogue())
+    if (std::find(candidates.begin(), candidates.end(), &d) == candidates.end())
+      candidates.push_back(&d);
+  const Evidence evidence = gather_evidence(before, data, candidates, most_rows_of_a_fit);
   const Problem& problem = evidence.problem;
   const Attribution attribution(problem, evidence.noise, evidence.base, evidence.size);
   std::vector<std::size_t> members;
-  std::vector<const Candidate*> on;
   for (std::size_t k = 0; k < problem.candidates.size(); ++k) {
     const Candidate& c = problem.candidates[k];
+    if (std::none_of(wanted.begin(), wanted.end(),
+                     [&](const auto& e) { return e.description == c.description; }))
+      continue;
     if (!c.not_testable.empty())
       throw std::invalid_argument(fmt::format("{}: the data lack {}", c.id, c.not_testable));
-    if (attribution.visibility(k) < invisible)
+    if (attribution.visibility(k) < invisible) {
+      const std::string levels = missing_levels(*c.description, before, problem.data);
       throw std::invalid_argument(
-          fmt::format("{}: on these data the free parameters of the model do the same", c.id));
+          levels.empty()
+              ? fmt::format("{}: on these data the free parameters of the model do the same", c.id)
+              : fmt::format("{}: the data lack {}", c.id, levels));
+    }
     members.push_back(k);
-    on.push_back(&c);
   }
-  if (members.size() != effects.size())
+  if (members.size() != wanted.size())
     throw std::invalid_argument("an effect without a size cannot be added");
-  const Explanation found = attribution.refit(members);
+  Explanation found = attribution.refit(members);
 
   // The model as it will be written: effects in the order asked for, values where the refit ended.
-  Model extended = model;
+  Model extended = before;
   extended.free = problem.base;
-  for (const effects::Description* d : effects) {
-    effects::Effect effect;
-    effect.description = d;
-    effect.values = effects::initial_values(*d);
+  for (const effects::Effect& effect : wanted) {
+    extended.effects.push_back(effect);
     std::size_t at = problem.base.size();
-    for (const Candidate* c : on) {
-      for (std::size_t k = 0; k < c->parameters.size(); ++k, ++at) {
-        if (c->description != d) continue;
-        if (found.fit.converged) effect.values[k] = found.fit.values[static_cast<Eigen::Index>(at)];
-        extended.free.push_back(c->qualified(k));
+    for (const std::size_t k : members) {
+      const Candidate& c = problem.candidates[k];
+      for (std::size_t j = 0; j < c.parameters.size(); ++j, ++at) {
+        if (c.description != effect.description) continue;
+        if (found.fit.converged)
+          extended.effects.back().values[j] = found.fit.values[static_cast<Eigen::Index>(at)];
+        extended.free.push_back(c.qualified(j));
       }
     }
-    extended.effects.push_back(std::move(effect));
   }
   if (found.fit.converged) {
-    const std::vector<ModelParameter> base = free_parameters(model);
+    const std::vector<ModelParameter> base = free_parameters(before);
     for (std::size_t k = 0; k < base.size(); ++k)
       base[k].set(extended, found.fit.values[static_cast<Eigen::Index>(k)]);
   }
@@ -139,18 +167,14 @@ AddResult add(const Model& model, std::span<const effects::Description* const> e
         "no better than chance: {:.4g} -> {:.4g} N mm on rows that the fit did not see, fall of "
         "-2 ln L by {:.1f} (needed {:.1f})",
         result.rmse_held_out_before / N_mm, result.rmse_held_out_after / N_mm, found.gain, needed);
+  } else if (const auto rival = better_rival(attribution, found)) {
+    result.refused = true;
+    result.reason = fmt::format(
+        "{} leaves structure (p = {:.1g}), and {} explains these data to the noise (p = {:.2g})",
+        ids.front(), found.recheck.p_value(), problem.candidates[rival->members.front()].id,
+        rival->recheck.p_value());
   }
   return result;
-}
-
-AddResult add(const Model& model, std::span<const std::string> ids, const DataSet& data) {
-  std::vector<const effects::Description*> effects;
-  for (const std::string& id : ids) {
-    effects.push_back(effects::find(id));
-    if (effects.back() == nullptr)
-      throw std::invalid_argument("unknown effect \"" + id + "\"; nearest: " + nearest_ids(id));
-  }
-  return add(model, effects, data);
 }
 
 }  // namespace raceway::fit

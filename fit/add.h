@@ -23,17 +23,17 @@ struct AddResult {
   std::vector<std::string> messages{};
 };
 
-/// Switches effects on, refits all free parameters with them and judges the result on blocks that
-/// the fit did not see: better in two of the blockings by speed, load and temperature,
-/// significantly worse in none, and a fall of -2 ln L beyond chance. Rows without a declared
-/// standard deviation are weighted by the estimated noise. Throws std::invalid_argument: no effect,
-/// one the model has already, one that the data cannot feed (with what they lack) or cannot tell
-/// from the base parameters.
-[[nodiscard]] AddResult add(const Model& model,
-                            std::span<const effects::Description* const> effects,
-                            const DataSet& data);
-
-/// The same by id; an unknown one is answered with the nearest.
+/// Switches effects on by id, refits all free parameters with them and judges the result.
+///
+/// Refused: what is not better on blocks of rows that the fit did not see (two of the blockings by
+/// speed, load and temperature, significantly worse in none); a fall of -2 ln L that chance could
+/// bring; a single effect that leaves structure where another one explains the data to the noise.
+///
+/// An id is one of the catalogue, or of an effect of the user's own that stands in the model with a
+/// size of zero. Rows without a declared standard deviation are weighted by the estimated noise.
+/// Throws std::invalid_argument: no effect, an unknown one (with the nearest ids), one the model
+/// has already, one that the data cannot feed (with what they lack) or cannot tell from the base
+/// parameters.
 [[nodiscard]] AddResult add(const Model& model, std::span<const std::string> ids,
                             const DataSet& data);
 

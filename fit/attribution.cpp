@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t most_pairs = 40;     // refitted
 constexpr double pair_reach = 30.0;        // of -2 ln L below the best linearised pair
 constexpr double pair_reach_share = 0.15;  // of its gain, where that is more
+constexpr double exponent_limit = 0.2;
 
 Eigen::Index total(const std::vector<Candidate>& candidates) {
   Eigen::Index count = 0;
@@ -204,7 +205,7 @@ std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& sing
   return result;
 }
 
-Explanation Attribution::elastic(const Explanation& single, double limit) const {
+Explanation Attribution::elastic(const Explanation& single) const {
   const Candidate& c = problem_.candidates[single.members.front()];
   const Candidate* const on[] = {&c};
   const Response plain = response_with(problem_, on);
@@ -224,8 +225,12 @@ Explanation Attribution::elastic(const Explanation& single, double limit) const 
   Response bent;
   bent.parameters = plain.parameters;
   for (const char* name : {"speed exponent", "load exponent", "viscosity exponent"})
-    bent.parameters.push_back(
-        {.name = name, .unit = "1", .start = 0.0, .lower = -limit, .upper = limit, .scale = 0.1});
+    bent.parameters.push_back({.name = name,
+                               .unit = "1",
+                               .start = 0.0,
+                               .lower = -exponent_limit,
+                               .upper = exponent_limit,
+                               .scale = 0.1});
   const auto count = static_cast<Eigen::Index>(plain.parameters.size());
   const auto bases = static_cast<Eigen::Index>(problem_.base.size());
   bent.readings = [&plain, &c, logs, count, bases](const Eigen::VectorXd& x) {

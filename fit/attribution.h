@@ -48,8 +48,8 @@ class Attribution {
   /// within reach of the best are refitted.
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
-  /// The law of one candidate bent by powers of speed, load and viscosity within +-`limit`.
-  [[nodiscard]] Explanation elastic(const Explanation& single, double limit) const;
+  /// The law of one candidate bent by powers of speed, load and viscosity within +-0.2.
+  [[nodiscard]] Explanation elastic(const Explanation& single) const;
   /// The gate again on an extended model.
   void recheck(Explanation& explanation) const;
 

@@ -27,6 +27,21 @@ std::string Candidate::qualified(std::size_t parameter) const {
   return id + "." + parameters[parameter].name;
 }
 
+std::vector<effects::Effect> take_user_made(Model& model) {
+  std::vector<effects::Effect> taken;
+  std::erase_if(model.effects, [&](const effects::Effect& e) {
+    const auto& parameters = e.description->parameters;
+    const bool has_size = std::any_of(parameters.begin(), parameters.end(),
+                                      [](const auto& p) { return !std::isnan(p.neutral); });
+    if (!e.description->user_made || !has_size ||
+        e.values != effects::neutral_values(*e.description))
+      return false;
+    taken.push_back(e);
+    return true;
+  });
+  return taken;
+}
+
 std::vector<Candidate> make_candidates(const Model& model,
                                        std::span<const effects::Description* const> descriptions) {
   std::vector<Candidate> candidates;
@@ -106,6 +121,16 @@ void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values) {
         Eigen::VectorXd y = x;
         y[bases + static_cast<Eigen::Index>(k)] = p.lower + part * (p.upper - p.lower);
         if (y.allFinite()) points.push_back(y);
+      }
+    }
+    // Nothing is known of the size of a formula: a tenth of the torque is its scale.
+    if (c.description->user_made) {
+      Eigen::VectorXd y = x;
+      y[bases + static_cast<Eigen::Index>(c.size_index)] += c.unit_size;
+      const double change = (response.readings(y) - without).norm() / std::abs(c.unit_size);
+      if (std::isfinite(change) && change > 0.0) {
+        c.unit_size *= 0.1 * without.norm() / (change * std::abs(c.unit_size));
+        c.parameters[c.size_index].scale = std::abs(c.unit_size);
       }
     }
     c.scores.resize(without.size(), static_cast<Eigen::Index>(points.size()));

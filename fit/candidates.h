@@ -47,6 +47,10 @@ struct Problem {
 /// whether they can be tested at all.
 void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values);
 
+/// Takes effects of the user's own that change nothing yet (a size of zero) out of the model: they
+/// are candidates. One without such a parameter stays.
+[[nodiscard]] std::vector<effects::Effect> take_user_made(Model& model);
+
 /// Candidates of a catalogue that the model does not have yet.
 [[nodiscard]] std::vector<Candidate> make_candidates(
     const Model& model, std::span<const effects::Description* const> descriptions);

@@ -23,9 +23,9 @@ constexpr double detected = 25.0;          // squared misfit over variance: foun
 constexpr double told_apart = 20.0;        // the same, left by the best wrong effect
 constexpr double alike = 0.98;             // cosine of scores
 constexpr double passed = 0.01;            // of the gate
-constexpr double exponent_limit = 0.2;
 constexpr double plausible_factor = 3.0;
-constexpr std::size_t ranked = 6;  // effects with a hold-out of their own
+constexpr std::size_t ranked = 6;     // effects with a hold-out of their own
+constexpr std::size_t most_near = 3;  // named where nothing explains the misfit
 
 std::string joined(const std::vector<std::string>& words, const char* last) {
   std::string text;
@@ -39,6 +39,8 @@ std::string with_unit(double value, const std::string& unit) {
                                      : fmt::format("{:.3g} {}", value, unit);
 }
 
+std::string p_text(double p) { return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.1g}", p); }
+
 double rms(const Eigen::VectorXd& v) { return v.norm() / std::sqrt(static_cast<double>(v.size())); }
 
 /// One diagnosis in the making.
@@ -46,8 +48,9 @@ class Investigation {
  public:
   Investigation(const Model& model, const DataSet& data, const DiagnoseOptions& options)
       : options_(options),
-        evidence_(
-            gather_evidence(model, data, candidates(options), options.most_rows, options.noise)),
+        model_(model),
+        user_made_(take_user_made(model_)),
+        evidence_(gather_evidence(model_, data, candidates(), options.most_rows, options.noise)),
         problem_(evidence_.problem),
         attribution_(problem_, evidence_.noise, evidence_.base, evidence_.size),
         blockings_(blockings(problem_.data)) {}
@@ -74,11 +77,11 @@ class Investigation {
   }
 
  private:
-  static std::vector<const effects::Description*> candidates(const DiagnoseOptions& options) {
-    std::vector<const effects::Description*> all = options.candidates;
+  [[nodiscard]] std::vector<const effects::Description*> candidates() const {
+    std::vector<const effects::Description*> all = options_.candidates;
     if (all.empty())
       for (const effects::Description& d : effects::catalogue()) all.push_back(&d);
-    all.insert(all.end(), options.user_made.begin(), options.user_made.end());
+    for (const effects::Effect& e : user_made_) all.push_back(e.description);
     return all;
   }
 
@@ -97,6 +100,14 @@ class Investigation {
     std::vector<std::string> ids;
     for (const std::size_t k : e.members) ids.push_back(id(k));
     return ids;
+  }
+
+  [[nodiscard]] bool base_is_identifiable() const {
+    Eigen::MatrixXd columns = evidence_.base.tangent;
+    columns.colwise().normalize();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+    qr.setThreshold(1e-4);
+    return qr.rank() == columns.cols();
   }
 
   [[nodiscard]] bool is_base_exponent(const Explanation& single) const {
@@ -133,6 +144,10 @@ class Investigation {
       if (evidence_.base.at_bound[k])
         result_.messages.push_back(evidence_.response.parameters[k].name +
                                    " ends at a bound: the model lacks something, or is far off");
+    if (!base_is_identifiable())
+      result_.messages.push_back(joined(problem_.base, "and") +
+                                 " cannot all be told apart on these data: their values mean "
+                                 "little; free fewer of them under [calibration]");
     if (evidence_.noise.repeats_p_value < passed)
       result_.messages.push_back(fmt::format(
           "repeated rows scatter {:.2g} times as much as the noise found otherwise (p = {:.1g})",
@@ -307,18 +322,21 @@ class Investigation {
     return true;
   }
 
-  void one_effect(const std::vector<const Explanation*>& set) {
+  void one_effect(std::vector<const Explanation*> set) {
+    // A size that nobody would believe is no rival of one that can be.
+    const bool plausible = std::any_of(
+        set.begin(), set.end(), [this](const Explanation* e) { return sizes_plausible(*e); });
+    if (plausible)
+      std::erase_if(set, [this](const Explanation* e) { return !sizes_plausible(*e); });
     const Explanation& best = *set.front();
     hold_out(best);
     fill(set, best);
-    bool plausible = false;
-    for (const Explanation* e : set) plausible = plausible || sizes_plausible(*e);
     const bool holds = confirmed(result_.hold_out);
     if (!plausible || !holds) {
       result_.verdict = Verdict::effect_like;
       result_.shape = unknown_shape();
       result_.sentence = fmt::format(
-          "Something is missing (p = {:.1g}); it acts like {}, {}: {}.", result_.p_value,
+          "Something is missing ({}); it acts like {}, {}: {}.", p_text(result_.p_value),
           joined_sets(set),
           !plausible ? "but of an implausible size" : "but the hold-out does not confirm it",
           size_text(best));
@@ -348,9 +366,9 @@ class Investigation {
     suggest(set);
     result_.sentence = fmt::format(
         "{} cannot be told apart on these data (difference {:.1f}, needed {:.0f}); one of them is "
-        "missing (p = {:.1g}).{}",
-        joined_sets(set), std::abs(set.front()->gain - set[1]->gain), within_reach, result_.p_value,
-        measure_text());
+        "missing ({}).{}",
+        joined_sets(set), std::abs(set.front()->gain - set[1]->gain), within_reach,
+        p_text(result_.p_value), measure_text());
   }
 
   void two_effects(const std::vector<const Explanation*>& set) {
@@ -361,9 +379,8 @@ class Investigation {
       result_.verdict = Verdict::not_in_catalogue;
       result_.shape = unknown_shape();
       result_.sentence = fmt::format(
-          "Something is missing (p = {:.1g}); {} would do in sample, but the hold-out does not "
-          "confirm it.",
-          result_.p_value, id_of(best));
+          "Something is missing ({}); {} would do in sample, but the hold-out does not confirm it.",
+          p_text(result_.p_value), id_of(best));
       return;
     }
     result_.verdict = Verdict::several_effects;
@@ -376,21 +393,21 @@ class Investigation {
         error_text(), shift_text(), measure_text());
   }
 
-  /// True if an exponent at its limit would go on for a gain beyond chance: the law that is missing
-  /// acts like something else.
-  [[nodiscard]] bool pulled_further(const Explanation& single, const Explanation& bent) const {
-    if (!bent.bent_to_a_bound()) return false;
-    const Explanation further = attribution_.elastic(single, 2.0 * exponent_limit);
-    return !further.fit.converged || further.gain > bent.gain + result_.needed_gain;
+  /// True if a law bent to its limit is beaten by a plain power of the inputs, which has as many
+  /// free numbers: what is missing then acts like something else.
+  [[nodiscard]] bool bent_too_far(const Explanation& bent) const {
+    return bent.bent_to_a_bound() && result_.shape &&
+           result_.shape->gain > bent.gain + within_reach;
   }
 
   void bent_law() {
     step(0.85, "bending the laws of the best");
+    result_.shape = unknown_shape();
     std::vector<Explanation> bent;
     for (std::size_t k = 0; k < singles_.size() && k < 3; ++k) {
       if (!singles_[k].fit.converged || singles_[k].gain < result_.needed_gain) continue;
-      Explanation e = attribution_.elastic(singles_[k], exponent_limit);
-      if (!e.fit.converged || pulled_further(singles_[k], e)) continue;
+      Explanation e = attribution_.elastic(singles_[k]);
+      if (!e.fit.converged || bent_too_far(e)) continue;
       attribution_.recheck(e);
       if (e.recheck.p_value() >= passed) bent.push_back(std::move(e));
     }
@@ -399,38 +416,61 @@ class Investigation {
     std::vector<const Explanation*> set;
     for (const Explanation& e : bent)
       if (e.gain >= bent.front().gain - within_reach) set.push_back(&e);
-    result_.shape = unknown_shape();
     const double pure = singles_.empty() || !singles_.front().rechecked
                             ? result_.p_value
                             : singles_.front().recheck.p_value();
     if (set.empty()) {
       result_.verdict = Verdict::not_in_catalogue;
       fill({}, singles_.empty() ? Explanation{} : singles_.front());
-      std::string nearest;
-      if (!singles_.empty() && singles_.front().fit.converged) {
-        const double beyond = std::max(1.0, evidence_.base.misfit - degrees());
-        const double left = std::max(0.0, singles_.front().fit.misfit - degrees());
-        nearest = fmt::format(" Nearest entry: {}, leaves {:.0f} % of the misfit.",
-                              id_of(singles_.front()), 100.0 * std::min(1.0, left / beyond));
-      }
       std::string pairs;
       if (!weak_pairs_.empty())
         pairs =
             " Pairs that would do, without being shown: " + joined(weak_pairs_.front(), "and") +
             (weak_pairs_.size() > 1 ? fmt::format(" and {} more.", weak_pairs_.size() - 1) : ".");
-      result_.sentence = fmt::format(
-          "Something is missing (p = {:.1g}), not in the catalogue.{}{}{}", result_.p_value,
-          result_.shape ? " Shape: " + result_.shape->statement + "." : "", nearest, pairs);
+      result_.sentence =
+          fmt::format("Something is missing ({}) that nothing in the catalogue explains.{}{}{}",
+                      p_text(result_.p_value), nearest_text(), shape_text(), pairs);
       return;
     }
     result_.verdict = Verdict::effect_like;
     fill(set, *set.front());
     result_.sentence = fmt::format(
         "Something is missing; it acts like {} but not with the catalogue's law (pure law "
-        "rejected, p = {:.1g}; exponents speed {:+.2f}, load {:+.2f}, viscosity {:+.2f}): either "
+        "rejected, {}; exponents speed {:+.2f}, load {:+.2f}, viscosity {:+.2f}): either "
         "that effect with another law, or an effect outside the catalogue that acts alike.",
-        joined_sets(set), pure, set.front()->speed_exponent, set.front()->load_exponent,
+        joined_sets(set), p_text(pure), set.front()->speed_exponent, set.front()->load_exponent,
         set.front()->viscosity_exponent);
+  }
+
+  /// Which single effects of believable size come nearest, and how far what they leave is from
+  /// noise.
+  [[nodiscard]] std::string nearest_text() const {
+    const auto taken = [&](const Explanation& e) {
+      const double beyond = std::max(1.0, evidence_.base.misfit - degrees());
+      return std::clamp((evidence_.base.misfit - e.fit.misfit) / beyond, 0.0, 1.0);
+    };
+    std::vector<const Explanation*> near;
+    for (const Explanation& e : singles_)
+      if (e.fit.converged && e.gain > result_.needed_gain && sizes_plausible(e) &&
+          near.size() < most_near && (near.empty() || taken(e) > taken(*near.front()) - 0.1))
+        near.push_back(&e);
+    if (near.empty()) return "";
+    const double left = rms(problem_.measured - near.front()->fit.prediction);
+    std::string text =
+        fmt::format(" Nearest: {}; {} {:.0f} % of the misfit away and leaves {:.3g} N mm",
+                    joined_sets(near), near.size() > 1 ? "the first takes" : "it takes",
+                    100.0 * taken(*near.front()), left / N_mm);
+    const double ratio = left / evidence_.noise.rms;
+    if (ratio > 2.0)
+      text += fmt::format(
+          ", {:.0f} times the noise: more than one thing is missing, or another law", ratio);
+    return text + ".";
+  }
+
+  [[nodiscard]] std::string shape_text() const {
+    if (!result_.shape) return "";
+    return fmt::format(" As a power law: {} ({:.0f} % of the misfit).", result_.shape->statement,
+                       100.0 * result_.shape->explained_share);
   }
 
   [[nodiscard]] double degrees() const {
@@ -473,11 +513,14 @@ class Investigation {
         s.value = e.fit.values[static_cast<Eigen::Index>(at)];
         s.std = e.fit.standard_errors[static_cast<Eigen::Index>(at)];
         s.plausible_lower = p.plausible_lower;
-        s.plausible_upper = p.plausible_upper;
+        // What else turns on the shaft of a coast-down has no published size.
+        const bool rotor =
+            c.description->grows_with_the_rotor && std::isfinite(problem_.model.rig.inertia);
+        s.plausible_upper = rotor ? p.upper : p.plausible_upper;
         s.at_bound = e.fit.at_bound[at];
         const double margin = std::isfinite(s.std) ? 2.0 * s.std : 0.0;
         const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
-        const double low = p.plausible_lower - neutral, high = p.plausible_upper - neutral;
+        const double low = s.plausible_lower - neutral, high = s.plausible_upper - neutral;
         const double value = s.value - neutral;
         s.plausible =
             value - margin <= (high > 0.0 ? high * plausible_factor : high / plausible_factor) &&
@@ -604,6 +647,7 @@ class Investigation {
   }
 
   [[nodiscard]] std::string shift_text() const {
+    if (!base_is_identifiable()) return "";
     std::vector<std::string> texts;
     for (const BaseShift& b : result_.base_shifts) {
       const double share = b.before / b.after - 1.0;
@@ -628,6 +672,8 @@ class Investigation {
   }
 
   const DiagnoseOptions& options_;
+  Model model_;
+  std::vector<effects::Effect> user_made_;
   Evidence evidence_;
   const Problem& problem_;
   Attribution attribution_;

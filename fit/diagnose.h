@@ -11,6 +11,7 @@
 #include "effects/effect.h"
 #include "fit/compare.h"
 #include "fit/data_set.h"
+#include "fit/evidence.h"
 #include "fit/hold_out.h"
 #include "fit/model.h"
 #include "fit/next_points.h"
@@ -77,6 +78,7 @@ struct Shape {
   std::vector<EffectSize> coefficients;
   std::string statement;           ///< where it is strongest, and its sign
   double explained_share = unset;  ///< of the squared misfit beyond the noise [1]
+  double gain = unset;             ///< fall of -2 ln L against the model without it
 };
 
 /// A base parameter before and after the effects of the verdict were on.
@@ -117,9 +119,8 @@ struct Diagnosis {
 struct DiagnoseOptions {
   /// What may be missing; the catalogue where empty.
   std::vector<const effects::Description*> candidates{};
-  std::vector<const effects::Description*> user_made{};  ///< beside those
   int tried_before = 0;  ///< other candidates once tried on these data, for the multiplicity
-  int most_rows = 4000;  ///< of larger data sets every k-th row is used
+  int most_rows = most_rows_of_a_fit;
   bool pairs = true;
   NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
@@ -131,7 +132,8 @@ struct Cancelled : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Says whether an effect is missing in the model, which, or what to measure to find out.
+/// Says whether an effect is missing in the model, which, or what to measure to find out. Effects
+/// of the user's own whose size is zero are candidates beside those of the catalogue.
 ///
 ///   noise from a saturated regression -> gate (smooth misfit, largest score) -> each candidate
 ///   alone, then pairs, refitted with all base parameters -> gate again on what is left

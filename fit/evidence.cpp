@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t fewest_rows = 15;
 constexpr Eigen::Index fewest_freedom = 8;  // of the noise
 constexpr double first_relative = 0.02;     // noise assumed before it is known
+constexpr double least_noise = 1e-8;        // of the torque: less is rounding of a computer
 
 int distinct(const DataSet& data, double relative, double absolute, double (*value)(const Row&)) {
   std::vector<double> values;
@@ -126,6 +127,10 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   evidence.response.find_affine_form();
   const double rms = problem.measured.norm() / std::sqrt(static_cast<double>(rows));
   if (!(rms > 0.0)) throw std::invalid_argument(data.source + ": all readings are zero");
+  if (problem.measured.maxCoeff() - problem.measured.minCoeff() <= least_noise * rms)
+    throw std::invalid_argument(fmt::format(
+        "{}: all readings are {:.4g} N mm: a verdict needs readings that vary", data.source,
+        problem.measured[0] / N_mm));
   const Eigen::VectorXd guess = first_relative * problem.measured.cwiseAbs().cwiseMax(0.1 * rms);
   const auto starts_of = [&](const Eigen::VectorXd& x) {
     return std::vector<Eigen::VectorXd>{x, 0.8 * x, 1.25 * x, 0.5 * x};
@@ -143,7 +148,7 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   evidence.noise = problem.data.noise == NoiseSource::regression
                        ? known_noise_model(problem.data)
                        : noise_of_saturated_regression(evidence, first.values, options);
-  if (!(evidence.noise.whitening.std().minCoeff() > 0.0) ||
+  if (!(evidence.noise.whitening.std().minCoeff() > least_noise * rms) ||
       !evidence.noise.whitening.std().allFinite())
     throw std::invalid_argument(
         data.source +

@@ -7,6 +7,8 @@
 
 namespace raceway::fit {
 
+constexpr int most_rows_of_a_fit = 4000;  ///< of larger data sets every k-th row is used
+
 /// Model, data, candidates and noise, made ready to be asked what is missing.
 struct Evidence {
   Problem problem;

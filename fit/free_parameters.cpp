@@ -3,35 +3,17 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "fit/nearest_names.h"
+
 namespace raceway::fit {
 
 namespace {
 
-/// Insertions, deletions and replacements that turn one word into the other.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string unknown_name(const std::string& name, std::vector<ModelParameter> known) {
-  std::stable_sort(known.begin(), known.end(),
-                   [&](const ModelParameter& a, const ModelParameter& b) {
-                     return edit_distance(name, a.name) < edit_distance(name, b.name);
-                   });
-  std::string text = "free parameter \"" + name + "\": the model has no such parameter; nearest: ";
-  for (std::size_t k = 0; k < known.size() && k < 4; ++k)
-    text += (k == 0 ? "" : ", ") + known[k].name;
-  return text;
+std::string unknown_name(const std::string& name, const std::vector<ModelParameter>& known) {
+  std::vector<std::string> names;
+  for (const ModelParameter& p : known) names.push_back(p.name);
+  return "free parameter \"" + name +
+         "\": the model has no such parameter; nearest: " + nearest_names(name, names, 4);
 }
 
 /// `parameters` are those of a base law or of an effect.

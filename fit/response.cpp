@@ -145,6 +145,7 @@ std::optional<Eigen::VectorXd> minimum_from(const Response& response, const Whit
     const FitParameter& p = response.parameters[static_cast<std::size_t>(k)];
     x[k] = std::clamp(x[k], p.lower / p.scale, p.upper / p.scale);
   }
+  if (!response.at(x.cwiseProduct(scale)).allFinite()) return std::nullopt;
   ceres::Problem problem;
   problem.AddResidualBlock(new WhitenedResiduals(response, whitening, measured, scale), nullptr,
                            x.data());
@@ -225,7 +226,16 @@ Eigen::MatrixXd Response::jacobian(const Eigen::VectorXd& x) const {
     Eigen::VectorXd high = x, low = x;
     high[k] = std::min(x[k] + step, p.upper);
     low[k] = std::max(x[k] - step, p.lower);
-    const Eigen::VectorXd slope = (readings(high) - readings(low)) / (high[k] - low[k]);
+    Eigen::VectorXd above = readings(high), below = readings(low);
+    // Next to a point without balance, the side that has one.
+    if (!above.allFinite()) {
+      high[k] = x[k];
+      above = readings(high);
+    } else if (!below.allFinite()) {
+      low[k] = x[k];
+      below = readings(low);
+    }
+    const Eigen::VectorXd slope = (above - below) / (high[k] - low[k]);
     if (result.size() == 0) result.resize(slope.size(), x.size());
     result.col(k) = slope;
   }

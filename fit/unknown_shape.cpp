@@ -149,6 +149,7 @@ std::optional<Shape> find_unknown_shape(const Problem& problem, const NoiseModel
       fmt::format("{}{}, strongest at {:.0f} rpm, {:.0f} N, {:.0f} C", size < 0.0 ? "-" : "+",
                   powers, where.speed / rpm, where.axial_load, where.temperature - kelvin(0));
   const double freedom = static_cast<double>(rows - base.tangent.cols());
+  shape.gain = base.misfit - fit.misfit;
   shape.explained_share =
       std::clamp((base.misfit - fit.misfit) / std::max(1.0, base.misfit - freedom), 0.0, 1.0);
   return shape;

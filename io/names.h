@@ -1,16 +1,15 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "fit/nearest_names.h"
+
 namespace raceway::io {
 
-/// Changes (insert, delete, replace, swap neighbours) that turn one name into the other [1];
-/// upper and lower case are alike.
-[[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
+using fit::edit_distance;
 
 /// The known name that was probably meant: within two changes (one in names of up to four letters),
 /// or `name` is a known name without its unit ("speed") or its first word ("load_N").

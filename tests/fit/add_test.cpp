@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
+#include "effects/formula.h"
 #include "tests/fit/synthetic.h"
 
 namespace raceway::fit {
@@ -47,6 +48,29 @@ TEST(Add, RefusesAnEffectThatIsNotThere) {
   const AddResult result = add(synthetic_model(), drag, measured_with_drag(0.0));
   EXPECT_TRUE(result.refused);
   EXPECT_THAT(result.reason, HasSubstr("no better"));
+}
+
+TEST(Add, RefusesAnEffectWhereAnotherOneExplainsTheData) {
+  // Gyroscopic slip rises with speed as drag does and takes most of the misfit.
+  const std::vector<std::string> slip{"gyroscopic-slip"};
+  const AddResult result = add(synthetic_model(), slip, measured_with_drag(40.0));
+  EXPECT_TRUE(result.refused);
+  EXPECT_LT(result.rmse_held_out_after, result.rmse_held_out_before);
+  EXPECT_THAT(result.reason, HasSubstr("explains these data to the noise"));
+}
+
+TEST(Add, TakesAnEffectOfTheUsersOwnThatStandsInTheModel) {
+  Model model = synthetic_model();
+  model.effects.push_back(effects::make_effect(
+      {.id = "my-drag",
+       .title = "",
+       .torque_Nmm = "c * (speed_rpm/10000)^2",
+       .parameters = {{.name = "c", .unit = "N mm", .value = 0.0, .lower = 0.0}}}));
+  const std::vector<std::string> mine{"my-drag"};
+  const AddResult result = add(model, mine, measured_with_drag(40.0));
+  EXPECT_FALSE(result.refused) << result.reason;
+  ASSERT_EQ(result.calibration.model.effects.size(), 1U);
+  EXPECT_NEAR(result.calibration.model.effects[0].values[0], 40.0, 3.0);
 }
 
 TEST(Add, SaysWhatIsWrongWithTheRequest) {
