@@ -65,7 +65,19 @@ void print_effects(const fit::Diagnosis& d) {
              number(d.needed_gain, 3), d.candidates_tried, d.rows);
 }
 
+std::string range_text(double lower, double upper) {
+  return std::isfinite(upper)   ? fmt::format("{} to {}", number(lower, 3), number(upper, 3))
+         : std::isfinite(lower) ? fmt::format("{} or more", number(lower, 3))
+                                : "any value";
+}
+
 void print_verdict_details(const fit::Diagnosis& d) {
+  for (const fit::RankedEffect& e : d.effects)
+    for (const fit::EffectSize& p : e.parameters)
+      if (e.in_verdict && !std::isnan(p.interval.lower))
+        fmt::print("{}.{}: {}{}{} (95 % interval; in practice {})\n", e.id, p.name,
+                   range_text(p.interval.lower, p.interval.upper), p.unit == "1" ? "" : " ",
+                   p.unit == "1" ? "" : p.unit, range_text(p.plausible_lower, p.plausible_upper));
   for (const fit::BaseShift& b : d.base_shifts)
     fmt::print("{}: {} without, {} with what is missing{}\n", b.name, number(b.before),
                number(b.after), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));

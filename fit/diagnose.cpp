@@ -562,6 +562,7 @@ class Investigation {
         if (!listed.insert(k).second) continue;
         RankedEffect effect = rank(*e, k);
         effect.in_verdict = true;
+        set_interval(*e, k, effect);
         // Whatever stands in its place in another set of the verdict.
         for (const Explanation* other : set) {
           if (std::find(other->members.begin(), other->members.end(), k) != other->members.end())
@@ -579,6 +580,19 @@ class Investigation {
       if (!listed.insert(single.members.front()).second) continue;
       RankedEffect effect = rank(single, single.members.front(), ++count <= ranked);
       result_.effects.push_back(std::move(effect));
+    }
+  }
+
+  /// Interval of the size of one member. A bent law has none: its exponents are no physics.
+  void set_interval(const Explanation& e, std::size_t member, RankedEffect& effect) const {
+    if (e.elastic) return;
+    std::size_t at = problem_.base.size();
+    for (const std::size_t k : e.members) {
+      const Candidate& c = problem_.candidates[k];
+      if (k == member)
+        effect.parameters[c.size_index].interval = profile_interval(
+            e.response, e.fit, evidence_.noise.whitening, problem_.measured, at + c.size_index);
+      at += c.parameters.size();
     }
   }
 

@@ -13,6 +13,7 @@
 #include "fit/data_set.h"
 #include "fit/evidence.h"
 #include "fit/hold_out.h"
+#include "fit/interval.h"
 #include "fit/model.h"
 #include "fit/next_points.h"
 #include "fit/noise_model.h"
@@ -36,7 +37,8 @@ struct EffectSize {
   std::string name;
   std::string unit;
   double value = unset;
-  double std = unset;  ///< NaN at a bound
+  double std = unset;   ///< NaN at a bound
+  Interval interval{};  ///< 95 %, by profile likelihood; of the size of an effect in the verdict
   double plausible_lower = unset, plausible_upper = unset;
   bool plausible = true;  ///< within the range met in practice, widened threefold
   bool at_bound = false;

@@ -128,9 +128,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   const double rms = problem.measured.norm() / std::sqrt(static_cast<double>(rows));
   if (!(rms > 0.0)) throw std::invalid_argument(data.source + ": all readings are zero");
   if (problem.measured.maxCoeff() - problem.measured.minCoeff() <= least_noise * rms)
-    throw std::invalid_argument(fmt::format(
-        "{}: all readings are {:.4g} N mm: a verdict needs readings that vary", data.source,
-        problem.measured[0] / N_mm));
+    throw std::invalid_argument(
+        fmt::format("{}: all readings are {:.4g} N mm: a verdict needs readings that vary",
+                    data.source, problem.measured[0] / N_mm));
   const Eigen::VectorXd guess = first_relative * problem.measured.cwiseAbs().cwiseMax(0.1 * rms);
   const auto starts_of = [&](const Eigen::VectorXd& x) {
     return std::vector<Eigen::VectorXd>{x, 0.8 * x, 1.25 * x, 0.5 * x};

@@ -136,7 +136,8 @@ std::optional<Shape> find_unknown_shape(const Problem& problem, const NoiseModel
                                   .value = fit.values[at],
                                   .std = fit.standard_errors[at],
                                   .at_bound = fit.at_bound[static_cast<std::size_t>(at)]});
-    powers += fmt::format(" {}^{:.2f}", input.word, fit.values[at]);
+    powers += fmt::format(" {}^{:.2f}{}", input.word, fit.values[at],
+                          shape.coefficients.back().at_bound ? " (limit of the search)" : "");
   }
   // A rig of several bearings reads them all; a formula is of one.
   shape.coefficients.front().value /= problem.model.rig.bearings;

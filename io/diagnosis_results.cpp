@@ -19,6 +19,8 @@ json parameters_json(const std::vector<fit::EffectSize>& sizes) {
   for (const fit::EffectSize& p : sizes)
     parameters[p.name] = {{"value", p.value},
                           {"std", p.std},
+                          {"from", p.interval.lower},
+                          {"to", p.interval.upper},
                           {"unit", p.unit},
                           {"plausible", p.plausible},
                           {"plausible_from", p.plausible_lower},

@@ -352,7 +352,11 @@ std::vector<Effect> make_other_forms() {
                                            })),
       form_of("mixed-lubrication", added("stribeck-rational", other,
                                          [](Scene& s, const Values& v) {
-                                           const double x = nu(s) * s.point.speed / 6e4;
+                                           // Half of it is gone where half of SKF's share is.
+                                           const double d_m = s.bearing.machine().pitch_diameter;
+                                           const double half =
+                                               std::pow(std::log(2.0) / (2.6e-8 * d_m), 1.0 / 1.4);
+                                           const double x = nu(s) * s.point.speed / half;
                                            s.moment += v.size / (1.0 + std::pow(x, 1.8)) *
                                                        std::pow(s.load / 1000.0, 1.25);
                                          })),
