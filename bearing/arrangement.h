@@ -45,10 +45,10 @@ using Preload = std::variant<PreloadForce, PreloadOffset>;
 /// What a user says of an arrangement.
 struct ArrangementDesign {
   Layout layout = Layout::back_to_back;
-  std::vector<MountedBearing> front;
-  std::vector<MountedBearing> rear;  ///< none in tandem
+  std::vector<MountedBearing> front = {};
+  std::vector<MountedBearing> rear = {};  ///< none in tandem
   Mounting mounting = Mounting::rigid;
-  Preload preload;
+  Preload preload = {};
   double spring_rate = 0.0;  ///< of a spring mounting [N/m]; 0 keeps its force whatever happens
   /// Axial stiffness between the sets, in series with them [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();

@@ -96,7 +96,12 @@ BearingShare ShaftSystem::share(const ShaftState& state, std::size_t i) const {
   const Member& m = members_[i];
   const Plane centre = groove_centre(state, i);
   BearingShare s;
+  // A groove of an angular-contact bearing has one shoulder: rings that have come this far apart do
+  // not meet on the other side. Rings without radial play do, around the bottom of the groove.
+  const bool apart =
+      centre.axial < 0.0 && centre.radial < m.constants.inner_radius + length_of(thrown_ball(i));
   if (at_rest_) {
+    if (apart) return s;
     const StaticBall b = static_ball(m.constants, centre);
     s.force = m.count * b.force.axial;
     s.stiffness = m.count * b.f_a[0];
@@ -104,7 +109,8 @@ BearingShare ShaftSystem::share(const ShaftState& state, std::size_t i) const {
     return s;
   }
   // The moment is not asked for.
-  const BallBalance b = ball_balance(m.constants, centre, state.balls[i], 0.0);
+  const BallBalance b = ball_balance(m.constants, centre, state.balls[i], 0.0,
+                                     apart ? InnerContact::lost : InnerContact::automatic);
   s.ball = b;
   const double inv = -1.0 / (b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2]);
   s.own[0] = inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial);
@@ -162,18 +168,29 @@ double ShaftSystem::stiffness() const {
 
 bool ShaftSystem::step(Step& s) const {
   const ShaftAssembly& a = now_;
+  const bool tandem = members_.size() == arrangement_.front_count();
   const double front = a.front.force + a.front.gain;
-  if (members_.size() == arrangement_.front_count()) {
-    s.rear = 0.0;
-    s.shaft = (front - a.rear.force + load_) / (a.front.stiffness + a.rear.stiffness);
-    return std::isfinite(s.shaft);
-  }
   const double rear = a.rear.force + a.rear.gain;
   const double seat_imbalance = a.seat_imbalance + seat_.softness * a.rear.gain;
-  const double seat = seat_.hardness + seat_.softness * a.rear.stiffness;
-  s.shaft = (front - rear + load_ + a.rear.stiffness * seat_imbalance / seat) /
-            (a.front.stiffness + a.rear.stiffness * seat_.hardness / seat);
-  s.rear = (seat_.hardness * s.shaft - seat_imbalance) / seat;
+  const double seat = tandem ? 1.0 : seat_.hardness + seat_.softness * a.rear.stiffness;
+  const double through = tandem ? 1.0 : seat_.hardness / seat;
+  // Where nothing touches, the loads push towards contact.
+  const double reach = 0.1 * longest_step_;
+  if (!(seat > 0.0)) {
+    s = {0.0, std::copysign(reach, -seat_imbalance)};
+    return seat_imbalance != 0.0;
+  }
+  const double push =
+      front - rear + load_ + (tandem ? 0.0 : a.rear.stiffness * seat_imbalance / seat);
+  const double stiffness = a.front.stiffness + a.rear.stiffness * through;
+  if (stiffness > 0.0) {
+    s.shaft = push / stiffness;
+  } else if (stiffness == 0.0 && push != 0.0) {
+    s.shaft = std::copysign(reach, push);
+  } else {
+    return false;
+  }
+  s.rear = tandem ? 0.0 : (seat_.hardness * s.shaft - seat_imbalance) / seat;
   return std::isfinite(s.shaft) && std::isfinite(s.rear);
 }
 
