@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const char* const commands[] = {"solve",    "table", "calibrate", "compare",
+const char* const commands[] = {"solve", "table", "displacement", "calibrate", "compare",
                                 "bearings", "new",   "check"};
 
 TEST(CommandLine, TellsItsVersion) {
