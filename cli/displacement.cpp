@@ -112,7 +112,7 @@ Run setup_displacement(CLI::App& command) {
       ->required()
       ->type_name("VALUES");
   add_number(command, "--axial-load", flags->axial_load, signed_load_range,
-             "on the shaft, positive towards the tool [N]; default: external_load_N of the model");
+             "[N], positive towards the tool; default: external_load_N");
   add_number(command, "--temperature", flags->temperature, temperature_range,
              "of the lubricant [C]; default: [rig] of the model, else 40");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")

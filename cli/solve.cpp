@@ -136,8 +136,7 @@ Run setup_solve(CLI::App& command) {
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   add_number(command, "--speed", flags->speed, speed_range, "of the shaft [rpm]")->required();
   add_number(command, "--axial-load", flags->axial_load, signed_load_range,
-             "[N]; default: [rig] of the model. On a shaft, positive towards the tool; default: "
-             "external_load_N");
+             "[N], on a shaft positive towards the tool; default: of the model");
   add_number(command, "--radial-load", flags->radial_load, load_range,
              "along +y [N]; default: [rig] of the model, else 0");
   add_number(command, "--temperature", flags->temperature, temperature_range,

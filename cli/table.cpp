@@ -230,8 +230,7 @@ Run setup_table(CLI::App& command) {
       ->type_name("VALUES");
   command
       .add_option("--axial-load", flags->axial_load,
-                  "[N]; default: [rig] of the model. On a shaft, positive towards the tool; "
-                  "default: external_load_N")
+                  "[N], on a shaft positive towards the tool; default: of the model")
       ->type_name("VALUES");
   command
       .add_option("--radial-load", flags->radial_load, "[N]; default: [rig] of the model, else 0")
