@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/ball_report.h"
 #include "bearing/equilibrium_search.h"
 
 namespace raceway::bearing {
@@ -10,29 +11,6 @@ namespace {
 
 /// Of the loads summed again from the reported balls, relative; rounding leaves a thousandth of it.
 constexpr double largest_load_error = 1e-8;
-
-void fill_ball(const RingSystem& system, const RingState& state, std::size_t k,
-               BallEquilibrium& ball) {
-  const Plane a = system.groove_centre(state.ring, k);
-  const BallForces& f = system.solution().balls[k].forces;
-  const bool touches = f.inner_load > 0.0;
-  if (system.at_rest()) {
-    if (touches)
-      ball.inner_contact_angle = ball.outer_contact_angle = std::atan2(a.axial, a.radial);
-  } else {
-    const Plane x = state.balls[k];
-    ball.outer_contact_angle = std::atan2(x.axial, x.radial);
-    if (touches) ball.inner_contact_angle = std::atan2(a.axial - x.axial, a.radial - x.radial);
-  }
-  ball.inner_load = f.inner_load;
-  ball.outer_load = f.outer_load;
-  ball.inner_friction = f.inner_friction;
-  ball.outer_friction = f.outer_friction;
-  ball.centrifugal_force = f.centrifugal;
-  // λo is 1 where the inner race shares the couple, else 2.
-  const double share = f.inner_friction != 0.0 ? 1.0 : 0.5;
-  ball.gyroscopic_moment = share * f.outer_friction * system.geometry().ball_diameter;
-}
 
 /// Sums the loads again from the reported angles and forces: an independent check of the frame
 /// and of everything between the unknowns and the report.
@@ -78,7 +56,8 @@ void fill(const RingSystem& system, const RingState& state, const OperatingPoint
                                                                        : k;
     BallEquilibrium& ball = result.balls[k];
     if (source == k) {
-      fill_ball(system, state, k, ball);
+      ball = ball_report(system.solution().balls[k].forces, system.groove_centre(state.ring, k),
+                         state.balls[k], system.at_rest(), system.geometry().ball_diameter);
     } else {
       ball = result.balls[source];
     }

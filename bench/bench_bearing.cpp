@@ -1,5 +1,10 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "bearing/arrangement_equilibrium.h"
 #include "bearing/bearing_equilibrium.h"
 
 namespace {
@@ -62,5 +67,53 @@ void make_bearing(benchmark::State& state) {
   }
 }
 BENCHMARK(make_bearing)->Name("bearing/make");
+
+ArrangementDesign two_against_one(Mounting mounting) {
+  const auto bearing = std::make_shared<const Bearing>(spindle_bearing());
+  return {.front = {{bearing}, {bearing}},
+          .rear = {{bearing}},
+          .mounting = mounting,
+          .preload = PreloadForce{600}};
+}
+
+void make_arrangement(benchmark::State& state) {
+  const ArrangementDesign design = two_against_one(Mounting::rigid);
+  for (auto _ : state) {
+    Arrangement made(design);
+    benchmark::DoNotOptimize(made);
+  }
+}
+BENCHMARK(make_arrangement)->Name("arrangement/make");
+
+/// Two bearings against one at 40 speeds up to 10 000 rpm.
+void displacement_curve(benchmark::State& state, bool warm) {
+  const Arrangement arrangement(two_against_one(Mounting::rigid));
+  std::vector<ArrangementCondition> conditions(40);
+  for (std::size_t i = 0; i < 40; ++i)
+    conditions[i].speed = 250.0 * static_cast<double>(i + 1) * rpm;
+  std::vector<ArrangementEquilibrium> results(40);
+  for (auto _ : state) {
+    if (warm) {
+      solve_arrangement(arrangement, conditions, results);
+    } else {
+      for (std::size_t i = 0; i < 40; ++i)
+        results[i] = solve_arrangement(arrangement, conditions[i]);
+    }
+    benchmark::DoNotOptimize(results);
+  }
+  double iterations = 0.0, residual = 0.0, load_error = 0.0;
+  for (const ArrangementEquilibrium& e : results) {
+    if (!e.report.converged()) state.SkipWithError("not converged");
+    iterations += e.report.iterations;
+    residual = std::max(residual, e.report.residual);
+    load_error = std::max(load_error, e.report.recovered_load_error);
+  }
+  state.SetItemsProcessed(40 * state.iterations());
+  state.counters["iterations_per_point"] = iterations / 40;
+  state.counters["residual"] = residual;
+  state.counters["load_error"] = load_error;
+}
+BENCHMARK_CAPTURE(displacement_curve, warm, true)->Name("arrangement/40_speeds/warm");
+BENCHMARK_CAPTURE(displacement_curve, cold, false)->Name("arrangement/40_speeds/cold");
 
 }  // namespace

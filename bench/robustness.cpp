@@ -2,9 +2,10 @@
 // that it finds an equilibrium wherever there is one, put to the test.
 //
 //   robustness [--points 1000000] [--seed 1] [--control outer|inner|both] [--scan 300]
+//              [--of bearings|arrangements]
 //
 // `--scan N` proves up to N of the `no_equilibrium` (loads along y) by a brute-force search that
-// shares nothing of the solver's own search; see equilibrium_scan.h.
+// shares nothing of the solver's own search; see equilibrium_scan.h. It is for bearings only.
 
 #include <fmt/core.h>
 #include <tbb/blocked_range.h>
@@ -17,6 +18,7 @@
 #include <mutex>
 #include <string>
 
+#include "bench/arrangement_domain.h"
 #include "bench/equilibrium_scan.h"
 #include "bench/robustness_domain.h"
 #include "tests/reference_table.h"
@@ -68,8 +70,9 @@ void show_progress(const char* what, long done, long all) {
     fmt::print(stderr, "\r{} {} of {}{}", what, done, all, done == all ? "\n" : "");
 }
 
-Tally solve_all(const std::vector<robustness::Size>& sizes, RaceControl control, std::uint64_t seed,
-                long points) {
+/// Solves all cases of `solve`, which makes a SolveReport of an index.
+template <typename Solve>
+Tally solve_all(const Solve& solve, long points) {
   constexpr long chunk = 200;
   Tally total;
   std::mutex lock;
@@ -78,9 +81,7 @@ Tally solve_all(const std::vector<robustness::Size>& sizes, RaceControl control,
     Tally part;
     for (long i = c * chunk; i < std::min(points, (c + 1) * chunk); ++i) {
       const auto index = static_cast<std::uint64_t>(i);
-      const auto made = robustness::make_case(sizes, control, seed, index);
-      const bearing::Bearing one(made.geometry, bearing::steel(), bearing::steel());
-      part.add(index, solve_bearing_equilibrium(one, made.point, made.options).report);
+      part.add(index, solve(index));
     }
     const std::lock_guard guard(lock);
     total.add(part);
@@ -89,6 +90,27 @@ Tally solve_all(const std::vector<robustness::Size>& sizes, RaceControl control,
   });
   std::sort(total.without.begin(), total.without.end());
   return total;
+}
+
+Tally solve_bearings(const std::vector<robustness::Size>& sizes, RaceControl control,
+                     std::uint64_t seed, long points) {
+  return solve_all(
+      [&](std::uint64_t index) {
+        const auto made = robustness::make_case(sizes, control, seed, index);
+        const bearing::Bearing one(made.geometry, bearing::steel(), bearing::steel());
+        return solve_bearing_equilibrium(one, made.point, made.options).report;
+      },
+      points);
+}
+
+Tally solve_arrangements(const std::vector<robustness::Size>& sizes, RaceControl control,
+                         std::uint64_t seed, long points) {
+  return solve_all(
+      [&](std::uint64_t index) {
+        const auto made = robustness::make_arrangement(sizes, control, seed, index);
+        return solve_arrangement(made.arrangement, made.condition, made.options).report;
+      },
+      points);
 }
 
 struct ScanResult {
@@ -123,7 +145,6 @@ void report(const char* control, const Tally& t, const ScanResult& scan, long po
              static_cast<double>(t.iterations) / static_cast<double>(converged),
              100.0 * static_cast<double>(t.in_eight) / static_cast<double>(converged), t.most);
   fmt::print("  loads recovered to {:.1e} at worst\n", t.worst_load_error);
-  if (t.without.empty()) return;
   if (scan.scanned == 0) return;
   // The scanned share stands for all points without equilibrium.
   const double missed = static_cast<double>(t.without.size()) * static_cast<double>(scan.found) /
@@ -139,7 +160,7 @@ void report(const char* control, const Tally& t, const ScanResult& scan, long po
 int main(int argc, char** argv) {
   long points = 1000000, scan = 300;
   std::uint64_t seed = 1;
-  std::string control = "both";
+  std::string control = "both", of = "bearings";
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string flag = argv[i];
     if (flag == "--points")
@@ -150,6 +171,8 @@ int main(int argc, char** argv) {
       seed = static_cast<std::uint64_t>(std::atol(argv[i + 1]));
     else if (flag == "--control")
       control = argv[i + 1];
+    else if (flag == "--of")
+      of = argv[i + 1];
     else {
       fmt::print(stderr, "robustness: {}: no such flag; see the head of bench/robustness.cpp\n",
                  flag);
@@ -160,7 +183,11 @@ int main(int argc, char** argv) {
   for (const RaceControl c : {RaceControl::outer, RaceControl::inner}) {
     const char* name = c == RaceControl::outer ? "outer" : "inner";
     if (control != "both" && control != name) continue;
-    const Tally tally = solve_all(sizes, c, seed, points);
+    if (of == "arrangements") {
+      report(name, solve_arrangements(sizes, c, seed, points), {}, points);
+      continue;
+    }
+    const Tally tally = solve_bearings(sizes, c, seed, points);
     report(name, tally, scan_some(sizes, c, seed, tally.without, scan), points);
   }
   return 0;

@@ -24,7 +24,17 @@ struct Case {
   bearing::BearingGeometry geometry;
   bearing::OperatingPoint point;
   bearing::EquilibriumOptions options;
+  double rating = unset;  ///< C0 of the size [N]
 };
+
+/// The next number of a SplitMix64 stream, whose streams need no warm-up.
+inline double uniform_number(std::uint64_t& state, double lower, double upper) {
+  std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+  z ^= z >> 31;
+  return lower + (upper - lower) * static_cast<double>(z >> 11) * 0x1.0p-53;
+}
 
 /// Case number `index` of a seed; the same on every machine and for any number of threads.
 ///   contact angle 12 to 25 deg, conformities 0.51 to 0.54, n d_m up to 3e6 rpm mm,
@@ -32,14 +42,9 @@ struct Case {
 ///   in one of three cases in a direction between the balls, tilt locked or free.
 inline Case make_case(const std::vector<Size>& sizes, bearing::RaceControl race_control,
                       std::uint64_t seed, std::uint64_t index) {
-  // SplitMix64, whose streams need no warm-up.
   std::uint64_t state = seed * 0x9e3779b97f4a7c15ULL + index * 0xd1342543de82ef95ULL;
   const auto uniform = [&state](double lower, double upper) {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    z ^= z >> 31;
-    return lower + (upper - lower) * static_cast<double>(z >> 11) * 0x1.0p-53;
+    return uniform_number(state, lower, upper);
   };
   const auto chosen = static_cast<std::size_t>(uniform(0.0, static_cast<double>(sizes.size())));
   const Size& size = sizes[std::min(chosen, sizes.size() - 1)];
@@ -58,6 +63,7 @@ inline Case make_case(const std::vector<Size>& sizes, bearing::RaceControl race_
   c.point.radial_load_z = radial * std::sin(direction);
   c.options.tilt = uniform(0.0, 1.0) < 0.5 ? bearing::Tilt::locked : bearing::Tilt::free;
   c.options.race_control = race_control;
+  c.rating = size.static_load_rating;
   return c;
 }
 

@@ -34,7 +34,7 @@ foreach(folder IN LISTS order users)
       forbid(${file} "${line}" "\"\\.\\.?/|\"[^/]*\"")  # includes are written from the root
       forbid(${file} "${line}" "<ceres/" "fit/.*\\.cpp$" tests/)
       forbid(${file} "${line}" "<toml" "io/.*\\.cpp$" "io/toml_text.h$")
-      forbid(${file} "${line}" "<nlohmann/" "io/.*\\.cpp$" "cli/" tests/)
+      forbid(${file} "${line}" "<nlohmann/" "io/.*\\.cpp$" "io/json_text.h$" "cli/" tests/)
       forbid(${file} "${line}" "<CLI/" cli/)
       forbid(${file} "${line}" "<boost/" "bearing/.*\\.cpp$" "friction/.*\\.cpp$" "fit/.*\\.cpp$" tests/)
     endforeach()

@@ -38,11 +38,11 @@ class ReferenceRow {
   std::vector<std::string> columns_, cells_;
 };
 
-/// Reads data/reference/<name>: `#` lines, a header, comma-separated cells; blanks around cells are
-/// ignored. Throws where the file is missing, empty or ragged.
-inline std::vector<ReferenceRow> reference_table(const std::string& name) {
-  std::ifstream file(std::string(RACEWAY_SOURCE_DIR) + "/data/reference/" + name);
-  if (!file) throw std::runtime_error("cannot read data/reference/" + name);
+/// Reads data/<name>: `#` lines, a header, comma-separated cells; blanks around cells are ignored.
+/// Throws where the file is missing, empty or ragged.
+inline std::vector<ReferenceRow> data_table(const std::string& name) {
+  std::ifstream file(std::string(RACEWAY_SOURCE_DIR) + "/data/" + name);
+  if (!file) throw std::runtime_error("cannot read data/" + name);
   const auto split = [](const std::string& line) {
     std::vector<std::string> cells;
     for (std::size_t begin = 0; begin <= line.size();) {
@@ -71,8 +71,13 @@ inline std::vector<ReferenceRow> reference_table(const std::string& name) {
                                std::to_string(columns.size()) + " columns");
     }
   }
-  if (rows.empty()) throw std::runtime_error("no rows in data/reference/" + name);
+  if (rows.empty()) throw std::runtime_error("no rows in data/" + name);
   return rows;
+}
+
+/// The same of data/reference/<name>.
+inline std::vector<ReferenceRow> reference_table(const std::string& name) {
+  return data_table("reference/" + name);
 }
 
 }  // namespace raceway::tests

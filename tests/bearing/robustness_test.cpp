@@ -1,9 +1,11 @@
 // A part of bench/robustness small enough for every test run: 20 000 points of the same domain.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <ostream>
 
+#include "bench/arrangement_domain.h"
 #include "bench/equilibrium_scan.h"
 #include "tests/bearing/random_case.h"
 
@@ -54,6 +56,62 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(part.param.race_control == RaceControl::outer ? "Outer" : "Inner") +
              "Control" + std::to_string(part.param.seed);
     });
+
+struct SetPart {
+  RaceControl race_control;
+  int points;
+  double least_converged;  ///< share
+};
+
+void PrintTo(const SetPart& part, std::ostream* out) { *out << part.points << " sets"; }
+
+class ArrangementRobustness : public testing::TestWithParam<SetPart> {};
+
+TEST_P(ArrangementRobustness, EverySetConvergesOrSaysWhy) {
+  const auto sizes = tests::catalogue_sizes();
+  int converged = 0;
+  for (int index = 0; index < GetParam().points; ++index) {
+    const auto c = robustness::make_arrangement(sizes, GetParam().race_control, 1,
+                                                static_cast<std::uint64_t>(index));
+    const auto e = solve_arrangement(c.arrangement, c.condition, c.options);
+    converged += e.report.converged();
+    if (e.report.converged()) {
+      EXPECT_LE(e.report.recovered_load_error, 1e-8) << "set " << index;
+    } else {
+      EXPECT_THAT(e.report.status,
+                  testing::AnyOf(SolveStatus::no_equilibrium, SolveStatus::singular))
+          << "set " << index << ": " << name(e.report.status);
+    }
+  }
+  EXPECT_GT(converged, GetParam().least_converged * GetParam().points);
+}
+
+// What does not converge under outer control: springs that are pulled open, sets that expansion has
+// freed, and rings without radial play against springs.
+INSTANTIATE_TEST_SUITE_P(Domain, ArrangementRobustness,
+                         testing::Values(SetPart{RaceControl::outer, 4000, 0.95},
+                                         SetPart{RaceControl::inner, 2000, 0.85}),
+                         [](const auto& part) {
+                           return std::string(part.param.race_control == RaceControl::outer
+                                                  ? "OuterControl"
+                                                  : "InnerControl");
+                         });
+
+// A rigid O or X on unshifted rings always has a balance under outer control.
+TEST(ArrangementRobustness, RigidSetsAlwaysBalance) {
+  const auto sizes = tests::catalogue_sizes();
+  int rigid = 0;
+  for (std::uint64_t index = 0; index < 5000; ++index) {
+    auto c = robustness::make_arrangement(sizes, RaceControl::outer, 2, index);
+    if (c.arrangement.design().mounting != Mounting::rigid) continue;
+    c.condition.shifts.clear();
+    c.condition.elongation = 0.0;
+    ++rigid;
+    const auto e = solve_arrangement(c.arrangement, c.condition, c.options);
+    EXPECT_TRUE(e.report.converged()) << "set " << index << ": " << name(e.report.status);
+  }
+  EXPECT_GT(rigid, 2000);
+}
 
 /// The brute-force search on cases of the domain under inner control, load along y.
 struct ScanTally {

@@ -12,8 +12,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const char* const commands[] = {"solve",    "table", "calibrate", "compare",
-                                "bearings", "new",   "check"};
+const char* const commands[] = {"solve",   "table",    "displacement", "calibrate",
+                                "compare", "bearings", "new",          "check"};
 
 TEST(CommandLine, TellsItsVersion) {
   const Result r = run("--version");

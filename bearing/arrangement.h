@@ -1,0 +1,135 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "bearing/bearing.h"
+
+namespace raceway::bearing {
+
+/// How the sets at the two ends of a shaft face each other. `front` is the tool side.
+///
+///   back_to_back   O: bearings at the front push the shaft towards the tool, those at the rear
+///   away face_to_face   X: the other way round tandem         all bearings in one set that pushes
+///   towards the tool, against a spring
+enum class Layout { back_to_back, face_to_face, tandem };
+
+/// What holds the outer rings of the rear set: the housing, or a spring that presses them on.
+enum class Mounting { rigid, spring };
+
+enum class Side { front, rear };
+
+/// One bearing of a set.
+struct MountedBearing {
+  std::shared_ptr<const Bearing> bearing;
+  /// How much further than its set this bearing is pressed, from how its faces are ground [m].
+  double offset = 0.0;
+};
+
+/// Axial force on each side at standstill, the sum over its bearings [N], > 0.
+struct PreloadForce {
+  double force = unset;
+};
+
+/// How far clamping presses the two sides together, from where both just touch [m]: the gap ground
+/// into the faces.
+struct PreloadOffset {
+  double offset = unset;
+};
+
+using Preload = std::variant<PreloadForce, PreloadOffset>;
+
+/// What a user says of an arrangement.
+struct ArrangementDesign {
+  Layout layout = Layout::back_to_back;
+  std::vector<MountedBearing> front = {};
+  std::vector<MountedBearing> rear = {};  ///< none in tandem
+  Mounting mounting = Mounting::rigid;
+  Preload preload = {};
+  double spring_rate = 0.0;  ///< of a spring mounting [N/m]; 0 keeps its force whatever happens
+  /// Axial stiffness between the sets, in series with them [N/m].
+  double shaft_stiffness = std::numeric_limits<double>::infinity();
+  double housing_stiffness = std::numeric_limits<double>::infinity();
+  double distance = 0.0;                            ///< between the sets, for expansion [m]
+  double shaft_expansion = 11.5 * per_million_K;    ///< [1/K]
+  double housing_expansion = 11.5 * per_million_K;  ///< [1/K]
+  double mounting_temperature = kelvin(20);         ///< at which the preload was set [K]
+};
+
+/// Sets of bearings on a shaft, preloaded at standstill. Immutable; making one costs a solve at
+/// rest without ball unknowns, copying shares the bearings.
+///
+/// x is the shaft's axial position at the front set, positive towards the tool, zero as mounted: at
+/// standstill, at the mounting temperature, without external load. With d = 1 (X: -1) the inner
+/// rings of a side are pressed into their grooves by
+///
+///   front   δ_f = δ_f0 - d x
+///   rear    δ_r = δ_r0 + d (x - e) - c (F_r - F_0)     rigid, c = 1/shaft + 1/housing stiffness
+///           F_r = F_0 + k (d (x - e) - (δ_r - δ_r0))   spring, 1/k = 1/rate + c
+///
+/// counted from where the balls of a bearing just touch at their nominal contact angle; e is the
+/// elongation of the shaft beyond the housing between the sets. In tandem the spring itself stands
+/// in the place of the rear set.
+class Arrangement {
+ public:
+  /// Throws std::invalid_argument: name, value with unit, allowed range.
+  explicit Arrangement(ArrangementDesign design);
+
+  [[nodiscard]] const ArrangementDesign& design() const { return design_; }
+  /// Front set first, from the tool to the rear.
+  [[nodiscard]] std::span<const MountedBearing> bearings() const { return bearings_; }
+  [[nodiscard]] std::size_t front_count() const { return design_.front.size(); }
+  [[nodiscard]] Side side(std::size_t bearing) const {
+    return bearing < front_count() ? Side::front : Side::rear;
+  }
+  /// d: 1 where the front set pushes the shaft towards the tool, else -1.
+  [[nodiscard]] double direction() const {
+    return design_.layout == Layout::face_to_face ? -1.0 : 1.0;
+  }
+  /// Axial force on each side as mounted, F_0 [N].
+  [[nodiscard]] double preload() const { return preload_; }
+  /// δ_f0 or δ_r0 [m].
+  [[nodiscard]] double displacement(Side side) const {
+    return side == Side::front ? front_displacement_ : rear_displacement_;
+  }
+  /// The seat of the rear set, `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)):
+  /// (c [m/N], 1) where it is rigid, (1, k [N/m]) on a spring.
+  struct Seat {
+    double softness, hardness;
+  };
+  [[nodiscard]] Seat seat() const { return seat_; }
+
+ private:
+  ArrangementDesign design_;
+  std::vector<MountedBearing> bearings_;
+  Seat seat_{};
+  double preload_ = 0.0, front_displacement_ = 0.0, rear_displacement_ = 0.0;
+};
+
+/// External axial loads at which a side of the mounted arrangement comes free at standstill [N].
+/// Source: geometry of the mounted state; F ~ δ^1.5 gives 2.83 preloads for a pair [SNFA, p. 33].
+struct LiftOff {
+  double front = unset;  ///< the front set comes free; positive towards the tool
+  double rear = unset;   ///< the rear set; NaN where a spring follows it
+};
+
+[[nodiscard]] LiftOff lift_off(const Arrangement& arrangement);
+
+/// Axial force of one bearing at standstill whose inner ring is displaced by `displacement` from
+/// the no-load position, the ball between them as two springs in series [N].
+[[nodiscard]] double axial_force_at_rest(const Bearing& bearing, double displacement);
+
+/// Its inverse [m], for force >= 0.
+[[nodiscard]] double displacement_at_rest(const Bearing& bearing, double force);
+
+/// Gap that is ground into bearings whose faces are flush under a preload class: the displacement
+/// of one front bearing and one rear bearing under the force printed for a pair. Sets of such
+/// universally matched bearings have another preload than the pair: 1.35 times for two against
+/// one, 2 times for two against two [SNFA, p. 31].
+[[nodiscard]] PreloadOffset matched_preload(const Bearing& front, double front_force,
+                                            const Bearing& rear, double rear_force);
+
+}  // namespace raceway::bearing

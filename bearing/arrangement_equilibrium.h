@@ -1,0 +1,114 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bearing/arrangement.h"
+#include "bearing/bearing_equilibrium.h"
+
+namespace raceway::bearing {
+
+/// What moves the grooves of one bearing of an arrangement from where they were mounted [m].
+struct RingShift {
+  double axial = 0.0;         ///< inner ring pressed further into the bearing
+  double radial = 0.0;        ///< circle of inner groove centres grows beyond that of the outer
+  double inner_length = 0.0;  ///< inner groove centre to ball centre, without load
+  double outer_length = 0.0;  ///< outer groove centre to ball centre
+  [[nodiscard]] bool operator==(const RingShift&) const = default;
+};
+
+/// What an arrangement runs under.
+struct ArrangementCondition {
+  double speed = 0.0;          ///< [rad/s], >= 0
+  double external_load = 0.0;  ///< axial, on the shaft, positive towards the tool [N]
+  double elongation = 0.0;     ///< e: of the shaft beyond the housing, between the sets [m]
+  /// One for each bearing, the front set first; none means that nothing has moved.
+  std::vector<RingShift> shifts = {};
+};
+
+/// Temperatures of an arrangement [K].
+struct SetTemperatures {
+  double inner_ring = unset, outer_ring = unset;
+  double balls = unset;  ///< unset: the mean of both rings
+  double shaft = unset, housing = unset;
+};
+
+/// Free thermal expansion from the mounting temperature T0 of rings and balls,
+///
+///   radial  λ_r ((T_i - T0) R_i - (T_o - T0) R_o),  R the radii of the groove centres' circles
+///   lengths λ_r (T - T0) f D - λ_b (T_b - T0) D/2
+///   axial   λ_r ((T_i + T_o)/2 - T0) B D sin α0
+///
+/// so that one temperature of everything only scales a bearing of one material.
+/// Source: derived. Fits and the stiffness of shaft and housing are left out.
+[[nodiscard]] RingShift thermal_shift(const Bearing& bearing, const SetTemperatures& temperatures,
+                                      double mounting_temperature);
+
+/// Adds the expansion of all bearings, and of shaft and housing between the sets,
+/// e = L (λ_s (T_s - T0) - λ_h (T_h - T0)), to a condition. Throws std::invalid_argument for
+/// temperatures that are missing or not from 50 to 800 K.
+void add_expansion(const Arrangement& arrangement, const SetTemperatures& temperatures,
+                   ArrangementCondition& condition);
+
+/// One bearing in balance within its set. All its balls are alike.
+struct BearingInSet {
+  double axial_load = unset;    ///< F_i, what it carries [N], >= 0
+  double displacement = unset;  ///< δ_i, how far it is pressed, its offset and shift included [m]
+  double axial_stiffness = unset;                     ///< [N/m]
+  BallEquilibrium ball;                               ///< at azimuth 0
+  double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest in the contacts [Pa]
+  /// Least axial load, see minimum_load() [N].
+  double minimum_load = unset;
+
+  [[nodiscard]] bool lost() const { return !(ball.inner_load > 0.0); }
+  [[nodiscard]] bool below_minimum() const { return axial_load < minimum_load; }
+};
+
+/// The shaft position at which the sets balance. Only `report` is set unless the solve converged.
+struct ArrangementEquilibrium {
+  double position = unset;  ///< x, from the mounted state, positive towards the tool [m]
+  double front_force = unset, rear_force = unset;  ///< sums over the sides [N]
+  double rear_displacement = unset;                ///< δ_r [m]
+  double axial_stiffness = unset;  ///< external load per displacement of the shaft [N/m]
+  std::vector<BearingInSet> bearings;
+  SolveReport report;
+
+  /// Bearing i as the friction laws want it: all balls, displacement and stiffness in x alone (the
+  /// other components of the stiffness are NaN).
+  [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
+};
+
+/// Least axial load at which the balls of a bearing roll without skidding: the inner contacts press
+/// as hard outwards as the centrifugal forces do at the nominal contact angle [N],
+///
+///   F_min = Z F_c tan α0
+///
+/// Source:   derived; GMN's least spring preload at the speed limit is 0.9 to 1.3 times as much for
+///           its S series, 0.5 to 0.8 times for those with smaller balls (tests).
+[[nodiscard]] double minimum_load(const Bearing& bearing, double centrifugal_force);
+
+/// Finds the shaft position at which front set, rear set and external load balance.
+///
+/// Newton-Raphson on the shaft's position, the rear set's, and two coordinates of a ball of every
+/// bearing (thrust loads all balls alike), the balls eliminated (Schur complement), all derivatives
+/// analytic. Where the start from standstill or the neighbour fails, the solution is followed in
+/// speed squared, loads and shifts. Nothing is bracketed: where no position balances, the status is
+/// `no_equilibrium`; a shaft that nothing holds, both sets free, is `singular`.
+///
+/// A bearing that loses its inner contacts carries nothing, which is a legal state.
+/// Domain:   speed >= 0; a set that would have to pull is no balance.
+/// Accuracy: `options.tolerance` on forces relative to the largest; tilt is locked at zero.
+///           Physically as solve_bearing_equilibrium().
+/// Throws std::invalid_argument for a condition that is not finite or has another number of shifts.
+[[nodiscard]] ArrangementEquilibrium solve_arrangement(
+    const Arrangement& arrangement, const ArrangementCondition& condition,
+    const EquilibriumOptions& options = {}, const ArrangementEquilibrium* neighbour = nullptr);
+
+/// The same for many conditions, each from the one before it. Throws std::invalid_argument if the
+/// sizes differ.
+void solve_arrangement(const Arrangement& arrangement,
+                       std::span<const ArrangementCondition> conditions,
+                       std::span<ArrangementEquilibrium> results,
+                       const EquilibriumOptions& options = {});
+
+}  // namespace raceway::bearing

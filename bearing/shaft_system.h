@@ -1,0 +1,104 @@
+#pragma once
+
+#include <vector>
+
+#include "bearing/arrangement_equilibrium.h"
+#include "bearing/ball_equilibrium.h"
+
+namespace raceway::bearing {
+
+/// Positions that are unknown: of the shaft, of the rear set, and of a ball of every bearing.
+struct ShaftState {
+  double shaft = 0.0;  ///< y = d x [m]
+  double rear = 0.0;   ///< δ_r [m]
+  std::vector<Plane> balls;
+};
+
+/// Forces of one bearing, their derivative with the ball eliminated, and the step the ball would
+/// take.
+struct BearingShare {
+  double force = 0.0;      ///< Z f_axial [N]
+  double gain = 0.0;       ///< its change by the ball's own Newton step [N]
+  double stiffness = 0.0;  ///< its derivative by the bearing's displacement [N/m]
+  double imbalance = 0.0;  ///< of the ball, squared and scaled [1]
+  double own[2] = {};      ///< step of the ball for a ring at rest [m]
+  double follow[2] = {};   ///< step of the ball per axial step of its groove centre [1]
+  BallForces ball{};
+};
+
+struct ShaftAssembly {
+  std::vector<BearingShare> bearings;
+  BearingShare front, rear;  ///< sums over the sides
+  double shaft_imbalance;    ///< F_f - F_r + d P [N]
+  double seat_imbalance;     ///< of the rear set's seat, in the unit of Arrangement::Seat
+  double residual;           ///< largest of all, scaled [1]
+  double merit;              ///< sum of squares of the same
+};
+
+/// The balance of a shaft in its sets, and Newton's method on it. Internal to the solver.
+class ShaftSystem {
+ public:
+  ShaftSystem(const Arrangement& arrangement, const EquilibriumOptions& options);
+
+  /// `share` of the speed squared, and of loads and shifts.
+  void set_condition(const ArrangementCondition& condition, double speed_share = 1.0,
+                     double load_share = 1.0);
+  /// Iterates from `state` to balance within the tolerance. False leaves `state` anywhere.
+  [[nodiscard]] bool newton(ShaftState& state);
+  [[nodiscard]] const ShaftAssembly& solution() const { return now_; }
+
+  [[nodiscard]] bool at_rest() const { return at_rest_; }
+  [[nodiscard]] std::size_t size() const { return members_.size(); }
+  [[nodiscard]] const BallConstants& constants(std::size_t i) const {
+    return members_[i].constants;
+  }
+  /// External load in the direction of the front set's push, d P [N].
+  [[nodiscard]] double load() const { return load_; }
+  [[nodiscard]] double displacement(const ShaftState& state, std::size_t i) const;
+  [[nodiscard]] Plane groove_centre(const ShaftState& state, std::size_t i) const;
+  /// A ball that nothing but its centrifugal force presses on.
+  [[nodiscard]] Plane thrown_ball(std::size_t i) const;
+  /// External load per displacement of the shaft [N/m].
+  [[nodiscard]] double stiffness() const;
+  /// Force of the rear set or, in tandem, of the spring [N].
+  [[nodiscard]] double rear_force(const ShaftState& state) const;
+  [[nodiscard]] int iterations() const { return iterations_; }
+  [[nodiscard]] bool exhausted() const { return iterations_ >= options_.max_iterations; }
+  /// Why newton() failed: no_equilibrium unless every attempt was singular or not finite.
+  [[nodiscard]] SolveStatus failure() const { return failure_; }
+  /// Forgets iterations and failures.
+  void restart();
+
+ private:
+  /// A bearing in its set, as shifted.
+  struct Member {
+    BallConstants constants;
+    Plane free;      ///< inner groove centre without displacement
+    double offset;   ///< pressed further than its set
+    double count;    ///< Z
+    bool like_last;  ///< same bearing in the same condition as the one before, on the same side
+  };
+  struct Step {
+    double shaft, rear;
+  };
+  void assemble(const ShaftState& state, ShaftAssembly& a) const;
+  [[nodiscard]] BearingShare share(const ShaftState& state, std::size_t i) const;
+  [[nodiscard]] bool step(Step& s) const;
+  void advance(const ShaftState& from, const Step& step, double fraction, ShaftState& to) const;
+  bool fail(SolveStatus why);
+
+  const Arrangement& arrangement_;
+  const EquilibriumOptions& options_;
+  std::vector<Member> members_;
+  Arrangement::Seat seat_;
+  double load_ = 0.0, elongation_ = 0.0, force_scale_ = 0.0, reference_stiffness_ = 0.0;
+  double longest_step_ = 0.0;
+  bool at_rest_ = true;
+  ShaftAssembly now_, trial_;
+  ShaftState trial_state_;
+  int iterations_ = 0;
+  SolveStatus failure_ = SolveStatus::no_equilibrium;
+  bool attempted_ = false;
+};
+
+}  // namespace raceway::bearing
