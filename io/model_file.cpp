@@ -213,6 +213,7 @@ class Reader {
                       .free = std::move(free)},
             .source = source_,
             .text = std::move(text_),
+            .catalogue = catalogue_,
             .defaults = std::move(defaults_)};
   }
 
@@ -334,6 +335,7 @@ class Reader {
     bearing::BearingGeometry g;
     if (const auto catalogue = s.text("catalogue")) {
       from_catalogue_ = true;
+      catalogue_ = *catalogue;
       const auto rows = read_catalogues();
       try {
         const CatalogueBearing row = find_bearing(rows, *catalogue);
@@ -657,7 +659,7 @@ class Reader {
   }
 
   toml::table root_;
-  std::string text_, source_, name_;
+  std::string text_, source_, name_, catalogue_;
   bool from_catalogue_ = false;
   std::vector<Material> materials_;
   friction::FrictionLaw law_ = friction::FrictionLaw::palmgren;
