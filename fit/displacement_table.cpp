@@ -11,6 +11,19 @@
 #include <utility>
 
 namespace raceway::fit {
+namespace {
+
+/// Slope at the first of three points from the parabola through them, held where it would make the
+/// cubic turn; Boost's own is the secant, good to first order only.
+double end_slope(const double* x, const double* y, int step) {
+  const double h0 = x[step] - x[0], h1 = x[2 * step] - x[step];
+  const double s0 = (y[step] - y[0]) / h0, s1 = (y[2 * step] - y[step]) / h1;
+  const double slope = ((2.0 * h0 + h1) * s0 - h0 * s1) / (h0 + h1);
+  if (slope * s0 <= 0.0) return 0.0;
+  return std::abs(slope) > 3.0 * std::abs(s0) ? 3.0 * s0 : slope;
+}
+
+}  // namespace
 
 DisplacementTable make_displacement_table(std::span<const DisplacementPoint> curve) {
   std::map<double, std::pair<double, int>> sums;  // displacement and rows, by speed
@@ -29,7 +42,9 @@ DisplacementTable make_displacement_table(std::span<const DisplacementPoint> cur
     table.displacement.push_back(sum.first / sum.second);
   }
   const boost::math::interpolators::pchip<std::vector<double>> cubic(
-      std::vector(table.speed), std::vector(table.displacement));
+      std::vector(table.speed), std::vector(table.displacement),
+      end_slope(&table.speed.front(), &table.displacement.front(), 1),
+      end_slope(&table.speed.back(), &table.displacement.back(), -1));
   for (const double speed : table.speed) table.slope.push_back(cubic.prime(speed));
   table.monotone = std::is_sorted(table.displacement.begin(), table.displacement.end()) ||
                    std::is_sorted(table.displacement.rbegin(), table.displacement.rend());

@@ -31,30 +31,60 @@ struct Shape {
   double B, C;
 };
 
-/// n^(1 - B exp(-C n)) over its value at the highest speed: the curve without its size.
-double form(double n, double log_n, double log_end, const Shape& s, double fade_end) {
-  return std::exp((1.0 - s.B * std::exp(-s.C * n)) * log_n - (1.0 - s.B * fade_end) * log_end);
-}
-
-/// Best displacement at the highest speed, by which the form is multiplied, and what it leaves.
-struct Projection {
-  double size, cost;
-};
-
-Projection project(const Rows& rows, const Shape& s) {
-  const double log_end = rows.log_n.back(), fade_end = std::exp(-s.C * rows.n.back());
-  double ff = 0.0, fu = 0.0;
-  std::vector<double> forms(rows.n.size());
-  for (std::size_t i = 0; i < rows.n.size(); ++i) {
-    forms[i] = form(rows.n[i], rows.log_n[i], log_end, s, fade_end);
-    ff += squared(rows.weight[i] * forms[i]);
-    fu += squared(rows.weight[i]) * forms[i] * rows.u[i];
+/// The curves of one C without their size, n^(1 - B exp(-C n)) over its value at the highest speed.
+class Forms {
+ public:
+  Forms(const Rows& rows, double C) : rows_(rows) {
+    const double log_end = rows.log_n.back(), bend_end = std::exp(-C * rows.n.back()) * log_end;
+    for (std::size_t i = 0; i < rows.n.size(); ++i) {
+      straight_.push_back(rows.log_n[i] - log_end);
+      bend_.push_back(std::exp(-C * rows.n[i]) * rows.log_n[i] - bend_end);
+    }
   }
-  Projection p{fu / ff, 0.0};
-  for (std::size_t i = 0; i < rows.n.size(); ++i)
-    p.cost += squared(rows.weight[i] * (p.size * forms[i] - rows.u[i]));
-  return p;
-}
+
+  /// Displacement at the highest speed by which a form is best multiplied, and what it leaves.
+  struct Projection {
+    double size, cost;
+  };
+  [[nodiscard]] Projection project(double B) const {
+    Sums sums;
+    for (std::size_t i = 0; i < bend_.size(); ++i)
+      sums.add(rows_, i, std::exp(straight_[i] - B * bend_[i]));
+    return sums.projection();
+  }
+
+  /// Costs at `count` equal steps of B; powers of one factor save the exponentials.
+  [[nodiscard]] std::vector<double> costs(double first, double step, int count) const {
+    std::vector<double> form, factor, result;
+    for (std::size_t i = 0; i < bend_.size(); ++i) {
+      form.push_back(std::exp(straight_[i] - first * bend_[i]));
+      factor.push_back(std::exp(-step * bend_[i]));
+    }
+    for (int k = 0; k < count; ++k) {
+      Sums sums;
+      for (std::size_t i = 0; i < form.size(); ++i) {
+        sums.add(rows_, i, form[i]);
+        form[i] *= factor[i];
+      }
+      result.push_back(sums.projection().cost);
+    }
+    return result;
+  }
+
+ private:
+  struct Sums {
+    double ff = 0.0, fu = 0.0, uu = 0.0;
+    void add(const Rows& rows, std::size_t i, double form) {
+      const double w = squared(rows.weight[i]);
+      ff += w * form * form;
+      fu += w * form * rows.u[i];
+      uu += w * rows.u[i] * rows.u[i];
+    }
+    [[nodiscard]] Projection projection() const { return {fu / ff, uu - fu * fu / ff}; }
+  };
+  const Rows& rows_;
+  std::vector<double> straight_, bend_;
+};
 
 struct Range {
   double lower_B, upper_B, lower_C, upper_C;
@@ -77,13 +107,12 @@ std::vector<Shape> minima_on_grid(const Rows& all, const Range& range) {
   for (int j = 0; j <= grid_of_C; ++j) {
     const double C =
         range.lower_C * std::pow(range.upper_C / range.lower_C, static_cast<double>(j) / grid_of_C);
-    const auto cost = [&](double B) { return project(rows, {B, C}).cost; };
-    double lowest = std::numeric_limits<double>::infinity(), at = range.lower_B;
-    for (int k = 0; k <= grid_of_B; ++k)
-      if (const double c = cost(range.lower_B + k * step_B); c < lowest) {
-        lowest = c;
-        at = range.lower_B + k * step_B;
-      }
+    const Forms forms(rows, C);
+    const auto cost = [&](double B) { return forms.project(B).cost; };
+    const std::vector<double> by_B = forms.costs(range.lower_B, step_B, grid_of_B + 1);
+    const auto low = std::min_element(by_B.begin(), by_B.end());
+    const double lowest = *low;
+    const double at = range.lower_B + static_cast<double>(low - by_B.begin()) * step_B;
     const auto [B, value] = boost::math::tools::brent_find_minima(
         cost, std::max(range.lower_B, at - step_B), std::min(range.upper_B, at + step_B), 20);
     best.push_back({value < lowest ? B : at, C});
@@ -128,42 +157,77 @@ struct Optimum {
   FitStatus status = FitStatus::failed;
 };
 
-Optimum minimise(const Rows& rows, const Range& range, Shape start) {
-  start.B = std::clamp(start.B, range.lower_B, range.upper_B);
-  start.C = std::clamp(start.C, range.lower_C, range.upper_C);
-  const double scale = *std::max_element(
-      rows.u.begin(), rows.u.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  std::array x{project(rows, start).size / scale, start.B, std::log(start.C)};
-  ceres::Problem problem;
-  problem.AddResidualBlock(new ceres::AutoDiffCostFunction<LawResiduals, ceres::DYNAMIC, 3>(
-                               new LawResiduals(rows, scale), static_cast<int>(rows.n.size())),
-                           nullptr, x.data());
-  problem.SetParameterLowerBound(x.data(), 1, range.lower_B);
-  problem.SetParameterUpperBound(x.data(), 1, range.upper_B);
-  problem.SetParameterLowerBound(x.data(), 2, std::log(range.lower_C));
-  problem.SetParameterUpperBound(x.data(), 2, std::log(range.upper_C));
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  options.max_num_iterations = 500;
-  options.function_tolerance = 1e-16;
-  options.gradient_tolerance = 1e-15;
-  options.parameter_tolerance = 1e-13;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-
-  Optimum result;
-  result.size = x[0] * scale;
-  result.shape = {std::clamp(x[1], range.lower_B, range.upper_B),
-                  std::clamp(std::exp(x[2]), range.lower_C, range.upper_C)};
-  result.cost = 2.0 * summary.final_cost * squared(scale);
-  result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);
-  result.status = summary.termination_type == ceres::CONVERGENCE      ? FitStatus::converged
-                  : summary.termination_type == ceres::NO_CONVERGENCE ? FitStatus::iteration_limit
-                                                                      : FitStatus::failed;
-  return result;
+Bound bound_of(double value, double lower, double upper) {
+  const double near = bound_tolerance * (upper - lower);
+  return value - lower <= near ? Bound::lower : upper - value <= near ? Bound::upper : Bound::none;
 }
+
+class Minimisation {
+ public:
+  Minimisation(const Rows& rows, const Range& range)
+      : rows_(rows),
+        scale_(*std::max_element(rows.u.begin(), rows.u.end(),
+                                 [](double a, double b) { return std::abs(a) < std::abs(b); })),
+        lower_{range.lower_B, std::log(range.lower_C)},
+        upper_{range.upper_B, std::log(range.upper_C)} {}
+
+  [[nodiscard]] Optimum from(const Shape& start) const {
+    std::array x{0.0, std::clamp(start.B, lower_[0], upper_[0]),
+                 std::clamp(std::log(start.C), lower_[1], upper_[1])};
+    x[0] = Forms(rows_, std::exp(x[2])).project(x[1]).size / scale_;
+    Optimum optimum;
+    run(x, {}, optimum);
+    // Along a bound the optimiser's steps are cut short and it stops early: hold what has arrived
+    // there and go on with the rest.
+    std::vector<int> held;
+    for (int k = 1; k <= 2; ++k) {
+      double& value = x[static_cast<std::size_t>(k)];
+      const double lower = lower_[static_cast<std::size_t>(k - 1)];
+      const double upper = upper_[static_cast<std::size_t>(k - 1)];
+      const Bound bound = bound_of(value, lower, upper);
+      if (bound == Bound::none) continue;
+      value = bound == Bound::lower ? lower : upper;
+      held.push_back(k);
+    }
+    if (!held.empty()) run(x, held, optimum);
+    return optimum;
+  }
+
+ private:
+  void run(std::array<double, 3>& x, const std::vector<int>& held, Optimum& optimum) const {
+    ceres::Problem problem;
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<LawResiduals, ceres::DYNAMIC, 3>(
+                                 new LawResiduals(rows_, scale_), static_cast<int>(rows_.n.size())),
+                             nullptr, x.data());
+    for (int k = 0; k < 2; ++k) {
+      problem.SetParameterLowerBound(x.data(), k + 1, lower_[static_cast<std::size_t>(k)]);
+      problem.SetParameterUpperBound(x.data(), k + 1, upper_[static_cast<std::size_t>(k)]);
+    }
+    if (!held.empty()) problem.SetManifold(x.data(), new ceres::SubsetManifold(3, held));
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.logging_type = ceres::SILENT;
+    options.num_threads = 1;
+    options.max_num_iterations = 500;
+    options.function_tolerance = 1e-16;
+    options.gradient_tolerance = 1e-15;
+    options.parameter_tolerance = 1e-13;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem, &summary);
+    optimum.size = x[0] * scale_;
+    optimum.shape = {std::clamp(x[1], lower_[0], upper_[0]), std::exp(x[2])};
+    optimum.cost = 2.0 * summary.final_cost * squared(scale_);
+    optimum.iterations += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
+    optimum.status = summary.termination_type == ceres::CONVERGENCE ? FitStatus::converged
+                     : summary.termination_type == ceres::NO_CONVERGENCE
+                         ? FitStatus::iteration_limit
+                         : FitStatus::failed;
+  }
+
+  const Rows& rows_;
+  double scale_;
+  std::array<double, 2> lower_, upper_;  // of B and ln C
+};
 
 /// What a curve gives, checked.
 struct Input {
@@ -292,11 +356,6 @@ void set_errors(const Rows& rows, double cost, KinematicLawFit& fit) {
   }
 }
 
-Bound bound_of(double value, double lower, double upper) {
-  const double near = bound_tolerance * (upper - lower);
-  return value - lower <= near ? Bound::lower : upper - value <= near ? Bound::upper : Bound::none;
-}
-
 KinematicLawFit finished(const Input& in, const Range& range, const Optimum& optimum) {
   KinematicLawFit fit;
   const auto& [B, C] = optimum.shape;
@@ -386,9 +445,10 @@ KinematicLawFit fit_kinematic_law(std::span<const DisplacementPoint> curve,
                                   const KinematicLawBounds& bounds) {
   const Input in = checked(curve);
   const Range range = checked(bounds, in.rows.n.back());
+  const Minimisation minimisation(in.rows, range);
   Optimum best;
   for (const Shape& start : minima_on_grid(in.rows, range))
-    if (const Optimum end = minimise(in.rows, range, start); end.cost < best.cost) best = end;
+    if (const Optimum end = minimisation.from(start); end.cost < best.cost) best = end;
   KinematicLawFit fit = finished(in, range, best);
   add_notes(fit);
   return fit;
@@ -398,7 +458,7 @@ KinematicLawFit refine_kinematic_law(std::span<const DisplacementPoint> curve,
                                      const KinematicLaw& start, const KinematicLawBounds& bounds) {
   const Input in = checked(curve);
   const Range range = checked(bounds, in.rows.n.back());
-  KinematicLawFit fit = finished(in, range, minimise(in.rows, range, {start.B, start.C}));
+  KinematicLawFit fit = finished(in, range, Minimisation(in.rows, range).from({start.B, start.C}));
   add_notes(fit);
   return fit;
 }
