@@ -27,20 +27,23 @@ struct Flags {
 };
 
 std::string statement(const fit::KinematicLawFit& f, const std::string& table) {
-  const std::string limits =
-      fmt::format("{:.4g} um and {:.4g} % of the largest displacement",
-                  fit::kinematic_law_tolerance / um, 100.0 * fit::kinematic_law_share);
+  const std::string tolerance =
+      fmt::format("{:.4g} um, that of the published fit", fit::kinematic_law_tolerance / um);
+  const std::string share =
+      fmt::format("{:.4g} % of the largest displacement", 100.0 * fit::kinematic_law_share);
   if (f.verdict == KinematicLawVerdict::follows)
-    return "The law follows the curve: its mean absolute error is within " + limits + ".";
+    return fmt::format("The law follows the curve: its mean absolute error is within {}, and {}.",
+                       tolerance, share);
+  const std::string& limit = f.mae > fit::kinematic_law_tolerance ? tolerance : share;
   if (f.verdict == KinematicLawVerdict::scatter)
     return fmt::format(
         "The mean absolute error is above {}, and what is left jumps from row to row: the rows "
         "scatter by {} um, and the law is as good as they are.",
-        limits, number(f.scatter / um, 2));
+        limit, number(f.scatter / um, 2));
   return fmt::format(
       "The law does not follow the curve: its mean absolute error is above {}, and what is left is "
       "smooth, a shape that three parameters cannot take. Use the monotone table instead ({}).",
-      limits, table.empty() ? "-o FILE writes it" : table);
+      limit, table.empty() ? "-o FILE writes it" : table);
 }
 
 void print(const fit::KinematicLawFit& f, const std::string& source,

@@ -11,7 +11,7 @@ namespace raceway::io {
 /// A displacement curve as read.
 struct DisplacementCurve {
   std::string source;  ///< file name, for messages
-  std::vector<fit::DisplacementPoint> points;
+  std::vector<fit::DisplacementPoint> points = {};
   std::vector<std::string> notes;  ///< what the user should know, one line each
 };
 

@@ -41,11 +41,13 @@ TEST(SpindleLaw, AgreesWithTheIndependentFitsAndThePublishedCurve) {
     EXPECT_NEAR(fit.law.A, row["A"], row["A_tolerance"]);
     EXPECT_NEAR(fit.law.B, row["B"], row["B_tolerance"]);
     EXPECT_NEAR(fit.law.C, row["C"], row["C_tolerance"]);
-    if (!row.text("mae_um").empty())
+    if (!row.text("mae_um").empty()) {
       EXPECT_NEAR(fit.mae / um, row["mae_um"], row["mae_tolerance_um"]);
-    if (!row.text("published_um").empty())
+    }
+    if (!row.text("published_um").empty()) {
       EXPECT_NEAR(from_published / static_cast<double>(curve.size()), row["published_um"],
                   row["published_tolerance_um"]);
+    }
   }
 }
 
