@@ -14,6 +14,8 @@ struct NumberRange {
 
 inline constexpr NumberRange speed_range{0.0, 1e6, "rpm"};
 inline constexpr NumberRange load_range{0.0, 1e8, "N"};
+/// On a shaft, whose loads have a direction.
+inline constexpr NumberRange signed_load_range{-1e8, 1e8, "N"};
 inline constexpr NumberRange temperature_range{-100.0, 400.0, "C"};
 inline constexpr NumberRange moment_range{-1e9, 1e9, "N mm"};
 

@@ -27,7 +27,7 @@ void refuse_data(const std::string& model, const fit::DataSet& data,
   throw io::InputError(fmt::format("{} with {}: {}", data.source, model, message));
 }
 
-io::ModelFile open_model(const std::string& path) {
+io::ModelFile open_model(const std::string& path, Subject subject) {
   io::ModelFile file = [&] {
     try {
       return io::read_model(path);
@@ -37,6 +37,14 @@ io::ModelFile open_model(const std::string& path) {
                            ": stands where a model (TOML) is expected");
     }
   }();
+  if (file.model.shaft && subject == Subject::bearing)
+    throw io::InputError(path +
+                         ": has an [arrangement]: this command works on a single bearing on a rig; "
+                         "displacement, solve and table work on a shaft");
+  if (!file.model.shaft && subject == Subject::shaft)
+    throw io::InputError(path +
+                         ": has no [arrangement]: a shaft position needs one, with layout, "
+                         "front, rear and preload_N");
   if (!file.defaults.empty()) {
     std::string line = path + ": defaults used:";
     for (const std::string& d : file.defaults) {

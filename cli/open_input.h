@@ -9,8 +9,12 @@
 
 namespace raceway::cli {
 
-/// Reads a model and names on stderr every default that was used.
-[[nodiscard]] io::ModelFile open_model(const std::string& path);
+/// What a command works on.
+enum class Subject { bearing, bearing_or_shaft, shaft };
+
+/// Reads a model and names on stderr every default that was used. Throws io::InputError for a model
+/// of another subject.
+[[nodiscard]] io::ModelFile open_model(const std::string& path, Subject subject = Subject::bearing);
 
 /// Reads measurements for a model, a coast-down turned into torque, and tells the notes on stderr.
 [[nodiscard]] fit::DataSet open_data(const std::string& path, const fit::Rig& rig);

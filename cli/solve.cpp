@@ -6,9 +6,9 @@
 #include "cli/commands.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
+#include "cli/shaft.h"
 #include "cli/text_table.h"
-#include "fit/prediction.h"
-#include "friction/heat.h"
+#include "fit/heat_split.h"
 #include "io/error.h"
 #include "io/results.h"
 
@@ -22,7 +22,17 @@ struct Flags {
   bool json = false;
 };
 
+fit::ShaftPoint shaft_point(const Flags& f, const fit::Model& model) {
+  if (f.radial_load > 0.0 || f.moment_y != 0.0 || f.moment_z != 0.0)
+    throw io::InputError("raceway solve: " + f.model +
+                         " has an [arrangement]: a shaft takes --axial-load alone");
+  return {.speed = f.speed * rpm,
+          .external_load = std::isnan(f.axial_load) ? model.shaft->external_load : f.axial_load,
+          .temperature = std::isnan(f.temperature) ? model.rig.temperature : kelvin(f.temperature)};
+}
+
 bearing::OperatingPoint operating_point(const Flags& f, const fit::Rig& rig) {
+  if (!std::isnan(f.axial_load)) require_range(f.axial_load, load_range, "--axial-load");
   bearing::OperatingPoint p;
   p.speed = f.speed * rpm;
   p.axial_load = std::isnan(f.axial_load) ? rig.axial_load : f.axial_load;
@@ -34,21 +44,6 @@ bearing::OperatingPoint operating_point(const Flags& f, const fit::Rig& rig) {
     throw io::InputError("raceway solve: --axial-load is missing, and " + f.model +
                          " has no axial_load_N under [rig]");
   return p;
-}
-
-friction::HeatSplit heat_split(const fit::Model& model, const bearing::OperatingPoint& point,
-                               const bearing::BearingEquilibrium& e,
-                               const fit::FrictionPrediction& friction) {
-  friction::HeatSources sources{.load = friction.load, .viscous = friction.viscous};
-  for (std::size_t i = 0; i < friction.effects.size(); ++i) {
-    const effects::Effect& effect = model.effects[i];
-    if (effect.description->id == "spin-friction") {
-      sources.spin_coefficient += effect.values[0];
-    } else {
-      sources.viscous += friction.effects[i];
-    }
-  }
-  return friction::split_heat(fit::bearing_state(model, point, &e), sources);
 }
 
 void print_balls(const bearing::BearingEquilibrium& e) {
@@ -102,7 +97,9 @@ void print(const fit::Model& model, const bearing::OperatingPoint& p,
 }
 
 int run(const Flags& flags) {
-  const io::ModelFile file = open_model(flags.model);
+  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
+  if (file.model.shaft)
+    return solve_shaft(flags.model, file.model, shaft_point(flags, file.model), flags.json);
   const bearing::OperatingPoint point = operating_point(flags, file.model.rig);
   fit::FrictionPrediction friction = fit::predict_friction(file.model, point, true);
   const bearing::SolveReport report = friction.report;
@@ -116,7 +113,7 @@ int run(const Flags& flags) {
   unbalanced.report = report;
   const bearing::BearingEquilibrium& e = report.converged() ? *friction.equilibrium : unbalanced;
   const friction::HeatSplit heat =
-      report.converged() ? heat_split(file.model, point, e, friction) : friction::HeatSplit();
+      report.converged() ? fit::heat_split(file.model, point, e, friction) : friction::HeatSplit();
   if (flags.json) {
     fmt::print("{}", io::solve_json(file.model, point, e, friction, heat));
   } else if (report.converged()) {
@@ -138,8 +135,9 @@ Run setup_solve(CLI::App& command) {
   auto flags = std::make_shared<Flags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   add_number(command, "--speed", flags->speed, speed_range, "of the shaft [rpm]")->required();
-  add_number(command, "--axial-load", flags->axial_load, load_range,
-             "[N]; default: [rig] of the model");
+  add_number(command, "--axial-load", flags->axial_load, signed_load_range,
+             "[N]; default: [rig] of the model. On a shaft, positive towards the tool; default: "
+             "external_load_N");
   add_number(command, "--radial-load", flags->radial_load, load_range,
              "along +y [N]; default: [rig] of the model, else 0");
   add_number(command, "--temperature", flags->temperature, temperature_range,

@@ -6,16 +6,18 @@
 #include <map>
 #include <string_view>
 
+#include "cli/axis_flag.h"
 #include "cli/commands.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
-#include "fit/prediction.h"
+#include "fit/shaft_prediction.h"
 #include "friction/stribeck_table.h"
 #include "io/csv.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/results.h"
+#include "io/shaft_results.h"
 #include "io/table_file.h"
 
 namespace raceway::cli {
@@ -27,64 +29,24 @@ struct Flags {
   bool json = false, force = false;
 };
 
-double one_number(std::string_view text, const std::string& flag) {
-  const io::ParsedNumber n = io::parse_number(text, false);
-  if (!n.problem.empty())
-    throw io::InputError(fmt::format("{}: {} {}; write 100,300,900 or 0:12000:250 (from:to:step)",
-                                     flag, io::quoted(text), n.problem));
-  return n.value;
-}
-
-/// "100,300,900", "0:12000:250", or both: "0,100:500:100".
-std::vector<double> axis(const std::string& text, const std::string& flag) {
-  std::vector<double> values;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string_view item = std::string_view(text).substr(begin, end - begin);
-    begin = end + 1;
-    const std::size_t first = item.find(':');
-    if (first == std::string_view::npos) {
-      values.push_back(one_number(item, flag));
-      continue;
-    }
-    const std::size_t second = item.find(':', first + 1);
-    if (second == std::string_view::npos)
-      throw io::InputError(flag + ": " + io::quoted(item) + ": a range is from:to:step");
-    const double from = one_number(item.substr(0, first), flag);
-    const double to = one_number(item.substr(first + 1, second - first - 1), flag);
-    const double step = one_number(item.substr(second + 1), flag);
-    if (!(step > 0.0) || to < from)
-      throw io::InputError(flag + ": " + io::quoted(item) +
-                           ": a range goes up from:to by a step above 0");
-    const double count = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
-    if (count > 1e7)
-      throw io::InputError(flag + ": " + io::quoted(item) + ": more than ten million values");
-    for (double i = 0.0; i <= count; i += 1.0) values.push_back(from + i * step);
-  }
-  if (!std::is_sorted(values.begin(), values.end()) ||
-      std::adjacent_find(values.begin(), values.end()) != values.end())
-    throw io::InputError(flag + ": the values must grow");
-  return values;
-}
-
-void require_all(const std::vector<double>& values, const NumberRange& range,
-                 const std::string& flag) {
-  for (const double value : values) require_range(value, range, flag);
-}
-
-friction::TableAxes axes(const Flags& f, const fit::Rig& rig) {
+friction::TableAxes axes(const Flags& f, const fit::Model& model) {
+  const fit::Rig& rig = model.rig;
+  const double axial_load = model.shaft ? model.shaft->external_load : rig.axial_load;
+  if (model.shaft && !f.radial_load.empty())
+    throw io::InputError("raceway table: " + f.model +
+                         " has an [arrangement]: a shaft takes --axial-load alone");
   friction::TableAxes a;
   a.speed = axis(f.speed, "--speed");
   require_all(a.speed, speed_range, "--speed");
   for (double& v : a.speed) v *= rpm;
-  if (f.axial_load.empty() && std::isnan(rig.axial_load))
+  if (f.axial_load.empty() && std::isnan(axial_load))
     throw io::InputError("raceway table: --axial-load is missing, and " + f.model +
                          " has no axial_load_N under [rig]");
   a.axial_load =
-      f.axial_load.empty() ? std::vector{rig.axial_load} : axis(f.axial_load, "--axial-load");
-  require_all(a.axial_load, load_range, "--axial-load");
-  a.radial_load =
-      f.radial_load.empty() ? std::vector{rig.radial_load} : axis(f.radial_load, "--radial-load");
+      f.axial_load.empty() ? std::vector{axial_load} : axis(f.axial_load, "--axial-load");
+  require_all(a.axial_load, model.shaft ? signed_load_range : load_range, "--axial-load");
+  a.radial_load = f.radial_load.empty() ? std::vector{model.shaft ? 0.0 : rig.radial_load}
+                                        : axis(f.radial_load, "--radial-load");
   require_all(a.radial_load, load_range, "--radial-load");
   a.temperature = f.temperature.empty() ? std::vector{celsius(rig.temperature)}
                                         : axis(f.temperature, "--temperature");
@@ -102,6 +64,41 @@ std::vector<std::string> columns(const fit::Model& model) {
         "outer_contact_angle_min_deg", "outer_contact_angle_max_deg", "axial_displacement_um"})
     names.emplace_back(name);
   return names;
+}
+
+// The position comes last, as in the columns of a bearing.
+std::vector<std::string> shaft_columns(const fit::Model& model) {
+  std::vector<std::string> names{"power_loss_W", "front_force_N", "rear_force_N"};
+  const bearing::Arrangement& a = model.shaft->arrangement;
+  for (std::size_t i = 0; i < a.bearings().size(); ++i)
+    for (const char* name : {"axial_load_N", "friction_torque_Nmm", "inner_contact_angle_deg",
+                             "outer_contact_angle_deg"})
+      names.push_back(io::bearing_place(a, i) + "_" + name);
+  names.emplace_back("axial_displacement_um");
+  return names;
+}
+
+void fill_shaft_line(const fit::Model& model, std::span<const bearing::OperatingPoint> points,
+                     std::span<friction::TablePoint> out) {
+  std::vector<fit::ShaftPoint> asked;
+  for (const bearing::OperatingPoint& p : points)
+    asked.push_back(
+        {.speed = p.speed, .external_load = p.axial_load, .temperature = p.temperature});
+  const std::vector<fit::ShaftPrediction> predictions = fit::predict_shaft(model, asked);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const fit::ShaftPrediction& p = predictions[i];
+    const bearing::ArrangementEquilibrium& e = p.equilibrium;
+    out[i].status = e.report.status;
+    out[i].friction_moment = p.torque;
+    std::size_t c = 0;
+    for (const double v : {p.power_loss, e.front_force, e.rear_force}) out[i].columns[c++] = v;
+    for (std::size_t k = 0; k < e.bearings.size(); ++k)
+      for (const double v :
+           {e.bearings[k].axial_load, p.friction[k].torque, e.bearings[k].ball.inner_contact_angle,
+            e.bearings[k].ball.outer_contact_angle})
+        out[i].columns[c++] = v;
+    out[i].columns[out[i].columns.size() - 1] = p.displacement;
+  }
 }
 
 void fill_line(const fit::Model& model, std::span<const bearing::OperatingPoint> points,
@@ -170,15 +167,18 @@ int run(const Flags& flags) {
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
-  const io::ModelFile file = open_model(flags.model);
+  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
   const fit::Model& model = file.model;
-  const friction::TableAxes grid = axes(flags, model.rig);
+  const friction::TableAxes grid = axes(flags, model);
   if (static_cast<double>(grid.size()) > 1e8)
     throw io::InputError(fmt::format("raceway table: {} points: at most 1e8", grid.size()));
   std::function<void(double)> progress;
   if (isatty(STDERR_FILENO) != 0 && grid.size() >= 20000) progress = show_progress;
   const friction::StribeckTable table = friction::build_stribeck_table(
-      grid, columns(model), [&](auto points, auto out) { fill_line(model, points, out); },
+      grid, model.shaft ? shaft_columns(model) : columns(model),
+      [&](auto points, auto out) {
+        model.shaft ? fill_shaft_line(model, points, out) : fill_line(model, points, out);
+      },
       progress);
   if (to_file) {
     io::write_text(flags.output, io::table_text(table, model.name, file.text), if_exists);
@@ -228,7 +228,10 @@ Run setup_table(CLI::App& command) {
                   "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:250")
       ->required()
       ->type_name("VALUES");
-  command.add_option("--axial-load", flags->axial_load, "[N]; default: [rig] of the model")
+  command
+      .add_option("--axial-load", flags->axial_load,
+                  "[N]; default: [rig] of the model. On a shaft, positive towards the tool; "
+                  "default: external_load_N")
       ->type_name("VALUES");
   command
       .add_option("--radial-load", flags->radial_load, "[N]; default: [rig] of the model, else 0")

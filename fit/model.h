@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/arrangement_equilibrium.h"
 #include "bearing/bearing.h"
 #include "bearing/bearing_equilibrium.h"
 #include "effects/effect.h"
@@ -22,6 +23,14 @@ struct Rig {
   double minimum_speed = 0.0;       ///< slower coast-down rows are left out [rad/s]
 };
 
+/// The shaft that a model stands for, where it is more than one bearing on a rig.
+struct Shaft {
+  bearing::Arrangement arrangement;
+  double external_load = 0.0;  ///< axial, positive towards the tool [N]
+  /// What is not measured is left at the mounting temperature.
+  std::optional<bearing::SetTemperatures> temperatures = {};
+};
+
 /// What the user believes about a bearing on a rig: the subject of compare, calibrate and diagnose.
 struct Model {
   std::string name;
@@ -33,6 +42,8 @@ struct Model {
   bearing::EquilibriumOptions solver;
   Rig rig;
   std::vector<std::string> free;  ///< names of what may be re-fitted; see free_parameters()
+  /// The first bearing of its front set is `bearing`.
+  std::optional<Shaft> shaft = {};
 };
 
 }  // namespace raceway::fit

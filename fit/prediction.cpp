@@ -42,32 +42,6 @@ bearing::Material blend(const bearing::Material& a, const bearing::Material& b, 
           .thermal_expansion = between(a.thermal_expansion, b.thermal_expansion)};
 }
 
-/// The bearing with grown rings and other balls; null where it has no free contact angle left.
-/// Growth u of the inner raceway moves its groove centres outwards: cos α0 -> cos α0 + u/(B D).
-std::shared_ptr<const bearing::Bearing> changed(const bearing::Bearing& entered,
-                                                const Condition& c) {
-  bearing::BearingGeometry g = entered.geometry();
-  if (c.radial_growth != 0.0) {
-    if (g.contact_angle > 0.0) {
-      const double cosine =
-          std::cos(g.contact_angle) + c.radial_growth / g.groove_centre_distance();
-      if (!(cosine > 0.0 && cosine < 1.0)) return nullptr;
-      g.contact_angle = std::acos(cosine);
-    } else {
-      g.radial_clearance -= 2.0 * c.radial_growth;
-    }
-  }
-  bearing::Material balls = entered.balls();
-  if (c.other_balls != 0.0)
-    balls = blend(balls, balls.density > 5000.0 ? bearing::silicon_nitride() : bearing::steel(),
-                  c.other_balls);
-  try {
-    return std::make_shared<const bearing::Bearing>(g, balls, entered.rings());
-  } catch (const std::invalid_argument&) {
-    return nullptr;  // outside what a bearing can be
-  }
-}
-
 bearing::BearingEquilibrium solve_from(const bearing::Bearing& bearing,
                                        const bearing::OperatingPoint& point,
                                        const bearing::EquilibriumOptions& options,
@@ -102,6 +76,30 @@ bearing::BearingEquilibrium solve_tilted(const bearing::Bearing& bearing,
 }
 
 }  // namespace
+
+std::shared_ptr<const bearing::Bearing> changed_bearing(const bearing::Bearing& entered,
+                                                        const effects::Condition& c) {
+  bearing::BearingGeometry g = entered.geometry();
+  if (c.radial_growth != 0.0) {
+    if (g.contact_angle > 0.0) {
+      const double cosine =
+          std::cos(g.contact_angle) + c.radial_growth / g.groove_centre_distance();
+      if (!(cosine > 0.0 && cosine < 1.0)) return nullptr;
+      g.contact_angle = std::acos(cosine);
+    } else {
+      g.radial_clearance -= 2.0 * c.radial_growth;
+    }
+  }
+  bearing::Material balls = entered.balls();
+  if (c.other_balls != 0.0)
+    balls = blend(balls, balls.density > 5000.0 ? bearing::silicon_nitride() : bearing::steel(),
+                  c.other_balls);
+  try {
+    return std::make_shared<const bearing::Bearing>(g, balls, entered.rings());
+  } catch (const std::invalid_argument&) {
+    return nullptr;  // outside what a bearing can be
+  }
+}
 
 bool FrictionPrediction::predicted() const { return std::isfinite(torque); }
 
@@ -168,7 +166,7 @@ void RowPredictor::solve(const Model& model, Way& way,
   way.equilibrium = nullptr;
   way.report = {};
   if (way.condition.changes_bearing()) {
-    way.bearing = changed(model.bearing, way.condition);
+    way.bearing = changed_bearing(model.bearing, way.condition);
     if (!way.bearing) {
       way.report.status = bearing::SolveStatus::no_equilibrium;
       return;

@@ -73,6 +73,11 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
 /// steps of reading not included.
 [[nodiscard]] double rig_torque(const Rig& rig, double bearing_torque);
 
+/// The bearing with grown rings and other balls; null where it has no free contact angle left.
+/// Growth u of the inner raceway moves its groove centres outwards: cos α0 -> cos α0 + u/(B D).
+[[nodiscard]] std::shared_ptr<const bearing::Bearing> changed_bearing(
+    const bearing::Bearing& entered, const effects::Condition& condition);
+
 /// The state of one bearing that friction laws and effects look at, as entered; `equilibrium` may
 /// be null.
 [[nodiscard]] friction::BearingState<double> bearing_state(

@@ -1,11 +1,10 @@
 #include "io/conformity_results.h"
 
-#include <nlohmann/json.hpp>
+#include "io/json_text.h"
 
 namespace raceway::io {
 
 std::string conformity_json(const std::string& bearing, const fit::ConformityFit& fit) {
-  using json = nlohmann::ordered_json;
   json classes = json::array();
   for (const fit::PairRigidity& c : fit.classes)
     classes.push_back({{"class", c.preload_class},
@@ -24,7 +23,7 @@ std::string conformity_json(const std::string& bearing, const fit::ConformityFit
                          {"rms_percent", 100.0 * fit.rms},
                          {"classes", classes},
                          {"report", {{"status", fit::name(fit.status)}}}};
-  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return exact_text(document);
 }
 
 }  // namespace raceway::io

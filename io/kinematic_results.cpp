@@ -1,12 +1,11 @@
 #include "io/kinematic_results.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "io/json_text.h"
 
 namespace raceway::io {
 namespace {
-
-using json = nlohmann::ordered_json;
 
 /// A speed without the rounding of a change of unit: 6000 rpm are not 6000.000000000001.
 double in_rpm(double speed) { return std::round(speed / rpm * 1e6) / 1e6; }
@@ -44,7 +43,7 @@ std::string kinematic_law_json(const fit::KinematicLawFit& fit, const std::strin
     document["at"] = {{"speed_rpm", in_rpm(at->speed)},
                       {"axial_displacement_um", at->value.displacement / um},
                       {"slope_um_rpm", at->value.slope / (um / rpm)}};
-  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return exact_text(document);
 }
 
 }  // namespace raceway::io

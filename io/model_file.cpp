@@ -17,20 +17,15 @@
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
-#include "io/toml_text.h"
+#include "io/shaft_section.h"
+
+// Last: see io/toml_text.h.
+#include "io/model_section.h"
 
 namespace raceway::io {
 namespace {
 
 using bearing::Material;
-using Names = std::vector<std::string>;
-
-/// A number of a model file with its unit and what it may be.
-struct Key {
-  std::string_view name;
-  std::string_view unit;  ///< "" where dimensionless
-  double lower, upper;    ///< closed, in `unit`
-};
 
 // Wherever the libraries check as well, these are their ranges.
 constexpr Key ball_count{"ball_count", "", 3, 200};
@@ -56,136 +51,6 @@ constexpr Key poisson_ratio{"poisson_ratio", "", 0, 0.49};
 constexpr Key density{"density_kg_m3", "kg/m3", 500, 20000};
 constexpr Key thermal_expansion{"thermal_expansion_1e6_K", "1e-6/K", 0, 50};
 
-std::string with_unit(std::string_view number, std::string_view unit) {
-  return unit.empty() || unit == "1" ? std::string(number) : fmt::format("{} {}", number, unit);
-}
-
-std::string range(const Key& key) {
-  return fmt::format("must be from {} to {}", key.lower,
-                     with_unit(fmt::format("{}", key.upper), key.unit));
-}
-
-std::string listed(const Names& names, std::string_view last_word = "and") {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0                  ? ""
-             : i + 1 == names.size() ? fmt::format(" {} ", last_word)
-                                     : ", ") +
-            names[i];
-  return text;
-}
-
-std::string_view kind(const toml::node& node) {
-  if (node.is_string()) return "a text";
-  if (node.is_number()) return "a number";
-  if (node.is_boolean()) return "true or false";
-  if (node.is_table()) return "a table";
-  if (node.is_array()) return "a list";
-  return "a date or time";
-}
-
-/// One table of the file. Asking for a value checks its type and range.
-class Section {
- public:
-  /// `table` may be null: then every key is absent.
-  Section(std::string source, std::string name, const toml::table* table)
-      : source_(std::move(source)), name_(std::move(name)), table_(table) {}
-
-  [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] bool given() const { return table_ != nullptr; }
-  [[nodiscard]] const toml::table* table() const { return table_; }
-  [[nodiscard]] const toml::node* find(std::string_view key) const {
-    return table_ ? table_->get(key) : nullptr;
-  }
-  [[nodiscard]] std::string place(const toml::node* node = nullptr) const {
-    if (!node) node = table_;
-    return node ? fmt::format("{}:{}", source_, node->source().begin.line) : source_;
-  }
-  [[noreturn]] void fail(std::string_view key, const std::string& text) const {
-    throw InputError(fmt::format("{}: {}", place(find(key)), text));
-  }
-  [[noreturn]] void fail_missing(const Key& key, const std::string& why = "") const {
-    throw InputError(
-        fmt::format("{}: [{}] {} is missing{}: {}", place(), name_, key.name, why, range(key)));
-  }
-
-  void allow_only(const Names& known) const {
-    if (!table_) return;
-    for (const auto& [key, node] : *table_) {
-      const std::string_view given = key.str();
-      if (std::find(known.begin(), known.end(), given) != known.end()) continue;
-      const std::string near = suggestion(given, known);
-      throw InputError(fmt::format("{}:{}: {} = {}: unknown key in [{}]{}", source_,
-                                   key.source().begin.line, given, shown(node), name_,
-                                   near.empty() ? "; it has " + listed(known) : near));
-    }
-  }
-
-  [[nodiscard]] std::optional<double> number(const Key& key) const {
-    const toml::node* const node = find(key.name);
-    if (!node) return std::nullopt;
-    if (!node->is_number())
-      fail(key.name, fmt::format("{} = {}: must be a number, not {}; {}", key.name, shown(*node),
-                                 kind(*node), range(key)));
-    const double value = *node->value<double>();
-    if (!(value >= key.lower && value <= key.upper))
-      fail(key.name,
-           fmt::format("{} = {}: {}", key.name, with_unit(shown(*node), key.unit), range(key)));
-    return value;
-  }
-  [[nodiscard]] double required(const Key& key) const {
-    const auto value = number(key);
-    if (!value) fail_missing(key);
-    return *value;
-  }
-  [[nodiscard]] std::optional<int> whole_number(const Key& key) const {
-    const auto value = number(key);
-    if (!value) return std::nullopt;
-    if (*value != std::floor(*value))
-      fail(key.name, fmt::format("{} = {}: must be a whole number from {} to {}", key.name, *value,
-                                 key.lower, key.upper));
-    return static_cast<int>(*value);
-  }
-  [[nodiscard]] std::optional<std::string> text(std::string_view key) const {
-    const toml::node* const node = find(key);
-    if (!node) return std::nullopt;
-    if (!node->is_string())
-      fail(key, fmt::format("{} = {}: must be a text in quotes, not {}", key, shown(*node),
-                            kind(*node)));
-    return *node->value<std::string>();
-  }
-  [[nodiscard]] std::optional<std::string> choice(std::string_view key,
-                                                  const Names& allowed) const {
-    auto value = text(key);
-    if (value && std::find(allowed.begin(), allowed.end(), *value) == allowed.end())
-      fail(key, fmt::format("{} = \"{}\": must be {}{}", key, *value, listed(allowed, "or"),
-                            suggestion(*value, allowed)));
-    return value;
-  }
-
-  /// Puts the libraries' `ball_diameter = -12 mm: ...` into the words and the place of this file.
-  [[noreturn]] void fail(const std::invalid_argument& error, const Names& known) const {
-    std::string message = error.what();
-    const std::string owner =
-        name_.starts_with("material.") ? "material " + name_.substr(9) + ": " : "";
-    if (!owner.empty() && message.starts_with(owner)) message.erase(0, owner.size());
-    const std::string name = message.substr(0, message.find(' '));
-    for (const std::string& key : known) {
-      if (key != name && !key.starts_with(name + "_")) continue;
-      const toml::node* node = find(key);
-      const bool from_catalogue = !node && find("catalogue");
-      if (from_catalogue) node = find("catalogue");
-      throw InputError(fmt::format("{}: {}{}{}", place(node), key, message.substr(name.size()),
-                                   from_catalogue ? " (from the catalogue)" : ""));
-    }
-    throw InputError(fmt::format("{}: [{}] {}", place(), name_, message));
-  }
-
- private:
-  std::string source_, name_;
-  const toml::table* table_;
-};
-
 class Reader {
  public:
   Reader(std::string text, const std::string& source)
@@ -194,26 +59,32 @@ class Reader {
   ModelFile read() {
     check_tables();
     read_materials();
-    bearing::Bearing bearing = read_bearing();
+    NamedBearing bearing =
+        read_bearing(required_section("bearing", "its geometry, or catalogue = \"NAME\""), nullptr);
+    from_catalogue_ = bearing.row.has_value();
     friction::Lubricant lubricant = read_lubricant();
     read_friction();
-    require_data(bearing);
+    require_data(bearing.bearing, section("bearing"));
+    std::optional<fit::Shaft> shaft = read_arrangement(bearing);
     read_effects();
     const auto solver = read_solver();
     const fit::Rig rig = read_rig();
     Names free = read_calibration();
-    return {.model = {.name = name_,
-                      .bearing = std::move(bearing),
+    std::string catalogue = bearing.row ? bearing.row->full_name() : std::string();
+    return {.model = {.name = bearing.name,
+                      .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing
+                                       : std::move(bearing.bearing),
                       .lubricant = lubricant,
                       .law = law_,
                       .law_values = std::move(law_values_),
                       .effects = std::move(effects_),
                       .solver = solver,
                       .rig = rig,
-                      .free = std::move(free)},
+                      .free = std::move(free),
+                      .shaft = std::move(shaft)},
             .source = source_,
             .text = std::move(text_),
-            .catalogue = catalogue_,
+            .catalogue = std::move(catalogue),
             .defaults = std::move(defaults_)};
   }
 
@@ -224,10 +95,6 @@ class Reader {
     for (const auto& [key, node] : root_) {
       const std::string name(key.str());
       const std::string place = fmt::format("{}:{}", source_, key.source().begin.line);
-      if (name == "arrangement")
-        throw InputError(place +
-                         ": [arrangement] is not available in this version: a model describes a "
-                         "single bearing on a rig");
       if (std::find(known.begin(), known.end(), name) == known.end()) {
         if (!node.is_table() && !node.is_array_of_tables())
           throw InputError(
@@ -315,39 +182,49 @@ class Reader {
     return nullptr;
   }
 
-  bearing::Bearing read_bearing() {
-    const Section s = required_section("bearing", "its geometry, or catalogue = \"NAME\"");
-    const Names known{"name",
-                      "catalogue",
-                      "ball_count",
-                      "ball_diameter_mm",
-                      "pitch_diameter_mm",
-                      "contact_angle_deg",
-                      "inner_conformity",
-                      "outer_conformity",
-                      "static_load_rating_N",
-                      "ball_material",
-                      "ring_material",
-                      "bore_mm",
-                      "outer_diameter_mm",
-                      "radial_clearance_um"};
+  /// A table of a bearing; where there is a `base`, the keys that are left out are its own.
+  NamedBearing read_bearing(const Section& s, const NamedBearing* base, const Names& further = {}) {
+    Names known{"name",
+                "catalogue",
+                "ball_count",
+                "ball_diameter_mm",
+                "pitch_diameter_mm",
+                "contact_angle_deg",
+                "inner_conformity",
+                "outer_conformity",
+                "static_load_rating_N",
+                "ball_material",
+                "ring_material",
+                "bore_mm",
+                "outer_diameter_mm",
+                "radial_clearance_um"};
+    known.insert(known.end(), further.begin(), further.end());
     s.allow_only(known);
+    std::string bearing_name;
+    std::optional<CatalogueBearing> row;
     bearing::BearingGeometry g;
-    if (const auto catalogue = s.text("catalogue")) {
-      from_catalogue_ = true;
-      catalogue_ = *catalogue;
+    if (base) {
+      g = base->bearing.geometry();
+      row = base->row;
+      bearing_name = base->name;
+    }
+    const auto catalogue = s.text("catalogue");
+    if (catalogue) {
       const auto rows = read_catalogues();
       try {
-        const CatalogueBearing row = find_bearing(rows, *catalogue);
-        g = row.geometry;
-        name_ = row.full_name();
-        // Makers rate bearings with ceramic balls lower.
-        if (s.text("ball_material") == "silicon-nitride" &&
-            !std::isnan(row.static_load_rating_silicon_nitride))
-          g.static_load_rating = row.static_load_rating_silicon_nitride;
+        row = find_bearing(rows, *catalogue);
       } catch (const InputError& error) {
         s.fail("catalogue", error.what());
       }
+      g = row->geometry;
+      bearing_name = row->full_name();
+      // Makers rate bearings with ceramic balls lower.
+      const auto balls = s.text("ball_material");
+      if ((balls  ? *balls
+           : base ? base->bearing.balls().name
+                  : "") == "silicon-nitride" &&
+          !std::isnan(row->static_load_rating_silicon_nitride))
+        g.static_load_rating = row->static_load_rating_silicon_nitride;
     }
     const auto take = [&](const Key& key, double unit, double& value) {
       if (const auto given = s.number(key))
@@ -363,8 +240,8 @@ class Reader {
     take(pitch_diameter, mm, g.pitch_diameter);
     take(contact_angle, degree, g.contact_angle);
     for (const Key& key : {inner_conformity, outer_conformity})
-      if (from_catalogue_ && !s.find(key.name))
-        note_default("bearing", key.name, fmt::format("{}", g.inner_conformity));
+      if (catalogue && !s.find(key.name))
+        note_default(s.name(), key.name, fmt::format("{}", g.inner_conformity));
     take(inner_conformity, 1.0, g.inner_conformity);
     take(outer_conformity, 1.0, g.outer_conformity);
     if (const auto given = s.number(static_load_rating)) g.static_load_rating = *given;
@@ -381,22 +258,26 @@ class Reader {
       s.fail(error, known);
     }
     if (no_bore)
-      note_default("bearing", "bore_mm", fmt::format("{:.6g}", g.bore / mm),
+      note_default(s.name(), "bore_mm", fmt::format("{:.6g}", g.bore / mm),
                    "default: pitch diameter - 1.5 ball diameters");
     if (no_outer_diameter)
-      note_default("bearing", "outer_diameter_mm", fmt::format("{:.6g}", g.outer_diameter / mm),
+      note_default(s.name(), "outer_diameter_mm", fmt::format("{:.6g}", g.outer_diameter / mm),
                    "default: pitch diameter + 1.5 ball diameters");
 
     Names materials;
     for (const Material& material : materials_) materials.push_back(material.name);
-    const Material balls = *find_material(choice_or(s, "ball_material", materials, "steel"));
-    const Material rings = *find_material(choice_or(s, "ring_material", materials, "steel"));
-    if (auto given = s.text("name")) name_ = *given;
-    if (name_.empty()) {
-      name_ = std::filesystem::path(source_).stem().string();
-      note_default("bearing", "name", fmt::format("\"{}\"", name_));
+    const auto material = [&](const char* key, const Material* inherited) {
+      if (inherited && !s.find(key)) return *inherited;
+      return *find_material(choice_or(s, key, materials, "steel"));
+    };
+    const Material balls = material("ball_material", base ? &base->bearing.balls() : nullptr);
+    const Material rings = material("ring_material", base ? &base->bearing.rings() : nullptr);
+    if (auto given = s.text("name")) bearing_name = *given;
+    if (bearing_name.empty()) {
+      bearing_name = std::filesystem::path(source_).stem().string();
+      note_default("bearing", "name", fmt::format("\"{}\"", bearing_name));
     }
-    return {g, balls, rings};
+    return {bearing::Bearing(g, balls, rings), bearing_name, row};
   }
 
   [[nodiscard]] friction::Lubricant read_lubricant() const {
@@ -445,8 +326,24 @@ class Reader {
     }
   }
 
-  void require_data(const bearing::Bearing& bearing) const {
-    const Section s = section("bearing");
+  /// Reads [arrangement], where there is one.
+  std::optional<fit::Shaft> read_arrangement(const NamedBearing& base) {
+    const Section s = section("arrangement");
+    if (!s.given()) return std::nullopt;
+    const ShaftContext context{
+        .base = base,
+        .read_bearing =
+            [&](const Section& table, const Names& further) {
+              NamedBearing one = read_bearing(table, &base, further);
+              require_data(one.bearing, table);
+              return one;
+            },
+        .note_default = [&](std::string_view key,
+                            const std::string& value) { note_default("arrangement", key, value); }};
+    return read_shaft(s, context);
+  }
+
+  void require_data(const bearing::Bearing& bearing, const Section& s) const {
     if (law_ == friction::FrictionLaw::palmgren &&
         std::isnan(bearing.geometry().static_load_rating))
       s.fail_missing(static_load_rating, ", which the friction law palmgren needs");
@@ -659,7 +556,7 @@ class Reader {
   }
 
   toml::table root_;
-  std::string text_, source_, name_, catalogue_;
+  std::string text_, source_;
   bool from_catalogue_ = false;
   std::vector<Material> materials_;
   friction::FrictionLaw law_ = friction::FrictionLaw::palmgren;

@@ -16,7 +16,7 @@ struct ModelFile {
   fit::Model model;
   std::string source;  ///< file name, for messages
   std::string text;    ///< of the file, to be edited with with_values()
-  /// [bearing] catalogue, as written there; empty where the geometry is the user's own.
+  /// Full name of the row that [bearing] catalogue picked; empty where it picks none.
   std::string catalogue = {};
   /// Every default that was used, e.g. `solver.tilt = "locked" (default)`.
   std::vector<std::string> defaults;

@@ -12,6 +12,7 @@
 #include "bearing/units.h"
 #include "io/column_unit.h"
 #include "io/csv.h"
+#include "io/csv_text.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
@@ -24,7 +25,6 @@ using bearing::SolveStatus;
 constexpr std::array<std::string_view, 5> leading_columns{
     "speed_rpm", "axial_load_N", "radial_load_N", "temperature_C", "friction_torque_Nmm"};
 constexpr std::string_view status_column = "status";
-constexpr std::string_view model_mark = "#|";
 
 SolveStatus status_of(std::string_view text, const std::string& place) {
   for (const SolveStatus status :
@@ -39,10 +39,6 @@ std::string shown(const bearing::OperatingPoint& point) {
       "speed_rpm {:.12g}, axial_load_N {:.12g}, radial_load_N {:.12g}, temperature_C "
       "{:.12g}",
       point.speed / rpm, point.axial_load, point.radial_load, celsius(point.temperature));
-}
-
-void append_value(fmt::memory_buffer& out, double value) {
-  if (!std::isnan(value)) fmt::format_to(std::back_inserter(out), "{:.12g}", value);
 }
 
 std::string model_text_of(const CsvTable& csv) {
@@ -73,14 +69,8 @@ std::string table_text(const friction::StribeckTable& table, std::string_view ti
                        std::string_view model_text) {
   fmt::memory_buffer out;
   const auto put = std::back_inserter(out);
-  fmt::format_to(put, "# Stribeck table: {}\n# raceway {}\n# model:\n", title, RACEWAY_VERSION);
-  while (!model_text.empty()) {
-    const std::size_t end = std::min(model_text.find('\n'), model_text.size());
-    std::string_view line = model_text.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    fmt::format_to(put, "{}{}{}\n", model_mark, line.empty() ? "" : " ", line);
-    model_text.remove_prefix(std::min(end + 1, model_text.size()));
-  }
+  fmt::format_to(put, "# Stribeck table: {}\n# raceway {}\n", title, RACEWAY_VERSION);
+  append_model(out, model_text);
   for (const std::string_view name : leading_columns) fmt::format_to(put, "{},", name);
   std::vector<double> factors;
   for (const std::string& name : table.columns) {

@@ -1,0 +1,61 @@
+#include "cli/axis_flag.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "io/csv.h"
+#include "io/error.h"
+
+namespace raceway::cli {
+namespace {
+
+double one_number(std::string_view text, const std::string& flag) {
+  const io::ParsedNumber n = io::parse_number(text, false);
+  if (!n.problem.empty())
+    throw io::InputError(fmt::format("{}: {} {}; write 100,300,900 or 0:12000:250 (from:to:step)",
+                                     flag, io::quoted(text), n.problem));
+  return n.value;
+}
+
+}  // namespace
+
+std::vector<double> axis(const std::string& text, const std::string& flag) {
+  std::vector<double> values;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string_view item = std::string_view(text).substr(begin, end - begin);
+    begin = end + 1;
+    const std::size_t first = item.find(':');
+    if (first == std::string_view::npos) {
+      values.push_back(one_number(item, flag));
+      continue;
+    }
+    const std::size_t second = item.find(':', first + 1);
+    if (second == std::string_view::npos)
+      throw io::InputError(flag + ": " + io::quoted(item) + ": a range is from:to:step");
+    const double from = one_number(item.substr(0, first), flag);
+    const double to = one_number(item.substr(first + 1, second - first - 1), flag);
+    const double step = one_number(item.substr(second + 1), flag);
+    if (!(step > 0.0) || to < from)
+      throw io::InputError(flag + ": " + io::quoted(item) +
+                           ": a range goes up from:to by a step above 0");
+    const double count = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
+    if (count > 1e7)
+      throw io::InputError(flag + ": " + io::quoted(item) + ": more than ten million values");
+    for (double i = 0.0; i <= count; i += 1.0) values.push_back(from + i * step);
+  }
+  if (!std::is_sorted(values.begin(), values.end()) ||
+      std::adjacent_find(values.begin(), values.end()) != values.end())
+    throw io::InputError(flag + ": the values must grow");
+  return values;
+}
+
+void require_all(const std::vector<double>& values, const NumberRange& range,
+                 const std::string& flag) {
+  for (const double value : values) require_range(value, range, flag);
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,126 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "cli/axis_flag.h"
+#include "cli/commands.h"
+#include "cli/open_input.h"
+#include "cli/shaft.h"
+#include "cli/text_table.h"
+#include "io/error.h"
+#include "io/output_file.h"
+#include "io/shaft_results.h"
+
+namespace raceway::cli {
+namespace {
+
+struct Flags {
+  std::string model, output, speed;
+  double axial_load = unset, temperature = unset;
+  bool json = false, force = false;
+};
+
+std::vector<fit::ShaftPoint> points(const Flags& f, const fit::Model& model) {
+  const std::vector<double> speeds = axis(f.speed, "--speed");
+  require_all(speeds, speed_range, "--speed");
+  if (speeds.size() > 1000000)
+    throw io::InputError(
+        fmt::format("raceway displacement: {} speeds: at most 1e6", speeds.size()));
+  std::vector<fit::ShaftPoint> result;
+  for (const double speed : speeds)
+    result.push_back(
+        {.speed = speed * rpm,
+         .external_load = std::isnan(f.axial_load) ? model.shaft->external_load : f.axial_load,
+         .temperature = std::isnan(f.temperature) ? model.rig.temperature : kelvin(f.temperature)});
+  return result;
+}
+
+void print(const fit::Model& model, std::span<const fit::ShaftPoint> asked,
+           std::span<const fit::ShaftPrediction> predictions) {
+  const bearing::Arrangement& a = model.shaft->arrangement;
+  const bearing::LiftOff free = lift_off(a);
+  fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
+  fmt::print(
+      "preload {:.4g} N at standstill; the front set comes free at {} N, the rear set at {} N "
+      "of external load\n\n",
+      a.preload(), number(free.front), number(free.rear));
+  TextTable table({{"speed", "rpm"},
+                   {"position", "um"},
+                   {"front", "N"},
+                   {"rear", "N"},
+                   {"stiffness", "N/um"},
+                   {"torque", "N mm"},
+                   {"loss", "W"}});
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const fit::ShaftPrediction& p = predictions[k];
+    table.add({fmt::format("{:.6g}", asked[k].speed / rpm),
+               p.equilibrium.report.converged() ? fmt::format("{:.4f}", p.displacement / um) : "-",
+               number(p.equilibrium.front_force), number(p.equilibrium.rear_force),
+               number(p.equilibrium.axial_stiffness / N_per_um), number(p.torque / N_mm),
+               number(p.power_loss)});
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+int run(const Flags& flags) {
+  if (flags.json && flags.output == "-")
+    throw io::InputError(
+        "raceway displacement: --json and --output - both write to stdout; take one");
+  const bool to_file = !flags.output.empty() && flags.output != "-";
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (to_file) io::require_writable(flags.output, if_exists);
+  const io::ModelFile file = open_model(flags.model, Subject::shaft);
+  const fit::Model& model = file.model;
+  const std::vector<fit::ShaftPoint> asked = points(flags, model);
+  const std::vector<fit::ShaftPrediction> predictions = fit::predict_shaft(model, asked);
+  if (!flags.output.empty()) {
+    const std::string csv = io::displacement_text(model, asked, predictions, file.text);
+    if (to_file) {
+      io::write_text(flags.output, csv, if_exists);
+      say(fmt::format("{} written, {} speeds", flags.output, asked.size()));
+    } else {
+      fmt::print("{}", csv);
+    }
+  }
+  if (flags.json) {
+    fmt::print("{}", io::displacement_json(model, asked, predictions));
+  } else if (flags.output.empty()) {
+    print(model, asked, predictions);
+  }
+  tell(shaft_warnings(model, asked, predictions));
+  const auto failed = [](const fit::ShaftPrediction& p) {
+    return !p.equilibrium.report.converged();
+  };
+  const auto first = std::find_if(predictions.begin(), predictions.end(), failed);
+  if (first == predictions.end()) return done;
+  tell({fmt::format("{} of {} speeds have no value, the first {:.6g} rpm: {}",
+                    std::count_if(predictions.begin(), predictions.end(), failed), asked.size(),
+                    asked[static_cast<std::size_t>(first - predictions.begin())].speed / rpm,
+                    shaft_problem(first->equilibrium.report.status))});
+  return not_converged;
+}
+
+}  // namespace
+
+Run setup_displacement(CLI::App& command) {
+  auto flags = std::make_shared<Flags>();
+  command.add_option("MODEL", flags->model, "model file (TOML) with an [arrangement]")
+      ->required()
+      ->type_name("");
+  command
+      .add_option("--speed", flags->speed, "[rpm], as 100,300,900 or as from:to:step, 0:10000:250")
+      ->required()
+      ->type_name("VALUES");
+  add_number(command, "--axial-load", flags->axial_load, signed_load_range,
+             "on the shaft, positive towards the tool [N]; default: external_load_N of the model");
+  add_number(command, "--temperature", flags->temperature, temperature_range,
+             "of the lubricant [C]; default: [rig] of the model, else 40");
+  command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
+      ->type_name("FILE");
+  command.add_flag("--force", flags->force, "replace the file if it exists");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer("Example:\n  raceway displacement my.toml --speed 0:10000:250 -o kinematic.csv");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/shaft_prediction.h"
+
+namespace raceway::cli {
+
+/// Where the bearings of a shaft lose their inner contacts or fall below their minimum load, each
+/// with the first speed at which it happens, found between the points.
+[[nodiscard]] std::vector<std::string> shaft_warnings(
+    const fit::Model& model, std::span<const fit::ShaftPoint> points,
+    std::span<const fit::ShaftPrediction> predictions);
+
+/// What a status means for a shaft, in words.
+[[nodiscard]] std::string shaft_problem(bearing::SolveStatus status);
+
+/// `raceway solve` for a model with an arrangement; gives the exit status.
+[[nodiscard]] int solve_shaft(const std::string& file, const fit::Model& model,
+                              const fit::ShaftPoint& point, bool json);
+
+}  // namespace raceway::cli

@@ -1,0 +1,162 @@
+#include "io/shaft_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "bearing/units.h"
+#include "io/column_unit.h"
+#include "io/csv_text.h"
+#include "io/json_text.h"
+
+namespace raceway::io {
+namespace {
+
+using bearing::Arrangement;
+using bearing::Side;
+
+std::string_view side_name(Side side) { return side == Side::front ? "front" : "rear"; }
+
+/// A number of one bearing, by the name of its column or key, in SI.
+struct BearingColumn {
+  const char* name;
+  double (*value)(const fit::ShaftPrediction& p, std::size_t i);
+};
+
+constexpr BearingColumn bearing_columns[] = {
+    {"axial_load_N",
+     [](const auto& p, std::size_t i) { return p.equilibrium.bearings[i].axial_load; }},
+    {"inner_contact_angle_deg",
+     [](const auto& p, std::size_t i) {
+       return p.equilibrium.bearings[i].ball.inner_contact_angle;
+     }},
+    {"outer_contact_angle_deg",
+     [](const auto& p, std::size_t i) {
+       return p.equilibrium.bearings[i].ball.outer_contact_angle;
+     }},
+    {"inner_load_N",
+     [](const auto& p, std::size_t i) { return p.equilibrium.bearings[i].ball.inner_load; }},
+    {"outer_load_N",
+     [](const auto& p, std::size_t i) { return p.equilibrium.bearings[i].ball.outer_load; }},
+    {"inner_contact_pressure_MPa",
+     [](const auto& p, std::size_t i) { return p.equilibrium.bearings[i].inner_pressure; }},
+    {"outer_contact_pressure_MPa",
+     [](const auto& p, std::size_t i) { return p.equilibrium.bearings[i].outer_pressure; }},
+    {"friction_torque_Nmm", [](const auto& p, std::size_t i) { return p.friction[i].torque; }},
+    {"power_loss_W", [](const auto& p, std::size_t i) { return p.friction[i].power_loss; }},
+    {"inner_ring_heat_W", [](const auto& p, std::size_t i) { return p.heat[i].inner; }},
+    {"outer_ring_heat_W", [](const auto& p, std::size_t i) { return p.heat[i].outer; }}};
+
+/// A number of the whole shaft.
+struct ShaftColumn {
+  const char* name;
+  double (*value)(const fit::ShaftPrediction& p);
+};
+
+constexpr ShaftColumn shaft_columns[] = {
+    {"axial_displacement_um", [](const auto& p) { return p.displacement; }},
+    {"front_force_N", [](const auto& p) { return p.equilibrium.front_force; }},
+    {"rear_force_N", [](const auto& p) { return p.equilibrium.rear_force; }},
+    {"axial_stiffness_N_um", [](const auto& p) { return p.equilibrium.axial_stiffness; }},
+    {"friction_torque_Nmm", [](const auto& p) { return p.torque; }},
+    {"power_loss_W", [](const auto& p) { return p.power_loss; }}};
+
+double in_unit(double value, std::string_view name) { return value / column_unit(name); }
+
+json arrangement_json(const fit::Model& model) {
+  const Arrangement& a = model.shaft->arrangement;
+  const bearing::LiftOff free = lift_off(a);
+  return {{"preload_N", a.preload()},
+          {"front_displacement_um", a.displacement(Side::front) / um},
+          {"rear_displacement_um", a.displacement(Side::rear) / um},
+          {"front_lift_off_load_N", free.front},
+          {"rear_lift_off_load_N", free.rear}};
+}
+
+json row_json(const fit::Model& model, const fit::ShaftPoint& point,
+              const fit::ShaftPrediction& p) {
+  json row = {{"speed_rpm", point.speed / rpm},
+              {"external_load_N", point.external_load},
+              {"temperature_C", celsius(point.temperature)}};
+  for (const ShaftColumn& c : shaft_columns) row[c.name] = in_unit(c.value(p), c.name);
+  const Arrangement& a = model.shaft->arrangement;
+  json bearings = json::array();
+  // Without balance there are no bearings to speak of.
+  for (std::size_t i = 0; i < p.equilibrium.bearings.size(); ++i) {
+    const bearing::BearingInSet& b = p.equilibrium.bearings[i];
+    json one = {{"place", bearing_place(a, i)}};
+    for (const BearingColumn& c : bearing_columns) one[c.name] = in_unit(c.value(p, i), c.name);
+    one["displacement_um"] = b.displacement / um;
+    one["axial_stiffness_N_um"] = b.axial_stiffness / N_per_um;
+    one["centrifugal_force_N"] = b.ball.centrifugal_force;
+    one["gyroscopic_moment_Nmm"] = b.ball.gyroscopic_moment / N_mm;
+    one["minimum_load_N"] = b.minimum_load;
+    one["lost_contact"] = b.lost();
+    one["friction"] = friction_json(model, p.friction[i]);
+    bearings.push_back(std::move(one));
+  }
+  row["bearings"] = std::move(bearings);
+  row["report"] = report_json(p.equilibrium.report);
+  return row;
+}
+
+}  // namespace
+
+std::string bearing_place(const Arrangement& a, std::size_t i) {
+  const Side side = a.side(i);
+  return fmt::format("{}_{}", side_name(side), (side == Side::front ? i : i - a.front_count()) + 1);
+}
+
+std::string displacement_text(const fit::Model& model, std::span<const fit::ShaftPoint> points,
+                              std::span<const fit::ShaftPrediction> predictions,
+                              std::string_view model_text) {
+  const Arrangement& a = model.shaft->arrangement;
+  fmt::memory_buffer out;
+  const auto put = std::back_inserter(out);
+  fmt::format_to(put, "# Shaft position against speed: {}\n# raceway {}\n", model.name,
+                 RACEWAY_VERSION);
+  append_model(out, model_text);
+  fmt::format_to(put, "speed_rpm,");
+  for (const ShaftColumn& c : shaft_columns) fmt::format_to(put, "{},", c.name);
+  const std::size_t bearings = a.bearings().size();
+  for (std::size_t i = 0; i < bearings; ++i)
+    for (const BearingColumn& c : bearing_columns)
+      fmt::format_to(put, "{}_{},", bearing_place(a, i), c.name);
+  fmt::format_to(put, "status\n");
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const fit::ShaftPrediction& p = predictions[k];
+    append_value(out, points[k].speed / rpm);
+    out.push_back(',');
+    for (const ShaftColumn& c : shaft_columns) {
+      append_value(out, in_unit(c.value(p), c.name));
+      out.push_back(',');
+    }
+    for (std::size_t i = 0; i < bearings; ++i)
+      for (const BearingColumn& c : bearing_columns) {
+        if (p.equilibrium.report.converged()) append_value(out, in_unit(c.value(p, i), c.name));
+        out.push_back(',');
+      }
+    fmt::format_to(put, "{}\n", bearing::name(p.equilibrium.report.status));
+  }
+  return fmt::to_string(out);
+}
+
+std::string displacement_json(const fit::Model& model, std::span<const fit::ShaftPoint> points,
+                              std::span<const fit::ShaftPrediction> predictions) {
+  json rows = json::array();
+  for (std::size_t k = 0; k < points.size(); ++k)
+    rows.push_back(row_json(model, points[k], predictions[k]));
+  return text({{"bearing", model.name},
+               {"arrangement", arrangement_json(model)},
+               {"rows", std::move(rows)}});
+}
+
+std::string shaft_solve_json(const fit::Model& model, const fit::ShaftPoint& point,
+                             const fit::ShaftPrediction& prediction) {
+  json document = {{"bearing", model.name}, {"arrangement", arrangement_json(model)}};
+  document.update(row_json(model, point, prediction));
+  return text(std::move(document));
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "fit/shaft_prediction.h"
+
+/// Results of a shaft as CSV and as JSON, keys with their units (DESIGN.md, Commands). What has no
+/// balance is empty or null.
+namespace raceway::io {
+
+/// `front_1` and so on: the place of a bearing in the names of columns, counted from the tool.
+[[nodiscard]] std::string bearing_place(const bearing::Arrangement& arrangement, std::size_t i);
+
+/// Shaft position against speed as CSV: `#` lines with title, version and the model's text, then
+/// speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,
+/// friction_torque_Nmm, power_loss_W, columns of every bearing and the status. 12 digits.
+[[nodiscard]] std::string displacement_text(const fit::Model& model,
+                                            std::span<const fit::ShaftPoint> points,
+                                            std::span<const fit::ShaftPrediction> predictions,
+                                            std::string_view model_text);
+
+/// The same as JSON: {"rows": [...]} with what stands still at its head.
+[[nodiscard]] std::string displacement_json(const fit::Model& model,
+                                            std::span<const fit::ShaftPoint> points,
+                                            std::span<const fit::ShaftPrediction> predictions);
+
+/// One of these rows, with all digits of friction and heat of its bearings.
+[[nodiscard]] std::string shaft_solve_json(const fit::Model& model, const fit::ShaftPoint& point,
+                                           const fit::ShaftPrediction& prediction);
+
+}  // namespace raceway::io

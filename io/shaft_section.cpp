@@ -1,0 +1,258 @@
+#include "io/shaft_section.h"
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "bearing/units.h"
+
+// Last: see io/toml_text.h.
+#include "io/model_section.h"
+
+namespace raceway::io {
+namespace {
+
+using bearing::ArrangementDesign;
+using bearing::Layout;
+using bearing::Mounting;
+
+// Wherever the libraries check as well, these are their ranges.
+constexpr Key front_count{"front", "", 1, 20};
+constexpr Key rear_count{"rear", "", 0, 20};
+constexpr Key offset{"offset_um", "um", -1000, 1000};
+constexpr Key preload{"preload_N", "N", 0.001, 1e8};
+constexpr Key preload_offset{"preload_offset_um", "um", 0.001, 1000};
+constexpr Key spring_rate{"spring_rate_N_um", "N/um", 0, 1e6};
+constexpr Key external_load{"external_load_N", "N", -1e8, 1e8};
+constexpr Key shaft_stiffness{"shaft_stiffness_N_um", "N/um", 0.001, 1e9};
+constexpr Key housing_stiffness{"housing_stiffness_N_um", "N/um", 0.001, 1e9};
+constexpr Key distance{"distance_mm", "mm", 0, 1e5};
+constexpr Key shaft_expansion{"shaft_expansion_1e6_K", "1e-6/K", 0, 50};
+constexpr Key housing_expansion{"housing_expansion_1e6_K", "1e-6/K", 0, 50};
+constexpr Key mounting_temperature{"mounting_temperature_C", "C", -200, 500};
+constexpr Key inner_ring_temperature{"inner_ring_temperature_C", "C", -200, 500};
+constexpr Key outer_ring_temperature{"outer_ring_temperature_C", "C", -200, 500};
+constexpr Key ball_temperature{"ball_temperature_C", "C", -200, 500};
+constexpr Key shaft_temperature{"shaft_temperature_C", "C", -200, 500};
+constexpr Key housing_temperature{"housing_temperature_C", "C", -200, 500};
+constexpr std::string_view preload_class = "preload_class";
+
+std::string number(double value) { return fmt::format("{:.10g}", value); }
+
+class ShaftReader {
+ public:
+  ShaftReader(const Section& section, const ShaftContext& context) : s_(section), in_(context) {}
+
+  fit::Shaft read() {
+    s_.allow_only(known());
+    read_layout();
+    d_.front = read_set("front", *count(front_count));
+    const int rear = count(rear_count).value_or(0);
+    const bool tandem = d_.layout == Layout::tandem;
+    if (tandem && rear > 0)
+      s_.fail("rear", fmt::format("rear = {}: a tandem has no second set", rear));
+    if (!tandem && rear == 0)
+      s_.fail("rear", "rear = 0: must be from 1 to 20; layout = \"tandem\" has none");
+    d_.rear = read_set("rear", rear);
+    read_mounting();
+    read_preload();
+    if (const auto value = s_.number(shaft_stiffness)) d_.shaft_stiffness = *value * N_per_um;
+    if (const auto value = s_.number(housing_stiffness)) d_.housing_stiffness = *value * N_per_um;
+    const auto temperatures = read_temperatures();
+    const double load = number_or(external_load, 0.0);
+    try {
+      return {bearing::Arrangement(d_), load, temperatures};
+    } catch (const std::invalid_argument& error) {
+      s_.fail(error, known());
+    }
+  }
+
+ private:
+  static Names known() {
+    Names names{"layout", "mounting", std::string(preload_class), "front_bearing", "rear_bearing"};
+    for (const Key& key :
+         {front_count, rear_count, preload, preload_offset, spring_rate, external_load,
+          shaft_stiffness, housing_stiffness, distance, shaft_expansion, housing_expansion,
+          mounting_temperature, inner_ring_temperature, outer_ring_temperature, ball_temperature,
+          shaft_temperature, housing_temperature})
+      names.emplace_back(key.name);
+    return names;
+  }
+
+  double number_or(const Key& key, double fallback) {
+    if (const auto value = s_.number(key)) return *value;
+    in_.note_default(key.name, number(fallback));
+    return fallback;
+  }
+
+  std::optional<int> count(const Key& key) {
+    const auto value = s_.whole_number(key);
+    if (!value && !(d_.layout == Layout::tandem && key.name == rear_count.name))
+      s_.fail_missing(key);
+    return value;
+  }
+
+  void read_layout() {
+    const auto layout = s_.choice("layout", {"O", "X", "tandem"});
+    if (!layout)
+      throw InputError(
+          fmt::format("{}: [arrangement] layout is missing: must be O, X or tandem", s_.place()));
+    d_.layout = *layout == "O"   ? Layout::back_to_back
+                : *layout == "X" ? Layout::face_to_face
+                                 : Layout::tandem;
+  }
+
+  void read_mounting() {
+    const auto given = s_.choice("mounting", {"rigid", "spring"});
+    if (!given) in_.note_default("mounting", "\"rigid\"");
+    d_.mounting = given == "spring" ? Mounting::spring : Mounting::rigid;
+    if (d_.layout == Layout::tandem && d_.mounting == Mounting::rigid)
+      s_.fail("mounting", "mounting: a tandem is held by a spring; write mounting = \"spring\"");
+    if (d_.mounting == Mounting::spring) {
+      d_.spring_rate = number_or(spring_rate, 0.0) * N_per_um;
+    } else if (s_.find(spring_rate.name)) {
+      s_.fail(spring_rate.name, fmt::format("{} = {}: only with mounting = \"spring\"",
+                                            spring_rate.name, shown(*s_.find(spring_rate.name))));
+    }
+  }
+
+  /// [arrangement.front_bearing] for all of a set, [[arrangement.front_bearing]] for each.
+  std::vector<bearing::MountedBearing> read_set(const std::string& side, int bearings) {
+    const std::string key = side + "_bearing", name = "arrangement." + key;
+    const auto share = [](const NamedBearing& b) {
+      return std::make_shared<const bearing::Bearing>(b.bearing);
+    };
+    const auto read = [&](const toml::table* table) {
+      const Section section(s_.source(), name, table);
+      NamedBearing bearing = in_.read_bearing(section, {std::string(offset.name)});
+      return std::pair(std::move(bearing), section.number(offset).value_or(0.0) * um);
+    };
+    const toml::node* const node = s_.find(key);
+    std::vector<bearing::MountedBearing> set;
+    if (!node) {
+      first_of(side, in_.base);
+      set.assign(static_cast<std::size_t>(bearings), {shared_base(share)});
+      return set;
+    }
+    if (const toml::table* const table = node->as_table()) {
+      const auto [bearing, shift] = read(table);
+      first_of(side, bearing);
+      set.assign(static_cast<std::size_t>(bearings), {share(bearing), shift});
+      return set;
+    }
+    if (!node->is_array_of_tables())
+      s_.fail(key, fmt::format("{} = {}: must be a table, written as [{}] or [[{}]]", key,
+                               shown(*node), name, name));
+    for (const toml::node& one : *node->as_array()) {
+      const auto [bearing, shift] = read(one.as_table());
+      if (set.empty()) first_of(side, bearing);
+      set.push_back({share(bearing), shift});
+    }
+    if (set.size() != static_cast<std::size_t>(bearings))
+      s_.fail(key,
+              fmt::format("[[{}]] stands {} times, but {} = {}", name, set.size(), side, bearings));
+    return set;
+  }
+
+  template <typename Share>
+  std::shared_ptr<const bearing::Bearing> shared_base(const Share& share) {
+    if (!base_) base_ = share(in_.base);
+    return base_;
+  }
+
+  /// Keeps the first bearing of a side, whose printed preload stands for it.
+  void first_of(const std::string& side, const NamedBearing& bearing) {
+    (side == "front" ? first_front_ : first_rear_) = bearing;
+  }
+
+  void read_preload() {
+    Names given;
+    for (const std::string_view key : {preload.name, preload_offset.name, preload_class})
+      if (s_.find(key)) given.emplace_back(key);
+    if (given.size() != 1)
+      throw InputError(fmt::format(
+          "{}: [arrangement] {}: must be one of preload_N, preload_offset_um and preload_class",
+          s_.place(), given.empty() ? "preload is missing" : listed(given) + " are given"));
+    if (d_.mounting == Mounting::spring && given[0] != preload.name)
+      s_.fail(given[0], fmt::format("{}: a spring has a force, preload_N", given[0]));
+    if (given[0] == preload.name) {
+      d_.preload = bearing::PreloadForce{*s_.number(preload)};
+    } else if (given[0] == preload_offset.name) {
+      d_.preload = bearing::PreloadOffset{*s_.number(preload_offset) * um};
+    } else {
+      const std::string word = *s_.choice(preload_class, {"light", "medium", "strong"});
+      d_.preload = bearing::matched_preload(first_front_->bearing, class_force(*first_front_, word),
+                                            first_rear_->bearing, class_force(*first_rear_, word));
+    }
+  }
+
+  [[nodiscard]] double class_force(const NamedBearing& b, const std::string& word) const {
+    const auto fail = [&](const std::string& why) {
+      s_.fail(preload_class, fmt::format("preload_class = \"{}\": {}", word, why));
+    };
+    if (!b.row) fail(b.name + " is no bearing of the catalogue; give preload_N");
+    const PairPreload& pair = word == "light"    ? b.row->light
+                              : word == "medium" ? b.row->medium
+                                                 : b.row->strong;
+    if (std::isnan(pair.force)) fail("the catalogue prints none for " + b.name);
+    return pair.force;
+  }
+
+  std::optional<bearing::SetTemperatures> read_temperatures() {
+    const auto kelvin_of = [&](const Key& key) {
+      const auto value = s_.number(key);
+      return value ? kelvin(*value) : unset;
+    };
+    bearing::SetTemperatures t{.inner_ring = kelvin_of(inner_ring_temperature),
+                               .outer_ring = kelvin_of(outer_ring_temperature),
+                               .balls = kelvin_of(ball_temperature),
+                               .shaft = kelvin_of(shaft_temperature),
+                               .housing = kelvin_of(housing_temperature)};
+    bool any = false;
+    for (const double value : {t.inner_ring, t.outer_ring, t.balls, t.shaft, t.housing})
+      any = any || !std::isnan(value);
+    if (!any) {
+      // Only a shaft that is warm needs these; they may stand there already.
+      if (const auto value = s_.number(distance)) d_.distance = *value * mm;
+      if (const auto value = s_.number(shaft_expansion))
+        d_.shaft_expansion = *value * per_million_K;
+      if (const auto value = s_.number(housing_expansion))
+        d_.housing_expansion = *value * per_million_K;
+      if (const auto value = s_.number(mounting_temperature))
+        d_.mounting_temperature = kelvin(*value);
+      return std::nullopt;
+    }
+    d_.distance = number_or(distance, 0.0) * mm;
+    d_.shaft_expansion =
+        number_or(shaft_expansion, d_.shaft_expansion / per_million_K) * per_million_K;
+    d_.housing_expansion =
+        number_or(housing_expansion, d_.housing_expansion / per_million_K) * per_million_K;
+    d_.mounting_temperature =
+        kelvin(number_or(mounting_temperature, celsius(d_.mounting_temperature)));
+    const auto fill = [&](double& value, const Key& key, double fallback) {
+      if (!std::isnan(value)) return;
+      value = fallback;
+      in_.note_default(key.name, number(celsius(value)));
+    };
+    fill(t.inner_ring, inner_ring_temperature, d_.mounting_temperature);
+    fill(t.outer_ring, outer_ring_temperature, d_.mounting_temperature);
+    fill(t.balls, ball_temperature, 0.5 * (t.inner_ring + t.outer_ring));
+    fill(t.shaft, shaft_temperature, t.inner_ring);
+    fill(t.housing, housing_temperature, t.outer_ring);
+    return t;
+  }
+
+  const Section& s_;
+  const ShaftContext& in_;
+  ArrangementDesign d_;
+  std::shared_ptr<const bearing::Bearing> base_;
+  std::optional<NamedBearing> first_front_, first_rear_;
+};
+
+}  // namespace
+
+fit::Shaft read_shaft(const Section& section, const ShaftContext& context) {
+  return ShaftReader(section, context).read();
+}
+
+}  // namespace raceway::io
