@@ -67,6 +67,24 @@ TEST(FitLaw, ReadsAPipe) {
   }
 }
 
+// The independent fits of data/reference/kinematic_law.csv, as a user gets them.
+TEST(FitLaw, OfComputedSpindlesReturnsTheIndependentNumbers) {
+  const auto fit = [](const std::string& model, const std::string& speeds) {
+    return parsed(run_shell("$raceway displacement '" RACEWAY_SOURCE_DIR "/data/spindles/" + model +
+                            "' --speed " + speeds + " -o - | $raceway fit-law --json"));
+  };
+  const json small = fit("two_against_one.toml", "0:10000:500");
+  EXPECT_NEAR(small["parameters"]["A"]["value"].get<double>(), 5.56e-4, 0.5e-6);
+  EXPECT_NEAR(small["parameters"]["B"]["value"].get<double>(), 0.741, 0.0005);
+  EXPECT_NEAR(small["parameters"]["C"]["value"].get<double>(), 5.52e-4, 0.5e-6);
+  EXPECT_NEAR(small["mae_um"].get<double>(), 0.0144, 0.00005);
+  EXPECT_EQ(small["verdict"], "follows");
+  const json large = fit("published_curve.toml", "0:10000:250");
+  EXPECT_NEAR(large["parameters"]["A"]["value"].get<double>(), 1.230e-3, 0.5e-6);
+  EXPECT_NEAR(large["parameters"]["B"]["value"].get<double>(), 0.715, 0.0005);
+  EXPECT_NEAR(large["parameters"]["C"]["value"].get<double>(), 5.53e-4, 0.5e-6);
+}
+
 TEST(FitLaw, IsNotExtrapolated) {
   const ScratchFolder scratch;
   const std::string file = scratch.write("u.csv", curve(published));
