@@ -1,5 +1,5 @@
 // Compiled with nothing but the header in reach: it is what a controller copies.
-#include "kinematic_law.h"
+#include "fit/kinematic_law.h"
 
 double displacement_at(double speed);
 double displacement_at(double speed) {
