@@ -96,8 +96,7 @@ Run setup_calibrate(CLI::App& command) {
       ->type_name("");
   command
       .add_option("DATA", flags->data,
-                  "measurements (CSV); without them the groove conformity is fitted to the axial "
-                  "rigidities that the catalogue prints")
+                  "measurements (CSV); without them the catalogue's rigidities")
       ->type_name("");
   command
       .add_option("-o,--output", flags->output,
@@ -107,7 +106,10 @@ Run setup_calibrate(CLI::App& command) {
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
       "What is fitted stands in the model: [calibration] free, by default f0 and z.\n\n"
-      "Examples:\n  raceway calibrate my.toml rig.csv -o fitted.toml\n"
+      "Without DATA the groove conformity, which no maker prints, is fitted to the axial "
+      "rigidities\n"
+      "that the catalogue prints of the bearing.\n\n"
+      "Example:\n  raceway calibrate my.toml rig.csv -o fitted.toml\n"
       "  raceway calibrate \"S 6014 C\" -o my.toml");
   return [flags] { return run(*flags); };
 }

@@ -128,21 +128,20 @@ Run setup_fit_law(CLI::App& command) {
   auto flags = std::make_shared<Flags>();
   flags->curve = "-";
   command
-      .add_option(
-          "CSV", flags->curve,
-          "curve with speed_rpm and axial_displacement_um (std_um where known); without it, "
-          "or as -, standard input")
+      .add_option("CSV", flags->curve,
+                  "speed_rpm, axial_displacement_um, std_um if known; - or none: stdin")
       ->type_name("");
   add_number(command, "--at", flags->at, speed_range,
-             "also displacement and slope at this speed [rpm], inside the range of the curve");
+             "also displacement and slope at this speed [rpm] of the curve");
   command
       .add_option("-o,--output", flags->output,
-                  "monotone table to write, for curves that the law does not follow; - for stdout")
+                  "monotone table to write in place of the law; - for stdout")
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
-      "Example:\n  raceway displacement spindle.toml --speed 0:10000:250 -o - | raceway fit-law");
+      "Example:\n  raceway fit-law kinematic.csv --at 5000\n"
+      "  raceway displacement spindle.toml --speed 0:10000:250 -o - | raceway fit-law");
   return [flags] { return run(*flags); };
 }
 
