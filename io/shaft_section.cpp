@@ -63,7 +63,7 @@ class ShaftReader {
     try {
       return {bearing::Arrangement(d_), load, temperatures};
     } catch (const std::invalid_argument& error) {
-      s_.fail(error, known());
+      throw InputError(fmt::format("{}: [arrangement] {}", s_.place(), error.what()));
     }
   }
 

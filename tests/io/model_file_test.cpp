@@ -205,11 +205,6 @@ TEST(ModelFile, TextThatIsNoTomlIsErrorWithLineAndColumn) {
   EXPECT_THAT(error_of("[a]\n[ = 1.5\nc = 2\n"), StartsWith("m.toml:2:"));
 }
 
-TEST(ModelFile, ArrangementsAreRefusedByName) {
-  EXPECT_THAT(error_of(complete + "[arrangement]\nlayout = \"O\"\n"),
-              StartsWith("m.toml:44: [arrangement] is not available in this version"));
-}
-
 TEST(ModelFile, FactorsOfTheOtherLawAreRefused) {
   EXPECT_EQ(error_of(changed("y = 0.33", "y = 0.33\nmu_bl = 0.1")),
             "m.toml:21: mu_bl = 0.1: belongs to law = \"skf\", but the law is \"palmgren\"");

@@ -1,0 +1,185 @@
+// raceway displacement, and solve and table with an [arrangement].
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/sample.h"
+#include "tests/reference_table.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+using testing::StartsWith;
+
+const std::string sets = "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n";
+
+class Displacement : public testing::Test {
+ protected:
+  [[nodiscard]] Result raceway(const std::string& command, const std::string& flags,
+                               const std::string& model = model_text + sets) const {
+    return run(command + " " + scratch_.write("my.toml", model) + " " + flags);
+  }
+  [[nodiscard]] static std::string spindle(const std::string& name) {
+    return std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/" + name;
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(Displacement, ReproducesTheNumbersOfTheSpindlesThatComeWithIt) {
+  const auto rows = reference_table("shaft_displacement.csv");
+  const std::vector<std::string> files{"two_against_one.toml", "published_curve.toml"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    SCOPED_TRACE(files[i]);
+    const json d = parsed(run("displacement " + spindle(files[i]) + " --speed 0,10000 --json"));
+    EXPECT_NEAR(d["rows"][1]["axial_displacement_um"].get<double>(),
+                rows[i]["axial_displacement_um"], rows[i]["tolerance_um"]);
+    EXPECT_EQ(d["rows"][0]["axial_displacement_um"], 0.0);
+  }
+}
+
+// [Brecher2021, eq. 10] over 0 to 10 000 rpm; the mean deviation printed for this spindle is 0.133.
+TEST_F(Displacement, PublishedCurveIsReproducedByAPlausibleBearing) {
+  const json d = parsed(
+      run("displacement " + spindle("published_curve.toml") + " --speed 0:10000:250 --json"));
+  double sum = 0.0;
+  for (const json& row : d["rows"]) {
+    const double n = row["speed_rpm"];
+    const double published =
+        n > 0.0 ? 1.28e-3 * std::pow(n, 1.0 - 0.697 * std::exp(-5.3e-4 * n)) : 0.0;
+    sum += std::abs(row["axial_displacement_um"].get<double>() - published);
+  }
+  EXPECT_EQ(d["rows"].size(), 41u);
+  EXPECT_LT(sum / 41.0, 0.133);
+}
+
+TEST_F(Displacement, ShowsACurve) {
+  const Result r = raceway("displacement", "--speed 0:10000:5000");
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.out, StartsWith("Shaft position of 7014 in its arrangement, positive towards the "
+                                "tool\npreload 600 N at standstill; the front set comes free at "));
+  EXPECT_THAT(r.out, HasSubstr("speed  position  front   rear  stiffness  torque   loss\n"));
+  EXPECT_THAT(r.out, HasSubstr("\n    0    0.0000  600.0  600.0 "));
+  EXPECT_THAT(r.out, HasSubstr("\n10000    5.4"));
+}
+
+TEST_F(Displacement, WritesAFileWithEveryBearing) {
+  const std::string file = scratch_.file("k.csv");
+  const Result r = raceway("displacement", "--speed 0:10000:2500 -o " + file);
+  EXPECT_EQ(r.status, 0);
+  EXPECT_EQ(r.out, "");
+  EXPECT_THAT(r.err, HasSubstr(file + " written, 5 speeds\n"));
+  const std::string csv = file_text(file);
+  EXPECT_THAT(csv, StartsWith("# Shaft position against speed: 7014\n# raceway "));
+  EXPECT_THAT(csv, HasSubstr("\n#| [arrangement]\n"));
+  EXPECT_THAT(csv, HasSubstr("\nspeed_rpm,axial_displacement_um,front_force_N,rear_force_N,"
+                             "axial_stiffness_N_um,friction_torque_Nmm,power_loss_W,"
+                             "front_1_axial_load_N,front_1_inner_contact_angle_deg,"));
+  EXPECT_THAT(csv, HasSubstr(",rear_1_outer_ring_heat_W,status\n0,0,600,600,"));
+  EXPECT_EQ(raceway("displacement", "--speed 0:10000:2500 -o -").out, csv);
+  expect_refused(raceway("displacement", "--speed 0 -o " + file), "exists");
+  EXPECT_EQ(raceway("displacement", "--speed 0 --force -o " + file).status, 0);
+}
+
+TEST_F(Displacement, JsonHasTheKeysOfTheContract) {
+  const json d = parsed(raceway("displacement", "--speed 0,8000 --axial-load -100 --json"));
+  const json& row = d["rows"][1];
+  EXPECT_THAT(keys(row), IsSupersetOf({"speed_rpm", "axial_displacement_um", "front_force_N",
+                                       "rear_force_N", "axial_stiffness_N_um", "bearings",
+                                       "friction_torque_Nmm", "power_loss_W", "report"}));
+  EXPECT_NEAR(row["front_force_N"].get<double>() - row["rear_force_N"].get<double>(), 100, 1e-6);
+  ASSERT_EQ(row["bearings"].size(), 3u);
+  const json& rear = row["bearings"][2];
+  EXPECT_EQ(rear["place"], "rear_1");
+  EXPECT_THAT(keys(rear),
+              IsSupersetOf({"axial_load_N", "inner_contact_angle_deg", "outer_contact_angle_deg",
+                            "inner_load_N", "outer_load_N", "inner_contact_pressure_MPa",
+                            "outer_contact_pressure_MPa", "friction_torque_Nmm",
+                            "inner_ring_heat_W", "outer_ring_heat_W", "minimum_load_N"}));
+  EXPECT_NEAR(rear["axial_load_N"].get<double>(), row["rear_force_N"].get<double>(), 1e-9);
+  EXPECT_NEAR(rear["inner_ring_heat_W"].get<double>() + rear["outer_ring_heat_W"].get<double>(),
+              rear["power_loss_W"].get<double>(), 1e-9);
+  EXPECT_THAT(keys(d["arrangement"]),
+              IsSupersetOf({"preload_N", "front_lift_off_load_N", "rear_lift_off_load_N"}));
+}
+
+TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
+  const std::string spring =
+      replaced(model_text + sets, "preload_N = 600", "mounting = \"spring\"\npreload_N = 600");
+  const Result r = raceway("displacement", "--speed 0:12000:4000", spring);
+  EXPECT_EQ(r.status, 0);
+  // Z F_c tan(25 deg) grows with the speed squared and is 300 N near 6800 rpm.
+  EXPECT_THAT(r.err, testing::ContainsRegex("note: front_1, front_2: below the minimum load from "
+                                            "6[5-9][0-9][0-9] rpm on, 300 N of 300"));
+  EXPECT_THAT(r.err, testing::ContainsRegex("note: rear_1: below the minimum load from 9[0-9]+ "
+                                            "rpm on"));
+  // The rigid sets load themselves.
+  EXPECT_THAT(raceway("displacement", "--speed 0:12000:4000").err, Not(HasSubstr("minimum load")));
+}
+
+TEST_F(Displacement, WarnsOfLostContact) {
+  const Result r = raceway("displacement", "--speed 0 --axial-load 2000");
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.err, HasSubstr("note: front_1, front_2: no contact with the inner ring from 0 rpm "
+                               "on; no load\n"));
+}
+
+TEST_F(Displacement, SpeedsWithoutBalanceAreNamedAndEndInStatusTwo) {
+  const std::string spring =
+      replaced(model_text + sets, "preload_N = 600", "mounting = \"spring\"\npreload_N = 600");
+  const Result r = raceway("displacement", "--speed 0,3000 --axial-load 900", spring);
+  EXPECT_EQ(r.status, 2);
+  EXPECT_THAT(r.err, HasSubstr("2 of 2 speeds have no value, the first 0 rpm: no_equilibrium: the "
+                               "sets balance at no position of the shaft"));
+  const Result s = raceway("solve", "--speed 3000 --axial-load 900 --json", spring);
+  EXPECT_EQ(s.status, 2);
+  EXPECT_TRUE(parsed(s)["axial_displacement_um"].is_null());
+  EXPECT_EQ(parsed(s)["report"]["status"], "no_equilibrium");
+}
+
+TEST_F(Displacement, SolveShowsTheSets) {
+  const Result r = raceway("solve", "--speed 10000");
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.out, StartsWith("7014 in its arrangement at 10000 rpm, external load 0 N, 40 C\n"));
+  EXPECT_THAT(r.out, HasSubstr("\nfront_2 "));
+  EXPECT_THAT(r.out, HasSubstr("\naxial displacement "));
+  const json curve = parsed(raceway("displacement", "--speed 10000 --json"));
+  const json one = parsed(raceway("solve", "--speed 10000 --json"));
+  EXPECT_EQ(one["axial_displacement_um"], curve["rows"][0]["axial_displacement_um"]);
+  EXPECT_EQ(one["bearings"], curve["rows"][0]["bearings"]);
+}
+
+TEST_F(Displacement, TableHasTheTorqueOfTheSetUnderItsOwnLoad) {
+  const json t = parsed(raceway("table", "--speed 0:8000:4000 --axial-load -200,0 --json"));
+  ASSERT_EQ(t["rows"].size(), 6u);
+  const json s = parsed(raceway("solve", "--speed 8000 --axial-load -200 --json"));
+  EXPECT_NEAR(t["rows"][2]["friction_torque_Nmm"].get<double>(),
+              s["friction_torque_Nmm"].get<double>(), 1e-6);
+  EXPECT_NEAR(t["rows"][2]["rear_1_axial_load_N"].get<double>(), s["rear_force_N"].get<double>(),
+              1e-6);
+  EXPECT_THAT(keys(t["rows"][0]),
+              IsSupersetOf({"power_loss_W", "front_force_N", "front_2_friction_torque_Nmm",
+                            "axial_displacement_um"}));
+}
+
+TEST_F(Displacement, WrongUseIsRefused) {
+  expect_refused(raceway("displacement", "--speed 0", model_text),
+                 "my.toml: has no [arrangement]: a shaft position needs one");
+  expect_refused(raceway("compare", scratch_.write("d.csv", data_text)),
+                 "my.toml: has an [arrangement]: this command works on a single bearing on a rig");
+  expect_refused(raceway("solve", "--speed 0 --radial-load 50"),
+                 "a shaft takes --axial-load alone");
+  expect_refused(raceway("table", "--speed 0 --radial-load 50"),
+                 "a shaft takes --axial-load alone");
+  expect_refused(raceway("solve", "--speed 0 --axial-load -5", model_text),
+                 "--axial-load = -5 N: must be from 0 to 100000000 N");
+  expect_refused(raceway("displacement", "--speed 5:1:1"), "a range goes up");
+  expect_refused(raceway("displacement", "--speed 0 --json -o -"), "take one");
+}
+
+}  // namespace
+}  // namespace raceway::tests
