@@ -59,7 +59,7 @@ TEST(FitLaw, OfThePublishedLawPrintsItsNumbers) {
 TEST(FitLaw, ReadsAPipe) {
   const ScratchFolder scratch;
   const std::string file = scratch.write("u.csv", curve(published));
-  for (const std::string line :
+  for (const std::string& line :
        {"cat " + file + " | $raceway fit-law", "$raceway fit-law - < " + file}) {
     const Result r = run_shell(line);
     EXPECT_EQ(r.status, 0) << r.err;
