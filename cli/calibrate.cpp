@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cli/calibrate_conformity.h"
 #include "cli/commands.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
@@ -49,6 +50,9 @@ void print(const fit::Calibration& c) {
 int run(const Flags& flags) {
   if (flags.output == "-")
     throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file");
+  if (flags.data.empty())
+    return calibrate_conformity(
+        {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
   const io::ModelFile file = open_model(flags.model);
@@ -85,8 +89,15 @@ int run(const Flags& flags) {
 
 Run setup_calibrate(CLI::App& command) {
   auto flags = std::make_shared<Flags>();
-  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
-  command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
+  command
+      .add_option("MODEL", flags->model,
+                  "model file (TOML); without DATA also a designation of the catalogue")
+      ->required()
+      ->type_name("");
+  command
+      .add_option("DATA", flags->data,
+                  "measurements (CSV); without them the catalogue's rigidities")
+      ->type_name("");
   command
       .add_option("-o,--output", flags->output,
                   "model file to write: MODEL with the new values, all else as it is")
@@ -95,7 +106,11 @@ Run setup_calibrate(CLI::App& command) {
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
       "What is fitted stands in the model: [calibration] free, by default f0 and z.\n\n"
-      "Example:\n  raceway calibrate my.toml rig.csv -o fitted.toml");
+      "Without DATA the groove conformity, which no maker prints, is fitted to the axial "
+      "rigidities\n"
+      "that the catalogue prints of the bearing.\n\n"
+      "Example:\n  raceway calibrate my.toml rig.csv -o fitted.toml\n"
+      "  raceway calibrate \"S 6014 C\" -o my.toml");
   return [flags] { return run(*flags); };
 }
 

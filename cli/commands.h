@@ -15,6 +15,7 @@ Run setup_solve(CLI::App& command);
 Run setup_table(CLI::App& command);
 Run setup_displacement(CLI::App& command);
 Run setup_calibrate(CLI::App& command);
+Run setup_fit_law(CLI::App& command);
 Run setup_compare(CLI::App& command);
 Run setup_effects(CLI::App& command);
 Run setup_diagnose(CLI::App& command);

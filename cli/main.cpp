@@ -30,6 +30,8 @@ constexpr std::array commands{
             cli::setup_table},
     Command{"displacement", "Shaft position, forces and friction of its bearings against speed",
             cli::setup_displacement},
+    Command{"fit-law", "Fit the kinematic displacement law u = A n^(1 - B exp(-C n)) to a curve",
+            cli::setup_fit_law},
     Command{"calibrate", "Fit the free parameters of a model to measurements",
             cli::setup_calibrate},
     Command{"compare", "How wrong a model is against measurements, and where", cli::setup_compare},

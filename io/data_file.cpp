@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "bearing/units.h"
+#include "io/bad_cells.h"
 #include "io/csv.h"
 #include "io/error.h"
 #include "io/names.h"
@@ -59,46 +60,6 @@ constexpr std::array<Column, known_count> columns{{
 }};
 
 constexpr std::string_view run_id = "run_id";
-
-/// Collects what is wrong with cells; one message tells of all, the first in full.
-class BadCells {
- public:
-  BadCells(std::string source, std::size_t rows) : source_(std::move(source)), rows_(rows) {}
-
-  void add(int line, std::string_view column, std::string_view cell, std::string_view problem) {
-    ++count_;
-    // Columns are read one by one, so later lines may have come first.
-    const auto place = std::upper_bound(first_.begin(), first_.end(), line,
-                                        [](int a, const BadCell& b) { return a < b.line; });
-    if (first_.size() == shown && place == first_.end()) return;
-    const bool number = parse_number(cell, true).problem.empty();
-    first_.insert(place, {line, fmt::format("{} = {}: {}", column,
-                                            number ? std::string(cell) : quoted(cell), problem)});
-    if (first_.size() > shown) first_.pop_back();
-  }
-  void throw_if_any() const {
-    if (count_ == 0) return;
-    std::string text;
-    for (const BadCell& cell : first_)
-      text += fmt::format("{}{}:{}: {}", text.empty() ? "" : "\n", source_, cell.line, cell.text);
-    if (count_ > shown) text += fmt::format("\n{}: and {} more", source_, count_ - shown);
-    if (count_ > 1)
-      text += fmt::format("\n{}: {} bad values in {} rows; mend or remove them", source_, count_,
-                          rows_);
-    throw InputError(text);
-  }
-
- private:
-  struct BadCell {
-    int line;
-    std::string text;
-  };
-  static constexpr std::size_t shown = 10;
-  std::string source_;
-  std::size_t rows_;
-  std::size_t count_ = 0;
-  std::vector<BadCell> first_;  // by line
-};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;

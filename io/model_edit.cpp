@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -131,6 +132,21 @@ std::string with_value(std::string text, const KeyValue& change) {
   return text.insert(at, before + assignment + std::string(line_end));
 }
 
+/// Writes the comment of a change whose value stands already.
+std::string with_comment(std::string text, const KeyValue& change) {
+  const KeyPath path = parse_path(change.key);
+  const toml::table root = parse_toml(text, "model");
+  const toml::table* const table = find_table(root, path);
+  if (change.comment.empty() || !table || table->is_inline()) return text;
+  const std::size_t value_end = byte_of(text, table->get(path.key)->source().end);
+  std::size_t end = std::min(text.find('\n', value_end), text.size());
+  if (end > value_end && text[end - 1] == '\r') --end;
+  const std::size_t old = text.find('#', value_end);
+  // Comments that stand in one column stay there.
+  const std::size_t blanks = old < end ? std::max<std::size_t>(1, old - value_end) : 2;
+  return text.replace(value_end, end - value_end, std::string(blanks, ' ') + "# " + change.comment);
+}
+
 }  // namespace
 
 std::string file_key(const fit::ModelParameter& parameter) {
@@ -146,7 +162,7 @@ std::string with_values(std::string_view text, std::span<const KeyValue> changes
   for (const KeyValue& change : changes) {
     if (!std::isfinite(change.value))
       throw std::invalid_argument(fmt::format("{} = {}: must be finite", change.key, change.value));
-    result = with_value(std::move(result), change);
+    result = with_comment(with_value(std::move(result), change), change);
   }
   const toml::table root = parse_toml(result, "model");
   for (const KeyValue& change : changes) {

@@ -70,6 +70,7 @@ class Reader {
     const auto solver = read_solver();
     const fit::Rig rig = read_rig();
     Names free = read_calibration();
+    std::string catalogue = bearing.row ? bearing.row->full_name() : std::string();
     return {.model = {.name = bearing.name,
                       .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing
                                        : std::move(bearing.bearing),
@@ -83,6 +84,7 @@ class Reader {
                       .shaft = std::move(shaft)},
             .source = source_,
             .text = std::move(text_),
+            .catalogue = std::move(catalogue),
             .defaults = std::move(defaults_)};
   }
 

@@ -16,6 +16,8 @@ struct ModelFile {
   fit::Model model;
   std::string source;  ///< file name, for messages
   std::string text;    ///< of the file, to be edited with with_values()
+  /// Full name of the row that [bearing] catalogue picked; empty where it picks none.
+  std::string catalogue = {};
   /// Every default that was used, e.g. `solver.tilt = "locked" (default)`.
   std::vector<std::string> defaults;
 };
@@ -37,6 +39,9 @@ struct ModelFile {
 struct KeyValue {
   std::string key;  ///< "friction.f0", or "effect[0].friction_coefficient" for the first [[effect]]
   double value;
+  /// Put behind the value in place of the comment there; empty leaves that one. Not written into
+  /// tables in braces.
+  std::string comment = {};
 };
 
 /// The text with these values and nothing else changed: comments, order and blanks are kept. A key

@@ -12,8 +12,9 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const char* const commands[] = {"solve",   "table",    "displacement", "calibrate",
-                                "compare", "bearings", "new",          "check"};
+const char* const commands[] = {"solve",     "table",    "displacement", "fit-law",
+                                "calibrate", "compare",  "diagnose",     "add",
+                                "effects",   "bearings", "new",          "check"};
 
 TEST(CommandLine, TellsItsVersion) {
   const Result r = run("--version");
@@ -76,7 +77,8 @@ TEST(CommandLine, TellsWhatIsMissingOrTooMuch) {
   expect_refused(run("new \"S 6014 C\" --output="), "--output: its value is missing\n");
   expect_refused(run("solve m.toml --speed 1 --speed 2"), "--speed is given twice\n");
   expect_refused(run("solve m.toml n.toml --speed 1"), "was not expected: n.toml\n");
-  expect_refused(run("calibrate m.toml"), "raceway calibrate: DATA is required\n");
+  expect_refused(run("calibrate"), "raceway calibrate: MODEL is required\n");
+  expect_refused(run("calibrate m.toml"), "m.toml: no such file");
   expect_refused(run("compare m.toml"), "raceway compare: DATA is missing");
   expect_refused(run("compare"), "raceway compare: DATA is missing");
 }

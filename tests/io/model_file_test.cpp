@@ -349,6 +349,16 @@ TEST(ModelEdit, OnlyTheValueChanges) {
             "# ü\n[friction]   # Reibung: µ\nf0   =  2.25\t# viscous\nz=0.0005 # load\n");
 }
 
+TEST(ModelEdit, ACommentReplacesTheOneBehindTheValue) {
+  EXPECT_EQ(edited("[friction]\nf0 = 1     # guessed # twice\nz = 2\n",
+                   {{"friction.f0", 1.5, "fitted"}, {"friction.z", 3, "too"}}),
+            "[friction]\nf0 = 1.5     # fitted\nz = 3.0  # too\n");
+  EXPECT_EQ(edited("[friction]\r\nf0 = 1\r\n", {{"friction.z", 0.5, "new"}}),
+            "[friction]\r\nf0 = 1\r\nz = 0.5  # new\r\n");
+  EXPECT_EQ(edited("friction = { f0 = 1 } # a\n", {{"friction.f0", 2, "not here"}}),
+            "friction = { f0 = 2.0 } # a\n");
+}
+
 TEST(ModelEdit, ColumnsAreCodePointsNotBytes) {
   const std::string text = "friction = { \"Größe 😀\" = \"€\", f0 = 1.5, z = 2 } # ü\n";
   EXPECT_EQ(edited(text, {{"friction.f0", 3}}),

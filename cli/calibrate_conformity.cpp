@@ -1,0 +1,121 @@
+#include "cli/calibrate_conformity.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "cli/open_input.h"
+#include "cli/text_table.h"
+#include "fit/conformity.h"
+#include "io/conformity_results.h"
+#include "io/error.h"
+#include "io/model_file.h"
+#include "io/output_file.h"
+
+namespace raceway::cli {
+namespace {
+
+/// Root mean square of ln(computed/printed) above which one conformity does not explain the
+/// classes.
+constexpr double poor = 0.05;
+
+struct Start {
+  io::CatalogueBearing row;
+  std::string text;  ///< of the model to be changed
+};
+
+Start start_of(const std::string& model) {
+  std::error_code ignored;
+  if (!model.ends_with(".toml") && !std::filesystem::exists(model, ignored)) {
+    io::CatalogueBearing row = io::find_bearing(io::read_catalogues(), model);
+    std::string text = io::new_model_text(row);
+    return {std::move(row), std::move(text)};
+  }
+  io::ModelFile file = open_model(model);
+  if (file.catalogue.empty())
+    throw io::InputError(fmt::format(
+        "raceway calibrate: DATA is missing; without measurements {} needs catalogue = \"NAME\" "
+        "under [bearing], whose printed rigidities the conformity is fitted to",
+        model));
+  return {io::find_bearing(io::read_catalogues(), file.catalogue), std::move(file.text)};
+}
+
+std::vector<fit::PairRigidity> classes_of(const io::CatalogueBearing& row) {
+  std::vector<fit::PairRigidity> classes;
+  for (const auto& [name, preload] :
+       {std::pair{"L", &row.light}, {"M", &row.medium}, {"S", &row.strong}})
+    if (preload->force > 0.0 && preload->axial_rigidity > 0.0)
+      classes.push_back(
+          {.preload_class = name, .preload = preload->force, .printed = preload->axial_rigidity});
+  if (classes.empty())
+    throw io::InputError(row.full_name() +
+                         ": the catalogue prints no axial rigidity at a preload, so nothing tells "
+                         "the conformity");
+  return classes;
+}
+
+void print(const io::CatalogueBearing& row, const fit::ConformityFit& fit) {
+  fmt::print("{}: groove conformity from the axial rigidity of a preloaded pair at rest\n\n",
+             row.full_name());
+  TextTable table({{"class", "", true},
+                   {"preload", "N"},
+                   {"printed", "N/um"},
+                   {"computed", "N/um"},
+                   {"difference", "%"}});
+  for (const fit::PairRigidity& c : fit.classes)
+    table.add({c.preload_class, number(c.preload, 4), number(c.printed / N_per_um, 4),
+               number(c.computed / N_per_um, 4), beside(100.0 * c.deviation(), 1.0, 2, true)});
+  fmt::print("{}\n", table.text(terminal_width()));
+  fmt::print("conformity of both grooves  {:.5f}{}\n", fit.conformity,
+             std::isnan(fit.std) ? "" : fmt::format(" +- {}", number(fit.std, 2)));
+}
+
+std::string names_of(const fit::ConformityFit& fit) {
+  std::string names;
+  for (const fit::PairRigidity& c : fit.classes)
+    names += (names.empty() ? "" : ", ") + c.preload_class;
+  return names;
+}
+
+}  // namespace
+
+int calibrate_conformity(const ConformityFlags& flags) {
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+  const Start start = start_of(flags.model);
+  // The rigidities are printed for steel balls and the row as it stands, whatever the model
+  // changes.
+  const fit::ConformityFit fit = fit::fit_conformity(
+      {start.row.geometry, bearing::steel(), bearing::steel()}, classes_of(start.row));
+  const bool found = fit.status == fit::FitStatus::converged && fit.at_bound == fit::Bound::none;
+  if (flags.json)
+    fmt::print("{}", io::conformity_json(start.row.full_name(), fit));
+  else if (fit.status == fit::FitStatus::converged)
+    print(start.row, fit);
+  if (!found) {
+    say(fmt::format("raceway calibrate: no conformity from {} to {} has the printed rigidities; {}",
+                    fit::lowest_conformity, fit::highest_conformity,
+                    flags.output.empty() ? "no result" : flags.output + " is not written"));
+    return not_converged;
+  }
+  if (fit.rms > poor)
+    tell({fmt::format("one conformity leaves {:.2g} % between the classes: take it with care",
+                      100.0 * fit.rms)});
+  if (flags.output.empty()) return done;
+  const double shown = std::round(fit.conformity * 1e5) / 1e5;  // far below its standard error
+  const std::string origin =
+      fmt::format("fitted to the catalogue's rigidity at preload {}{}", names_of(fit),
+                  std::isnan(fit.std) ? "" : fmt::format(", std {}", number(fit.std, 1)));
+  io::write_text(flags.output,
+                 io::with_values(start.text,
+                                 std::vector<io::KeyValue>{
+                                     {"bearing.inner_conformity", shown, origin},
+                                     {"bearing.outer_conformity", shown, "the same for both"}}),
+                 if_exists);
+  say(flags.output + " written");
+  return done;
+}
+
+}  // namespace raceway::cli

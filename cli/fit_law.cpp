@@ -1,0 +1,148 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/number_flag.h"
+#include "cli/open_input.h"
+#include "cli/text_table.h"
+#include "fit/displacement_table.h"
+#include "fit/fit_kinematic_law.h"
+#include "io/displacement_curve.h"
+#include "io/error.h"
+#include "io/kinematic_results.h"
+#include "io/output_file.h"
+
+namespace raceway::cli {
+namespace {
+
+using fit::KinematicLawVerdict;
+
+struct Flags {
+  std::string curve, output;
+  double at = unset;  // [rpm]
+  bool json = false, force = false;
+};
+
+std::string statement(const fit::KinematicLawFit& f, const std::string& table) {
+  const std::string tolerance =
+      fmt::format("{:.4g} um, that of the published fit", fit::kinematic_law_tolerance / um);
+  const std::string share =
+      fmt::format("{:.4g} % of the largest displacement", 100.0 * fit::kinematic_law_share);
+  if (f.verdict == KinematicLawVerdict::follows)
+    return fmt::format("The law follows the curve: its mean absolute error is within {}, and {}.",
+                       tolerance, share);
+  const std::string& limit = f.mae > fit::kinematic_law_tolerance ? tolerance : share;
+  if (f.verdict == KinematicLawVerdict::scatter)
+    return fmt::format(
+        "The mean absolute error is above {}, and what is left jumps from row to row: the rows "
+        "scatter by {} um, and the law is as good as they are.",
+        limit, number(f.scatter / um, 2));
+  return fmt::format(
+      "The law does not follow the curve: its mean absolute error is above {}, and what is left is "
+      "smooth, a shape that three parameters cannot take. Use the monotone table instead ({}).",
+      limit, table.empty() ? "-o FILE writes it" : table);
+}
+
+void print(const fit::KinematicLawFit& f, const std::string& source,
+           const std::optional<io::LawAtSpeed>& at, const std::string& statement) {
+  fmt::print("u = A n^(1 - B exp(-C n)), u in um, n in rpm, of {}\n\n", source);
+  TextTable table({{"parameter", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
+  for (const fit::FittedParameter& p : f.parameters)
+    table.add({p.name, number(p.value, 6), number(p.std, 2), p.unit == "1" ? "-" : p.unit});
+  fmt::print("{}", table.text(terminal_width()));
+  if (!std::isnan(f.correlation(0, 1)) && !std::isnan(f.correlation(0, 2)))
+    fmt::print("correlation of A and B {:.2f}, A and C {:.2f}, B and C {:.2f}\n",
+               f.correlation(0, 1), f.correlation(0, 2), f.correlation(1, 2));
+  fmt::print("\nmean absolute error  {} um over {} rows\n", number(f.mae / um, 3), f.rows);
+  fmt::print("largest error        {} um at {:.6g} rpm\n", number(f.max_abs / um, 3),
+             f.speed_of_max_abs / rpm);
+  fmt::print("valid                {:.6g} to {:.6g} rpm\n", f.law.lowest_speed / rpm,
+             f.law.highest_speed / rpm);
+  if (at)
+    fmt::print("\nat {:.6g} rpm: u = {:.7g} um, du/dn = {:.6g} um/rpm\n", at->speed / rpm,
+               at->value.displacement / um, at->value.slope / (um / rpm));
+  fmt::print("\n{}\n", statement);
+}
+
+std::optional<io::LawAtSpeed> at_speed(const Flags& flags, const fit::KinematicLaw& law) {
+  if (std::isnan(flags.at)) return std::nullopt;
+  const io::LawAtSpeed at{flags.at * rpm, evaluate(law, flags.at * rpm)};
+  if (!at.value.inside)
+    throw io::InputError(fmt::format(
+        "--at = {:.10g} rpm: the law is valid from {:.10g} to {:.10g} rpm, where its rows lie; it "
+        "is not extrapolated",
+        flags.at, law.lowest_speed / rpm, law.highest_speed / rpm));
+  return at;
+}
+
+int run(const Flags& flags) {
+  if (flags.curve == "-" && isatty(STDIN_FILENO) != 0)
+    throw io::InputError("raceway fit-law: CSV is missing, and nothing is piped in");
+  if (flags.json && flags.output == "-")
+    throw io::InputError("raceway fit-law: --json and --output - both write to stdout; take one");
+  const bool to_file = !flags.output.empty() && flags.output != "-";
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (to_file) io::require_writable(flags.output, if_exists);
+
+  const io::DisplacementCurve curve = io::read_displacement_curve(flags.curve);
+  tell(curve.notes);
+  const fit::KinematicLawFit f = [&] {
+    try {
+      return fit::fit_kinematic_law(curve.points);
+    } catch (const std::invalid_argument& e) {
+      throw io::InputError(curve.source + ": " + e.what());
+    }
+  }();
+  tell(f.notes);
+  const std::optional<io::LawAtSpeed> at = at_speed(flags, f.law);
+  const std::string words = statement(f, flags.output);
+  if (flags.json) {
+    fmt::print("{}", io::kinematic_law_json(f, words, at));
+  } else if (f.converged() && flags.output != "-") {
+    print(f, curve.source, at, words);
+  }
+  // The table rests on the rows alone and is written also where no law was found.
+  if (!flags.output.empty()) {
+    const fit::DisplacementTable table = fit::make_displacement_table(curve.points);
+    const std::string text = io::displacement_table_text(table, curve.source);
+    if (to_file) {
+      io::write_text(flags.output, text, if_exists);
+      say(fmt::format("{} written, {} speeds", flags.output, table.speed.size()));
+    } else {
+      fmt::print("{}", text);
+    }
+    if (!table.monotone)
+      tell({"the table is not monotone: the displacement turns where the rows turn"});
+  }
+  if (f.converged()) return done;
+  say(fmt::format("raceway fit-law: {} after {} steps", fit::name(f.status), f.iterations));
+  return not_converged;
+}
+
+}  // namespace
+
+Run setup_fit_law(CLI::App& command) {
+  auto flags = std::make_shared<Flags>();
+  flags->curve = "-";
+  command
+      .add_option("CSV", flags->curve,
+                  "speed_rpm, axial_displacement_um, std_um if known; - or none: stdin")
+      ->type_name("");
+  add_number(command, "--at", flags->at, speed_range,
+             "also displacement and slope at this speed [rpm] of the curve");
+  command
+      .add_option("-o,--output", flags->output,
+                  "monotone table to write in place of the law; - for stdout")
+      ->type_name("FILE");
+  command.add_flag("--force", flags->force, "replace the file if it exists");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer(
+      "Example:\n  raceway fit-law kinematic.csv --at 5000\n"
+      "  raceway displacement spindle.toml --speed 0:10000:250 -o - | raceway fit-law");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raceway::io {
+
+/// Collects what is wrong with cells; one message tells of all, the first ten in full, by line.
+class BadCells {
+ public:
+  /// `rows` is the number of rows that the message speaks of.
+  BadCells(std::string source, std::size_t rows) : source_(std::move(source)), rows_(rows) {}
+
+  void add(int line, std::string_view column, std::string_view cell, std::string_view problem);
+  /// Throws InputError if there is one.
+  void throw_if_any() const;
+
+ private:
+  struct BadCell {
+    int line;
+    std::string text;
+  };
+  static constexpr std::size_t shown = 10;
+  std::string source_;
+  std::size_t rows_;
+  std::size_t count_ = 0;
+  std::vector<BadCell> first_;  // by line
+};
+
+}  // namespace raceway::io

@@ -1,0 +1,29 @@
+#include "io/conformity_results.h"
+
+#include "io/json_text.h"
+
+namespace raceway::io {
+
+std::string conformity_json(const std::string& bearing, const fit::ConformityFit& fit) {
+  json classes = json::array();
+  for (const fit::PairRigidity& c : fit.classes)
+    classes.push_back({{"class", c.preload_class},
+                       {"preload_N", c.preload},
+                       {"printed_N_um", c.printed / N_per_um},
+                       {"computed_N_um", c.computed / N_per_um},
+                       {"difference_percent", 100.0 * c.deviation()}});
+  const json document = {{"bearing", bearing},
+                         {"conformity",
+                          {{"value", fit.conformity},
+                           {"std", fit.std},
+                           {"unit", "1"},
+                           {"lower", fit::lowest_conformity},
+                           {"upper", fit::highest_conformity},
+                           {"at_bound", fit.at_bound != fit::Bound::none}}},
+                         {"rms_percent", 100.0 * fit.rms},
+                         {"classes", classes},
+                         {"report", {{"status", fit::name(fit.status)}}}};
+  return exact_text(document);
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "fit/conformity.h"
+
+/// The conformity of a catalogue bearing as a JSON document; see results.h.
+namespace raceway::io {
+
+[[nodiscard]] std::string conformity_json(const std::string& bearing,
+                                          const fit::ConformityFit& fit);
+
+}  // namespace raceway::io

@@ -1,0 +1,144 @@
+#include "io/displacement_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "io/bad_cells.h"
+#include "io/csv.h"
+#include "io/error.h"
+#include "io/input_file.h"
+#include "io/names.h"
+
+namespace raceway::io {
+namespace {
+
+struct Column {
+  std::string_view name, unit;
+  double factor, lower, upper;  ///< closed, in `unit`
+  bool required;
+  double fit::DisplacementPoint::*member;
+};
+
+constexpr std::size_t displacement = 1;  // its place among the columns
+constexpr std::array columns{
+    Column{"speed_rpm", "rpm", rpm, 0, 1e6, true, &fit::DisplacementPoint::speed},
+    Column{"axial_displacement_um", "um", um, -1e6, 1e6, true,
+           &fit::DisplacementPoint::displacement},
+    Column{"std_um", "um", um, 1e-9, 1e6, false, &fit::DisplacementPoint::std}};
+
+using Places = std::array<std::optional<std::size_t>, columns.size()>;
+
+Places places(const CsvTable& table) {
+  Places result;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const std::string_view name = columns[k].name;
+    result[k] = table.column(name);
+    if (result[k]) continue;
+    const std::string place = fmt::format("{}:{}", table.source, table.header_line);
+    if (columns[k].required)
+      throw InputError(
+          fmt::format("{}: column {} is missing{}", place, name, suggestion(name, table.header)));
+    for (const std::string& other : table.header)
+      if (edit_distance(other, name) == 1)
+        throw InputError(
+            fmt::format("{}: column {} is unknown; did you mean {}?", place, other, name));
+  }
+  return result;
+}
+
+/// What the columns that are not read mean for the fit.
+std::vector<std::string> notes_on_others(const CsvTable& table, const Places& read) {
+  std::vector<std::string> notes = table.notes;
+  std::string names;
+  std::size_t count = 0;
+  constexpr std::size_t shown = 4;
+  for (std::size_t c = 0; c < table.header.size(); ++c) {
+    if (std::find(read.begin(), read.end(), c) != read.end()) continue;
+    if (++count <= shown) names += (names.empty() ? "" : ", ") + table.header[c];
+    const bool condition = table.header[c] == "preload_N" || table.header[c] == "axial_load_N";
+    for (std::size_t row = 1; condition && row < table.rows(); ++row)
+      if (table.cell(row, c) != table.cell(0, c)) {
+        notes.push_back(
+            fmt::format("{} changes from row to row, and the law knows speed alone: "
+                        "fit each curve by itself",
+                        table.header[c]));
+        break;
+      }
+  }
+  if (count > 0)
+    notes.push_back(fmt::format("not used: {}{}", names,
+                                count > shown ? fmt::format(" and {} more", count - shown) : ""));
+  return notes;
+}
+
+DisplacementCurve curve_of(const CsvTable& table) {
+  const Places read = places(table);
+  const auto status = table.column("status");
+  DisplacementCurve curve{.source = table.source, .notes = notes_on_others(table, read)};
+  BadCells bad(table.source, table.rows());
+  std::size_t without = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (status && table.cell(row, *read[displacement]).empty() &&
+        table.cell(row, *status) != "converged") {
+      ++without;
+      continue;
+    }
+    fit::DisplacementPoint point;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (!read[k]) continue;
+      const Column& c = columns[k];
+      const std::string_view cell = table.cell(row, *read[k]);
+      const ParsedNumber number = parse_number(cell, table.separator != ',');
+      if (!number.problem.empty()) {
+        bad.add(table.line(row), c.name, cell, number.problem);
+      } else if (!(number.value >= c.lower && number.value <= c.upper)) {
+        bad.add(table.line(row), c.name, cell,
+                fmt::format("must be from {} to {} {}", c.lower, c.upper, c.unit));
+      }
+      point.*c.member = number.value * c.factor;
+    }
+    curve.points.push_back(point);
+  }
+  bad.throw_if_any();
+  if (without > 0)
+    curve.notes.push_back(
+        fmt::format("{} of {} rows have no displacement, as their status says: "
+                    "left out",
+                    without, table.rows()));
+  return curve;
+}
+
+}  // namespace
+
+DisplacementCurve read_displacement_curve(const std::string& path) {
+  if (path != "-") return curve_of(read_csv(path));
+  const std::string source = "standard input";
+  bool mark = false;
+  std::string text = read_text("/dev/stdin", &mark);
+  return curve_of(parse_csv(std::move(text), source, mark));
+}
+
+DisplacementCurve parse_displacement_curve(std::string text, const std::string& source) {
+  return curve_of(parse_csv(std::move(text), source));
+}
+
+std::string displacement_table_text(const fit::DisplacementTable& table, std::string_view source) {
+  std::string text = fmt::format(
+      "# Axial displacement of the shaft against speed, of {}\n"
+      "# raceway {}\n"
+      "# between two rows: a cubic with these values and slopes at both ends (Hermite); {}\n"
+      "# not to be used below the first or above the last speed\n"
+      "speed_rpm,axial_displacement_um,slope_um_rpm\n",
+      source, RACEWAY_VERSION,
+      table.monotone ? "monotone" : "it turns where the rows turn, and nowhere else");
+  for (std::size_t i = 0; i < table.speed.size(); ++i)
+    text += fmt::format("{:.12g},{:.12g},{:.12g}\n", table.speed[i] / rpm,
+                        table.displacement[i] / um, table.slope[i] / (um / rpm));
+  return text;
+}
+
+}  // namespace raceway::io

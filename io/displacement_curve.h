@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/displacement_table.h"
+
+namespace raceway::io {
+
+/// A displacement curve as read.
+struct DisplacementCurve {
+  std::string source;  ///< file name, for messages
+  std::vector<fit::DisplacementPoint> points = {};
+  std::vector<std::string> notes;  ///< what the user should know, one line each
+};
+
+/// Reads `speed_rpm`, `axial_displacement_um` and, where it is given, `std_um` of a CSV, as
+/// `raceway displacement` writes it or a rig does; "-" is standard input. Other columns are not
+/// read, and `notes` says so. So are rows without displacement whose column `status` tells why.
+///
+/// Throws InputError as read_csv(), for a missing column, and for every other cell that is empty,
+/// no number or impossible (all of them in one message).
+[[nodiscard]] DisplacementCurve read_displacement_curve(const std::string& path);
+
+/// The same from text; `source` stands in messages.
+[[nodiscard]] DisplacementCurve parse_displacement_curve(std::string text,
+                                                         const std::string& source);
+
+/// A table as CSV: speed_rpm, axial_displacement_um, slope_um_rpm, with how to interpolate.
+/// `source` is the curve that it was made from.
+[[nodiscard]] std::string displacement_table_text(const fit::DisplacementTable& table,
+                                                  std::string_view source);
+
+}  // namespace raceway::io
