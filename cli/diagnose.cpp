@@ -9,16 +9,20 @@
 
 #include "cli/commands.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
+#include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "io/diagnosis_results.h"
+#include "io/report.h"
 
 namespace raceway::cli {
 namespace {
 
 struct Flags {
   std::string model, data;
-  bool json = false, no_pairs = false;
+  bool json = false, no_pairs = false, force = false;
   int tried_before = 0;
+  ReportFlag report;
 };
 
 std::atomic<bool> interrupted{false};
@@ -51,13 +55,18 @@ void print_effects(const fit::Diagnosis& d) {
                    {"gain", ""},
                    {"RMS", "N mm"},
                    {"held out", "N mm"},
-                   {"size", "", true}});
+                   {"size", "", true},
+                   {"gain, | needed", "", true}});
+  constexpr std::size_t bar_width = 16;
+  double best = 0.0;
+  for (const fit::RankedEffect& e : d.effects) best = std::max(best, e.gain);
   std::size_t shown = 0;
   for (const fit::RankedEffect& e : d.effects) {
     if (!e.in_verdict && shown >= 8) break;
     ++shown;
     table.add({e.id, e.in_verdict ? "<-" : "", number(e.gain, 3), torque(e.rmse),
-               torque(e.rmse_cross_validated), size_text(e.parameters)});
+               torque(e.rmse_cross_validated), size_text(e.parameters),
+               bar(e.gain, best, bar_width, d.needed_gain)});
   }
   if (shown == 0) return;
   fmt::print("\n{}", table.text(terminal_width()));
@@ -106,7 +115,7 @@ void print_limits(const fit::Diagnosis& d) {
 }
 
 void print(const fit::Diagnosis& d) {
-  fmt::print("{}\n\n", d.sentence);
+  fmt::print("{}\n\n", in_colour(d.sentence, Colour::strong));
   fmt::print("verdict: {} (p of the misfit {:.1g})\n", fit::name(d.verdict), d.p_value);
   fmt::print("RMS error {} N mm before, {} N mm after; noise {} N mm\n", torque(d.rmse_before),
              torque(d.rmse_after), torque(d.noise.rms));
@@ -117,6 +126,7 @@ void print(const fit::Diagnosis& d) {
 }
 
 int run(const Flags& flags) {
+  flags.report.check(flags.force);
   const io::ModelFile file = open_model(flags.model);
   const fit::DataSet data = open_data(flags.data, file.model.rig);
   // Effects of the user's own that change nothing yet are candidates, not part of the model.
@@ -147,6 +157,9 @@ int run(const Flags& flags) {
     print(diagnosis);
   }
   tell(diagnosis.messages);
+  flags.report.write(
+      [&] { return io::diagnosis_report(flags.model, model, data, diagnosis, options.user_made); },
+      flags.force);
   return done;
 }
 
@@ -163,7 +176,9 @@ Run setup_diagnose(CLI::App& command) {
                   "evidence asked for stronger")
       ->type_name("N");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway diagnose my.toml rig.csv");
+  flags->report.declare(command);
+  command.add_flag("--force", flags->force, "replace the page if it exists");
+  command.footer("Example:\n  raceway diagnose my.toml rig.csv --report page.html");
   return [flags] { return run(*flags); };
 }
 

@@ -115,6 +115,7 @@ AddResult add(const Model& model, std::span<const effects::Description* const> e
       compare(list(evidence.base.prediction), problem.data, static_cast<int>(problem.base.size()));
   result.after =
       compare(result.calibration.model, problem.data, static_cast<int>(extended.free.size()));
+  result.noise = evidence.noise;
   result.messages = result.calibration.messages;
   if (!found.fit.converged || !result.calibration.converged()) {
     result.refused = true;
