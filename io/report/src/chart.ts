@@ -3,15 +3,26 @@ import type { Option } from './figure';
 import type { Look } from './look';
 import { plain } from './text';
 
-const letter = 6.6; // width of a character at 12 px
+const letter = 6.6; // about the width of a character at 12 px
+const gap = 12; // between the entries of a legend
+export const fonts = 'system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
+
+const pen = document.createElement('canvas').getContext('2d');
+
+/// Width of a text at 12 px.
+function textWidth(text: string): number {
+  if (!pen) return text.length * letter;
+  pen.font = `12px ${fonts}`;
+  return pen.measureText(text).width;
+}
 
 /// A legend on top, and the height it takes at this width.
 export function legend(names: string[], width: number, l: Look, icons: (string | undefined)[] = []): { option: Option; height: number } {
   let lines = 1;
   let used = 0;
   for (const name of names) {
-    const item = 14 + 6 + name.length * letter + 14;
-    if (used > 0 && used + item > width) {
+    const item = 14 + 5 + textWidth(name) + gap;
+    if (used > 0 && used + item > width - 10) {
       ++lines;
       used = 0;
     }
@@ -24,7 +35,7 @@ export function legend(names: string[], width: number, l: Look, icons: (string |
       top: 0,
       itemWidth: 14,
       itemHeight: 9,
-      itemGap: 12,
+      itemGap: gap,
       textStyle: { color: l.ink, fontSize: 12 },
       inactiveColor: l.dark ? '#4a5664' : '#b9c1ca',
       selectedMode: 'multiple',
@@ -64,8 +75,8 @@ export function categoryAxis(names: string[], l: Look, more: Option = {}): Optio
 
 /// Names down the side of horizontal bars, cut where the page is narrow; the tooltip has them in full.
 export function sideAxis(names: string[], l: Look, width: number): { option: Option; left: number } {
-  const longest = Math.max(...names.map((n) => n.length), 4) * letter;
-  const room = Math.max(90, Math.min(longest + 4, width * 0.42));
+  const longest = Math.max(...names.map(textWidth), 30);
+  const room = Math.max(90, Math.min(longest + 8, width * 0.42));
   return {
     option: categoryAxis(names, l, {
       inverse: true,
@@ -142,7 +153,7 @@ export function threshold(value: number, text: string, l: Look): Option {
     silent: true,
     symbol: 'none',
     animation: false,
-    label: { formatter: text, color: l.ink, fontSize: 11, position: 'end', distance: 4 },
+    label: { formatter: text, color: l.ink, fontSize: 11, position: 'start', distance: 6 },
     lineStyle: { color: l.ink, type: 'dashed', width: 1.5 },
     data: [{ xAxis: value }],
   };

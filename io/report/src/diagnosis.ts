@@ -10,6 +10,11 @@ import { axisTitle, number, plain, quantity, signed, unitText } from './text';
 
 const mostBars = 12;
 
+/// A difference of -2 ln L: tenths are enough.
+function gainText(gain: number): string {
+  return Math.abs(gain) < 0.05 ? '0' : plain(Number(gain.toFixed(1)), 5);
+}
+
 function sizeText(parameters: Record<string, Size>): string {
   return Object.entries(parameters)
     .map(([name, p]) => {
@@ -40,7 +45,7 @@ export function ranking(report: DiagnoseReport): Figure {
       const top = legend(present.map(([name]) => name), width, l);
       const side = sideAxis(shown.map((e) => e.id), l, width);
       const colours: Record<string, string> = { 'in the verdict': l.kinds[1] as string, 'above the threshold': l.kinds[0] as string, 'below the threshold': l.muted };
-      const behind = (e: RankedEffect) => (best - e.gain > 0.05 ? `${number(e.gain, 4)}  (${number(best - e.gain, 3)} behind)` : number(e.gain, 4));
+      const behind = (e: RankedEffect) => (best - e.gain > 0.05 ? `${gainText(e.gain)}  (${gainText(best - e.gain)} behind)` : gainText(e.gain));
       return {
         legend: top.option,
         grid: { left: side.left, right: width < 480 ? 60 : 150, top: top.height + 22, bottom: 40 },
@@ -49,8 +54,8 @@ export function ranking(report: DiagnoseReport): Figure {
           if (!e) return null;
           return [
             e.id,
-            ['gain', number(e.gain, 4)],
-            ['behind the best', number(best - e.gain, 3)],
+            ['gain', gainText(e.gain)],
+            ['behind the best', gainText(best - e.gain)],
             ['RMS error', `${number(e.rmse)} N mm`],
             ...(e.rmse_cross_validated === null ? [] : ([['on rows left out', `${number(e.rmse_cross_validated)} N mm`]] as [string, string][])),
             ['size', sizeText(e.parameters)],
@@ -69,7 +74,7 @@ export function ranking(report: DiagnoseReport): Figure {
             borderRadius: [0, 3, 3, 0],
             decal: name === 'in the verdict' ? undefined : { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: name === 'above the threshold' ? [2, 5] : [1, 3], rotation: -0.7, color: 'rgba(255,255,255,0.35)' },
           },
-          label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { dataIndex: number }) => { const e = shown[hit.dataIndex]; return e && is(e) ? (width < 480 ? number(e.gain, 4) : behind(e)) : ''; } },
+          label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { dataIndex: number }) => { const e = shown[hit.dataIndex]; return e && is(e) ? (width < 480 ? gainText(e.gain) : behind(e)) : ''; } },
           data: shown.map((e) => (is(e) ? e.gain : null)),
           ...(k === 0 ? { markLine: threshold(needed, `needed ${number(needed, 3)}`, l) } : {}),
         })),
@@ -181,6 +186,7 @@ export function detectable(report: DiagnoseReport): Figure | undefined {
   const list = report.results.would_have_been_found.slice().sort((a, b) => a.share_of_torque - b.share_of_torque);
   if (list.length === 0) return undefined;
   const percent = list.map((d) => 100 * d.share_of_torque);
+  const floor = 10 ** Math.floor(Math.log10(Math.min(...percent) * 0.999));
   return new Figure({
     id: 'detectable',
     title: 'What would have been found, and from which size',
@@ -202,7 +208,7 @@ export function detectable(report: DiagnoseReport): Figure | undefined {
             ...(d.most_alike ? ([['most alike', d.most_alike], ['told from it from', `${number(d.told_apart_from, 2)}${unit ? ` ${unit}` : ''}`]] as [string, string][]) : []),
           ];
         }),
-        xAxis: valueAxis('share of the torque [%], logarithmic', l, 'x', { type: 'log', scale: false, min: 10 ** Math.floor(Math.log10(Math.min(...percent) * 0.999)) }),
+        xAxis: valueAxis('share of the torque [%], logarithmic', l, 'x', { type: 'log', scale: false, min: floor, startValue: floor }),
         yAxis: side.option,
         series: [
           {
@@ -234,7 +240,7 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
     title: next.length ? 'Where to measure next' : 'Where was measured',
     note: next.length
       ? `Diamonds: points that best tell apart what these data cannot (${next[0]?.separates ?? ''}).`
-      : 'The verdict needs no further points. The plan as measured:',
+      : 'No further points are proposed; this is the plan as measured.',
     marks: view.marks,
     wide: next.length > 0,
     option: (l, width) => {

@@ -12,6 +12,7 @@ import {
 import * as echarts from 'echarts/core';
 import type { ECharts, EChartsCoreOption } from 'echarts/core';
 import { CanvasRenderer, SVGRenderer } from 'echarts/renderers';
+import { fonts } from './chart';
 import { darkQuery, look, printQuery, setPrinting } from './look';
 import type { Look } from './look';
 import { dash, el, number } from './text';
@@ -60,7 +61,9 @@ export interface FigureSpec {
 
 const mostTableRows = 200;
 const manyMarks = 1200;
-const printWidth = 660;
+// On paper the page is two columns of this width.
+const printColumn = 292;
+const printWide = 640;
 
 export class Figure {
   readonly element: HTMLElement;
@@ -86,7 +89,7 @@ export class Figure {
   /// Draws with the look of the moment; anew where a choice has changed.
   draw(): void {
     const l = look();
-    const width = l.print ? Math.min(printWidth, this.element.clientWidth || printWidth) : this.canvas.clientWidth;
+    const width = l.print ? (this.element.classList.contains('wide') ? printWide : printColumn) : this.canvas.clientWidth;
     if (width === 0) return;
     const { height = 320 } = this.spec;
     const tall = typeof height === 'number' ? height : height(width);
@@ -140,7 +143,7 @@ function common(l: Look): Option {
     animation: false,
     backgroundColor: 'transparent',
     color: l.kinds,
-    textStyle: { color: l.ink, fontFamily: 'system-ui, -apple-system, "Segoe UI", Roboto, "DejaVu Sans", sans-serif', fontSize: 12 },
+    textStyle: { color: l.ink, fontFamily: fonts, fontSize: 12 },
   };
 }
 

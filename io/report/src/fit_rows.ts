@@ -7,7 +7,7 @@ import { choice, Figure, tooltip } from './figure';
 import type { Group } from './groups';
 import { groups, mean, rms, thinned } from './groups';
 import type { Look } from './look';
-import { diverging, ordered, symbols } from './look';
+import { diverging, inkOn, ordered, symbols } from './look';
 import { axisTitle, el, number, plain, quantity, signed } from './text';
 
 const mostDrawn = 3000;
@@ -47,8 +47,9 @@ export class FitView {
   }
 
   private largest(count: number): number[] {
-    const order = Array.from({ length: this.rows.count }, (_, k) => k).filter((k) => Number.isFinite(this.residual(k)));
-    return order.sort((a, b) => Math.abs(this.residual(b)) - Math.abs(this.residual(a))).slice(0, count);
+    const sizes = this.predicted().map((p, k) => Math.abs(p - (this.measured()[k] as number)));
+    const least = sizes.filter(Number.isFinite).sort().at(-count) ?? 0;
+    return Array.from(sizes.keys()).filter((k) => (sizes[k] as number) >= least);
   }
 
   add(figure: Figure): HTMLElement {
@@ -68,7 +69,7 @@ export class FitView {
         .map((label, run) => ({ label: `run ${label}`, rows: this.drawn(Array.from(runs.keys()).filter((k) => runs[k] === run)), from: run, to: run }))
         .filter((g) => g.rows.length > 0);
     }
-    return groups(this.rows.get(this.colour), this.colour, 5).map((g) => ({ ...g, rows: this.drawn(g.rows.slice().sort((a, b) => a - b)) }));
+    return groups(this.rows.get(this.colour), this.colour, 5).map((g) => ({ ...g, rows: this.drawn(g.rows) }));
   }
   private drawn(rows: number[]): number[] {
     return thinned(rows, Math.ceil((mostDrawn * rows.length) / Math.max(1, this.rows.count)), this.worst);
@@ -176,20 +177,11 @@ export function parity(view: FitView): HTMLElement {
       id: 'parity',
       title: 'Measured against predicted',
       note: 'On the line they agree. Dashed: ±2 standard deviations of the noise, where it is known.',
-      height: 360,
+      height: (width) => (width < 480 ? 360 : 340),
       marks: view.marks,
       option: (l, width) => {
         const predicted = view.predicted();
-        let low = Infinity;
-        let high = -Infinity;
-        const limits = [...measured.filter(Number.isFinite), ...predicted.filter(Number.isFinite)];
-        for (const v of limits) {
-          low = Math.min(low, v);
-          high = Math.max(high, v);
-        }
-        const margin = 0.04 * (high - low || Math.abs(high) || 1);
-        low -= margin;
-        high += margin;
+        const [low, high] = niceRange([...measured, ...predicted].filter(Number.isFinite));
         const points = scatter(view, (k) => predicted[k] as number, (k) => measured[k] as number, l);
         const names = [...points.names];
         const icons: string[] = [...points.icons];
@@ -206,8 +198,8 @@ export function parity(view: FitView): HTMLElement {
           legend: top.option,
           grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
           tooltip: rowTooltip(view, l),
-          xAxis: valueAxis('predicted [N mm]', l, 'x', { min: nice(low, high, -1), max: nice(low, high, 1) }),
-          yAxis: valueAxis('measured [N mm]', l, 'y', { min: nice(low, high, -1), max: nice(low, high, 1) }),
+          xAxis: valueAxis('predicted [N mm]', l, 'x', { min: low, max: high }),
+          yAxis: valueAxis('measured [N mm]', l, 'y', { min: low, max: high }),
           series,
         };
       },
@@ -217,10 +209,19 @@ export function parity(view: FitView): HTMLElement {
   );
 }
 
-/// A round number outside of a range, below (side -1) or above (+1).
-function nice(low: number, high: number, side: number): number {
-  const step = 10 ** Math.floor(Math.log10(high - low)) / 2;
-  return side < 0 ? Math.floor(low / step) * step : Math.ceil(high / step) * step;
+/// Round limits around the values, the same for both axes; zero where it is near.
+function niceRange(values: number[]): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const v of values) {
+    low = Math.min(low, v);
+    high = Math.max(high, v);
+  }
+  if (low > 0 && low < 0.3 * high) low = 0;
+  const range = high - low || Math.abs(high) || 1;
+  const power = 10 ** Math.floor(Math.log10(range / 5));
+  const step = power * ([1, 2, 5, 10].find((m) => m * power >= range / 6) ?? 10);
+  return [Math.floor(low / step) * step, Math.ceil(high / step) * step];
 }
 
 function worstTable(view: FitView): Table {
@@ -245,21 +246,14 @@ function worstTable(view: FitView): Table {
 /// [x, rms of σ] along x, over parts of equally many rows; empty where the noise is not known.
 function noiseBand(view: FitView, x: (row: number) => number): [number, number][] {
   const std = view.rows.get('std_Nmm');
-  const rows: number[] = [];
-  for (let k = 0; k < view.rows.count; ++k) if ((std[k] as number) > 0 && Number.isFinite(x(k))) rows.push(k);
-  if (rows.length === 0) return [];
-  rows.sort((a, b) => x(a) - x(b));
-  const points: [number, number][] = [];
-  const parts = view.rows.varies('std_Nmm') ? Math.min(16, Math.max(2, Math.floor(rows.length / 8))) : 1;
-  for (let p = 0; p < parts; ++p) {
-    const part = rows.slice(Math.floor((p * rows.length) / parts), Math.floor(((p + 1) * rows.length) / parts));
-    if (part.length) points.push([mean(part.map(x)), rms(part.map((k) => std[k] as number))]);
-  }
-  const first = points[0] as [number, number];
-  const last = points[points.length - 1] as [number, number];
-  points.unshift([x(rows[0] as number), first[1]]);
-  points.push([x(rows[rows.length - 1] as number), last[1]]);
-  return points;
+  const at = Float64Array.from({ length: view.rows.count }, (_, k) => ((std[k] as number) > 0 ? x(k) : NaN));
+  const most = view.rows.varies('std_Nmm') ? Math.max(1, Math.min(16, Math.floor(view.rows.count / 8))) : 1;
+  const list = groups(at, '', most);
+  if (list.length === 0) return [];
+  const points = list.map((g): [number, number] => [mean(g.rows.map((k) => at[k] as number)), rms(g.rows.map((k) => std[k] as number))]);
+  const first = list[0] as Group;
+  const last = list[list.length - 1] as Group;
+  return [[first.from, (points[0] as [number, number])[1]], ...points, [last.to, (points[points.length - 1] as [number, number])[1]]];
 }
 
 interface Part {
@@ -318,12 +312,12 @@ export function residuals(view: FitView): HTMLElement[] {
             legend: top.option,
             grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
             tooltip: rowTooltip(view, l),
-            xAxis: valueAxis(unit, l, 'x', { ...(name === 'order' ? { min: 0 } : {}) }),
+            xAxis: valueAxis(unit, l, 'x', { ...(name === 'order' ? { min: 0, max: view.rows.count } : {}) }),
             yAxis: valueAxis('predicted − measured [N mm]', l, 'y'),
             series,
           };
         },
-        height: (width) => (width < 480 ? 360 : 330),
+        height: (width) => (width < 480 ? 360 : 340),
         table: () => ({
           columns: [name === 'order' ? 'rows' : axisTitle(name), 'number of rows', 'RMS [N mm]', 'mean of predicted − measured [N mm]', 'standard error [N mm]'],
           rows: parts(view, name).map((s) => [s.label, s.rows, s.rmse, s.bias, finite(s.error)]),
@@ -355,7 +349,9 @@ export function misfitMap(view: FitView): HTMLElement {
       wide: true,
       height: () => 130 + Math.max(3, map().up.length) * 38,
       option: (l, width) => {
-        const { across, up: rows, cells } = map();
+        const { across, up: rows } = map();
+        // Frames are drawn over their neighbours.
+        const cells = map().cells.slice().sort((a, b) => Number(a.significant) - Number(b.significant));
         const most = Math.max(...cells.map((c) => Math.abs(c.bias)), 1e-12);
         const left = Math.min(110, 20 + Math.max(...rows.map((r) => rangeText(r).length)) * 6.6);
         const cellWidth = (width - left - 18) / across.length;
@@ -408,7 +404,7 @@ export function misfitMap(view: FitView): HTMLElement {
               data: cells.map((c) => ({
                 value: [c.across, c.up, c.bias],
                 itemStyle: c.significant ? { borderColor: l.ink, borderWidth: 2 } : { borderColor: l.surface, borderWidth: 2 },
-                label: { fontWeight: c.significant ? 'bold' : 'normal', color: Math.abs(c.bias) > 0.72 * most && !l.dark ? '#ffffff' : l.dark && Math.abs(c.bias) > 0.6 * most ? '#000000' : l.ink },
+                label: { fontWeight: c.significant ? 'bold' : 'normal', color: inkOn(diverging(c.bias / most, l)) },
               })),
               label: {
                 show: cellWidth > 34,

@@ -11,49 +11,62 @@ export interface Group {
 
 const mostLevels = 8;
 
-/// Rows with a finite value, in its order.
-function sorted(values: Float64Array): number[] {
-  const rows: number[] = [];
-  for (let i = 0; i < values.length; ++i) if (Number.isFinite(values[i])) rows.push(i);
-  return rows.sort((a, b) => (values[a] as number) - (values[b] as number) || a - b);
+interface Range {
+  from: number;
+  to: number;
 }
 
-function make(rows: number[], values: Float64Array, name: string): Group {
-  const from = values[rows[0] as number] as number;
-  const to = values[rows[rows.length - 1] as number] as number;
+function label({ from, to }: Range, name: string): string {
   const { unit } = quantity(name);
   const low = plain(from, 3);
   const high = plain(to, 3);
-  const range = low === high ? low : `${low}…${high}`;
-  return { label: unit === '°' ? `${range}°` : `${range} ${unit}`.trim(), rows, from, to };
+  const text = low === high ? low : `${low}…${high}`;
+  return unit === '°' ? `${text}°` : `${text} ${unit}`.trim();
 }
 
-/// At most `most` groups, by rising value.
+/// Levels of sorted values, if they are few and narrow.
+function levels(values: Float64Array, most: number): Range[] | undefined {
+  const range = (values[values.length - 1] as number) - (values[0] as number);
+  const list: Range[] = [];
+  for (const value of values) {
+    const last = list[list.length - 1];
+    if (last && value - last.to <= 0.04 * range) last.to = value;
+    else if (list.length === most) return undefined;
+    else list.push({ from: value, to: value });
+  }
+  return list.every((level) => level.to - level.from <= 0.12 * range) ? list : undefined;
+}
+
+/// Parts of about equally many of sorted values; equal values stay together.
+function quantiles(values: Float64Array, parts: number): Range[] {
+  const list: Range[] = [];
+  values.forEach((value, k) => {
+    const last = list[list.length - 1];
+    if (!last || (k >= (list.length * values.length) / parts && value > last.to)) list.push({ from: value, to: value });
+    else last.to = value;
+  });
+  return list;
+}
+
+/// At most `most` groups, or as many levels, by rising value; rows in their order. Rows without a
+/// finite value are in none.
 export function groups(values: Float64Array, name: string, most: number): Group[] {
-  const rows = sorted(values);
-  if (rows.length === 0) return [];
-  const at = (k: number) => values[rows[k] as number] as number;
-  const range = at(rows.length - 1) - at(0);
-  if (!(range > 0)) return [make(rows, values, name)];
-  const levels: number[][] = [];
-  rows.forEach((row, k) => {
-    if (k === 0 || at(k) - at(k - 1) > 0.04 * range) levels.push([]);
-    (levels[levels.length - 1] as number[]).push(row);
+  const ordered = values.filter(Number.isFinite).sort();
+  if (ordered.length === 0) return [];
+  const ranges = levels(ordered, Math.max(most, mostLevels)) ?? quantiles(ordered, most);
+  const list = ranges.map((range): Group => ({ ...range, label: label(range, name), rows: [] }));
+  values.forEach((value, row) => {
+    if (!Number.isFinite(value)) return;
+    let low = 0;
+    let high = list.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if ((list[middle] as Group).from <= value) low = middle;
+      else high = middle - 1;
+    }
+    (list[low] as Group).rows.push(row);
   });
-  const narrow = levels.every((level) => {
-    const first = values[level[0] as number] as number;
-    const last = values[level[level.length - 1] as number] as number;
-    return last - first <= 0.12 * range;
-  });
-  if (narrow && levels.length >= 2 && levels.length <= Math.max(most, mostLevels))
-    return levels.map((level) => make(level, values, name));
-  // Equal values stay together.
-  const parts: number[][] = [[]];
-  rows.forEach((row, k) => {
-    if (k >= (parts.length * rows.length) / most && at(k) > at(k - 1)) parts.push([]);
-    (parts[parts.length - 1] as number[]).push(row);
-  });
-  return parts.filter((part) => part.length > 0).map((part) => make(part, values, name));
+  return list;
 }
 
 /// Every so many-th of the rows, for drawing; those in `always` too.

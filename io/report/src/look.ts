@@ -52,7 +52,16 @@ export function look(): Look {
   return darkQuery.matches ? dark : light;
 }
 
-export const symbols = ['circle', 'triangle', 'rect', 'diamond', 'emptyCircle', 'emptyTriangle', 'emptyRect', 'emptyDiamond'];
+export const symbols = [
+  'circle',
+  'triangle',
+  'rect',
+  'diamond',
+  'path://M3 0h4v3h3v4h-3v3h-4v-3h-3v-4h3z', // plus
+  'path://M0 0h10l-5 9z', // triangle, point down
+  'path://M0 3h10v4h-10z', // bar
+  'path://M3 0h4v10h-4z', // pillar
+];
 export const dashes = ['solid', 'dashed', 'dotted', [8, 3, 2, 3]];
 
 const viridis = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b', '#fde725'];
@@ -68,7 +77,7 @@ function mix(a: string, b: string, share: number): string {
 
 /// Colours of ordered levels that stand out from the page.
 export function ordered(count: number, l: Look): string[] {
-  const [from, to] = l.dark ? [0.32, 1.0] : [0.0, 0.84];
+  const [from, to] = l.dark ? [0.34, 1.0] : [0.0, 0.8];
   return Array.from({ length: count }, (_, k) => {
     const at = (from + ((to - from) * (count === 1 ? 0.4 : k / (count - 1)))) * (viridis.length - 1);
     const index = Math.min(viridis.length - 2, Math.floor(at));
@@ -80,4 +89,10 @@ export function ordered(count: number, l: Look): string[] {
 export function diverging(value: number, l: Look): string {
   const end = value < 0 ? l.negative : l.positive;
   return mix(l.surface, end, Math.min(1, Math.abs(value)) * 0.85);
+}
+
+/// Black or white, whichever reads better on a colour.
+export function inkOn(colour: string): string {
+  const [r, g, b] = channels(colour).map((v) => ((v / 255) ** 2.2)) as [number, number, number];
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.19 ? '#10161d' : '#ffffff';
 }

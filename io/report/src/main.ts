@@ -31,7 +31,17 @@ function section(title: string, ...content: (Node | undefined)[]): HTMLElement {
 
 function grid(...figures: (HTMLElement | Figure | undefined)[]): HTMLElement {
   const box = el('div', { class: 'grid' });
-  for (const f of figures) if (f) box.append(f instanceof HTMLElement ? f : f.element);
+  const elements = figures.flatMap((f) => (f ? [f instanceof HTMLElement ? f : f.element] : []));
+  // Two side by side; one that is left over takes the whole width.
+  let open: HTMLElement | undefined;
+  for (const element of elements) {
+    if (element.classList.contains('wide')) {
+      open?.classList.add('wide');
+      open = undefined;
+    } else open = open ? undefined : element;
+  }
+  open?.classList.add('wide');
+  box.append(...elements);
   return box;
 }
 
@@ -115,7 +125,7 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
       ['noise', `${number(d.noise.rms, 3)} N mm`],
       ['rows', String(d.rows)],
       ['misfit by chance', probability(d.p_value)],
-      ...(effects.length ? ([['what remains', probability(d.remaining_p_value)]] as [string, string][]) : []),
+      ...(effects.length ? ([['the rest by chance', probability(d.remaining_p_value)]] as [string, string][]) : []),
     ]),
     section(
       'The verdict',
