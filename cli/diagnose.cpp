@@ -64,9 +64,10 @@ void print_effects(const fit::Diagnosis& d) {
   for (const fit::RankedEffect& e : d.effects) {
     if (!e.in_verdict && shown >= 8) break;
     ++shown;
+    const std::string gain_bar = bar(e.gain, best, bar_width, d.needed_gain);
     table.add({e.id, e.in_verdict ? "<-" : "", number(e.gain, 3), torque(e.rmse),
                torque(e.rmse_cross_validated), size_text(e.parameters),
-               bar(e.gain, best, bar_width, d.needed_gain)});
+               e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar});
   }
   if (shown == 0) return;
   fmt::print("\n{}", table.text(terminal_width()));
@@ -114,11 +115,23 @@ void print_limits(const fit::Diagnosis& d) {
   for (const fit::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
 }
 
+/// The error before and after against the noise.
+void print_ladder(const fit::Diagnosis& d) {
+  constexpr std::size_t bar_width = 40;
+  TextTable ladder({{"RMS error", "", true}, {"", "N mm"}, {"", "| noise", true}});
+  const auto rung = [&](const std::string& name, double error) {
+    ladder.add({name, torque(error), bar(error, d.rmse_before, bar_width, d.noise.rms)});
+  };
+  rung("before", d.rmse_before);
+  if (d.rmse_after < d.rmse_before) rung("after", d.rmse_after);
+  ladder.add({"noise", torque(d.noise.rms), ""});
+  fmt::print("{}", ladder.text(terminal_width()));
+}
+
 void print(const fit::Diagnosis& d) {
   fmt::print("{}\n\n", in_colour(d.sentence, Colour::strong));
-  fmt::print("verdict: {} (p of the misfit {:.1g})\n", fit::name(d.verdict), d.p_value);
-  fmt::print("RMS error {} N mm before, {} N mm after; noise {} N mm\n", torque(d.rmse_before),
-             torque(d.rmse_after), torque(d.noise.rms));
+  fmt::print("verdict: {} (p of the misfit {:.1g})\n\n", fit::name(d.verdict), d.p_value);
+  print_ladder(d);
   print_effects(d);
   fmt::print("\n");
   print_verdict_details(d);

@@ -18,11 +18,9 @@ std::string bar(double value, double full, std::size_t width, double mark) {
   std::string text;
   if (value > 0.0) text.assign(std::max<std::size_t>(1, place(value)), '#');
   if (mark > 0.0 && mark <= full) {
-    const std::size_t at = place(mark) - (place(mark) > 0 ? 1 : 0);
-    if (text.size() <= at) {
-      text.resize(at, ' ');
-      text += '|';
-    }
+    const std::size_t at = std::max<std::size_t>(1, place(mark)) - 1;
+    if (text.size() <= at) text.resize(at + 1, ' ');
+    text[at] = '|';
   }
   return text;
 }
