@@ -5,18 +5,26 @@ import type { Table } from './figure';
 import { Figure, tooltip } from './figure';
 import { number } from './text';
 
-function noiseNote(noise: number | null): string {
+/// Where the noise of a data set comes from, in the words of the JSON.
+export const noiseSources: Record<string, string> = {
+  declared: 'as declared in the file',
+  regression: 'as the regression of the coast-down gives it',
+  repeats: 'from repeated rows',
+  estimated: 'estimated from what a regression without physics leaves',
+};
+
+function noiseNote(noise: number | null, source: string): string {
   return noise === null
     ? 'The noise of these data is not known (no column std_Nmm, no repeated rows): there is no floor to hold it against.'
-    : `Dashed: the noise of the data, ${number(noise, 3)} N mm. No model gets below it for long.`;
+    : `Dashed: the noise of the data, ${number(noise, 3)} N mm, ${source}.`;
 }
 
 /// RMS error of models one after the other.
-export function ladder(names: string[], errors: number[], bias: number[], fit: (number | null)[], noise: number | null): Figure {
+export function ladder(names: string[], errors: number[], bias: number[], fit: (number | null)[], noise: number | null, source: string): Figure {
   return new Figure({
     id: 'ladder',
     title: 'Error of each model',
-    note: noiseNote(noise),
+    note: noiseNote(noise, source),
     wide: true,
     height: 80 + names.length * 42,
     option: (l, width) => {
@@ -66,7 +74,7 @@ export function beforeAfter(before: number, after: number, held: HoldOut[], nois
   return new Figure({
     id: 'ladder',
     title: 'Error before and after, against the noise',
-    note: `${noiseNote(noise)} “Left out”: predicted for blocks of rows that the fit did not see.`,
+    note: `${noiseNote(noise, noiseSources.estimated as string)} “Left out”: predicted for blocks of rows that the fit did not see.`,
     wide: true,
     height: 100 + rows.length * 54,
     option: (l, width) => {

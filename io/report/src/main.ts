@@ -5,7 +5,7 @@ import type { AddReport, CompareReport, Comparison, DiagnoseReport, Report, Repo
 import { drawAll } from './figure';
 import type { Figure } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
-import { beforeAfter, ladder } from './ladder';
+import { beforeAfter, ladder, noiseSources } from './ladder';
 import { tableFigures } from './stribeck';
 import { el, number, plain, probability, shortPaths, unitText } from './text';
 
@@ -95,12 +95,12 @@ function compare(report: CompareReport): Node[] {
       [
         ['RMS error', `${number(last.rmse)} N mm`],
         ['mean error', `${number(last.bias, 3)} N mm`],
-        ['noise', noise === null ? 'not known' : `${number(noise, 3)} N mm`],
+        [noise === null ? 'noise' : `noise, ${first.noise.source}`, noise === null ? 'not known' : `${number(noise, 3)} N mm`],
         ['rows', String(last.rows)],
         ...lackOfFit(last),
       ],
     ),
-    section(several ? 'The ladder' : 'The error', grid(ladder(files.slice(0, -1), comparisons.map((c) => c.rmse), comparisons.map((c) => c.bias), comparisons.map((c) => c.fit_percent), noise))),
+    section(several ? 'The ladder' : 'The error', grid(ladder(files.slice(0, -1), comparisons.map((c) => c.rmse), comparisons.map((c) => c.bias), comparisons.map((c) => c.fit_percent), noise, noiseSources[first.noise.source] ?? ''))),
     fitSection(view),
   ];
 }
@@ -122,7 +122,7 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
   return [
     header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.sentence }, [
       ['RMS error', d.rmse_after < d.rmse_before ? `${number(d.rmse_before, 3)} → ${number(d.rmse_after, 3)} N mm` : `${number(d.rmse_before, 3)} N mm`],
-      ['noise', `${number(d.noise.rms, 3)} N mm`],
+      ['noise, estimated', `${number(d.noise.rms, 3)} N mm`],
       ['rows', String(d.rows)],
       ['misfit by chance', probability(d.p_value)],
       ...(effects.length ? ([['the rest by chance', probability(d.remaining_p_value)]] as [string, string][]) : []),
@@ -132,7 +132,7 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
       grid(
         effects.length || d.hold_out.length
           ? beforeAfter(d.rmse_before, d.rmse_after, d.hold_out, d.noise.rms, ['refitted, nothing added', effects.length ? `with ${effects.join(' and ')}` : 'with the nearest effect'])
-          : ladder(['refitted, nothing added'], [d.rmse_before], [d.baseline.bias], [d.baseline.fit_percent], d.noise.rms),
+          : ladder(['refitted, nothing added'], [d.rmse_before], [d.baseline.bias], [d.baseline.fit_percent], d.noise.rms, noiseSources.estimated as string),
         d.effects.length ? ranking(report) : undefined,
       ),
     ),
@@ -182,14 +182,14 @@ function add(report: AddReport): (Node | undefined)[] {
       },
       [
         ['RMS error', `${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} N mm`],
-        ['noise', report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} N mm`],
+        ['noise, estimated', report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} N mm`],
         ['rows', String(r.after.rows)],
       ],
     ),
     section(
       'What it bought',
       grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, report.noise_rms, ['before, refitted', 'after'])),
-      list('Parameters', ['parameter', 'before', 'after', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.start), number(p.value), number(p.std, 2), unitText(p.unit)])),
+      list('Parameters', ['parameter', 'value', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)])),
     ),
     fitSection(view),
     notes(r.messages),
