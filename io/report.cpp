@@ -153,27 +153,31 @@ class RowTable {
   ReportColumns columns_;
 };
 
-/// Readings by row of the data, from the errors of a comparison, which may stand in another order:
-/// rows are known by their line.
-std::vector<double> predicted_rows(const fit::Comparison& comparison, const fit::DataSet& data,
-                                   double fit::RowError::*member = &fit::RowError::predicted) {
-  std::unordered_map<int, const fit::RowError*> by_line;
-  for (const fit::RowError& e : comparison.errors) by_line[e.line] = &e;
+/// A number of each row of the data, from the errors of a comparison, which may stand in another
+/// order: rows are known by their line.
+template <typename Value>
+std::vector<double> by_row(const fit::Comparison& comparison, const fit::DataSet& data,
+                           Value value) {
+  std::unordered_map<int, double> by_line;
+  for (const fit::RowError& e : comparison.errors) by_line[e.line] = value(e);
   std::vector<double> values;
   for (const fit::Row& row : data.rows) {
     const auto found = by_line.find(row.line);
-    values.push_back(found == by_line.end() ? unset : found->second->*member);
+    values.push_back(found == by_line.end() ? unset : found->second);
   }
   return values;
 }
 
-/// Standard deviation by row of the data, from a noise model in the order of a comparison's rows.
+std::vector<double> predicted_rows(const fit::Comparison& comparison, const fit::DataSet& data) {
+  return by_row(comparison, data, [](const fit::RowError& e) { return e.predicted; });
+}
+
+/// Standard deviation of each row from a noise model, which is in the order of the comparison.
 std::vector<double> noise_rows(const fit::NoiseModel& noise, const fit::Comparison& comparison,
                                const fit::DataSet& data) {
-  fit::Comparison with_std = comparison;
-  for (fit::RowError& e : with_std.errors)
-    e.predicted = noise.whitening.std()[static_cast<Eigen::Index>(e.row)];
-  return predicted_rows(with_std, data);
+  return by_row(comparison, data, [&](const fit::RowError& e) {
+    return noise.whitening.std()[static_cast<Eigen::Index>(e.row)];
+  });
 }
 
 /// Only the rows that were used: a diagnosis thins large files and leaves out what has no balance.

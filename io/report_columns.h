@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,6 @@ class ReportColumns {
   void add(std::string name, std::vector<double> values);
   /// Keeps these rows too when others are left out.
   void keep(std::size_t row) { wanted_.push_back(row); }
-  [[nodiscard]] std::size_t size() const { return columns_.size(); }
 
   /// `{"total": rows, "rows": those kept, "columns": [{"name": ..., "values": [...]}]}`
   [[nodiscard]] std::string json() const;

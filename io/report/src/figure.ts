@@ -68,19 +68,19 @@ const printWide = 640;
 export class Figure {
   readonly element: HTMLElement;
   private readonly canvas = el('div', { class: 'chart' });
-  private readonly legend: HTMLDetailsElement;
+  private readonly numbers: HTMLDetailsElement;
   private chart: ECharts | undefined;
 
   constructor(private readonly spec: FigureSpec) {
-    this.legend = el('details', {}, el('summary', {}, 'Table'));
-    this.legend.addEventListener('toggle', () => this.fillTable());
+    this.numbers = el('details', {}, el('summary', {}, 'Table'));
+    this.numbers.addEventListener('toggle', () => this.fillTable());
     const button = el('button', { type: 'button', class: 'csv', title: 'Save the numbers of this picture as CSV' }, 'CSV');
     button.addEventListener('click', () => save(`${spec.id}.csv`, csvText((spec.csv ?? spec.table)())));
     const head = el('div', { class: 'head' }, el('h3', {}, spec.title));
     if (spec.controls?.length) head.append(el('div', { class: 'controls' }, ...spec.controls));
     this.element = el('figure', { class: spec.wide ? 'wide' : '', id: spec.id }, head);
     if (spec.note) this.element.append(el('p', { class: 'note' }, spec.note));
-    this.element.append(this.canvas, el('div', { class: 'foot' }, this.legend, button));
+    this.element.append(this.canvas, el('div', { class: 'foot' }, this.numbers, button));
     this.canvas.setAttribute('role', 'img');
     this.canvas.setAttribute('aria-label', `${spec.title}. ${spec.note ?? ''}`.trim());
     all.push(this);
@@ -102,12 +102,12 @@ export class Figure {
       });
     else this.chart.resize({ width, height: tall });
     this.chart.setOption({ ...common(l), ...this.spec.option(l, width) }, { notMerge: true });
-    if (this.legend.open) this.fillTable();
+    if (this.numbers.open) this.fillTable();
   }
 
   private fillTable(): void {
-    this.legend.querySelector('.scroll')?.remove();
-    if (!this.legend.open) return;
+    this.numbers.querySelector('.scroll')?.remove();
+    if (!this.numbers.open) return;
     const table = this.spec.table();
     const shown = table.rows.slice(0, mostTableRows);
     const body = el('tbody', {});
@@ -132,7 +132,7 @@ export class Figure {
     const scroll = el('div', { class: 'scroll', tabindex: '0' }, el('table', {}, el('thead', {}, head), body));
     if (shown.length < table.rows.length)
       scroll.append(el('p', { class: 'note' }, `${shown.length} of ${table.rows.length} rows; the CSV has all of them.`));
-    this.legend.append(scroll);
+    this.numbers.append(scroll);
   }
 }
 

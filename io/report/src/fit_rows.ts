@@ -1,6 +1,6 @@
 // The rows of a data set against one of several models: measured against predicted, residuals, map.
 import { band, categoryAxis, errorBars, legend, valueAxis } from './chart';
-import type { AxisRange, ReportOfRows } from './document';
+import type { AxisRange, Predicted, ReportOfRows } from './document';
 import { Rows } from './document';
 import type { Cell, Hit, Option, Table } from './figure';
 import { choice, Figure, tooltip } from './figure';
@@ -23,6 +23,7 @@ export class FitView {
   colour: string;
   private readonly worst: Set<number>;
   private readonly figures: Figure[] = [];
+  private readonly parts = new Map<string, Group[]>(); // by colour column
 
   constructor(readonly report: ReportOfRows, chosen: number) {
     this.rows = new Rows(report.rows);
@@ -34,7 +35,7 @@ export class FitView {
   }
 
   predicted(model = this.model): Float64Array {
-    return this.rows.get((this.report.models[model] as { column: string }).column);
+    return this.rows.get((this.report.models[model] as Predicted).column);
   }
   measured(): Float64Array {
     return this.rows.get('measured_Nmm');
@@ -62,6 +63,14 @@ export class FitView {
 
   /// Points in groups by the colour column, thinned for drawing.
   coloured(): Group[] {
+    let parts = this.parts.get(this.colour);
+    if (!parts) {
+      parts = this.findParts();
+      this.parts.set(this.colour, parts);
+    }
+    return parts;
+  }
+  private findParts(): Group[] {
     if (!this.colour) return [{ label: 'rows', rows: this.drawn(Array.from({ length: this.rows.count }, (_, k) => k)), from: 0, to: 0 }];
     if (this.colour === 'run') {
       const runs = this.rows.get('run');
@@ -335,7 +344,7 @@ function rangeText(range: AxisRange): string {
 }
 
 export function misfitMap(view: FitView): HTMLElement {
-  const map = () => (view.report.models[view.model] as { map: import('./document').MisfitMap }).map;
+  const map = () => (view.report.models[view.model] as Predicted).map;
   const known = map().cells.some((c) => c.sigmas !== null);
   const up = () => map().up_variable.replace('_', ' ');
   const unit = () => ({ axial_load: ' [N]', radial_load: ' [N]', temperature: ' [°C]' })[map().up_variable] ?? '';

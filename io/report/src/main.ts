@@ -1,7 +1,7 @@
 // Builds the page from the document inside it: one function for each command that writes reports.
 import { detectable, effectFigures, plan, ranking } from './diagnosis';
 import { readDocument } from './document';
-import type { AddReport, CompareReport, Comparison, DiagnoseReport, Report, ReportOfRows, TableReport } from './document';
+import type { AddReport, CompareReport, Comparison, DiagnoseReport, Report, TableReport } from './document';
 import { drawAll } from './figure';
 import type { Figure } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
@@ -227,5 +227,4 @@ function show(report: Report): void {
   drawAll();
 }
 
-export type { ReportOfRows };
 show(readDocument());

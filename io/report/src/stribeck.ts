@@ -54,7 +54,7 @@ export function tableFigures(report: TableReport): Figure[] {
   });
 
   const measured = report.measured ? new Rows(report.measured.rows) : undefined;
-  /// Measured points next to a curve: load within 10 %, or both small; temperature is hovered.
+  /// Measured points that belong to a curve.
   const near = (axial: number): number[] => {
     if (!measured) return [];
     const list: number[] = [];
@@ -83,16 +83,12 @@ export function tableFigures(report: TableReport): Figure[] {
         const series: Option[] = curves.map((c, k) => ({
           type: 'line',
           name: names[k],
-          symbol: 'none',
+          symbol: 'circle',
+          symbolSize: 4,
           lineStyle: { color: colours[k], width: 2.2, type: dashes[k % dashes.length] },
           itemStyle: { color: colours[k] },
-          triggerLineEvent: true,
-          symbolSize: 6,
-          showSymbol: true,
           data: c.rows.filter((row) => !chosen.logarithmic || rows.at('speed_rpm', row) > 0).map((row) => [rows.at('speed_rpm', row), rows.at('friction_torque_Nmm', row), row]),
         }));
-        for (const s of series) (s as { symbol: string }).symbol = 'circle';
-        for (const s of series) (s as { symbolSize: number }).symbolSize = 4;
         curves.forEach((c, k) =>
           series.push({
             type: 'scatter',
