@@ -103,7 +103,7 @@ void print_ladder(const std::vector<std::string>& models,
                     {"RMS", "N mm"},
                     {"bias", "N mm"},
                     {"fit", "%"},
-                    {"RMS", std::isnan(comparisons[0].noise.rms) ? "" : "| noise", true}});
+                    {"", std::isnan(comparisons[0].noise.rms) ? "" : "| noise", true}});
   double worst = 0.0;
   for (const fit::Comparison& c : comparisons) worst = std::max(worst, c.rmse);
   for (std::size_t i = 0; i < models.size(); ++i) {
