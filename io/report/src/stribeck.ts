@@ -8,6 +8,8 @@ import { thinned } from './groups';
 import { dashes, ordered, symbols } from './look';
 import { axisTitle, number, plain, quantity, withUnit } from './text';
 
+const mostCurves = 8; // that stay readable
+
 function distinct(values: Iterable<number>): number[] {
   return [...new Set(values)].filter(Number.isFinite).sort((a, b) => a - b);
 }
@@ -24,6 +26,10 @@ export function tableFigures(report: TableReport): Figure[] {
   const temperatures = distinct(rows.get('temperature_C'));
   const chosen = { radial: 0, temperature: 0, axial: axials.length - 1, logarithmic: false };
   const figures: Figure[] = [];
+  const note = [
+    axials.length > mostCurves ? `${mostCurves} of ${axials.length} axial loads are drawn, the table has all.` : '',
+    report.measured ? 'Points: measured within 10 % of the loads of a curve and 5 K of its temperature.' : '',
+  ].join(' ').trim();
   const redraw = () => {
     for (const figure of figures) figure.draw();
   };
@@ -42,10 +48,9 @@ export function tableFigures(report: TableReport): Figure[] {
       if (radial[k] === radials[chosen.radial] && temperature[k] === temperatures[chosen.temperature]) byLoad.get(axial[k] as number)?.push(k);
     return [...byLoad].map(([a, list]) => ({ axial: a, rows: list }));
   };
-  /// Few curves stay readable; of many, some evenly spread.
   const shown = () => {
     const list = slices();
-    return thinned(list.map((_, k) => k), 8).map((k) => list[k] as Slice);
+    return thinned(list.map((_, k) => k), mostCurves).map((k) => list[k] as Slice);
   };
   const place = () => `radial load ${withUnit(radials[chosen.radial] as number, 'radial_load_N')}, ${withUnit(temperatures[chosen.temperature] as number, 'temperature_C')}`;
   const columns = (names: string[]) => () => ({
@@ -70,7 +75,7 @@ export function tableFigures(report: TableReport): Figure[] {
     new Figure({
       id: 'stribeck',
       title: 'Stribeck curves',
-      note: measured ? 'Points: measured within 10 % of the loads of a curve and 5 K of its temperature.' : undefined,
+      note,
       wide: true,
       height: 420,
       marks: rows.count / 4,
