@@ -195,7 +195,7 @@ test('hovering over a mark shows its row as it stands in the file', async () => 
     paths
       .filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill')))
       .map((p) => p.getBoundingClientRect())
-      .filter((box) => box.width > 4 && box.width < 12)
+      .filter((box) => box.width > 4 && box.width < 12 && box.top > paths[0].ownerSVGElement.getBoundingClientRect().top + 60)
       .filter((_, k) => k > 8 && k % 5 === 0)
       .map((box) => [box.x + box.width / 2, box.y + box.height / 2]),
   );
@@ -205,7 +205,7 @@ test('hovering over a mark shows its row as it stands in the file', async () => 
   for (const [x, y] of places) {
     await page.mouse.move(x, y);
     await page.waitForTimeout(30);
-    const tip = await page.$$eval('#residual-temperature .tip', (tips) => tips.map((t) => [...t.children].map((c) => c.textContent)));
+    const tip = await page.$$eval('#residual-temperature .tip', (tips) => tips.filter((t) => t.checkVisibility({ visibilityProperty: true, opacityProperty: true })).map((t) => [...t.children].map((c) => c.textContent)));
     if (!tip.length) continue;
     const line = Number(tip[0][0].replace('line ', ''));
     const fields = lines[line - 1].split(',');
