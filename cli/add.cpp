@@ -8,11 +8,13 @@
 
 #include "cli/commands.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
 #include "cli/text_table.h"
 #include "fit/free_parameters.h"
 #include "io/diagnosis_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "io/report.h"
 
 namespace raceway::cli {
 namespace {
@@ -21,6 +23,7 @@ struct Flags {
   std::vector<std::string> model_and_effects;
   std::string data, output;
   bool json = false, force = false;
+  ReportFlag report;
 };
 
 void print(const fit::AddResult& r) {
@@ -62,6 +65,7 @@ std::string new_text(const io::ModelFile& file, const fit::Model& fitted) {
 int run(const Flags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+  flags.report.check(flags.force);
   const std::string& path = flags.model_and_effects.front();
   const std::vector<std::string> ids(flags.model_and_effects.begin() + 1,
                                      flags.model_and_effects.end());
@@ -80,6 +84,7 @@ int run(const Flags& flags) {
     print(result);
   }
   tell(result.messages);
+  flags.report.write([&] { return io::add_report(path, data, result); }, flags.force);
   if (!result.calibration.converged()) {
     say("raceway add: the fit did not converge; nothing is written");
     return not_converged;
@@ -113,6 +118,7 @@ Run setup_add(CLI::App& command) {
   command.add_flag("--force", flags->force,
                    "add an effect that does not help, and replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->report.declare(command);
   command.footer("Example:\n  raceway add my.toml lubricant-drag --data rig.csv -o better.toml");
   return [flags] { return run(*flags); };
 }

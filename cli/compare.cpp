@@ -7,9 +7,12 @@
 
 #include "cli/commands.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
+#include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "fit/calibrate.h"
 #include "io/error.h"
+#include "io/report.h"
 #include "io/results.h"
 
 namespace raceway::cli {
@@ -18,7 +21,8 @@ namespace {
 struct Flags {
   std::vector<std::string> files;  // models, then the data
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
-  bool json = false;
+  bool json = false, force = false;
+  ReportFlag report;
 };
 
 /// Differences show the decimals of the error they belong to: rounding noise reads 0.
@@ -89,7 +93,9 @@ void print(const std::string& model, const std::string& data, const fit::Compari
     worst.add({fmt::format("line {}", r.line), difference(r.predicted, c.rmse, false),
                difference(r.measured, c.rmse, false), difference(r.residual, c.rmse),
                std::isnan(r.sigmas) ? "-" : fmt::format("{:+.1f}", r.sigmas)});
-  fmt::print("\n{}\n{}\n", worst.text(terminal_width()), c.statement);
+  fmt::print("\n{}\n{}\n", worst.text(terminal_width()),
+             in_colour(c.statement,
+                       c.judgement == fit::Judgement::structure ? Colour::bad : Colour::good));
 }
 
 /// The model with `names` fitted to the data and everything else as it stands.
@@ -106,11 +112,18 @@ fit::Model refitted(const fit::Model& model, const std::vector<std::string>& nam
 
 void print_ladder(const std::vector<std::string>& models,
                   const std::vector<fit::Comparison>& comparisons) {
-  TextTable ladder({{"model", "", true}, {"RMS", "N mm"}, {"bias", "N mm"}, {"fit", "%"}});
+  constexpr std::size_t bar_width = 24;
+  TextTable ladder({{"model", "", true},
+                    {"RMS", "N mm"},
+                    {"bias", "N mm"},
+                    {"fit", "%"},
+                    {"", std::isnan(comparisons[0].noise.rms) ? "" : "| noise", true}});
+  double worst = 0.0;
+  for (const fit::Comparison& c : comparisons) worst = std::max(worst, c.rmse);
   for (std::size_t i = 0; i < models.size(); ++i) {
     const fit::Comparison& c = comparisons[i];
-    ladder.add(
-        {models[i], number(c.rmse / N_mm), difference(c.bias, c.rmse), number(c.fit_percent, 3)});
+    ladder.add({models[i], number(c.rmse / N_mm), difference(c.bias, c.rmse),
+                number(c.fit_percent, 3), bar(c.rmse, worst, bar_width, c.noise.rms)});
   }
   fmt::print("{}noise of the data: {}\n", ladder.text(terminal_width()),
              noise_text(comparisons[0]));
@@ -136,6 +149,7 @@ int run(const Flags& flags) {
         "raceway compare: DATA is missing: one model or more come first, the measurements last");
   const std::string& data_file = flags.files.back();
   const std::vector<std::string> models(flags.files.begin(), flags.files.end() - 1);
+  flags.report.check(flags.force);
   std::vector<io::ModelFile> files;
   for (const std::string& m : models) files.push_back(open_model(m));
   std::vector<fit::Comparison> comparisons;
@@ -165,6 +179,7 @@ int run(const Flags& flags) {
   } else {
     print_ladder(models, comparisons);
   }
+  flags.report.write([&] { return io::comparison_report(models, comparisons, data); }, flags.force);
   return done;
 }
 
@@ -183,10 +198,12 @@ Run setup_compare(CLI::App& command) {
       ->allow_extra_args(false)
       ->type_name("NAMES");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->report.declare(command);
+  command.add_flag("--force", flags->force, "replace the page if it exists");
   command.footer(
       "Errors are prediction minus reading.\n\n"
       "Example:\n  raceway compare my.toml rig.csv\n"
-      "  raceway compare my.toml fitted.toml rig.csv");
+      "  raceway compare my.toml fitted.toml rig.csv --report page.html");
   return [flags] { return run(*flags); };
 }
 

@@ -9,16 +9,20 @@
 
 #include "cli/commands.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
+#include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "io/diagnosis_results.h"
+#include "io/report.h"
 
 namespace raceway::cli {
 namespace {
 
 struct Flags {
   std::string model, data;
-  bool json = false, no_pairs = false;
+  bool json = false, no_pairs = false, force = false;
   int tried_before = 0;
+  ReportFlag report;
 };
 
 std::atomic<bool> interrupted{false};
@@ -51,13 +55,19 @@ void print_effects(const fit::Diagnosis& d) {
                    {"gain", ""},
                    {"RMS", "N mm"},
                    {"held out", "N mm"},
-                   {"size", "", true}});
+                   {"size", "", true},
+                   {"gain, | needed", "", true}});
+  constexpr std::size_t bar_width = 16;
+  double best = 0.0;
+  for (const fit::RankedEffect& e : d.effects) best = std::max(best, e.gain);
   std::size_t shown = 0;
   for (const fit::RankedEffect& e : d.effects) {
     if (!e.in_verdict && shown >= 8) break;
     ++shown;
+    const std::string gain_bar = bar(e.gain, best, bar_width, d.needed_gain);
     table.add({e.id, e.in_verdict ? "<-" : "", number(e.gain, 3), torque(e.rmse),
-               torque(e.rmse_cross_validated), size_text(e.parameters)});
+               torque(e.rmse_cross_validated), size_text(e.parameters),
+               e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar});
   }
   if (shown == 0) return;
   fmt::print("\n{}", table.text(terminal_width()));
@@ -117,12 +127,24 @@ void print_limits(const fit::Diagnosis& d) {
   for (const fit::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
 }
 
+/// The error before and after against the noise.
+void print_ladder(const fit::Diagnosis& d) {
+  constexpr std::size_t bar_width = 40;
+  TextTable ladder({{"RMS error", "", true}, {"", "N mm"}, {"", "| noise", true}});
+  const auto rung = [&](const std::string& name, double error) {
+    ladder.add({name, torque(error), bar(error, d.rmse_before, bar_width, d.noise.rms)});
+  };
+  rung("before", d.rmse_before);
+  if (d.rmse_after < d.rmse_before) rung("after", d.rmse_after);
+  ladder.add({"noise", torque(d.noise.rms), ""});
+  fmt::print("{}", ladder.text(terminal_width()));
+}
+
 void print(const fit::Diagnosis& d) {
-  fmt::print("{}\n\n", d.sentence);
-  fmt::print("verdict: {} (p of the misfit {})\n", fit::name(d.verdict),
+  fmt::print("{}\n\n", in_colour(d.sentence, Colour::strong));
+  fmt::print("verdict: {} (p of the misfit {})\n\n", fit::name(d.verdict),
              d.p_value < 1e-300 ? "< 1e-300" : fmt::format("{:.1g}", d.p_value));
-  fmt::print("RMS error {} N mm before, {} N mm after; noise {} N mm\n", torque(d.rmse_before),
-             torque(d.rmse_after), torque(d.noise.rms));
+  print_ladder(d);
   print_effects(d);
   fmt::print("\n");
   print_verdict_details(d);
@@ -130,6 +152,7 @@ void print(const fit::Diagnosis& d) {
 }
 
 int run(const Flags& flags) {
+  flags.report.check(flags.force);
   const io::ModelFile file = open_model(flags.model);
   const fit::DataSet data = open_data(flags.data, file.model.rig);
   fit::DiagnoseOptions options;
@@ -152,6 +175,8 @@ int run(const Flags& flags) {
     print(diagnosis);
   }
   tell(diagnosis.messages);
+  flags.report.write([&] { return io::diagnosis_report(flags.model, file.model, data, diagnosis); },
+                     flags.force);
   return done;
 }
 
@@ -168,7 +193,9 @@ Run setup_diagnose(CLI::App& command) {
                   "evidence asked for stronger")
       ->type_name("N");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway diagnose my.toml rig.csv");
+  flags->report.declare(command);
+  command.add_flag("--force", flags->force, "replace the page if it exists");
+  command.footer("Example:\n  raceway diagnose my.toml rig.csv --report page.html");
   return [flags] { return run(*flags); };
 }
 

@@ -4,18 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
 #include "cli/text_table.h"
 #include "fit/shaft_prediction.h"
 #include "friction/stribeck_table.h"
 #include "io/csv.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "io/report.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
 #include "io/table_file.h"
@@ -26,7 +29,9 @@ namespace {
 struct Flags {
   std::string model, output;
   std::string speed, axial_load, radial_load, temperature;
+  std::string data;
   bool json = false, force = false;
+  ReportFlag report;
 };
 
 friction::TableAxes axes(const Flags& f, const fit::Model& model) {
@@ -161,14 +166,47 @@ void print(const fit::Model& model, const friction::StribeckTable& t) {
   }
 }
 
+/// At most `most` values of an axis, evenly spread, both ends among them.
+std::vector<double> spread(const std::vector<double>& values, std::size_t most) {
+  if (values.size() <= most) return values;
+  std::vector<double> few;
+  for (std::size_t i = 0; i < most; ++i)
+    few.push_back(values[i * (values.size() - 1) / (most - 1)]);
+  return few;
+}
+
+/// Points whose balls a report draws around the bearing: few speeds at every pair of loads.
+io::BearingStates states_to_draw(const fit::Model& model, const friction::TableAxes& grid) {
+  std::vector<bearing::OperatingPoint> points;
+  for (const double radial : spread(grid.radial_load, 3))
+    for (const double axial : spread(grid.axial_load, 4))
+      for (const double speed : spread(grid.speed, 5))
+        points.push_back({.speed = speed,
+                          .axial_load = axial,
+                          .radial_load = radial,
+                          .temperature = grid.temperature.front()});
+  std::vector<fit::FrictionPrediction> predictions(points.size());
+  fit::predict_sweep(model, points, predictions, true);
+  io::BearingStates states;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (predictions[i].equilibrium && predictions[i].equilibrium->report.converged())
+      states.emplace_back(points[i], std::move(predictions[i]));
+  return states;
+}
+
 int run(const Flags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError("raceway table: --json and --output - both write to stdout; take one");
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
+  if (!flags.data.empty() && flags.report.path.empty())
+    throw io::InputError("raceway table: --data is drawn in a report: --report is missing");
+  flags.report.check(flags.force);
   const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
   const fit::Model& model = file.model;
+  std::optional<fit::DataSet> measured;
+  if (!flags.data.empty()) measured = open_data(flags.data, model.rig);
   const friction::TableAxes grid = axes(flags, model);
   if (static_cast<double>(grid.size()) > 1e8)
     throw io::InputError(fmt::format("raceway table: {} points: at most 1e8", grid.size()));
@@ -191,6 +229,12 @@ int run(const Flags& flags) {
   } else if (flags.output.empty()) {
     print(model, table);
   }
+  flags.report.write(
+      [&] {
+        return io::table_report(flags.model, model, table, states_to_draw(model, grid),
+                                measured ? &*measured : nullptr);
+      },
+      flags.force);
   // Displacement is the last column.
   std::size_t only_torque = 0;
   for (std::size_t i = 0; i < grid.size(); ++i)
@@ -243,6 +287,10 @@ Run setup_table(CLI::App& command) {
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->report.declare(command);
+  command
+      .add_option("--data", flags->data, "measurements (CSV) to draw into the curves of the report")
+      ->type_name("FILE");
   command.footer(
       "Example:\n  raceway table my.toml --speed 0:12000:250 --axial-load 100,300,900 "
       "-o stribeck.csv");

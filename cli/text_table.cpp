@@ -10,11 +10,16 @@
 namespace raceway::cli {
 namespace {
 
-/// Characters of UTF-8 text.
+/// Characters of UTF-8 text, as far as they take place: a colour (ESC [ ... m) takes none.
 std::size_t length(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-  }));
+  std::size_t count = 0;
+  bool colour = false;
+  for (const char c : text) {
+    if (c == '\x1b') colour = true;
+    if (!colour && (static_cast<unsigned char>(c) & 0xc0) != 0x80) ++count;
+    if (c == 'm') colour = false;
+  }
+  return count;
 }
 
 int magnitude_of(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
@@ -49,9 +54,12 @@ std::string TextTable::text(std::size_t width) const {
     };
     if (begin > 1) out += '\n';
     line([&](std::size_t c) { return columns_[c].name; });
-    const bool units = std::any_of(columns_.begin(), columns_.end(),
-                                   [](const Column& c) { return !c.unit.empty(); });
-    if (units) line([&](std::size_t c) { return columns_[c].unit; });
+    const auto has_unit = [](const Column& c) { return !c.unit.empty(); };
+    const auto at = [&](std::size_t c) {
+      return columns_.begin() + static_cast<std::ptrdiff_t>(c);
+    };
+    if (has_unit(columns_[0]) || std::any_of(at(begin), at(end), has_unit))
+      line([&](std::size_t c) { return columns_[c].unit; });
     for (const auto& row : rows_) line([&](std::size_t c) { return row[c]; });
     if (end == columns_.size()) break;
     begin = end;

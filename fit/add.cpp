@@ -32,23 +32,15 @@ std::vector<effects::Effect> find_effects(const Model& model,
       throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
     if (std::any_of(found.begin(), found.end(), named))
       throw std::invalid_argument(fmt::format("{} is listed twice", id));
-    const auto own = std::find_if(user_made.begin(), user_made.end(), named);
-    if (own != user_made.end()) {
-      found.push_back(*own);
-      continue;
-    }
-    const effects::Description* d = effects::find(id);
-    if (d == nullptr) {
+    const std::optional<effects::Effect> effect = find_effect(id, user_made);
+    if (!effect) {
       std::vector<std::string> known;
       for (const effects::Effect& e : user_made) known.emplace_back(e.description->id);
       for (const effects::Description& e : effects::catalogue()) known.emplace_back(e.id);
       throw std::invalid_argument(
           fmt::format("unknown effect \"{}\"; nearest: {}", id, nearest_names(id, known, 3)));
     }
-    effects::Effect effect;
-    effect.description = d;
-    effect.values = effects::initial_values(*d);
-    found.push_back(std::move(effect));
+    found.push_back(*effect);
   }
   return found;
 }
@@ -143,6 +135,7 @@ AddResult add(const Model& model, std::span<const std::string> ids, const DataSe
       compare(list(evidence.base.prediction), problem.data, static_cast<int>(problem.base.size()));
   result.after =
       compare(result.calibration.model, problem.data, static_cast<int>(extended.free.size()));
+  result.noise = evidence.noise;
   result.messages = result.calibration.messages;
   if (!found.fit.converged || !result.calibration.converged()) {
     result.refused = true;

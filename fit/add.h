@@ -8,6 +8,7 @@
 #include "fit/calibrate.h"
 #include "fit/compare.h"
 #include "fit/hold_out.h"
+#include "fit/noise_model.h"
 
 namespace raceway::fit {
 
@@ -15,6 +16,7 @@ namespace raceway::fit {
 struct AddResult {
   Calibration calibration;  ///< `calibration.model` is the new model, all free parameters fitted
   Comparison before{}, after{};     ///< in sample, each refitted
+  NoiseModel noise{};               ///< by which rows were weighed, in the order of `before`
   std::vector<HoldOut> hold_out{};  ///< blocks of rows that neither fit saw
   double rmse_held_out_before = unset,
          rmse_held_out_after = unset;  ///< rms over the blockings [N m]

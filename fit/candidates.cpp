@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/catalogue.h"
 #include "fit/needs.h"
 
 namespace raceway::fit {
@@ -40,6 +41,18 @@ std::vector<effects::Effect> take_user_made(Model& model) {
     return true;
   });
   return taken;
+}
+
+std::optional<effects::Effect> find_effect(std::string_view id,
+                                           std::span<const effects::Effect> user_made) {
+  for (const effects::Effect& e : user_made)
+    if (e.description->id == id) return e;
+  const effects::Description* d = effects::find(id);
+  if (d == nullptr) return std::nullopt;
+  effects::Effect effect;
+  effect.description = d;
+  effect.values = effects::initial_values(*d);
+  return effect;
 }
 
 std::vector<Candidate> make_candidates(const Model& model,

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "effects/effect.h"
@@ -50,6 +52,10 @@ void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values);
 /// Takes effects of the user's own that change nothing yet (a size of zero) out of the model: they
 /// are candidates. One without such a parameter stays.
 [[nodiscard]] std::vector<effects::Effect> take_user_made(Model& model);
+
+/// An effect with its initial values: one of these, or one of the catalogue.
+[[nodiscard]] std::optional<effects::Effect> find_effect(
+    std::string_view id, std::span<const effects::Effect> user_made);
 
 /// Candidates of a catalogue that the model does not have yet.
 [[nodiscard]] std::vector<Candidate> make_candidates(

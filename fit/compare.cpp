@@ -24,22 +24,6 @@ constexpr std::size_t most_bins = 8;
 constexpr std::size_t fewest_per_bin = 5;
 constexpr int fewest_pairs = 8;
 
-double value_of(Variable variable, const Row& row) {
-  switch (variable) {
-    case Variable::speed:
-      return row.point.speed;
-    case Variable::axial_load:
-      return row.point.axial_load;
-    case Variable::radial_load:
-      return std::hypot(row.point.radial_load, row.point.radial_load_z);
-    case Variable::temperature:
-      return row.point.temperature;
-    case Variable::run:
-      return row.run;
-  }
-  return unset;
-}
-
 /// Below this, differences are scatter of a set value, not a variation.
 double resolution_of(Variable variable, double largest) {
   if (variable == Variable::run) return 0.5;
@@ -279,6 +263,22 @@ std::string_view name(Variable variable) {
       return "run";
   }
   return "unknown";
+}
+
+double value_of(Variable variable, const Row& row) {
+  switch (variable) {
+    case Variable::speed:
+      return row.point.speed;
+    case Variable::axial_load:
+      return row.point.axial_load;
+    case Variable::radial_load:
+      return std::hypot(row.point.radial_load, row.point.radial_load_z);
+    case Variable::temperature:
+      return row.point.temperature;
+    case Variable::run:
+      return row.run;
+  }
+  return unset;
 }
 
 Comparison compare(const std::vector<double>& predicted, const DataSet& data,

@@ -16,6 +16,9 @@ enum class Variable { speed, axial_load, radial_load, temperature, run };
 /// "speed", "axial_load", "radial_load", "temperature", "run".
 [[nodiscard]] std::string_view name(Variable variable);
 
+/// The value of a row by which it is sorted, SI; the index of its run for `run`.
+[[nodiscard]] double value_of(Variable variable, const Row& row);
+
 /// Error within one range of one variable; a level of it where the data have few.
 struct ErrorRange {
   Variable variable = Variable::speed;

@@ -114,7 +114,7 @@ std::string diagnosis_json(const std::string& model_file, const fit::DataSet& da
                          {"coefficients", parameters_json(d.shape->coefficients)},
                          {"statement", d.shape->statement},
                          {"explained_share", d.shape->explained_share}};
-  return document.dump(2) + "\n";
+  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 std::string add_json(const std::string& model_file, const fit::DataSet& data,
@@ -131,7 +131,7 @@ std::string add_json(const std::string& model_file, const fit::DataSet& data,
                          {"hold_out", hold_out_json(r.hold_out)},
                          {"calibration", json::parse(calibration_json(r.calibration))},
                          {"messages", r.messages}};
-  return document.dump(2) + "\n";
+  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace raceway::io

@@ -1,0 +1,41 @@
+#include "cli/report_flag.h"
+
+#include "cli/open_input.h"
+#include "io/error.h"
+#include "io/output_file.h"
+#include "io/report.h"
+
+namespace raceway::cli {
+namespace {
+
+io::IfExists if_exists(bool replace) {
+  return replace ? io::IfExists::replace : io::IfExists::refuse;
+}
+
+}  // namespace
+
+void ReportFlag::declare(CLI::App& command) {
+  command
+      .add_option("--report", path,
+                  io::report_available()
+                      ? "page to write: the results as pictures, for any browser, offline"
+                      : "not in this program, which was built with -DRACEWAY_REPORT=OFF")
+      ->type_name("FILE");
+}
+
+void ReportFlag::check(bool replace) const {
+  if (path.empty()) return;
+  if (!io::report_available())
+    throw io::InputError(
+        "--report: this program was built without reports (-DRACEWAY_REPORT=OFF); with Node and "
+        "npm installed, build it with -DRACEWAY_REPORT=ON");
+  io::require_writable(path, if_exists(replace));
+}
+
+void ReportFlag::write(const std::function<std::string()>& page, bool replace) const {
+  if (path.empty()) return;
+  io::write_text(path, page(), if_exists(replace));
+  say(path + " written; open it in a browser");
+}
+
+}  // namespace raceway::cli

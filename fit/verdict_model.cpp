@@ -1,0 +1,81 @@
+#include "fit/verdict_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "fit/candidates.h"
+#include "fit/free_parameters.h"
+#include "fit/prediction.h"
+
+namespace raceway::fit {
+namespace {
+
+std::vector<double> readings(const Model& model, const DataSet& data) {
+  std::vector<double> values;
+  for (const FrictionPrediction& p : predict_rows(model, data)) values.push_back(p.reading);
+  return values;
+}
+
+void set_by_name(Model& model, const std::string& name, double value) {
+  for (const ModelParameter& p : model_parameters(model))
+    if (p.name == name) p.set(model, value);
+}
+
+/// Error over the rows that the diagnosis used, which are those of its baseline [N m].
+double rms_error(const std::vector<double>& predicted, const DataSet& data,
+                 const Diagnosis& diagnosis) {
+  std::unordered_map<int, std::size_t> row_of_line;
+  for (std::size_t i = 0; i < data.rows.size(); ++i) row_of_line[data.rows[i].line] = i;
+  double square = 0.0;
+  for (const RowError& e : diagnosis.baseline.errors) {
+    const auto row = row_of_line.find(e.line);
+    if (row == row_of_line.end()) return unset;
+    square += std::pow(predicted[row->second] - data.rows[row->second].measured, 2);
+  }
+  return std::sqrt(square / static_cast<double>(diagnosis.baseline.errors.size()));
+}
+
+}  // namespace
+
+std::optional<VerdictModel> verdict_model(const Model& model, const DataSet& data,
+                                          const Diagnosis& diagnosis) {
+  if (diagnosis.sets.empty() || diagnosis.base_shifts.empty()) return std::nullopt;
+  VerdictModel result{.model = model, .readings = {}, .base = {}, .effects = {}};
+  const std::vector<effects::Effect> user_made = take_user_made(result.model);
+  const std::size_t before = result.model.effects.size();
+  for (const std::string& id : diagnosis.sets.front()) {
+    std::optional<effects::Effect> effect = find_effect(id, user_made);
+    const auto ranked =
+        std::find_if(diagnosis.effects.begin(), diagnosis.effects.end(),
+                     [&](const RankedEffect& e) { return e.in_verdict && e.id == id; });
+    if (!effect || ranked == diagnosis.effects.end()) return std::nullopt;
+    for (const EffectSize& size : ranked->parameters)
+      for (std::size_t k = 0; k < effect->values.size(); ++k)
+        if (effect->description->parameters[k].name == size.name) effect->values[k] = size.value;
+    result.model.effects.push_back(*std::move(effect));
+  }
+  for (const BaseShift& shift : diagnosis.base_shifts)
+    set_by_name(result.model, shift.name, shift.after);
+  result.readings = readings(result.model, data);
+  const double error = rms_error(result.readings, data, diagnosis);
+  if (!(std::abs(error - diagnosis.rmse_after) <= 1e-4 * diagnosis.rmse_after)) return std::nullopt;
+
+  const auto off = [](effects::Effect& e) { e.values = effects::neutral_values(*e.description); };
+  Model without = result.model;
+  std::for_each(without.effects.begin() + static_cast<std::ptrdiff_t>(before),
+                without.effects.end(), off);
+  result.base = readings(without, data);
+  for (std::size_t k = before; k < result.model.effects.size(); ++k) {
+    Model one_off = result.model;
+    off(one_off.effects[k]);
+    EffectShare share{.id = std::string(one_off.effects[k].description->id),
+                      .torque = readings(one_off, data)};
+    for (std::size_t i = 0; i < share.torque.size(); ++i)
+      share.torque[i] = result.readings[i] - share.torque[i];
+    result.effects.push_back(std::move(share));
+  }
+  return result;
+}
+
+}  // namespace raceway::fit

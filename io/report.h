@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "effects/effect.h"
+#include "fit/add.h"
+#include "fit/compare.h"
+#include "fit/data_set.h"
+#include "fit/diagnose.h"
+#include "fit/model.h"
+#include "fit/prediction.h"
+#include "friction/stribeck_table.h"
+
+/// Results as one HTML page with pictures that needs no network. It holds the document that
+/// `--json` prints, the rows behind the pictures, and the script that draws them (io/report/). The
+/// same results give the same bytes.
+namespace raceway::io {
+
+/// False in a program built with -DRACEWAY_REPORT=OFF; the functions below then throw InputError.
+[[nodiscard]] bool report_available();
+
+[[nodiscard]] std::string comparison_report(const std::vector<std::string>& model_files,
+                                            const std::vector<fit::Comparison>& comparisons,
+                                            const fit::DataSet& data);
+
+/// `model` is the one that was diagnosed.
+[[nodiscard]] std::string diagnosis_report(const std::string& model_file, const fit::Model& model,
+                                           const fit::DataSet& data,
+                                           const fit::Diagnosis& diagnosis);
+
+[[nodiscard]] std::string add_report(const std::string& model_file, const fit::DataSet& data,
+                                     const fit::AddResult& result);
+
+/// What is drawn around a bearing, beside the curves: points with their predicted balance.
+using BearingStates = std::vector<std::pair<bearing::OperatingPoint, fit::FrictionPrediction>>;
+
+/// `measured` may be null; its torque is that of all bearings of the rig.
+[[nodiscard]] std::string table_report(const std::string& model_file, const fit::Model& model,
+                                       const friction::StribeckTable& table,
+                                       const BearingStates& states, const fit::DataSet* measured);
+
+/// The page around a document: JSON as text, in which no `<` is left to end the data early.
+[[nodiscard]] std::string report_page(const std::string& document);
+
+}  // namespace raceway::io

@@ -1,0 +1,263 @@
+// The data inside the page, as io/report.cpp writes them.
+
+export interface Column {
+  name: string;
+  constant?: number | null;
+  values?: (number | null)[];
+}
+
+export interface ColumnData {
+  total: number;
+  rows: number;
+  columns: Column[];
+}
+
+export interface AxisRange {
+  from?: number;
+  to?: number;
+  run?: string;
+}
+
+export interface MisfitCell {
+  across: number;
+  up: number;
+  rows: number;
+  bias: number;
+  sigmas: number | null;
+  significant: boolean;
+}
+
+export interface MisfitMap {
+  up_variable: string;
+  across: AxisRange[];
+  up: AxisRange[];
+  needed_sigmas: number;
+  cells: MisfitCell[];
+}
+
+/// What one model says of the rows.
+export interface Predicted {
+  name: string;
+  column: string;
+  rmse: number;
+  map: MisfitMap;
+}
+
+export interface ErrorRange {
+  variable: string;
+  from: number | string;
+  to: number | string;
+  unit: string;
+  rows: number;
+  rmse: number;
+  bias: number;
+}
+
+export interface Comparison {
+  model: string;
+  data: string;
+  rows: number;
+  rows_not_predicted: number[];
+  rmse: number;
+  mae: number;
+  max_abs: number;
+  bias: number;
+  fit_percent: number | null;
+  noise: { rms: number | null; source: string };
+  lack_of_fit: { statistic: number | null; p_value: number | null };
+  statement: string;
+  where: ErrorRange[];
+  worst_rows: { line: number; predicted: number; measured: number; residual: number; sigmas: number | null }[];
+}
+
+export interface Size {
+  value: number | null;
+  std: number | null;
+  unit: string;
+  plausible?: boolean;
+  at_bound?: boolean;
+}
+
+export interface HoldOut {
+  left_out: string;
+  rmse_before: number;
+  rmse_after: number;
+}
+
+export interface RankedEffect {
+  id: string;
+  in_verdict: boolean;
+  gain: number;
+  rmse: number;
+  rmse_cross_validated: number | null;
+  parameters: Record<string, Size>;
+  indistinguishable_from: string[];
+}
+
+export interface Detectable {
+  id: string;
+  parameter: string;
+  unit: string;
+  size: number;
+  share_of_torque: number;
+  most_alike: string;
+  told_apart_from: number | null;
+}
+
+export interface Suggested {
+  speed_rpm: number;
+  axial_load_N: number;
+  radial_load_N: number;
+  temperature_C: number;
+  repeats: number;
+  separates: string;
+  difference_in_sigma: number | null;
+}
+
+export interface Diagnosis {
+  model: string;
+  data: string;
+  verdict: string;
+  sentence: string;
+  p_value: number | null;
+  remaining_p_value: number | null;
+  needed_gain: number;
+  candidates_tried: number;
+  rows: number;
+  rmse_before: number;
+  rmse_after: number;
+  noise: { rms: number; relative: number; absolute: number; correlation: number; run_share: number };
+  baseline: Comparison;
+  effects: RankedEffect[];
+  explanations: string[][];
+  base_parameters: Record<string, { before: number; after: number; std: number | null; unit: string }>;
+  hold_out: HoldOut[];
+  would_have_been_found: Detectable[];
+  not_testable: { id: string; missing: string }[];
+  suggested_measurements: Suggested[];
+  messages: string[];
+  shape?: {
+    torque_Nmm: string;
+    coefficients: Record<string, Size>;
+    statement: string;
+    explained_share: number | null;
+  };
+}
+
+export interface Added {
+  model: string;
+  data: string;
+  refused: boolean;
+  reason: string;
+  before: Comparison;
+  after: Comparison;
+  rmse_held_out_before: number | null;
+  rmse_held_out_after: number | null;
+  hold_out: HoldOut[];
+  calibration: { parameters: Record<string, Size & { start: number }> };
+  messages: string[];
+}
+
+export interface TableResults {
+  model: string;
+  bearing: string;
+  parts: string[];
+  contact_angle_deg: number;
+}
+
+/// The balls of a bearing at one operating point, in the order of their azimuth.
+export interface BearingState {
+  speed_rpm: number;
+  axial_load_N: number;
+  radial_load_N: number;
+  temperature_C: number;
+  azimuth_deg: number[];
+  inner_contact_angle_deg: (number | null)[];
+  outer_contact_angle_deg: (number | null)[];
+  inner_load_N: (number | null)[];
+  outer_load_N: (number | null)[];
+  inner_pressure_MPa: (number | null)[];
+  outer_pressure_MPa: (number | null)[];
+}
+
+interface Common {
+  raceway_report: number;
+  program: string;
+  rows: ColumnData;
+}
+
+interface WithRows extends Common {
+  models: Predicted[];
+  runs: string[];
+}
+
+export interface CompareReport extends WithRows {
+  kind: 'compare';
+  results: Comparison | { models: Comparison[] };
+}
+
+export interface DiagnoseReport extends WithRows {
+  kind: 'diagnose';
+  results: Diagnosis;
+  effects_of_verdict?: { id: string; column: string }[];
+}
+
+export interface AddReport extends WithRows {
+  kind: 'add';
+  results: Added;
+  noise_rms: number | null;
+}
+
+export interface TableReport extends Common {
+  kind: 'table';
+  results: TableResults;
+  states: BearingState[];
+  data?: string;
+  measured?: { rows: ColumnData };
+}
+
+export type Report = CompareReport | DiagnoseReport | AddReport | TableReport;
+export type ReportOfRows = CompareReport | DiagnoseReport | AddReport;
+
+export function readDocument(): Report {
+  const text = document.getElementById('document')?.textContent ?? '';
+  return JSON.parse(text) as Report;
+}
+
+/// Columns of numbers by name; NaN where a number is not known.
+export class Rows {
+  readonly total: number;
+  readonly count: number;
+  readonly names: string[];
+  private readonly columns = new Map<string, Float64Array>();
+  private readonly constants = new Set<string>();
+
+  constructor(data: ColumnData) {
+    this.total = data.total;
+    this.count = data.rows;
+    this.names = data.columns.map((c) => c.name);
+    for (const column of data.columns) {
+      const values = new Float64Array(data.rows);
+      if (column.values) for (let i = 0; i < data.rows; ++i) values[i] = column.values[i] ?? NaN;
+      else values.fill(column.constant ?? NaN);
+      if (!column.values) this.constants.add(column.name);
+      this.columns.set(column.name, values);
+    }
+  }
+
+  has(name: string): boolean {
+    return this.columns.has(name);
+  }
+  /// True if the column has more than one value.
+  varies(name: string): boolean {
+    return this.has(name) && !this.constants.has(name);
+  }
+  get(name: string): Float64Array {
+    const values = this.columns.get(name);
+    if (!values) throw new Error(`no column ${name}`);
+    return values;
+  }
+  at(name: string, row: number): number {
+    return this.get(name)[row] ?? NaN;
+  }
+}

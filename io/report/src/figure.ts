@@ -1,0 +1,242 @@
+// One picture with what belongs to it: title, note, choices, chart, table, CSV.
+import { BarChart, CustomChart, HeatmapChart, LineChart, ScatterChart } from 'echarts/charts';
+import {
+  AriaComponent,
+  GridComponent,
+  LegendComponent,
+  MarkLineComponent,
+  PolarComponent,
+  TooltipComponent,
+  VisualMapComponent,
+} from 'echarts/components';
+import * as echarts from 'echarts/core';
+import type { ECharts, EChartsCoreOption } from 'echarts/core';
+import { CanvasRenderer, SVGRenderer } from 'echarts/renderers';
+import { fonts } from './chart';
+import { darkQuery, look, printQuery, setPrinting } from './look';
+import type { Look } from './look';
+import { dash, el, number } from './text';
+
+echarts.use([
+  AriaComponent,
+  BarChart,
+  CanvasRenderer,
+  CustomChart,
+  GridComponent,
+  HeatmapChart,
+  LegendComponent,
+  LineChart,
+  MarkLineComponent,
+  PolarComponent,
+  ScatterChart,
+  SVGRenderer,
+  TooltipComponent,
+  VisualMapComponent,
+]);
+
+export type Option = EChartsCoreOption;
+export type Cell = string | number | null;
+
+/// Columns with units; a cell is text or a number in full.
+export interface Table {
+  columns: string[];
+  rows: Cell[][];
+}
+
+export interface FigureSpec {
+  id: string;
+  title: string;
+  note?: string;
+  wide?: boolean;
+  height?: number | ((width: number) => number);
+  /// How many marks there will be: many are drawn on a canvas, few as vectors.
+  marks?: number;
+  controls?: HTMLElement[];
+  option: (look: Look, width: number) => Option;
+  /// Shown under the picture.
+  table: () => Table;
+  /// Behind the button; the table where absent.
+  csv?: () => Table;
+}
+
+const mostTableRows = 200;
+const manyMarks = 1200;
+// On paper the page is two columns of this width.
+const printColumn = 292;
+const printWide = 640;
+
+export class Figure {
+  readonly element: HTMLElement;
+  private readonly canvas = el('div', { class: 'chart' });
+  private readonly numbers: HTMLDetailsElement;
+  private chart: ECharts | undefined;
+
+  constructor(private readonly spec: FigureSpec) {
+    this.numbers = el('details', {}, el('summary', {}, 'Table'));
+    this.numbers.addEventListener('toggle', () => this.fillTable());
+    const button = el('button', { type: 'button', class: 'csv', title: 'Save the numbers of this picture as CSV' }, 'CSV');
+    button.addEventListener('click', () => save(`${spec.id}.csv`, csvText((spec.csv ?? spec.table)())));
+    const head = el('div', { class: 'head' }, el('h3', {}, spec.title));
+    if (spec.controls?.length) head.append(el('div', { class: 'controls' }, ...spec.controls));
+    this.element = el('figure', { class: spec.wide ? 'wide' : '', id: spec.id }, head);
+    if (spec.note) this.element.append(el('p', { class: 'note' }, spec.note));
+    this.element.append(this.canvas, el('div', { class: 'foot' }, this.numbers, button));
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', `${spec.title}. ${spec.note ?? ''}`.trim());
+    all.push(this);
+  }
+
+  /// Draws with the look of the moment; anew where a choice has changed.
+  draw(): void {
+    const l = look();
+    const width = l.print ? (this.element.classList.contains('wide') ? printWide : printColumn) : this.canvas.clientWidth;
+    if (width === 0) return;
+    const { height = 320 } = this.spec;
+    const tall = typeof height === 'number' ? height : height(width);
+    this.canvas.style.height = `${tall}px`;
+    if (!this.chart)
+      this.chart = echarts.init(this.canvas, null, {
+        renderer: (this.spec.marks ?? 0) > manyMarks ? 'canvas' : 'svg',
+        width,
+        height: tall,
+      });
+    else this.chart.resize({ width, height: tall });
+    this.chart.setOption({ ...common(l), ...this.spec.option(l, width) }, { notMerge: true });
+    if (this.numbers.open) this.fillTable();
+  }
+
+  private fillTable(): void {
+    this.numbers.querySelector('.scroll')?.remove();
+    if (!this.numbers.open) return;
+    const table = this.spec.table();
+    const shown = table.rows.slice(0, mostTableRows);
+    const body = el('tbody', {});
+    for (const row of shown)
+      body.append(
+        el(
+          'tr',
+          {},
+          ...row.map((cell) =>
+            typeof cell === 'string'
+              ? el('td', {}, cell)
+              : el('td', { class: 'number', 'data-value': cell === null ? '' : String(cell) }, cell === null ? dash : number(cell, 5)),
+          ),
+        ),
+      );
+    const first = table.rows[0] ?? [];
+    const head = el(
+      'tr',
+      {},
+      ...table.columns.map((name, k) => el('th', { class: typeof first[k] === 'string' ? '' : 'number', scope: 'col' }, name)),
+    );
+    const scroll = el('div', { class: 'scroll', tabindex: '0' }, el('table', {}, el('thead', {}, head), body));
+    if (shown.length < table.rows.length)
+      scroll.append(el('p', { class: 'note' }, `${shown.length} of ${table.rows.length} rows; the CSV has all of them.`));
+    this.numbers.append(scroll);
+  }
+}
+
+const all: Figure[] = [];
+
+function common(l: Look): Option {
+  return {
+    animation: false,
+    backgroundColor: 'transparent',
+    color: l.kinds,
+    textStyle: { color: l.ink, fontFamily: fonts, fontSize: 12 },
+  };
+}
+
+/// A tooltip whose content is built of text nodes: `lines` gives label and value, or one text.
+export function tooltip(l: Look, lines: (hit: Hit) => (string | [string, string])[] | null): Option {
+  return {
+    trigger: 'item',
+    confine: true,
+    renderMode: 'html',
+    backgroundColor: l.surface,
+    borderColor: l.rule,
+    borderWidth: 1,
+    padding: 10,
+    transitionDuration: 0,
+    textStyle: { color: l.ink, fontSize: 12 },
+    formatter: (hit: Hit) => {
+      const content = lines(hit);
+      if (!content) return '';
+      const list = el('div', { class: 'tip' });
+      for (const line of content)
+        if (typeof line === 'string') list.append(el('strong', {}, line));
+        else list.append(el('span', {}, line[0]), el('b', {}, line[1]));
+      return list;
+    },
+  };
+}
+
+export interface Hit {
+  componentType: string;
+  seriesIndex: number;
+  seriesName: string;
+  dataIndex: number;
+  name: string;
+  value: unknown;
+  data: unknown;
+}
+
+function quoted(cell: Cell): string {
+  if (cell === null) return '';
+  const text = String(cell);
+  return /[",\n\r]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+}
+
+export function csvText(table: Table): string {
+  return [table.columns, ...table.rows].map((row) => row.map(quoted).join(',')).join('\n') + '\n';
+}
+
+function save(name: string, text: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));
+  const link = el('a', { href: url, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(url), 1000);
+}
+
+/// Draws all pictures one after the other, so that the page stays alive meanwhile; then marks it.
+export function drawAll(): void {
+  let next = 0;
+  const step = () => {
+    const until = performance.now() + 40;
+    while (next < all.length && performance.now() < until) (all[next++] as Figure).draw();
+    if (next < all.length) setTimeout(step, 0);
+    else document.documentElement.dataset.drawn = 'yes';
+  };
+  step();
+  let width = window.innerWidth;
+  window.addEventListener('resize', () => {
+    if (window.innerWidth === width || look().print) return;
+    width = window.innerWidth;
+    redrawAll();
+  });
+  darkQuery.addEventListener('change', redrawAll);
+  printQuery.addEventListener('change', redrawAll);
+  window.addEventListener('beforeprint', () => {
+    setPrinting(true);
+    redrawAll();
+  });
+  window.addEventListener('afterprint', () => {
+    setPrinting(false);
+    redrawAll();
+  });
+}
+
+function redrawAll(): void {
+  for (const figure of all) figure.draw();
+}
+
+/// A choice above a picture.
+export function choice(label: string, options: string[], chosen: number, change: (index: number) => void): HTMLElement {
+  const select = el('select', {});
+  options.forEach((text, k) => select.append(el('option', { value: String(k) }, text)));
+  select.selectedIndex = chosen;
+  select.addEventListener('change', () => change(select.selectedIndex));
+  return el('label', { class: 'choice' }, el('span', {}, label), select);
+}

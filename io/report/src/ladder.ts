@@ -1,0 +1,102 @@
+// The ladder: the error of each model against the noise floor.
+import { legend, sideAxis, threshold, valueAxis } from './chart';
+import type { HoldOut } from './document';
+import type { Table } from './figure';
+import { Figure, tooltip } from './figure';
+import { number } from './text';
+
+/// Where the noise of a data set comes from, in the words of the JSON.
+export const noiseSources: Record<string, string> = {
+  declared: 'as declared in the file',
+  regression: 'as the regression of the coast-down gives it',
+  repeats: 'from repeated rows',
+  estimated: 'estimated from what a regression without physics leaves',
+};
+
+function noiseNote(noise: number | null, source: string): string {
+  return noise === null
+    ? 'The noise of these data is not known (no column std_Nmm, no repeated rows): there is no floor to hold it against.'
+    : `Dashed: the noise of the data, ${number(noise, 3)} N mm, ${source}.`;
+}
+
+/// RMS error of models one after the other.
+export function ladder(names: string[], errors: number[], bias: number[], fit: (number | null)[], noise: number | null, source: string): Figure {
+  return new Figure({
+    id: 'ladder',
+    title: 'Error of each model',
+    note: noiseNote(noise, source),
+    wide: true,
+    height: 80 + names.length * 42,
+    option: (l, width) => {
+      const side = sideAxis(names, l, width);
+      return {
+        aria: { enabled: true, decal: { show: false } },
+        grid: { left: side.left, right: 64, top: 26, bottom: 42 },
+        tooltip: tooltip(l, (hit) => [
+          names[hit.dataIndex] ?? '',
+          ['RMS error', `${number(errors[hit.dataIndex])} N mm`],
+          ['mean error', `${number(bias[hit.dataIndex], 3)} N mm`],
+          ...(noise === null ? [] : ([['noise', `${number(noise, 3)} N mm`]] as [string, string][])),
+        ]),
+        xAxis: valueAxis('RMS error [N mm]', l, 'x', { scale: false, min: 0 }),
+        yAxis: side.option,
+        series: [
+          {
+            type: 'bar',
+            name: 'RMS error',
+            barMaxWidth: 22,
+            itemStyle: { color: l.kinds[0], borderRadius: [0, 3, 3, 0] },
+            label: { show: true, position: 'right', color: l.ink, formatter: (hit: { dataIndex: number }) => number(errors[hit.dataIndex]) },
+            data: errors,
+            ...(noise === null ? {} : { markLine: threshold(noise, 'noise', l) }),
+          },
+        ],
+      };
+    },
+    table: () => ({
+      columns: ['model', 'RMS error [N mm]', 'mean error [N mm]', 'fit [%]', 'RMS error over noise'],
+      rows: names.map((name, k) => [name, errors[k] ?? null, bias[k] ?? null, fit[k] ?? null, noise === null ? null : (errors[k] as number) / noise]),
+    }),
+  });
+}
+
+/// Before and after, on the rows of the fit and on rows it did not see.
+export function beforeAfter(before: number, after: number, held: HoldOut[], noise: number | null, names: [string, string]): Figure {
+  const rows = ['rows of the fit', ...held.map((h) => `left out: ${h.left_out.replace('_', ' ')}`)];
+  const values = [
+    [before, ...held.map((h) => h.rmse_before)],
+    [after, ...held.map((h) => h.rmse_after)],
+  ];
+  const table = (): Table => ({
+    columns: ['RMS error [N mm] on', names[0], names[1]],
+    rows: rows.map((row, k) => [row, values[0]?.[k] ?? null, values[1]?.[k] ?? null]),
+  });
+  return new Figure({
+    id: 'ladder',
+    title: 'Error before and after, against the noise',
+    note: `${noiseNote(noise, noiseSources.estimated as string)} “Left out”: predicted for blocks of rows that the fit did not see.`,
+    wide: true,
+    height: 100 + rows.length * 54,
+    option: (l, width) => {
+      const top = legend(names, width, l);
+      const side = sideAxis(rows, l, width);
+      return {
+        legend: top.option,
+        grid: { left: side.left, right: 56, top: top.height + 24, bottom: 42 },
+        tooltip: tooltip(l, (hit) => [rows[hit.dataIndex] ?? '', [hit.seriesName, `${number(hit.value as number)} N mm`]]),
+        xAxis: valueAxis('RMS error [N mm]', l, 'x', { scale: false, min: 0 }),
+        yAxis: side.option,
+        series: names.map((name, k) => ({
+          type: 'bar',
+          name,
+          barMaxWidth: 18,
+          itemStyle: { color: l.kinds[k === 0 ? 1 : 0], borderRadius: [0, 3, 3, 0], decal: k === 0 ? { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: [2, 5], rotation: -0.7, color: 'rgba(255,255,255,0.35)' } : undefined },
+          label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { value: number }) => number(hit.value) },
+          data: values[k],
+          ...(k === 0 && noise !== null ? { markLine: threshold(noise, 'noise', l) } : {}),
+        })),
+      };
+    },
+    table,
+  });
+}

@@ -1,0 +1,230 @@
+// Builds the page from the document inside it: one function for each command that writes reports.
+import { detectable, effectFigures, plan, ranking } from './diagnosis';
+import { readDocument } from './document';
+import type { AddReport, CompareReport, Comparison, DiagnoseReport, Report, TableReport } from './document';
+import { drawAll } from './figure';
+import type { Figure } from './figure';
+import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
+import { beforeAfter, ladder, noiseSources } from './ladder';
+import { tableFigures } from './stribeck';
+import { el, number, plain, probability, shortPaths, unitText } from './text';
+
+const page = document.getElementById('page') as HTMLElement;
+
+function header(words: { command: string; files: string[]; badge?: [string, string]; sentence: string; more?: string }, facts: [string, string][]): HTMLElement {
+  document.title = `${words.command}: ${words.files.join(', ')}`;
+  const head = el('header', {}, el('p', { class: 'eyebrow' }, `raceway ${words.command}`));
+  for (const file of words.files) (head.firstChild as HTMLElement).append(el('code', {}, file));
+  if (words.badge) head.append(el('span', { class: `badge ${words.badge[1]}`, id: 'verdict' }, words.badge[0]));
+  head.append(el('h1', { id: 'sentence' }, words.sentence));
+  if (words.more) head.append(el('p', { class: 'more' }, words.more));
+  const list = el('dl', { class: 'facts' });
+  for (const [name, value] of facts) list.append(el('div', {}, el('dt', {}, name), el('dd', {}, value)));
+  head.append(list);
+  return head;
+}
+
+function section(title: string, ...content: (Node | undefined)[]): HTMLElement {
+  const nodes = content.filter((node): node is Node => node !== undefined);
+  return el('section', {}, el('h2', {}, title), ...nodes);
+}
+
+function grid(...figures: (HTMLElement | Figure | undefined)[]): HTMLElement {
+  const box = el('div', { class: 'grid' });
+  const elements = figures.flatMap((f) => (f ? [f instanceof HTMLElement ? f : f.element] : []));
+  // Two side by side; one that is left over takes the whole width.
+  let open: HTMLElement | undefined;
+  for (const element of elements) {
+    if (element.classList.contains('wide')) {
+      open?.classList.add('wide');
+      open = undefined;
+    } else open = open ? undefined : element;
+  }
+  open?.classList.add('wide');
+  box.append(...elements);
+  return box;
+}
+
+function list(title: string, columns: string[], rows: string[][]): HTMLElement {
+  const body = el('tbody', {}, ...rows.map((row) => el('tr', {}, ...row.map((cell) => el('td', {}, cell)))));
+  return el(
+    'div',
+    { class: 'list' },
+    el('h3', {}, title),
+    el('div', { class: 'scroll' }, el('table', {}, el('thead', {}, el('tr', {}, ...columns.map((c) => el('th', { scope: 'col' }, c)))), body)),
+  );
+}
+
+function notes(messages: string[]): HTMLElement | undefined {
+  if (messages.length === 0) return undefined;
+  return section('Notes', el('ul', { class: 'notes' }, ...messages.map((m) => el('li', {}, m))));
+}
+
+/// The pictures of rows, with the choices that they share.
+function fitSection(view: FitView): HTMLElement {
+  const thinning = drawnNote(view);
+  return section(
+    'Where it fits, and where not',
+    choices(view),
+    thinning ? el('p', { class: 'note', id: 'thinned' }, thinning) : undefined,
+    grid(parity(view), ...residuals(view), misfitMap(view)),
+  );
+}
+
+function lackOfFit(c: Comparison): [string, string][] {
+  return c.lack_of_fit.p_value === null ? [] : [['misfit by chance', probability(c.lack_of_fit.p_value)]];
+}
+
+function compare(report: CompareReport): Node[] {
+  const comparisons = 'models' in report.results ? report.results.models : [report.results];
+  const last = comparisons[comparisons.length - 1] as Comparison;
+  const first = comparisons[0] as Comparison;
+  const files = shortPaths([...comparisons.map((c) => c.model), last.data]);
+  report.models.forEach((m, k) => (m.name = files[k] as string));
+  const several = comparisons.length > 1;
+  const noise = first.noise.rms;
+  const view = new FitView(report, comparisons.length - 1);
+  return [
+    header(
+      {
+        command: 'compare',
+        files,
+        sentence: several ? `RMS error ${number(first.rmse)} → ${number(last.rmse)} N mm over ${comparisons.length} models.` : last.statement,
+        ...(several ? { more: `${files[comparisons.length - 1]}: ${last.statement}` } : {}),
+      },
+      [
+        ['RMS error', `${number(last.rmse)} N mm`],
+        ['mean error', `${number(last.bias, 3)} N mm`],
+        [noise === null ? 'noise' : `noise, ${first.noise.source}`, noise === null ? 'not known' : `${number(noise, 3)} N mm`],
+        ['rows', String(last.rows)],
+        ...lackOfFit(last),
+      ],
+    ),
+    section(several ? 'The ladder' : 'The error', grid(ladder(files.slice(0, -1), comparisons.map((c) => c.rmse), comparisons.map((c) => c.bias), comparisons.map((c) => c.fit_percent), noise, noiseSources[first.noise.source] ?? ''))),
+    fitSection(view),
+  ];
+}
+
+const verdicts: Record<string, [string, string]> = {
+  'nothing-missing': ['nothing missing', 'good'],
+  effect: ['one effect', 'found'],
+  ambiguous: ['ambiguous', 'open'],
+  'several-effects': ['several effects', 'found'],
+  'effect-like': ['like an effect', 'open'],
+  'not-in-catalogue': ['not in the catalogue', 'open'],
+};
+
+function diagnose(report: DiagnoseReport): (Node | undefined)[] {
+  const d = report.results;
+  const view = new FitView(report, 0);
+  const effects = (report.effects_of_verdict ?? []).map((e) => e.id);
+  const base = Object.entries(d.base_parameters);
+  return [
+    header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.sentence }, [
+      ['RMS error', d.rmse_after < d.rmse_before ? `${number(d.rmse_before, 3)} → ${number(d.rmse_after, 3)} N mm` : `${number(d.rmse_before, 3)} N mm`],
+      ['noise, estimated', `${number(d.noise.rms, 3)} N mm`],
+      ['rows', String(d.rows)],
+      ['misfit by chance', probability(d.p_value)],
+      ...(effects.length ? ([['the rest by chance', probability(d.remaining_p_value)]] as [string, string][]) : []),
+    ]),
+    section(
+      'The verdict',
+      grid(
+        effects.length || d.hold_out.length
+          ? beforeAfter(d.rmse_before, d.rmse_after, d.hold_out, d.noise.rms, ['refitted, nothing added', effects.length ? `with ${effects.join(' and ')}` : 'with the nearest effect'])
+          : ladder(['refitted, nothing added'], [d.rmse_before], [d.baseline.bias], [d.baseline.fit_percent], d.noise.rms, noiseSources.estimated as string),
+        d.effects.length ? ranking(report) : undefined,
+      ),
+    ),
+    d.shape
+      ? section(
+          'The shape of what is missing',
+          el('p', {}, d.shape.statement),
+          el('pre', {}, `torque_Nmm = "${d.shape.torque_Nmm}"`),
+          list('Coefficients', ['name', 'value', 'std error', 'unit'], Object.entries(d.shape.coefficients).map(([name, c]) => [name, number(c.value), number(c.std, 2), unitText(c.unit)])),
+        )
+      : undefined,
+    effects.length
+      ? section(
+          effects.length > 1 ? 'The effects' : 'The effect',
+          grid(...effectFigures(report, view)),
+          base.length
+            ? list('Base parameters', ['parameter', 'without the effect', 'with it', 'std error', 'unit'], base.map(([name, b]) => [name, number(b.before), number(b.after), number(b.std, 2), unitText(b.unit)]))
+            : undefined,
+        )
+      : undefined,
+    fitSection(view),
+    section(
+      'What these data can show',
+      grid(plan(report, view), detectable(report)),
+      d.not_testable.length ? list('Could not have been found', ['effect', 'why'], d.not_testable.map((n) => [n.id, n.missing])) : undefined,
+    ),
+    notes(d.messages),
+  ];
+}
+
+function add(report: AddReport): (Node | undefined)[] {
+  const r = report.results;
+  const parameters = Object.entries(r.calibration.parameters);
+  const effects = [...new Set(parameters.map(([name]) => name.split('.')[0] as string).filter((id) => parameters.some(([name]) => name.startsWith(`${id}.`))))];
+  const files = shortPaths([r.model, r.data]);
+  const view = new FitView(report, 1);
+  const held = r.rmse_held_out_after === null ? '' : `; on rows left out ${number(r.rmse_held_out_before, 3)} → ${number(r.rmse_held_out_after, 3)}`;
+  const change = `error ${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} N mm${held}`;
+  return [
+    header(
+      {
+        command: 'add',
+        files,
+        badge: r.refused ? ['refused', 'open'] : ['added', 'good'],
+        sentence: r.refused ? `${effects.join(' and ')} refused: ${r.reason}.` : `${effects.join(' and ')}: ${change}.`,
+        more: r.after.statement,
+      },
+      [
+        ['RMS error', `${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} N mm`],
+        ['noise, estimated', report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} N mm`],
+        ['rows', String(r.after.rows)],
+      ],
+    ),
+    section(
+      'What it bought',
+      grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, report.noise_rms, ['before, refitted', 'after'])),
+      list('Parameters', ['parameter', 'value', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)])),
+    ),
+    fitSection(view),
+    notes(r.messages),
+  ];
+}
+
+function table(report: TableReport): Node[] {
+  const { model, bearing } = report.results;
+  const thinned = report.rows.rows < report.rows.total ? `This page holds ${report.rows.rows} of ${report.rows.total} points, evenly spread.` : '';
+  return [
+    header({ command: 'table', files: shortPaths(report.data ? [model, report.data] : [model]), sentence: `Friction torque of ${bearing}`, ...(thinned ? { more: thinned } : {}) }, [
+      ['points', String(report.rows.total)],
+      ['contact angle', `${plain(report.results.contact_angle_deg, 4)}°`],
+    ]),
+    section('Against speed', grid(...tableFigures(report))),
+  ];
+}
+
+function build(report: Report): (Node | undefined)[] {
+  switch (report.kind) {
+    case 'compare':
+      return compare(report);
+    case 'diagnose':
+      return diagnose(report);
+    case 'add':
+      return add(report);
+    case 'table':
+      return table(report);
+  }
+}
+
+function show(report: Report): void {
+  const parts = build(report).filter((node): node is Node => node !== undefined);
+  page.append(...parts, el('footer', {}, `${report.program}. Torque in N mm, residuals are predicted − measured. This page needs no network.`));
+  drawAll();
+}
+
+show(readDocument());

@@ -1,0 +1,277 @@
+// A Stribeck table: torque, its parts and contact angles against speed, loads around the bearing.
+import { legend, valueAxis } from './chart';
+import type { BearingState, TableReport } from './document';
+import { Rows } from './document';
+import type { Option } from './figure';
+import { choice, Figure, tooltip } from './figure';
+import { thinned } from './groups';
+import { dashes, ordered, symbols } from './look';
+import { axisTitle, number, plain, quantity, withUnit } from './text';
+
+const mostCurves = 8; // that stay readable
+
+function distinct(values: Iterable<number>): number[] {
+  return [...new Set(values)].filter(Number.isFinite).sort((a, b) => a - b);
+}
+
+interface Slice {
+  axial: number;
+  rows: number[];
+}
+
+export function tableFigures(report: TableReport): Figure[] {
+  const rows = new Rows(report.rows);
+  const axials = distinct(rows.get('axial_load_N'));
+  const radials = distinct(rows.get('radial_load_N'));
+  const temperatures = distinct(rows.get('temperature_C'));
+  const chosen = { radial: 0, temperature: 0, axial: axials.length - 1, logarithmic: false };
+  const figures: Figure[] = [];
+  const note = [
+    axials.length > mostCurves ? `${mostCurves} of ${axials.length} axial loads are drawn, the table has all.` : '',
+    report.measured ? 'Points: measured within 10 % of the loads of a curve and 5 K of its temperature.' : '',
+  ].join(' ').trim();
+  const redraw = () => {
+    for (const figure of figures) figure.draw();
+  };
+  const controls = () => {
+    const list: HTMLElement[] = [];
+    if (radials.length > 1) list.push(choice('Radial load', radials.map((v) => withUnit(v, 'radial_load_N')), 0, (k) => ((chosen.radial = k), redraw())));
+    if (temperatures.length > 1) list.push(choice('Temperature', temperatures.map((v) => withUnit(v, 'temperature_C')), 0, (k) => ((chosen.temperature = k), redraw())));
+    return list;
+  };
+  const slices = (): Slice[] => {
+    const byLoad = new Map<number, number[]>(axials.map((a) => [a, []]));
+    const radial = rows.get('radial_load_N');
+    const temperature = rows.get('temperature_C');
+    const axial = rows.get('axial_load_N');
+    for (let k = 0; k < rows.count; ++k)
+      if (radial[k] === radials[chosen.radial] && temperature[k] === temperatures[chosen.temperature]) byLoad.get(axial[k] as number)?.push(k);
+    return [...byLoad].map(([a, list]) => ({ axial: a, rows: list }));
+  };
+  const shown = () => {
+    const list = slices();
+    return thinned(list.map((_, k) => k), mostCurves).map((k) => list[k] as Slice);
+  };
+  const place = () => `radial load ${withUnit(radials[chosen.radial] as number, 'radial_load_N')}, ${withUnit(temperatures[chosen.temperature] as number, 'temperature_C')}`;
+  const columns = (names: string[]) => () => ({
+    columns: ['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C', ...names].map(axisTitle),
+    rows: Array.from({ length: rows.count }, (_, k) => ['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C', ...names].map((name) => (Number.isFinite(rows.at(name, k)) ? rows.at(name, k) : null))),
+  });
+
+  const measured = report.measured ? new Rows(report.measured.rows) : undefined;
+  /// Measured points that belong to a curve.
+  const near = (axial: number): number[] => {
+    if (!measured) return [];
+    const list: number[] = [];
+    const temperature = temperatures[chosen.temperature] as number;
+    const radial = radials[chosen.radial] as number;
+    for (let k = 0; k < measured.count; ++k) {
+      const load = measured.at('axial_load_N', k);
+      if (Math.abs(load - axial) <= 0.1 * axial + 1 && Math.abs(measured.at('radial_load_N', k) - radial) <= 0.1 * radial + 1 && Math.abs(measured.at('temperature_C', k) - temperature) <= 5) list.push(k);
+    }
+    return list;
+  };
+  figures.push(
+    new Figure({
+      id: 'stribeck',
+      title: 'Stribeck curves',
+      note,
+      wide: true,
+      height: 420,
+      marks: rows.count / 4,
+      controls: [...controls(), choice('Speed axis', ['linear', 'logarithmic'], 0, (k) => ((chosen.logarithmic = k === 1), redraw()))],
+      option: (l, width) => {
+        const curves = shown();
+        const names = curves.map((c) => `${plain(c.axial)} N`);
+        const colours = ordered(curves.length, l);
+        const top = legend(names, width, l, curves.map((_, k) => symbols[k % symbols.length]));
+        const series: Option[] = curves.map((c, k) => ({
+          type: 'line',
+          name: names[k],
+          symbol: 'circle',
+          symbolSize: 4,
+          lineStyle: { color: colours[k], width: 2.2, type: dashes[k % dashes.length] },
+          itemStyle: { color: colours[k] },
+          data: c.rows.filter((row) => !chosen.logarithmic || rows.at('speed_rpm', row) > 0).map((row) => [rows.at('speed_rpm', row), rows.at('friction_torque_Nmm', row), row]),
+        }));
+        curves.forEach((c, k) =>
+          series.push({
+            type: 'scatter',
+            name: names[k],
+            symbol: symbols[k % symbols.length],
+            symbolSize: 9,
+            z: 6,
+            itemStyle: { color: colours[k], borderColor: l.ink, borderWidth: 1 },
+            data: thinned(near(c.axial), 400).map((row) => [measured?.at('speed_rpm', row), measured?.at('measured_Nmm', row), row, 'measured']),
+          }),
+        );
+        return {
+          legend: top.option,
+          grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
+          tooltip: tooltip(l, (hit) => {
+            const value = hit.value as (number | string)[];
+            const source = value[3] === 'measured' && measured ? measured : rows;
+            const k = value[2] as number;
+            return [
+              source === rows ? 'computed' : `measured, line ${plain(source.at('line', k))}`,
+              ...['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C'].map((name): [string, string] => [quantity(name).label, withUnit(source.at(name, k), name)]),
+              ['friction torque', `${number(value[1] as number)} N mm`],
+            ];
+          }),
+          xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x', chosen.logarithmic ? { type: 'log' } : {}),
+          yAxis: valueAxis(`friction torque [N mm], ${place()}`, l, 'y', { scale: false }),
+          series,
+        };
+      },
+      table: columns(['friction_torque_Nmm']),
+      csv: columns(rows.names.slice(4)),
+    }),
+  );
+
+  const parts = report.results.parts.filter((name) => rows.has(name));
+  figures.push(
+    new Figure({
+      id: 'parts',
+      title: 'What the torque is made of',
+      controls: [choice('Axial load', axials.map((v) => withUnit(v, 'axial_load_N')), chosen.axial, (k) => ((chosen.axial = k), redraw()))],
+      option: (l, width) => {
+        const slice = slices()[chosen.axial] as Slice;
+        const names = parts.map((name) => quantity(name).label);
+        const top = legend(names, width, l);
+        return {
+          legend: top.option,
+          grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
+          tooltip: tooltip(l, (hit) => [hit.seriesName, ['speed', `${plain((hit.value as number[])[0])} rpm`], ['torque', `${number((hit.value as number[])[1])} N mm`]]),
+          xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x'),
+          yAxis: valueAxis(`torque [N mm], ${place()}`, l, 'y', { scale: false }),
+          series: parts.map((name, k) => ({
+            type: 'line',
+            name: names[k],
+            stack: 'torque',
+            symbol: 'circle',
+            symbolSize: 4,
+            color: l.kinds[k % l.kinds.length],
+            lineStyle: { width: 1.5, type: dashes[k % dashes.length] },
+            areaStyle: { opacity: 0.35 },
+            data: slice.rows.map((row) => [rows.at('speed_rpm', row), rows.at(name, row)]),
+          })),
+        };
+      },
+      table: columns(parts),
+    }),
+  );
+
+  const angles = ['inner_contact_angle_max_deg', 'inner_contact_angle_min_deg', 'outer_contact_angle_max_deg', 'outer_contact_angle_min_deg'];
+  if (angles.every((name) => rows.has(name)))
+    figures.push(
+      new Figure({
+        id: 'angles',
+        title: 'Contact angles against speed',
+        note: `Solid: inner race, dashed: outer race; ${report.results.contact_angle_deg ? `${plain(report.results.contact_angle_deg, 4)}° without load` : ''}. Where balls differ, the smallest and the largest.`,
+        option: (l, width) => {
+          const curves = shown();
+          const names = curves.map((c) => `${plain(c.axial)} N`);
+          const colours = ordered(curves.length, l);
+          const top = legend(names, width, l);
+          return {
+            legend: top.option,
+            grid: { left: 56, right: 20, top: top.height + 28, bottom: 46 },
+            tooltip: tooltip(l, (hit) => {
+              const [speed, angle, , race] = hit.value as [number, number, number, string];
+              return [`${race} race, ${hit.seriesName}`, ['speed', `${plain(speed)} rpm`], ['contact angle', `${number(angle)}°`]];
+            }),
+            xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x'),
+            yAxis: valueAxis(`contact angle [°], ${place()}`, l, 'y'),
+            series: curves.flatMap((c, k) =>
+              angles.map((name) => ({
+                type: 'line',
+                name: names[k],
+                symbol: 'circle',
+                symbolSize: 3,
+                color: colours[k],
+                lineStyle: { width: 1.6, type: name.startsWith('inner') ? 'solid' : 'dashed' },
+                data: c.rows.map((row) => [rows.at('speed_rpm', row), rows.at(name, row), row, name.startsWith('inner') ? 'inner' : 'outer']),
+              })),
+            ),
+          };
+        },
+        table: columns(angles),
+      }),
+    );
+  if (report.states.length) figures.push(around(report.states));
+  return figures;
+}
+
+type BallColumn = 'inner_load_N' | 'outer_load_N' | 'inner_pressure_MPa' | 'outer_pressure_MPa' | 'inner_contact_angle_deg' | 'outer_contact_angle_deg';
+
+/// One value of every ball around the bearing, a line for each speed.
+function around(states: BearingState[]): Figure {
+  const ballColumns: BallColumn[] = ['inner_load_N', 'outer_load_N', 'inner_pressure_MPa', 'outer_pressure_MPa', 'inner_contact_angle_deg', 'outer_contact_angle_deg'];
+  const key = (s: BearingState) => `${plain(s.axial_load_N)} N axial, ${plain(s.radial_load_N)} N radial`;
+  const loads = [...new Set(states.map(key))];
+  let load = loads.length - 1;
+  let column = 0;
+  const name = () => ballColumns[column] as BallColumn;
+  const figure: Figure = new Figure({
+    id: 'around',
+    title: 'Around the bearing',
+    note: `At ${withUnit((states[0] as BearingState).temperature_C, 'temperature_C')}. 0° is the direction of the radial load; a ball that has lost the inner race has no inner angle.`,
+    height: 420,
+    controls: [
+      choice('Show', ballColumns.map((c) => axisTitle(c)), 0, (k) => ((column = k), figure.draw())),
+      choice('Load', loads, load, (k) => ((load = k), figure.draw())),
+    ],
+    option: (l, width) => {
+      const list = states.filter((s) => key(s) === loads[load]);
+      const names = list.map((s) => `${plain(s.speed_rpm)} rpm`);
+      const colours = ordered(list.length, l);
+      const top = legend(names, width, l, list.map((_, k) => symbols[k % symbols.length]));
+      return {
+        legend: top.option,
+        tooltip: tooltip(l, (hit) => {
+          const [value, azimuth] = hit.value as [number, number];
+          return [hit.seriesName, ['azimuth', `${plain(azimuth, 4)}°`], [quantity(name()).label, withUnit(value, name())]];
+        }),
+        polar: { center: ['50%', top.height / 2 + 215], radius: Math.min(150, width / 2 - 44) },
+        angleAxis: {
+          type: 'value',
+          min: 0,
+          max: 360,
+          interval: 30,
+          startAngle: 0,
+          clockwise: false,
+          axisLabel: { color: l.muted, fontSize: 11, formatter: (v: number) => (v === 360 ? '' : `${v}°`) },
+          axisLine: { lineStyle: { color: l.muted } },
+          splitLine: { lineStyle: { color: l.rule } },
+        },
+        radiusAxis: {
+          type: 'value',
+          min: name().includes('angle') ? undefined : 0,
+          splitNumber: 3,
+          axisLabel: { color: l.ink, fontSize: 10, hideOverlap: true, backgroundColor: l.surface, formatter: (v: number) => plain(v, 5) },
+          axisLine: { lineStyle: { color: l.muted } },
+          splitLine: { lineStyle: { color: l.rule } },
+        },
+        series: list.map((s, k) => {
+          const points = s.azimuth_deg.map((azimuth, ball) => [s[name()][ball], azimuth]);
+          const first = points[0] as [number, number];
+          return {
+            type: 'line',
+            name: names[k],
+            coordinateSystem: 'polar',
+            symbol: symbols[k % symbols.length],
+            symbolSize: 6,
+            color: colours[k],
+            lineStyle: { width: 1.8, type: dashes[k % dashes.length] },
+            data: [...points, [first[0], first[1] + 360]],
+          };
+        }),
+      };
+    },
+    table: () => ({
+      columns: ['speed [rpm]', 'axial load [N]', 'radial load [N]', 'azimuth [°]', ...ballColumns.map((c) => axisTitle(c))],
+      rows: states.flatMap((s) => s.azimuth_deg.map((azimuth, ball) => [s.speed_rpm, s.axial_load_N, s.radial_load_N, azimuth, ...ballColumns.map((c) => s[c][ball] ?? null)])),
+    }),
+  });
+  return figure;
+}

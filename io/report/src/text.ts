@@ -1,0 +1,88 @@
+// Words and numbers for people. All text that comes from files goes through here into text nodes.
+
+/// An element with text and children; strings become text nodes, never markup.
+export function el<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Record<string, string> = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children);
+  return element;
+}
+
+export const dash = '–';
+
+/// So many significant digits, without exponent where people would write none.
+export function number(value: number | null | undefined, digits = 4): string {
+  if (value === null || value === undefined || Number.isNaN(value)) return dash;
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
+  if (value === 0) return '0';
+  const magnitude = Math.floor(Math.log10(Math.abs(value)));
+  const text =
+    magnitude < -4 || magnitude > 7
+      ? value.toExponential(digits - 1)
+      : value.toFixed(Math.min(20, Math.max(0, digits - 1 - magnitude)));
+  return text.replace('-', '−');
+}
+
+/// Digits as they are read, without trailing zeros: 16000, 25.4.
+export function plain(value: number | null | undefined, digits = 6): string {
+  if (value === null || value === undefined || Number.isNaN(value)) return dash;
+  return String(Number(value.toPrecision(digits))).replace('-', '−');
+}
+
+export function signed(value: number, digits = 3): string {
+  return (value > 0 ? '+' : '') + number(value, digits);
+}
+
+export function probability(p: number | null): string {
+  if (p === null) return dash;
+  if (p < 1e-300) return 'p < 1e-300';
+  return p < 1e-3 ? `p = ${p.toExponential(0)}` : `p = ${Number(p.toPrecision(2))}`;
+}
+
+const units: [string, string][] = [
+  ['_Nmm', 'N mm'],
+  ['_rpm', 'rpm'],
+  ['_MPa', 'MPa'],
+  ['_deg', '°'],
+  ['_um', 'µm'],
+  ['_N', 'N'],
+  ['_C', '°C'],
+  ['_W', 'W'],
+  ['_s', 's'],
+];
+
+/// "axial_load_N" -> { label: "axial load", unit: "N" }
+export function quantity(name: string): { label: string; unit: string } {
+  for (const [suffix, unit] of units)
+    if (name.endsWith(suffix)) return { label: name.slice(0, -suffix.length).replace(/_/g, ' '), unit };
+  return { label: name.replace(/_/g, ' '), unit: '' };
+}
+
+/// "axial load [N]"
+export function axisTitle(name: string): string {
+  const { label, unit } = quantity(name);
+  return unit ? `${label} [${unit}]` : label;
+}
+
+export function withUnit(value: number, name: string): string {
+  const { unit } = quantity(name);
+  return unit === '°' ? `${plain(value, 4)}°` : `${plain(value, 4)}${unit ? ` ${unit}` : ''}`;
+}
+
+/// A unit as files write it, "1" for none.
+export function unitText(unit: string): string {
+  return unit === '1' ? '' : unit;
+}
+
+/// Paths without the folders that all of them share; the file alone where there is one.
+export function shortPaths(paths: string[]): string[] {
+  const parts = paths.map((p) => p.split('/'));
+  const first = parts[0] ?? [];
+  let shared = 0;
+  while (parts.every((p) => shared < p.length - 1 && p[shared] === first[shared])) ++shared;
+  return parts.map((p) => p.slice(shared).join('/'));
+}

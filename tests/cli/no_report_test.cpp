@@ -1,0 +1,32 @@
+// Linked with io/no_report.cpp, as all of a program built with -DRACEWAY_REPORT=OFF is.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/report_flag.h"
+#include "io/error.h"
+#include "io/report.h"
+
+namespace raceway::cli {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(WithoutReports, TheFlagSaysHowTheProgramWasBuilt) {
+  ASSERT_FALSE(io::report_available());
+  CLI::App app;
+  ReportFlag flag;
+  flag.declare(app);
+  EXPECT_THAT(app.help(), HasSubstr("-DRACEWAY_REPORT=OFF"));
+  EXPECT_NO_THROW(flag.check(false)) << "nobody asked for a report";
+  app.parse("--report page.html");
+  try {
+    flag.check(false);
+    FAIL() << "a report was promised";
+  } catch (const io::InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("without reports (-DRACEWAY_REPORT=OFF)"));
+    EXPECT_THAT(e.what(), HasSubstr("Node and npm"));
+  }
+}
+
+}  // namespace
+}  // namespace raceway::cli

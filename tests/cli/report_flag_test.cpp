@@ -1,0 +1,62 @@
+// What pages show is tested in tests/report, in a browser.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/cli/sample.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Report : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (run("compare --help").out.find("RACEWAY_REPORT=OFF") != std::string::npos)
+      GTEST_SKIP() << "built with -DRACEWAY_REPORT=OFF";
+  }
+  ScratchFolder scratch_;
+  std::string model_ = scratch_.write("my.toml", model_text);
+  std::string data_ = scratch_.write("rig.csv", data_text);
+  std::string page_ = scratch_.file("page.html");
+};
+
+TEST_F(Report, IsWrittenBesideWhatTheCommandPrints) {
+  const Result plain = run("compare " + model_ + " " + data_);
+  const Result r = run("compare " + model_ + " " + data_ + " --report " + page_);
+  EXPECT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(r.out, plain.out);
+  EXPECT_THAT(r.err, HasSubstr("page.html written"));
+  EXPECT_THAT(file_text(page_), StartsWith("<!doctype html>"));
+}
+
+TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
+  for (const std::string& command :
+       {"compare " + model_ + " " + data_, "diagnose " + model_ + " " + data_,
+        "add " + model_ + " lubricant-drag --data " + data_,
+        "table " + model_ + " --speed 0:1000:500 --axial-load 100"}) {
+    expect_refused(run(command + " --report " + scratch_.file("no/such/page.html")),
+                   "there is no folder");
+    expect_refused(run(command + " --report " + model_), "exists already; --force replaces it");
+  }
+  EXPECT_EQ(file_text(model_), model_text);
+}
+
+TEST_F(Report, OfARefusedEffectShowsWhy) {
+  const std::string rig = std::string(RACEWAY_SOURCE_DIR) + "/tests/hidden_effect/rigs/dev-08/";
+  const Result r = run("add " + rig + "model.toml torque-time-drift --data " + rig +
+                       "train.csv --json --report " + page_);
+  const json d = parsed(r);
+  ASSERT_TRUE(d["refused"]) << r.out;
+  EXPECT_EQ(r.status, 1);
+  EXPECT_THAT(file_text(page_), HasSubstr(d["reason"].get<std::string>().substr(0, 20)));
+}
+
+TEST_F(Report, MeasuredPointsNeedAReportToBeDrawnIn) {
+  expect_refused(run("table " + model_ + " --speed 0:1000:500 --axial-load 100 --data " + data_),
+                 "--report is missing");
+}
+
+}  // namespace
+}  // namespace raceway::tests

@@ -1,0 +1,67 @@
+#include "fit/verdict_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "effects/catalogue.h"
+#include "tests/fit/synthetic.h"
+
+namespace raceway::fit {
+namespace {
+
+constexpr double drag = 60.0;  // N mm at 10 000 rpm
+
+struct Case {
+  Model belief = synthetic_model();
+  DataSet data =
+      factorial_plan({600, 1500, 3500, 7000, 11000, 16000}, {250, 600, 1400, 3000}, {25, 40, 55});
+  Diagnosis diagnosis;
+  explicit Case(double drag_size) {
+    Model truth = synthetic_model();
+    truth.effects.push_back(
+        {.description = effects::find("lubricant-drag"), .values = {drag_size}});
+    std::mt19937 random(3);
+    measure(truth, 1.0 * N_mm, random, data);
+    belief.law_values = {2.0, 0.0008, 0.33};
+    DiagnoseOptions options;
+    options.pairs = false;
+    diagnosis = diagnose(belief, data, options);
+  }
+};
+
+TEST(VerdictModel, PredictsWhatTheDiagnosisFoundAndSplitsIt) {
+  const Case c(drag);
+  ASSERT_EQ(c.diagnosis.verdict, Verdict::effect) << c.diagnosis.sentence;
+  const auto v = verdict_model(c.belief, c.data, c.diagnosis);
+  ASSERT_TRUE(v);
+  ASSERT_EQ(v->effects.size(), 1U);
+  EXPECT_EQ(v->effects[0].id, "lubricant-drag");
+  const double size = c.diagnosis.effects[0].parameters[0].value;
+  double square = 0.0;
+  for (std::size_t i = 0; i < c.data.rows.size(); ++i) {
+    const Row& row = c.data.rows[i];
+    // The effect by its formula, which nothing here has computed.
+    const double n = row.point.speed / (10000 * rpm);
+    EXPECT_NEAR(v->effects[0].torque[i], size * n * n * N_mm, 1e-9);
+    EXPECT_NEAR(v->base[i] + v->effects[0].torque[i], v->readings[i], 1e-12);
+    square += std::pow(v->readings[i] - row.measured, 2);
+  }
+  EXPECT_NEAR(std::sqrt(square / static_cast<double>(c.data.rows.size())), c.diagnosis.rmse_after,
+              1e-6 * c.diagnosis.rmse_after);
+}
+
+TEST(VerdictModel, IsNothingWhereNothingIsMissing) {
+  const Case c(0.0);
+  ASSERT_EQ(c.diagnosis.verdict, Verdict::nothing_missing) << c.diagnosis.sentence;
+  EXPECT_FALSE(verdict_model(c.belief, c.data, c.diagnosis));
+}
+
+TEST(VerdictModel, RefusesNumbersThatDoNotGiveTheErrorOfTheDiagnosis) {
+  Case c(drag);
+  c.diagnosis.effects[0].parameters[0].value *= 1.1;  // as a bent law would
+  EXPECT_FALSE(verdict_model(c.belief, c.data, c.diagnosis));
+}
+
+}  // namespace
+}  // namespace raceway::fit

@@ -1,0 +1,367 @@
+// Opens reports, written by the built program, in Chromium from file://, as a reader would.
+// Environment: RACEWAY the program, CHROMIUM the browser, PACKAGES the folder of node_modules, ROOT.
+import assert from 'node:assert/strict';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+const { RACEWAY, CHROMIUM, PACKAGES, ROOT } = process.env;
+const { chromium } = createRequire(join(PACKAGES, 'package.json'))('playwright-core');
+const rig = join(ROOT, 'tests/hidden_effect/rigs/dev-03');
+const model = join(rig, 'model.toml');
+const train = join(rig, 'train.csv');
+const folder = mkdtempSync(join(tmpdir(), 'raceway-report-'));
+const file = (name) => join(folder, name);
+
+let browser;
+const results = {}; // what --json printed, by page
+
+function raceway(...words) {
+  return execFileSync(RACEWAY, words, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'], maxBuffer: 1 << 28 });
+}
+
+/// Runs a command that writes NAME.html, and keeps what it printed as JSON.
+function write(name, ...words) {
+  results[name] = JSON.parse(raceway(...words, '--json', '--report', file(`${name}.html`)));
+}
+
+before(async () => {
+  write('diagnose', 'diagnose', model, train);
+  write('add', 'add', model, 'lubricant-drag', '--data', train, '-o', file('better.toml'));
+  write('compare', 'compare', model, file('better.toml'), join(rig, 'test.csv'));
+  write('table', 'table', file('better.toml'), '--speed', '0:16000:1000', '--axial-load', '600,3000', '--radial-load', '0,400', '--temperature', '25', '--data', train);
+  const fly = join(ROOT, 'data/measurements');
+  raceway('calibrate', join(fly, 'flywheel.toml'), join(fly, 'flywheel_unloaded.csv'), '-o', file('fly.toml'));
+  write('coastdown', 'diagnose', file('fly.toml'), join(fly, 'flywheel_unloaded.csv'));
+  for (const [name, of] of [['several', 'dev-06'], ['nothing', 'dev-01']]) {
+    const other = join(ROOT, 'tests/hidden_effect/rigs', of);
+    write(name, 'diagnose', join(other, 'model.toml'), join(other, 'train.csv'));
+  }
+  // As root Chromium has no sandbox; the pages are this program's own.
+  browser = await chromium.launch({ executablePath: CHROMIUM, args: process.getuid() === 0 ? ['--no-sandbox'] : [] });
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+/// Opens a page and waits until all is drawn. Anything on the console, any error and any request
+/// beside the page itself is a fault.
+async function open(name, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  const faults = [];
+  const url = pathToFileURL(file(`${name}.html`)).href;
+  page.on('console', (message) => faults.push(`console: ${message.text()}`));
+  page.on('pageerror', (error) => faults.push(`error: ${error.message}`));
+  page.on('dialog', (dialog) => {
+    faults.push(`dialog: ${dialog.message()}`);
+    void dialog.dismiss();
+  });
+  page.on('request', (request) => {
+    if (request.url() !== url && !request.url().startsWith('blob:')) faults.push(`request: ${request.url()}`);
+  });
+  await page.goto(url);
+  await page.waitForFunction(() => document.documentElement.dataset.drawn === 'yes');
+  return { page, faults, close: () => context.close() };
+}
+
+const documentOf = (page) => page.evaluate(() => JSON.parse(document.getElementById('document').textContent));
+const figures = (page) => page.$$eval('figure', (all) => all.map((f) => f.id));
+
+/// Filled shapes of a picture, the legend's among them; painted pixels / 1000 where it is a canvas.
+const marks = (page, id) =>
+  page.$eval(`#${id} .chart`, (chart) => {
+    const canvas = chart.querySelector('canvas');
+    if (!canvas) return [...chart.querySelectorAll('svg path')].filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill'))).length;
+    const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    let painted = 0;
+    for (let k = 3; k < pixels.length; k += 4) painted += pixels[k] > 0;
+    return painted / 1000;
+  });
+
+/// The table under a picture: text, or the number in full.
+async function tableOf(page, id) {
+  await page.$eval(`#${id} details`, (d) => (d.open = true));
+  await page.waitForSelector(`#${id} tbody tr`);
+  return page.$$eval(`#${id} tbody tr`, (rows) =>
+    rows.map((row) => [...row.children].map((cell) => (cell.dataset.value === undefined ? cell.textContent : cell.dataset.value === '' ? null : Number(cell.dataset.value)))),
+  );
+}
+
+async function csvOf(page, id) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#${id} .csv`)]);
+  const lines = readFileSync(await download.path(), 'utf8').trim().split('\n');
+  const cells = (line) => [...line.matchAll(/("(?:[^"]|"")*"|[^,]*)(?:,|$)/g)].slice(0, -1).map((m) => m[1].replace(/^"|"$/g, '').replace(/""/g, '"'));
+  return { columns: cells(lines[0]), rows: lines.slice(1).map(cells) };
+}
+
+/// The first entry of a picture's legend.
+async function legendEntry(page, id) {
+  const index = await page.$eval(`#${id} svg`, (svg) => {
+    const top = svg.getBoundingClientRect().top;
+    return [...svg.querySelectorAll('text')].findIndex((t) => t.getBoundingClientRect().bottom - top < 24);
+  });
+  return page.locator(`#${id} svg text`).nth(index);
+}
+
+const expected = {
+  diagnose: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 120, detectable: 24 },
+  add: { ladder: 8, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24 },
+  compare: { ladder: 2, parity: 60, 'residual-speed': 60, 'residual-axial-load': 60, 'residual-temperature': 60, 'residual-order-of-the-rows': 60, map: 15 },
+  table: { stribeck: 34, parts: 51, angles: 136, around: 100 },
+  coastdown: { ladder: 1, ranking: 12, parity: 41, 'residual-speed': 41, 'residual-order-of-the-rows': 41, map: 8, plan: 41, detectable: 15 },
+  several: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 123, detectable: 20 },
+  nothing: { ladder: 1, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 120, detectable: 20 },
+};
+
+for (const [name, least] of Object.entries(expected))
+  test(`${name}: opens without a message or a request, and every picture has its marks`, async () => {
+    const { page, faults, close } = await open(name);
+    assert.deepEqual(await figures(page), Object.keys(least));
+    for (const [id, count] of Object.entries(least)) assert.ok((await marks(page, id)) >= count, `${id}: ${await marks(page, id)} of ${count}`);
+    assert.deepEqual(faults, []);
+    await close();
+  });
+
+for (const name of ['diagnose', 'add', 'compare', 'coastdown'])
+  test(`${name}: holds the document that --json prints, and shows its numbers`, async () => {
+    const { page, faults, close } = await open(name);
+    const { results: held, models } = await documentOf(page);
+    const printed = results[name];
+    assert.deepEqual(held, printed);
+    const ladder = await tableOf(page, 'ladder');
+    if (name === 'compare') {
+      assert.deepEqual(ladder.map((row) => row.slice(1, 4)), printed.models.map((m) => [m.rmse, m.bias, m.fit_percent]));
+    } else if (name === 'add') {
+      assert.deepEqual(ladder.map((row) => row.slice(1)), [[printed.before.rmse, printed.after.rmse], ...printed.hold_out.map((h) => [h.rmse_before, h.rmse_after])]);
+    } else {
+      assert.equal(await page.textContent('#sentence'), printed.sentence);
+      const ranking = await tableOf(page, 'ranking');
+      assert.deepEqual(ranking.map((row) => row.slice(0, 4)), printed.effects.map((e) => [e.id, e.in_verdict ? 'yes' : 'no', e.gain, e.rmse]));
+      assert.equal((await tableOf(page, 'detectable')).length, printed.would_have_been_found.length);
+    }
+    // The rows behind the pictures give the error that the document names.
+    const { columns, rows } = await csvOf(page, 'parity');
+    const last = models.length - 1;
+    const residual = columns.findIndex((c) => c.startsWith('residual_Nmm')) + last;
+    const rms = Math.sqrt(rows.reduce((sum, row) => sum + Number(row[residual]) ** 2, 0) / rows.length);
+    // Seven digits of torques that are up to a hundred times their residual.
+    assert.ok(Math.abs(rms / models[last].rmse - 1) < 1e-5, `${rms} ${models[last].rmse}`);
+    assert.deepEqual(faults, []);
+    await close();
+  });
+
+test('table: holds the numbers that --json prints', async () => {
+  const { page, faults, close } = await open('table');
+  const { columns, rows } = await csvOf(page, 'stribeck');
+  assert.equal(rows.length, results.table.rows.length);
+  const torque = columns.findIndex((c) => c.startsWith('friction torque'));
+  results.table.rows.forEach((row, k) => {
+    assert.ok(Math.abs(Number(rows[k][0]) - row.speed_rpm) <= 1e-6 * row.speed_rpm);
+    assert.ok(Math.abs(Number(rows[k][torque]) / row.friction_torque_Nmm - 1) < 1e-6);
+  });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a click on a legend entry takes its marks away, another brings them back', async () => {
+  const { page, faults, close } = await open('diagnose');
+  for (const id of ['parity', 'residual-speed', 'ranking', 'share']) {
+    const before = await marks(page, id);
+    const entry = await legendEntry(page, id);
+    await entry.scrollIntoViewIfNeeded();
+    await entry.click();
+    await page.waitForTimeout(50);
+    const without = await marks(page, id);
+    assert.ok(without < before, `${id}: ${before} -> ${without}`);
+    await (await legendEntry(page, id)).click();
+    await page.waitForTimeout(50);
+    assert.equal(await marks(page, id), before, id);
+  }
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('hovering over a mark shows its row as it stands in the file', async () => {
+  const { page, faults, close } = await open('diagnose');
+  await page.locator('#residual-temperature').scrollIntoViewIfNeeded();
+  const places = await page.$$eval('#residual-temperature svg path', (paths) =>
+    paths
+      .filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill')))
+      .map((p) => p.getBoundingClientRect())
+      .filter((box) => box.width > 4 && box.width < 12 && box.top > paths[0].ownerSVGElement.getBoundingClientRect().top + 60)
+      .filter((_, k) => k > 8 && k % 5 === 0)
+      .map((box) => [box.x + box.width / 2, box.y + box.height / 2]),
+  );
+  const lines = readFileSync(train, 'utf8').split('\n');
+  const column = lines[0].split(',');
+  const seen = [];
+  for (const [x, y] of places) {
+    await page.mouse.move(x, y);
+    await page.waitForTimeout(30);
+    const tip = await page.$$eval('#residual-temperature .tip', (tips) => tips.filter((t) => t.checkVisibility({ visibilityProperty: true, opacityProperty: true })).map((t) => [...t.children].map((c) => c.textContent)));
+    if (!tip.length) continue;
+    const line = Number(tip[0][0].replace('line ', ''));
+    const fields = lines[line - 1].split(',');
+    const told = (label) => parseFloat(tip[0][tip[0].indexOf(label) + 1]);
+    assert.equal(told('speed'), Number(fields[column.indexOf('speed_rpm')]));
+    assert.ok(Math.abs(told('measured') / Number(fields[column.indexOf('friction_torque_Nmm')]) - 1) < 1e-3);
+    seen.push([told('temperature'), x]);
+  }
+  assert.ok(seen.length >= 10, `${seen.length} of ${places.length} marks answered`);
+  // It is the row of that mark, or of one that covers it: places on the axis follow the temperatures
+  // told. Levels are 60 pixels apart.
+  seen.sort((a, b) => a[0] - b[0]);
+  const [low, high] = [seen[0], seen[seen.length - 1]];
+  assert.ok(high[0] - low[0] > 1);
+  for (const [value, x] of seen) assert.ok(Math.abs(low[1] + ((value - low[0]) / (high[0] - low[0])) * (high[1] - low[1]) - x) < 12, `${value} at ${x}`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('the points to measure next are drawn into the plan', async () => {
+  const { page, faults, close } = await open('several');
+  const next = results.several.suggested_measurements;
+  assert.ok(next.length > 0);
+  assert.deepEqual((await tableOf(page, 'plan')).map((row) => row.slice(0, 5)), next.map((m) => [m.speed_rpm, m.axial_load_N, m.radial_load_N, m.temperature_C, m.repeats]));
+  const words = await page.$$eval('#plan svg text', (all) => all.map((t) => t.textContent));
+  for (const m of next) assert.ok(words.includes(`${m.repeats}×`), `${m.repeats}×`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('another model and another colour change the pictures', async () => {
+  const { page, faults, close } = await open('diagnose');
+  const picture = () => page.$eval('#residual-speed svg', (svg) => svg.outerHTML);
+  const first = await picture();
+  await page.locator('.choices select').first().selectOption('1');
+  const second = await picture();
+  assert.notEqual(second, first);
+  await page.locator('.choices select').nth(1).selectOption('1');
+  assert.notEqual(await picture(), second);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('names with markup in them stay text', async () => {
+  const evil = '<img src=x onerror=alert(1)>';
+  const end = '</script><script>alert(2)</script>';
+  const toml = file(`m"${evil}.toml`);
+  const effect = '<b>mine</b>';
+  writeFileSync(
+    toml,
+    readFileSync(model, 'utf8').replace('name = "7014"', 'name = "<h1>7014</h1>"') +
+      `\n[[effect]]\nid = "${effect}"\ntorque_Nmm = "c * (speed_rpm < 9000)"\nc = { value = 20.0, unit = "N mm" }\n`,
+  );
+  // Two runs with names that would end the data early, and be markup after that.
+  const [head, ...rows] = readFileSync(train, 'utf8').trim().split('\n');
+  const csv = file(`d${evil}.csv`);
+  writeFileSync(csv, [head, ...rows.map((row, k) => row.replace(/^[^,]*/, k < 60 ? `${end}${evil}` : '${x}<svg onload=alert(3)>'))].join('\n') + '\n');
+  raceway('compare', toml, csv, '--report', file('hostile.html'));
+  raceway('diagnose', toml, csv, '--no-pairs', '--report', file('hostile2.html'));
+  raceway('table', toml, '--speed', '0:9000:1000', '--axial-load', '100,900', '--report', file('hostile3.html'));
+  const added = await open('hostile2');
+  const clean = await open('diagnose');
+  for (const name of ['hostile', 'hostile2', 'hostile3']) {
+    const { page, faults, close } = name === 'hostile2' ? added : await open(name);
+    for (const tag of ['img', 'b.evil', 'script[src]', 'iframe', 'object']) assert.equal(await page.locator(tag).count(), 0, `${name}: ${tag}`);
+    assert.equal(await page.locator('script').count(), 2);
+    assert.equal(await page.locator('h1').count(), 1);
+    if (name !== 'hostile3') {
+      assert.ok((await page.textContent('header')).includes(evil));
+      await page.locator('.choices select').last().selectOption({ label: 'run' });
+      const text = await page.$$eval('#residual-speed svg text', (all) => all.map((t) => t.textContent).join('\n'));
+      assert.ok(text.includes('<svg onload=alert(3)>'), text);
+    } else {
+      assert.equal(await page.textContent('#sentence'), 'Friction torque of <h1>7014</h1>');
+      assert.ok((await page.$$eval('#parts svg text', (all) => all.map((t) => t.textContent))).includes(effect));
+    }
+    assert.deepEqual(faults, []);
+    await close();
+  }
+  await clean.close();
+});
+
+test('the policy of the page lets nothing else run, load or be sent', async () => {
+  const { page, close } = await open('diagnose');
+  const done = await page.evaluate(async () => {
+    const script = document.createElement('script');
+    script.textContent = 'window.ran = true';
+    document.body.append(script);
+    const box = document.createElement('div');
+    box.innerHTML = '<img src=x onerror="window.ran = true"><p style="color: red">x</p>';
+    document.body.append(box);
+    const sent = await fetch('https://example.org/').then(() => 'sent', () => 'refused');
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    return { ran: window.ran === true, sent, colour: getComputedStyle(box.querySelector('p')).color };
+  });
+  assert.equal(done.ran, false);
+  assert.equal(done.sent, 'refused');
+  assert.notEqual(done.colour, 'rgb(255, 0, 0)');
+  await close();
+});
+
+test('fits a phone, follows a dark screen, and prints in two columns on white', async () => {
+  for (const name of Object.keys(expected)) {
+    const phone = await open(name, { viewport: { width: 390, height: 844 } });
+    assert.ok((await phone.page.evaluate(() => document.documentElement.scrollWidth)) <= 390, name);
+    for (const [id, count] of Object.entries(expected[name])) assert.ok((await marks(phone.page, id)) >= count, `${name} ${id}`);
+    assert.deepEqual(phone.faults, []);
+    await phone.close();
+  }
+  const dark = await open('diagnose', { colorScheme: 'dark' });
+  const paper = () => dark.page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const ink = async () => (await legendEntry(dark.page, 'parity')).getAttribute('fill');
+  assert.equal(await paper(), 'rgb(15, 20, 25)');
+  assert.equal(await ink(), '#e8edf2');
+  await dark.page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+  await dark.page.waitForFunction(() => document.querySelector('#parity svg').getAttribute('width') === '292');
+  assert.equal(await paper(), 'rgb(255, 255, 255)');
+  assert.equal(await ink(), '#1b2430');
+  assert.ok((await marks(dark.page, 'parity')) >= 120);
+  assert.equal(await dark.page.locator('#parity .csv').isVisible(), false);
+  assert.deepEqual(dark.faults, []);
+  await dark.close();
+});
+
+test('120 000 rows: under 15 MB, soon open, and the page says what it draws', async () => {
+  const rows = ['run_id,time_s,speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm,std_Nmm'];
+  for (let k = 0; k < 120000; ++k) {
+    const speed = 500 + ((k * 7919) % 15500) + (k % 97) / 100;
+    const load = [250, 600, 1400, 3000][k % 4] + (k % 13);
+    const temperature = 25 + ((k * 31) % 4000) / 100;
+    rows.push([Math.floor(k / 20000), k / 2, speed, load, (k % 2) * 200, temperature, (0.11 * (20 * speed) ** (2 / 3) + load / 10 + ((k * 17) % 29) - 14).toFixed(3), (5 + speed / 1000).toFixed(3)].join(','));
+  }
+  writeFileSync(file('big.csv'), rows.join('\n') + '\n');
+  raceway('compare', model, file('big.csv'), '--report', file('big.html'));
+  assert.ok(statSync(file('big.html')).size < 15e6);
+  const start = performance.now();
+  const { page, faults, close } = await open('big');
+  const seconds = (performance.now() - start) / 1000;
+  console.log(`120 000 rows: ${(statSync(file('big.html')).size / 1e6).toFixed(1)} MB, all drawn after ${seconds.toFixed(1)} s`);
+  assert.ok(seconds < 10, `${seconds} s`); // 3 s on an idle machine; here others may be at work
+  const note = await page.textContent('#thinned');
+  assert.match(note, /holds 10\d{4} of 120000 rows/);
+  assert.match(note, /draw about 3000 of 10\d{4}/);
+  for (const id of await figures(page)) assert.ok((await marks(page, id)) >= 1, id);
+  const held = await documentOf(page);
+  assert.equal(held.results.rows, 120000);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('the same inputs give the same bytes, and a page is replaced only by --force', () => {
+  const command = ['diagnose', model, train, '--report'];
+  raceway(...command, file('again.html'));
+  assert.ok(readFileSync(file('again.html')).equals(readFileSync(file('diagnose.html'))));
+  const refused = spawnSync(RACEWAY, [...command, file('again.html')], { encoding: 'utf8' });
+  assert.equal(refused.status, 1);
+  assert.match(refused.stderr, /exists already; --force replaces it/);
+  raceway(...command, file('again.html'), '--force');
+});
