@@ -19,7 +19,7 @@ enum class RaceControl { outer, inner };
 /// Source: [Harris2006, vol. 2, ch. 5; Jones1960]. For αi = αo = α both give (1 - g cos α)/2.
 template <typename T>
 T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
-                   const T& cos_difference, double g) {
+                   const T& cos_difference, const T& g) {
   if (control == RaceControl::outer) return (1.0 - g * cos_inner) / (1.0 + cos_difference);
   return (cos_difference - g * cos_outer) / (1.0 + cos_difference);
 }
