@@ -39,7 +39,8 @@ BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& p) {
   const Symmetry symmetry = p.radial_load_z != 0.0 || p.moment_y != 0.0 ? Symmetry::none
                             : p.radial_load != 0.0 || p.moment_z != 0.0 ? Symmetry::mirror
                                                                         : Symmetry::thrust;
-  return {.cosine = bearing.cos_azimuth().data(),
+  return {.azimuth = bearing.azimuth().data(),
+          .cosine = bearing.cos_azimuth().data(),
           .sine = bearing.sin_azimuth().data(),
           .count = bearing.geometry().ball_count,
           .symmetry = symmetry};
@@ -67,7 +68,7 @@ void fill_equilibrium(const RingPoint<double>& point, const BallCircle& circle, 
     const BallReport<double>& b = balls[circle.symmetry == Symmetry::thrust   ? 0
                                         : circle.symmetry == Symmetry::mirror ? std::min(k, z - k)
                                                                               : k];
-    result.balls[k] = {.azimuth = 2.0 * pi * static_cast<double>(k) / static_cast<double>(z),
+    result.balls[k] = {.azimuth = circle.azimuth[k],
                        .inner_contact_angle = b.inner_contact_angle,
                        .outer_contact_angle = b.outer_contact_angle,
                        .inner_load = b.inner_load,

@@ -65,7 +65,8 @@ decltype(auto) with_model(BallModel model, F&& f) {
 
 /// Where the balls are, and which of them are unknowns: one, half of them, or all.
 struct BallCircle {
-  const double* cosine;  ///< of the azimuth
+  const double* azimuth;  ///< [rad]
+  const double* cosine;   ///< of the azimuth
   const double* sine;
   int count;  ///< Z
   Symmetry symmetry;

@@ -90,6 +90,86 @@ class ThrustStatics {
   T inner_length_ = T(unset), outer_length_ = T(unset);  ///< groove centre to ball centre [m]
 };
 
+/// Newton's method for the same in c = cos αi, in which the radial distance is nearly linear:
+///
+///   d(Lo cos αo + Li c)/dc = Li + Lo (sin αo/sin αi)³ + (2/3) δi c²/sin² αi
+///
+/// (the change of δo left out), the outer angle and the orbital speed following from step to step.
+/// Most loads have it in three or four steps; true in the lanes that do.
+template <RaceControl control, typename T>
+Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
+                           ThrustStart<T>& start) {
+  using std::abs, std::cbrt, std::max, std::min, std::sqrt;
+  using M = Mask<T>;
+  const T one(1.0), zero(0.0), lowest(0.02), highest(0.999);
+  const T inner_share = one / c.inner_stiffness, outer_share = one / c.outer_stiffness;
+  const T inv_thrust = one / thrust;
+  T ci = min(free.radial / sqrt(free.axial * free.axial + free.radial * free.radial), highest);
+  T si(0.0), so(0.0), co(1.0), m = 0.5 * (one - c.diameter_ratio * ci);
+  T inner_root(0.0), outer_root(0.0);
+  M open(true), found(false);
+  start.axial_displacement = zero;
+  start.ball_centre = {zero, zero};
+  for (int i = 0; i < 6 && any(open); ++i) {
+    si = sqrt(one - ci * ci);
+    const T inv_si = one / si;
+    const T fc = c.full_centrifugal * m * m;
+    const T before = so;
+    T qi, radial;
+    M possible(true);
+    if constexpr (control == RaceControl::inner) {
+      // Both races carry the couple; the outer angle as in ThrustStatics.
+      const T ti = 0.2 * c.full_centrifugal * c.gyroscopic * m * (one - m) * si;
+      qi = (thrust - ti * ci) * inv_si;
+      radial = qi * ci - ti * si + fc;
+      const T inv = one / sqrt(thrust * thrust + radial * radial);
+      const T sin_turn = ti * inv;
+      possible = qi > zero && sin_turn < one;
+      const T cos_turn = sqrt(select(possible, one - sin_turn * sin_turn, zero));
+      so = (thrust * cos_turn - radial * sin_turn) * inv;
+      co = (radial * cos_turn + thrust * sin_turn) * inv;
+    } else {
+      qi = thrust * inv_si;
+      radial = qi * ci + fc;
+      const T turned = (radial + 0.4 * fc * c.gyroscopic) * inv_thrust;
+      so = one / sqrt(one + turned * turned);
+      co = turned * so;
+    }
+    const T cd = ci * co + si * so;
+    m = cage_speed_ratio(control, ci, co, cd, c.diameter_ratio);
+    const T inner = max(qi, zero) * inner_share;
+    const T outer = max(thrust * so + radial * co, zero) * outer_share;
+    if (i == 0) {
+      inner_root = cbrt(inner);
+      outer_root = cbrt(outer);
+    } else {
+      // Halley's step from the roots of the step before.
+      const T ri = inner_root * inner_root * inner_root;
+      const T ro = outer_root * outer_root * outer_root;
+      inner_root = inner_root * (ri + 2.0 * inner) / (2.0 * ri + inner);
+      outer_root = outer_root * (ro + 2.0 * outer) / (2.0 * ro + outer);
+    }
+    const T approach = inner_root * inner_root;
+    const T li = c.inner_radius + approach;
+    const T lo = c.outer_radius + outer_root * outer_root;
+    const T excess = lo * co + li * ci - free.radial;
+    // Two bounds on the same error: of the radial distance and of the outer angle.
+    const M close = possible && abs(excess) < 1e-4 * free.radial && abs(so - before) < T(1e-3);
+    const M keep = open && close;
+    start.axial_displacement =
+        select(keep, lo * so + li * si - free.axial, start.axial_displacement);
+    start.ball_centre.axial = select(keep, lo * so, start.ball_centre.axial);
+    start.ball_centre.radial = select(keep, lo * co, start.ball_centre.radial);
+    found = found || keep;
+    const T ratio = so * inv_si, flatter = ci * inv_si;
+    const T slope = li + lo * ratio * ratio * ratio + (2.0 / 3.0) * approach * flatter * flatter;
+    const T next = ci - excess / slope;
+    open = open && possible && !close && next > lowest && finite(next);
+    ci = min(max(next, lowest), highest);
+  }
+  return found;
+}
+
 /// What remains is one equation in cot αi, that the radial distances fill the radial distance of
 /// the groove centres; it is solved by a bracketing secant. False where it has no root: no
 /// equilibrium under pure thrust. Lanes that have their root keep it while others go on.
@@ -99,6 +179,8 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
   using std::abs, std::max;
   using M = Mask<T>;
   const T zero(0.0);
+  const M quick = quick_thrust_start<control>(c, free, thrust, start);
+  if (all(quick)) return quick;
   ThrustStatics<control, T> statics(c, thrust);
   const auto excess = [&](const T& cotangent, const M& active) {
     statics.solve(cotangent, active);
@@ -107,13 +189,14 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
   // From flat contact angles (too long) to steep ones (too short). Under inner control statics may
   // become impossible on the way: then there may be no root.
   T high = free.radial / max(free.axial, 0.01 * free.radial);
-  T at_high = excess(high, M(true));
-  for (int i = 0; i < 20 && any(at_high < zero); ++i) {
-    const M flatter = at_high < zero;
+  T at_high = excess(high, !quick);
+  for (int i = 0; i < 20; ++i) {
+    const M flatter = !quick && at_high < zero;
+    if (!any(flatter)) break;
     high = select(flatter, 4.0 * high, high);
     at_high = select(flatter, excess(high, flatter), at_high);
   }
-  const M rooted = at_high >= zero;
+  const M rooted = !quick && at_high >= zero;
   T low = high, at_low = at_high;
   for (int i = 0; i < 80; ++i) {
     const M steeper = rooted && at_low > zero;
@@ -136,9 +219,7 @@ Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const 
     at_high = select(above, value, at_high);
   }
   M open = rooted && at_low <= zero;
-  M found(false);
-  start.axial_displacement = zero;
-  start.ball_centre = {zero, zero};
+  M found = quick;
   for (int i = 0; i < 30 && any(open); ++i) {
     const T secant = high - at_high * (high - low) / (at_high - at_low);
     const T cotangent = select(finite(secant), secant, 0.5 * (low + high));
