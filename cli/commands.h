@@ -13,6 +13,7 @@ using Run = std::function<int()>;
 
 Run setup_solve(CLI::App& command);
 Run setup_table(CLI::App& command);
+Run setup_merge(CLI::App& command);
 Run setup_calibrate(CLI::App& command);
 Run setup_compare(CLI::App& command);
 Run setup_effects(CLI::App& command);

@@ -28,6 +28,7 @@ constexpr std::array commands{
             cli::setup_solve},
     Command{"table", "Stribeck table: friction torque over speed, loads and temperature",
             cli::setup_table},
+    Command{"merge", "Join the slabs of a Stribeck table", cli::setup_merge},
     Command{"calibrate", "Fit the free parameters of a model to measurements",
             cli::setup_calibrate},
     Command{"compare", "How wrong a model is against measurements, and where", cli::setup_compare},
