@@ -1,13 +1,33 @@
 #include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <tbb/global_control.h>
-
 #include "bearing/bearing_equilibrium.h"
+#include "bearing/ring_newton.h"
 #include "bearing/solve_many.h"
+#include "bearing/thrust_start.h"
+#include "bench/counted.h"
+#include "bench/limit_kernel.h"
+
+namespace raceway::limit {
+
+void do_operations(bearing::InstructionSet set, const Operations& each, long count) {
+  switch (set) {
+    case bearing::InstructionSet::sse2:
+      return do_sse2(each, count);
+    case bearing::InstructionSet::avx2:
+      return do_avx2(each, count);
+    case bearing::InstructionSet::avx512:
+      return do_avx512(each, count);
+  }
+}
+
+}  // namespace raceway::limit
 
 namespace {
 
@@ -116,7 +136,68 @@ void register_many(const char* name, const OperatingPoint& point,
     if (available(set)) add(cold + "_" + std::string(bearing::name(set)), set, 1);
 }
 
+/// What Newton's method computes for `point`, counted in its own code, per ball and step.
+limit::Operations operations(const OperatingPoint& point, const EquilibriumOptions& options) {
+  using limit::Counted;
+  RingPoint<double> ring = unloaded_point(spindle_bearing(), options);
+  set_operating_point(ring, spindle_bearing(), point, options);
+  const BallCircle circle = ball_circle(spindle_bearing(), point);
+  ThrustStart<double> start;
+  if (!thrust_start(options.race_control, ring.ball, ring.free, point.axial_load / circle.count,
+                    start))
+    throw std::runtime_error("no thrust start");
+  RingNewton<Counted> newton;
+  set_lane(newton.point, 0, ring);
+  newton.resize(static_cast<std::size_t>(circle.used()));
+  for (Counted& q : newton.trial_ring) q = 0.0;
+  newton.trial_ring[0] = start.axial_displacement;
+  for (auto& x : newton.trial_balls) x = {start.ball_centre.axial, start.ball_centre.radial};
+  newton.begin(0);
+  const NewtonLimits limits{.tolerance = options.tolerance, .steps = 40};
+  // The first step is left out: there all balls are alike, and computed once.
+  const auto pass = [&] {
+    return newton.pass<BallModel::outer_control, Coordinates<0, 1, 4>>(circle, limits).converged;
+  };
+  (void)pass();
+  Counted::roots = Counted::divisions = Counted::products = Counted::sums = 0;
+  long steps = 0;
+  for (bool converged = false; !converged && steps < 40; ++steps) converged = pass();
+  const long balls = steps * circle.used();
+  return {.roots = Counted::roots / balls,
+          .divisions = Counted::divisions / balls,
+          .fused = std::max(Counted::products, Counted::sums) / balls};
+}
+
+/// The same arithmetic as solve/5dof_20_balls/batch_cold, without dependencies.
+void run_limit(benchmark::State& state, InstructionSet set) {
+  const limit::Operations each = operations(combined, free_tilt);
+  const std::vector<OperatingPoint> points = points_like(combined, 4096);
+  std::vector<BearingEquilibrium> results(points.size());
+  solve_many(spindle_bearing(), points, results, free_tilt);
+  long passes = 0;
+  double residual = 0.0;
+  for (const BearingEquilibrium& e : results) {
+    passes += e.report.iterations + 1;
+    residual = std::fmax(residual, e.report.residual);
+  }
+  const long lanes = set == InstructionSet::avx512 ? 8 : set == InstructionSet::avx2 ? 4 : 2;
+  const long balls = passes * ball_circle(spindle_bearing(), combined).used();
+  for (auto _ : state) limit::do_operations(set, each, balls / lanes);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+  state.counters["iterations"] =
+      static_cast<double>(passes) / static_cast<double>(points.size()) - 1.0;
+  state.counters["residual"] = residual;
+  state.counters["square_roots"] = static_cast<double>(each.roots);
+  state.counters["divisions"] = static_cast<double>(each.divisions);
+  state.counters["fused_multiply_adds"] = static_cast<double>(each.fused);
+}
+
 const bool registered = [] {
+  benchmark::RegisterBenchmark("limit/5dof_20_balls", run_limit, best_instruction_set());
+  for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2})
+    if (available(set))
+      benchmark::RegisterBenchmark(
+          ("limit/5dof_20_balls_" + std::string(bearing::name(set))).c_str(), run_limit, set);
   register_many("thrust", thrust, locked);
   register_many("locked_20_balls", combined, locked);
   register_many("5dof_20_balls", combined, free_tilt);
