@@ -290,7 +290,8 @@ TEST(StribeckTable, ThreadsDoNotChangeADigit) {
 
 TEST(StribeckTable, SlabsTogetherAreTheTable) {
   const TableAxes axes{range(0, 1, 23), range(100, 1, 5), {0, 50, 90}, {300, 310}};
-  const TableLine line = [](std::span<const OperatingPoint> points, std::span<TablePoint> results) {
+  const friction::TableLine line = [](std::span<const OperatingPoint> points,
+                                      std::span<TablePoint> results) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       results[i].status = bearing::SolveStatus::converged;
       results[i].friction_moment = points[i].speed + points[i].axial_load;
