@@ -96,17 +96,24 @@ std::vector<OperatingPoint> points_like(const OperatingPoint& point, std::size_t
   return points;
 }
 
+/// How a batch is made up.
+struct Many {
+  InstructionSet set = best_instruction_set();
+  std::size_t threads = 1;
+  std::size_t points = 1024;  ///< results stay in the cache, as a caller's pieces do
+  int balls = 20;
+};
+
 void run_many(benchmark::State& state, const OperatingPoint& point,
-              const EquilibriumOptions& options, InstructionSet set, std::size_t threads) {
-  if (!available(set)) {
-    state.SkipWithError("this machine has no such instructions");
-    return;
-  }
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  const std::vector<OperatingPoint> points = points_like(point, 4096);
+              const EquilibriumOptions& options, const Many& many) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, many.threads);
+  BearingGeometry geometry = spindle_bearing().geometry();
+  geometry.ball_count = many.balls;
+  const Bearing made(geometry, steel(), steel());
+  const std::vector<OperatingPoint> points = points_like(point, many.points);
   std::vector<BearingEquilibrium> results(points.size());
   for (auto _ : state) {
-    solve_many(spindle_bearing(), points, results, options, set);
+    solve_many(made, points, results, options, many.set);
     benchmark::DoNotOptimize(results.data());
   }
   double steps = 0.0, residual = 0.0, load_error = 0.0;
@@ -124,16 +131,17 @@ void run_many(benchmark::State& state, const OperatingPoint& point,
 
 void register_many(const char* name, const OperatingPoint& point,
                    const EquilibriumOptions& options) {
-  const std::string base = std::string("solve/") + name + "/batch";
-  const auto add = [&](const std::string& suffix, InstructionSet set, std::size_t threads) {
-    benchmark::RegisterBenchmark((base + suffix).c_str(), run_many, point, options, set, threads)
-        ->UseRealTime();
+  const bool is_thrust = std::string(name) == "thrust";
+  const std::string base = std::string("solve/") + name + (is_thrust ? "/batch" : "/batch_cold");
+  const auto add = [&](const std::string& suffix, const Many& many) {
+    auto* const made =
+        benchmark::RegisterBenchmark((base + suffix).c_str(), run_many, point, options, many);
+    if (many.threads > 1) made->UseRealTime();
   };
-  const std::string cold = std::string(name) == "thrust" ? "" : "_cold";
-  add(cold, best_instruction_set(), 1);
-  add(cold + "_2_threads", best_instruction_set(), 2);
+  add("", {});
+  add("_2_threads", {.threads = 2, .points = 8192});
   for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2})
-    if (available(set)) add(cold + "_" + std::string(bearing::name(set)), set, 1);
+    if (available(set)) add("_" + std::string(bearing::name(set)), {.set = set});
 }
 
 /// What Newton's method computes for `point`, counted in its own code, per ball and step.
@@ -171,7 +179,7 @@ limit::Operations operations(const OperatingPoint& point, const EquilibriumOptio
 /// The same arithmetic as solve/5dof_20_balls/batch_cold, without dependencies.
 void run_limit(benchmark::State& state, InstructionSet set) {
   const limit::Operations each = operations(combined, free_tilt);
-  const std::vector<OperatingPoint> points = points_like(combined, 4096);
+  const std::vector<OperatingPoint> points = points_like(combined, 1024);
   std::vector<BearingEquilibrium> results(points.size());
   solve_many(spindle_bearing(), points, results, free_tilt);
   long passes = 0;
@@ -202,6 +210,13 @@ const bool registered = [] {
   register_many("locked_20_balls", combined, locked);
   register_many("5dof_20_balls", combined, free_tilt);
   register_many("5dof_20_balls_oblique", oblique, free_tilt);
+  // How cost grows.
+  for (const std::size_t points : {1, 8, 64, 512, 4096, 32768})
+    benchmark::RegisterBenchmark(("grow/points_" + std::to_string(points)).c_str(), run_many,
+                                 combined, free_tilt, Many{.points = points});
+  for (const int balls : {8, 12, 16, 20, 23})
+    benchmark::RegisterBenchmark(("grow/balls_" + std::to_string(balls)).c_str(), run_many,
+                                 combined, free_tilt, Many{.points = 1024, .balls = balls});
   return true;
 }();
 
