@@ -9,6 +9,7 @@
 
 // Included by one source for each instruction set. What is compiled with the flags of that set must
 // not be taken by the linker for another: here all functions are named by T, or always inlined.
+// (Not so xsimd's reduction of very large angles, which contact angles never reach.)
 namespace raceway::bearing {
 
 /// Memory of a kernel, kept between calls. One per thread.
