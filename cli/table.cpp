@@ -204,7 +204,7 @@ int run(const Flags& flags) {
   std::function<void(double)> progress;
   if (isatty(STDERR_FILENO) != 0 && points >= 20000) progress = show_progress;
   const friction::StribeckTable table = friction::build_stribeck_table(
-      grid, columns(model), [&](auto points, auto out) { fill_line(model, points, out); }, progress,
+      grid, columns(model), [&](auto given, auto out) { fill_line(model, given, out); }, progress,
       part);
   if (to_file) {
     io::write_text(flags.output, io::table_text(table, model.name, file.text), if_exists);
