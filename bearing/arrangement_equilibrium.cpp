@@ -107,9 +107,11 @@ BearingInSet bearing_in_set(const ShaftSystem& system, const Bearing& bearing,
   b.axial_load = share.force;
   b.displacement = system.displacement(state, i);
   b.axial_stiffness = share.stiffness;
-  b.ball = ball_report(share.ball, a, state.balls[i], system.at_rest(),
-                       bearing.geometry().ball_diameter);
-  b.ball.azimuth = 0.0;
+  const Plane x = state.balls[i];
+  const double diameter = bearing.geometry().ball_diameter;
+  b.ball = ball_equilibrium(system.at_rest() ? ball_report<true>(share.ball, a, x, diameter)
+                                             : ball_report<false>(share.ball, a, x, diameter),
+                            0.0);
   b.inner_pressure = bearing.contact(Race::inner).peak_pressure(share.ball.inner_load);
   b.outer_pressure = bearing.contact(Race::outer).peak_pressure(share.ball.outer_load);
   b.minimum_load = minimum_load(bearing, share.ball.centrifugal);

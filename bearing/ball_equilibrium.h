@@ -5,37 +5,49 @@
 
 #include "bearing/bearing.h"
 #include "bearing/kinematics.h"
+#include "bearing/lanes.h"
 
+// Templates here take their number type from lanes.h: one ball, or the same ball of several
+// operating points side by side. Without suffix is what one ball in doubles is called.
 namespace raceway::bearing {
 
 /// Plane vector (axial, radial) in the plane of one ball.
-struct Plane {
-  double axial = 0.0;
-  double radial = 0.0;
-  bool operator==(const Plane&) const = default;
+template <typename T>
+struct PlaneOf {
+  T axial = T(0.0);
+  T radial = T(0.0);
+  bool operator==(const PlaneOf&) const = default;
 };
+using Plane = PlaneOf<double>;
 
 /// What all balls of a bearing share at one speed.
-struct BallConstants {
-  double inner_radius;      ///< (f_i - 0.5) D: groove centre to ball centre without load [m]
-  double outer_radius;      ///< (f_o - 0.5) D [m]
-  double inner_stiffness;   ///< K_i [N/m^1.5]
-  double outer_stiffness;   ///< K_o [N/m^1.5]
-  double diameter_ratio;    ///< g = D/d_m [1]
-  double full_centrifugal;  ///< C = m d_m ω²/2: centrifugal force of a ball that orbits at ω [N]
-  double gyroscopic;        ///< 1, or 0 for a ball without gyroscopic moment [1]
+template <typename T>
+struct BallConstantsOf {
+  T inner_radius;      ///< (f_i - 0.5) D: groove centre to ball centre without load [m]
+  T outer_radius;      ///< (f_o - 0.5) D [m]
+  T inner_stiffness;   ///< K_i [N/m^1.5]
+  T outer_stiffness;   ///< K_o [N/m^1.5]
+  T diameter_ratio;    ///< g = D/d_m [1]
+  T full_centrifugal;  ///< C = m d_m ω²/2: centrifugal force of a ball that orbits at ω [N]
+  T gyroscopic;        ///< 1, or 0 for a ball without gyroscopic moment [1]
+};
+
+struct BallConstants : BallConstantsOf<double> {
   RaceControl race_control;
 };
 
+/// C = m d_m ω²/2 [N].
+[[nodiscard]] double full_centrifugal(const Bearing& bearing, double speed);
 [[nodiscard]] BallConstants ball_constants(const Bearing& bearing, double speed,
                                            RaceControl race_control, bool gyroscopic_moment);
 
 /// Contact loads and forces of one ball.
-struct BallForces {
-  double inner_load, outer_load;          ///< Qi, Qo [N]
-  double inner_friction, outer_friction;  ///< Ti, To [N]
-  double centrifugal;                     ///< Fc [N]
-  double inner_approach, outer_approach;  ///< δi, δo [m]
+template <typename T>
+struct BallForcesOf {
+  T inner_load, outer_load;          ///< Qi, Qo [N]
+  T inner_friction, outer_friction;  ///< Ti, To [N]
+  T centrifugal;                     ///< Fc [N]
+  T inner_approach, outer_approach;  ///< δi, δo [m]
 };
 
 /// Imbalance of one ball and what it does to the inner ring, with all first derivatives.
@@ -60,86 +72,148 @@ struct BallForces {
 /// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18) together give the wrong sign.
 /// A ball that has lost the inner race (δi <= 0) is under outer control and pushes on nothing.
 /// The race control jumps there when it is `inner`, so a load can fall into a gap without balance.
-struct BallBalance : BallForces {
-  Plane imbalance;      ///< r [N]
-  Plane force;          ///< f [N]
-  double moment_force;  ///< f_m [N]
+template <typename T>
+struct BallBalanceOf : BallForcesOf<T> {
+  PlaneOf<T> imbalance;  ///< r [N]
+  PlaneOf<T> force;      ///< f [N]
+  T moment_force;        ///< f_m [N]
   // Row-major 2x2 blocks: derivatives with respect to (axial, radial).
-  double r_a[4];  ///< ∂r/∂A at fixed X [N/m]
-  double r_x[4];  ///< ∂r/∂X at fixed A [N/m]
-  double f_a[6];  ///< ∂(f, f_m)/∂A at fixed X, 3x2 [N/m]
-  double f_x[6];  ///< ∂(f, f_m)/∂X at fixed A, 3x2 [N/m]
+  T r_a[4];  ///< ∂r/∂A at fixed X [N/m]
+  T r_x[4];  ///< ∂r/∂X at fixed A [N/m]
+  T f_a[6];  ///< ∂(f, f_m)/∂A at fixed X, 3x2 [N/m]
+  T f_x[6];  ///< ∂(f, f_m)/∂X at fixed A, 3x2 [N/m]
 };
+using BallBalance = BallBalanceOf<double>;
 
 /// Who decides whether a ball touches the inner race. `automatic` is the physics; the other two
 /// hold one side of the switch while a solver looks for a solution there. A `kept` contact may
 /// pull: Q = K δ |δ|^0.5, smooth through zero; such a solution counts only if no contact pulls.
 enum class InnerContact : signed char { automatic, kept, lost };
 
+/// Sines and cosines of both contact angles, and 1/(1 + cos(αi - αo)).
+template <typename T>
+struct ContactAngles {
+  T si, ci, so, co;
+  T cos_difference, sin_difference;  ///< of αi - αo
+  T inv;
+};
+
+/// What race control decides: orbital speed ratio m = ω_m/ω, frictions Ti and To, and how they
+/// follow the contact angles (_i, _o: per radian of αi, αo).
+template <typename T>
+struct RaceLaw {
+  T m, m_i, m_o;
+  T fc, fc_i, fc_o;
+  T ti, ti_i, ti_o;
+  T to, to_i, to_o;
+};
+
+template <typename T>
+[[gnu::always_inline]] inline void add_centrifugal(const BallConstantsOf<T>& c, RaceLaw<T>& law) {
+  const T full = c.full_centrifugal, twice = 2.0 * full * law.m;
+  law.fc = full * law.m * law.m;
+  law.fc_i = twice * law.m_i;
+  law.fc_o = twice * law.m_o;
+}
+
+template <typename T>
+[[nodiscard, gnu::always_inline]] inline RaceLaw<T> outer_race_law(const BallConstantsOf<T>& c,
+                                                                   const ContactAngles<T>& a) {
+  const T g = c.diameter_ratio;
+  RaceLaw<T> law;
+  law.m = (1.0 - g * a.ci) * a.inv;
+  law.m_i = (g * a.si + law.m * a.sin_difference) * a.inv;
+  law.m_o = -law.m * a.sin_difference * a.inv;
+  add_centrifugal(c, law);
+  law.ti = law.ti_i = law.ti_o = T(0.0);
+  const T scale = 0.4 * c.gyroscopic;
+  law.to = scale * law.fc * a.so;
+  law.to_i = scale * law.fc_i * a.so;
+  law.to_o = scale * (law.fc_o * a.so + law.fc * a.co);
+  return law;
+}
+
+template <typename T>
+[[nodiscard, gnu::always_inline]] inline RaceLaw<T> inner_race_law(const BallConstantsOf<T>& c,
+                                                                   const ContactAngles<T>& a) {
+  const T g = c.diameter_ratio;
+  const T turn = a.sin_difference * (1.0 + g * a.co) * a.inv;
+  RaceLaw<T> law;
+  law.m = (a.cos_difference - g * a.co) * a.inv;
+  law.m_i = -turn * a.inv;
+  law.m_o = (turn + g * a.so) * a.inv;
+  add_centrifugal(c, law);
+  const T scale = 0.2 * c.full_centrifugal * c.gyroscopic;
+  const T slope = scale * (1.0 - 2.0 * law.m) * a.si;
+  const T couple = scale * law.m * (1.0 - law.m);
+  law.ti = law.to = couple * a.si;
+  law.ti_i = law.to_i = slope * law.m_i + couple * a.ci;
+  law.ti_o = law.to_o = slope * law.m_o;
+  return law;
+}
+
+/// The law of a ball whose inner contact may be lost in some lanes and then is under outer control.
+template <RaceControl control, typename T>
+[[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
+                                                             const ContactAngles<T>& a,
+                                                             const Mask<T>& touches) {
+  if constexpr (control == RaceControl::outer) {
+    return outer_race_law(c, a);
+  } else if constexpr (is_scalar<T>) {
+    return touches ? inner_race_law(c, a) : outer_race_law(c, a);
+  } else {
+    const RaceLaw<T> in = inner_race_law(c, a), out = outer_race_law(c, a);
+    const auto of = [&](T RaceLaw<T>::*x) { return select(touches, in.*x, out.*x); };
+    using L = RaceLaw<T>;
+    return {of(&L::m),  of(&L::m_i),  of(&L::m_o),  of(&L::fc), of(&L::fc_i), of(&L::fc_o),
+            of(&L::ti), of(&L::ti_i), of(&L::ti_o), of(&L::to), of(&L::to_i), of(&L::to_o)};
+  }
+}
+
 /// The balance of a ball, written once for both race controls; `control` is that of the constants.
-template <RaceControl control>
-[[nodiscard, gnu::always_inline]] inline BallBalance ball_balance_under(const BallConstants& c,
-                                                                        Plane groove_centre,
-                                                                        Plane ball_centre,
-                                                                        double moment_arm_ratio,
-                                                                        InnerContact contact) {
-  const double x1 = ball_centre.axial, x2 = ball_centre.radial;
-  const double v1 = groove_centre.axial - x1, v2 = groove_centre.radial - x2;
-  const double outer_length = std::sqrt(x1 * x1 + x2 * x2);
-  const double inner_length = std::sqrt(v1 * v1 + v2 * v2);
-  const double inv_lo = 1.0 / outer_length, inv_li = 1.0 / inner_length;
-  const double so = x1 * inv_lo, co = x2 * inv_lo;
-  const double si = v1 * inv_li, ci = v2 * inv_li;
+template <RaceControl control, typename T>
+[[nodiscard, gnu::always_inline]] inline BallBalanceOf<T> ball_balance_under(
+    const BallConstantsOf<T>& c, const PlaneOf<T>& groove_centre, const PlaneOf<T>& ball_centre,
+    const T& moment_arm_ratio, InnerContact contact) {
+  using std::abs, std::max, std::sqrt;
+  const T x1 = ball_centre.axial, x2 = ball_centre.radial;
+  const T v1 = groove_centre.axial - x1, v2 = groove_centre.radial - x2;
+  const T outer_length = sqrt(x1 * x1 + x2 * x2);
+  const T inner_length = sqrt(v1 * v1 + v2 * v2);
+  // One division for 1/|X|, 1/|V| and 1/(1 + cos(αi - αo)).
+  const T product = outer_length * inner_length, along = x1 * v1 + x2 * v2;
+  const T both = product + along;
+  const T reciprocal = 1.0 / (product * both);
+  const T inv_product = both * reciprocal;
+  const T inv_lo = inner_length * inv_product, inv_li = outer_length * inv_product;
+  const T si = v1 * inv_li, ci = v2 * inv_li;
+  const T so = x1 * inv_lo, co = x2 * inv_lo;
 
-  const double delta_o = outer_length - c.outer_radius;
-  const double delta_i = inner_length - c.inner_radius;
-  const double root_o = std::sqrt(std::max(delta_o, 0.0));
-  const bool touches =
-      contact == InnerContact::kept || (contact == InnerContact::automatic && delta_i > 0.0);
-  const double root_i = touches ? std::sqrt(std::abs(delta_i)) : 0.0;
-  const double ko = 1.5 * c.outer_stiffness * root_o;  // dQ/dδ
-  const double ki = 1.5 * c.inner_stiffness * root_i;
-  const double qo = c.outer_stiffness * root_o * root_o * root_o;
-  const double qi = c.inner_stiffness * root_i * delta_i;
+  const T delta_o = outer_length - c.outer_radius;
+  const T delta_i = inner_length - c.inner_radius;
+  const T root_o = sqrt(max(delta_o, T(0.0)));
+  const Mask<T> touches = contact == InnerContact::automatic
+                              ? delta_i > T(0.0)
+                              : Mask<T>(contact == InnerContact::kept);
+  const T root_i = select(touches, sqrt(abs(delta_i)), T(0.0));
+  const T ko = 1.5 * c.outer_stiffness * root_o;  // dQ/dδ
+  const T ki = 1.5 * c.inner_stiffness * root_i;
+  const T qo = c.outer_stiffness * root_o * root_o * root_o;
+  const T qi = c.inner_stiffness * root_i * delta_i;
 
-  // Orbital speed ratio m and its derivatives by the two contact angles.
-  const double cd = ci * co + si * so;
-  const double sd = si * co - ci * so;
-  const double inv = 1.0 / (1.0 + cd);
-  const double g = c.diameter_ratio;
-  const bool inner_control = control == RaceControl::inner && touches;
-  double m, m_i, m_o;
-  if (inner_control) {
-    m = (cd - g * co) * inv;
-    m_i = -sd * (1.0 + g * co) * inv * inv;
-    m_o = (sd * (1.0 + g * co) * inv + g * so) * inv;
-  } else {
-    m = (1.0 - g * ci) * inv;
-    m_i = (g * si + m * sd) * inv;
-    m_o = -m * sd * inv;
-  }
-  const double full = c.full_centrifugal;
-  const double fc = full * m * m;
-  const double fc_i = 2.0 * full * m * m_i, fc_o = 2.0 * full * m * m_o;
+  const ContactAngles<T> angles{.si = si,
+                                .ci = ci,
+                                .so = so,
+                                .co = co,
+                                .cos_difference = along * inv_product,
+                                .sin_difference = (v1 * x2 - v2 * x1) * inv_product,
+                                .inv = product * (product * reciprocal)};
+  const RaceLaw<T> law = race_law<control>(c, angles, touches);
+  const T fc = law.fc, fc_i = law.fc_i, fc_o = law.fc_o;
+  const T ti = law.ti, ti_i = law.ti_i, ti_o = law.ti_o;
+  const T to = law.to, to_i = law.to_i, to_o = law.to_o;
 
-  double ti = 0.0, ti_i = 0.0, ti_o = 0.0, to, to_i, to_o;
-  if (inner_control) {
-    const double scale = 0.2 * full * c.gyroscopic;
-    const double slope = scale * (1.0 - 2.0 * m) * si;
-    ti = scale * m * (1.0 - m) * si;
-    ti_i = slope * m_i + scale * m * (1.0 - m) * ci;
-    ti_o = slope * m_o;
-    to = ti;
-    to_i = ti_i;
-    to_o = ti_o;
-  } else {
-    const double scale = 0.4 * c.gyroscopic;
-    to = scale * fc * so;
-    to_i = scale * fc_i * so;
-    to_o = scale * (fc_o * so + fc * co);
-  }
-
-  BallBalance b;
+  BallBalanceOf<T> b;
   b.force = {qi * si, qi * ci};
   if constexpr (control == RaceControl::inner)
     b.force = {b.force.axial + ti * ci, b.force.radial - ti * si};
@@ -156,19 +230,19 @@ template <RaceControl control>
 
   // With dV = dA - dX: dδi = n_i·dV, dαi = t_i·dV/|V|; with dX alike at the outer contact.
   // f_ai, r_ai: what one radian of αi does to f and to r; f_ao, r_ao: the same of αo.
-  double f_ai_1 = qi * ci, f_ai_2 = -qi * si;
-  double r_ao_1 = to * so - (qo + to_o) * co, r_ao_2 = fc_o + (qo + to_o) * so + to * co;
+  T f_ai_1 = qi * ci, f_ai_2 = -qi * si;
+  T r_ao_1 = to * so - (qo + to_o) * co, r_ao_2 = fc_o + (qo + to_o) * so + to * co;
   if constexpr (control == RaceControl::inner) {
     f_ai_1 += ti_i * ci - ti * si;
     f_ai_2 -= ti_i * si + ti * ci;
     r_ao_1 += ti_o * ci;
     r_ao_2 -= ti_o * si;
   }
-  const double r_ai_1 = f_ai_1 - to_i * co, r_ai_2 = f_ai_2 + fc_i + to_i * so;
-  const double tiv1 = ci * inv_li, tiv2 = -si * inv_li;  // ∂αi/∂V
-  const double tox1 = co * inv_lo, tox2 = -so * inv_lo;  // ∂αo/∂X
+  const T r_ai_1 = f_ai_1 - to_i * co, r_ai_2 = f_ai_2 + fc_i + to_i * so;
+  const T tiv1 = ci * inv_li, tiv2 = -si * inv_li;  // ∂αi/∂V
+  const T tox1 = co * inv_lo, tox2 = -so * inv_lo;  // ∂αo/∂X
 
-  const double n11 = ki * si * si, n12 = ki * si * ci, n22 = ki * ci * ci;
+  const T n11 = ki * si * si, n12 = ki * si * ci, n22 = ki * ci * ci;
   b.f_a[0] = b.f_a[4] = n11 + f_ai_1 * tiv1;
   b.f_a[1] = b.f_a[5] = n12 + f_ai_1 * tiv2;
   b.f_a[2] = n12 + f_ai_2 * tiv1;
@@ -203,21 +277,62 @@ template <RaceControl control>
                                               Plane ball_centre, double moment_arm_ratio,
                                               InnerContact contact = InnerContact::automatic) {
   return c.race_control == RaceControl::outer
-             ? ball_balance_under<RaceControl::outer>(c, groove_centre, ball_centre,
-                                                      moment_arm_ratio, contact)
-             : ball_balance_under<RaceControl::inner>(c, groove_centre, ball_centre,
-                                                      moment_arm_ratio, contact);
+             ? ball_balance_under<RaceControl::outer, double>(c, groove_centre, ball_centre,
+                                                              moment_arm_ratio, contact)
+             : ball_balance_under<RaceControl::inner, double>(c, groove_centre, ball_centre,
+                                                              moment_arm_ratio, contact);
 }
 
 /// A ball of a bearing at rest, between groove centres at distance A: two springs in series on one
 /// line, (1/K)^(2/3) = (1/K_i)^(2/3) + (1/K_o)^(2/3). No ball unknowns are left.
-struct StaticBall {
-  Plane ball_centre;  ///< X [m]
-  Plane force;        ///< f [N]
-  double f_a[4];      ///< df/dA, row-major [N/m]
-  double load;        ///< Q [N], the same at both contacts
+template <typename T>
+struct StaticBallOf {
+  PlaneOf<T> ball_centre;  ///< X [m]
+  PlaneOf<T> force;        ///< f [N]
+  T f_a[4];                ///< df/dA, row-major [N/m]
+  T load;                  ///< Q [N], the same at both contacts
+};
+using StaticBall = StaticBallOf<double>;
+
+/// Two springs in series.
+template <typename T>
+struct SpringPairOf {
+  T stiffness;    ///< K [N/m^1.5]
+  T outer_share;  ///< of the approach, at the outer race [1]
 };
 
-[[nodiscard]] StaticBall static_ball(const BallConstants& constants, Plane groove_centre);
+[[nodiscard]] SpringPairOf<double> spring_pair(const BallConstants& constants);
+
+template <typename T>
+[[nodiscard, gnu::always_inline]] inline StaticBallOf<T> static_ball(const BallConstantsOf<T>& c,
+                                                                     const SpringPairOf<T>& pair,
+                                                                     const PlaneOf<T>& a) {
+  using std::max, std::sqrt;
+  const T length = sqrt(a.axial * a.axial + a.radial * a.radial);
+  const Mask<T> apart = length > T(0.0);
+  const T inv = 1.0 / select(apart, length, T(1.0));
+  const T s = a.axial * inv;
+  const T co = select(apart, a.radial * inv, T(1.0));
+  const T free_length = c.inner_radius + c.outer_radius;
+  const T delta = length - free_length;
+  // Without contact the ball lies where it likes; this keeps it between the grooves.
+  const T outer_length = select(delta > T(0.0), c.outer_radius + delta * pair.outer_share,
+                                length * c.outer_radius / free_length);
+  const T root = sqrt(max(delta, T(0.0)));
+  const T along = 1.5 * pair.stiffness * root;
+  StaticBallOf<T> b;
+  b.ball_centre = {outer_length * s, outer_length * co};
+  b.load = pair.stiffness * root * root * root;
+  b.force = {b.load * s, b.load * co};
+  const T across = b.load * inv;
+  b.f_a[0] = along * s * s + across * co * co;
+  b.f_a[1] = b.f_a[2] = (along - across) * s * co;
+  b.f_a[3] = along * co * co + across * s * s;
+  return b;
+}
+
+[[nodiscard]] inline StaticBall static_ball(const BallConstants& constants, Plane groove_centre) {
+  return static_ball<double>(constants, spring_pair(constants), groove_centre);
+}
 
 }  // namespace raceway::bearing

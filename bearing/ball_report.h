@@ -4,30 +4,56 @@
 
 #include "bearing/ball_equilibrium.h"
 #include "bearing/bearing_equilibrium.h"
+#include "bearing/lanes.h"
 
 namespace raceway::bearing {
 
-/// The report of a ball in balance at X within a groove centred at A; the azimuth is left open.
-[[nodiscard]] inline BallEquilibrium ball_report(const BallForces& f, Plane a, Plane x,
-                                                 bool at_rest, double ball_diameter) {
-  BallEquilibrium ball;
-  const bool touches = f.inner_load > 0.0;
-  if (at_rest) {
-    if (touches)
-      ball.inner_contact_angle = ball.outer_contact_angle = std::atan2(a.axial, a.radial);
+/// A ball in balance as it is reported; see BallEquilibrium.
+template <typename T>
+struct BallReport {
+  T inner_contact_angle, outer_contact_angle;
+  T inner_load, outer_load;
+  T inner_friction, outer_friction;
+  T centrifugal_force, gyroscopic_moment;
+};
+
+/// The report of a ball in balance at X within a groove centred at A; at rest X is not used.
+template <bool at_rest, typename T>
+[[nodiscard, gnu::always_inline]] inline BallReport<T> ball_report(const BallForcesOf<T>& f,
+                                                                   const PlaneOf<T>& a,
+                                                                   const PlaneOf<T>& x,
+                                                                   const T& ball_diameter) {
+  using std::atan2;
+  const T zero(0.0), lost(unset);
+  const Mask<T> touches = f.inner_load > zero;
+  BallReport<T> b;
+  if constexpr (at_rest) {
+    b.inner_contact_angle = b.outer_contact_angle = select(touches, atan2(a.axial, a.radial), lost);
   } else {
-    ball.outer_contact_angle = std::atan2(x.axial, x.radial);
-    if (touches) ball.inner_contact_angle = std::atan2(a.axial - x.axial, a.radial - x.radial);
+    b.outer_contact_angle = atan2(x.axial, x.radial);
+    b.inner_contact_angle = select(touches, atan2(a.axial - x.axial, a.radial - x.radial), lost);
   }
-  ball.inner_load = f.inner_load;
-  ball.outer_load = f.outer_load;
-  ball.inner_friction = f.inner_friction;
-  ball.outer_friction = f.outer_friction;
-  ball.centrifugal_force = f.centrifugal;
+  b.inner_load = f.inner_load;
+  b.outer_load = f.outer_load;
+  b.inner_friction = f.inner_friction;
+  b.outer_friction = f.outer_friction;
+  b.centrifugal_force = f.centrifugal;
   // λo is 1 where the inner race shares the couple, else 2.
-  const double share = f.inner_friction != 0.0 ? 1.0 : 0.5;
-  ball.gyroscopic_moment = share * f.outer_friction * ball_diameter;
-  return ball;
+  b.gyroscopic_moment = select(f.inner_friction != zero, f.outer_friction * ball_diameter,
+                               0.5 * f.outer_friction * ball_diameter);
+  return b;
+}
+
+[[nodiscard]] inline BallEquilibrium ball_equilibrium(const BallReport<double>& b, double azimuth) {
+  return {.azimuth = azimuth,
+          .inner_contact_angle = b.inner_contact_angle,
+          .outer_contact_angle = b.outer_contact_angle,
+          .inner_load = b.inner_load,
+          .outer_load = b.outer_load,
+          .inner_friction = b.inner_friction,
+          .outer_friction = b.outer_friction,
+          .centrifugal_force = b.centrifugal_force,
+          .gyroscopic_moment = b.gyroscopic_moment};
 }
 
 }  // namespace raceway::bearing

@@ -16,6 +16,7 @@ Bearing::Bearing(const BearingGeometry& geometry, const Material& balls, const M
   ball_mass_ = balls_.density * pi / 6.0 * d * d * d;
   for (int k = 0; k < geometry_.ball_count; ++k) {
     const double azimuth = 2.0 * pi * k / geometry_.ball_count;
+    azimuth_.push_back(azimuth);
     cos_azimuth_.push_back(std::cos(azimuth));
     sin_azimuth_.push_back(std::sin(azimuth));
   }

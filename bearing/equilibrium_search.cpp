@@ -44,8 +44,8 @@ class Search {
  private:
   /// Every ball where pure thrust would put it.
   bool start_from_thrust(double axial_load, RingState& state) const {
-    ThrustStart start;
-    if (!thrust_start(constants(), system_.free_groove_centre(),
+    ThrustStart<double> start;
+    if (!thrust_start(race_control(), constants(), system_.free_groove_centre(),
                       axial_load / system_.geometry().ball_count, start))
       return false;
     state.ring.setZero();
@@ -122,7 +122,6 @@ class Search {
     }
     system_.contacts.clear();
     system_.newton_limit = 40;
-    if (found) system_.assemble_solution(state);
     return found;
   }
 
@@ -209,8 +208,9 @@ class Search {
     double carrying = system_.geometry().ball_count;
     for (std::size_t lost = 1; lost < n; ++lost) {
       carrying -= system_.weight(order[lost - 1].second);
-      ThrustStart start;
-      if (!thrust_start(constants(), system_.free_groove_centre(), axial_load / carrying, start))
+      ThrustStart<double> start;
+      if (!thrust_start(race_control(), constants(), system_.free_groove_centre(),
+                        axial_load / carrying, start))
         continue;
       for (const bool keep_ring : {true, false}) {
         state = last;
@@ -312,8 +312,9 @@ class Search {
     return state;
   }
 
-  const BallConstants& constants() const { return system_.constants(); }
-  const Vector5& load() const { return system_.load(); }
+  const BallConstantsOf<double>& constants() const { return system_.constants(); }
+  RaceControl race_control() const { return system_.options().race_control; }
+  Vector5 load() const { return system_.load(); }
   double load_per_ball() const { return system_.load_scale() / system_.geometry().ball_count; }
 
   RingSystem& system_;

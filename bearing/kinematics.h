@@ -19,7 +19,7 @@ enum class RaceControl { outer, inner };
 /// Source: [Harris2006, vol. 2, ch. 5; Jones1960]. For αi = αo = α both give (1 - g cos α)/2.
 template <typename T>
 T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
-                   const T& cos_difference, double g) {
+                   const T& cos_difference, const T& g) {
   if (control == RaceControl::outer) return (1.0 - g * cos_inner) / (1.0 + cos_difference);
   return (cos_difference - g * cos_outer) / (1.0 + cos_difference);
 }
@@ -44,24 +44,39 @@ struct BallSpeeds {
 ///
 /// Source: [Harris2006, vol. 2, ch. 5]; the reduced forms follow by inserting tan β and agree with
 /// the general formula to rounding (tested).
-[[nodiscard]] inline BallSpeeds ball_speeds(RaceControl control, double inner_contact_angle,
-                                            double outer_contact_angle, double diameter_ratio,
-                                            double speed) {
+///
+/// First without the attitude, which takes an arc tangent that not all need.
+struct BallRotation {
+  double cage_speed;                          ///< ω_m [rad/s]
+  double along, across;                       ///< ω_R along and across the bearing axis [rad/s]
+  double inner_spin_speed, outer_spin_speed;  ///< magnitudes [rad/s]
+};
+
+[[nodiscard]] inline BallRotation ball_rotation(RaceControl control, double inner_contact_angle,
+                                                double outer_contact_angle, double diameter_ratio,
+                                                double speed) {
   const double g = diameter_ratio;
   const double si = std::sin(inner_contact_angle), ci = std::cos(inner_contact_angle);
   const double so = std::sin(outer_contact_angle), co = std::cos(outer_contact_angle);
   const double cage = speed * cage_speed_ratio(control, ci, co, ci * co + si * so, g);
   const bool outer = control == RaceControl::outer;
-  // Components of the ball's rotation along and across the bearing axis.
   const double along = outer ? cage * (co + g) / g : (speed - cage) * (ci - g) / g;
   const double across = outer ? cage * so / g : (speed - cage) * si / g;
   const double inner_spin = si * along - ci * across + (speed - cage) * si;
   const double outer_spin = -(so * along - co * across) + cage * so;
-  return {.cage_speed = cage,
-          .ball_speed = std::hypot(along, across),
-          .pitch_angle = std::atan2(across, along),
-          .inner_spin_speed = std::abs(inner_spin),
-          .outer_spin_speed = std::abs(outer_spin)};
+  return {cage, along, across, std::abs(inner_spin), std::abs(outer_spin)};
+}
+
+[[nodiscard]] inline BallSpeeds ball_speeds(RaceControl control, double inner_contact_angle,
+                                            double outer_contact_angle, double diameter_ratio,
+                                            double speed) {
+  const BallRotation r =
+      ball_rotation(control, inner_contact_angle, outer_contact_angle, diameter_ratio, speed);
+  return {.cage_speed = r.cage_speed,
+          .ball_speed = std::hypot(r.along, r.across),
+          .pitch_angle = std::atan2(r.across, r.along),
+          .inner_spin_speed = r.inner_spin_speed,
+          .outer_spin_speed = r.outer_spin_speed};
 }
 
 }  // namespace raceway::bearing

@@ -23,7 +23,7 @@ struct BearingShare {
   double imbalance = 0.0;  ///< of the ball, squared and scaled [1]
   double own[2] = {};      ///< step of the ball for a ring at rest [m]
   double follow[2] = {};   ///< step of the ball per axial step of its groove centre [1]
-  BallForces ball{};
+  BallForcesOf<double> ball{};
 };
 
 struct ShaftAssembly {

@@ -1,29 +1,255 @@
 #pragma once
 
 #include "bearing/ball_equilibrium.h"
+#include "bearing/lanes.h"
 
 namespace raceway::bearing {
 
 /// Where pure thrust puts every ball, to a few digits: the start of all other solves.
+template <typename T>
 struct ThrustStart {
-  double axial_displacement = 0.0;  ///< of the inner ring [m]
-  Plane ball_centre;                ///< X [m]
+  T axial_displacement;    ///< of the inner ring [m]
+  PlaneOf<T> ball_centre;  ///< X [m]
 };
 
-/// Given the inner contact angle, statics gives both contact loads and the outer angle:
+/// Statics of a ball at a given cotangent of the inner contact angle, under a thrust P:
 ///
 ///   Qi = (P - Ti cos αi)/sin αi,   tan αo = P / (Qi cos αi - Ti sin αi + 1.4 Fc)   (outer control)
+template <RaceControl control, typename T>
+class ThrustStatics {
+ public:
+  ThrustStatics(const BallConstantsOf<T>& constants, const T& thrust)
+      : c_(constants),
+        thrust_(thrust),
+        inner_share_(T(1.0) / constants.inner_stiffness),
+        outer_share_(T(1.0) / constants.outer_stiffness) {}
+
+  /// Starts at the outer angle of the cotangent before. Lanes outside `active` stay as they are.
+  [[gnu::always_inline]] void solve(const T& cotangent, const Mask<T>& active) {
+    using std::abs, std::cbrt, std::sqrt;
+    const T one(1.0), zero(0.0);
+    si_ = one / sqrt(one + cotangent * cotangent);
+    ci_ = cotangent * si_;
+    T qi = zero, qo = zero;
+    Mask<T> possible(true), moving = active;
+    // The speed depends on αo, αo on the speed: a contraction, a few rounds make a good start.
+    for (int round = 0; round < 6 && any(moving); ++round) {
+      const T cd = ci_ * co_ + si_ * so_;
+      const T m = cage_speed_ratio(control, ci_, co_, cd, c_.diameter_ratio);
+      const T fc = c_.full_centrifugal * m * m;
+      T ti = zero;
+      if constexpr (control == RaceControl::inner)
+        ti = 0.2 * c_.full_centrifugal * c_.gyroscopic * m * (one - m) * si_;
+      const T load = (thrust_ - ti * ci_) / si_;
+      const T radial = load * ci_ - ti * si_ + fc;
+      T so, co;
+      Mask<T> valid = load > zero;
+      if constexpr (control == RaceControl::inner) {
+        // P cos αo - R sin αo = To: turn (P, R) back by asin(To/ρ).
+        const T inv = one / sqrt(thrust_ * thrust_ + radial * radial);
+        const T sin_turn = ti * inv;
+        valid = valid && sin_turn < one;
+        const T cos_turn = sqrt(select(valid, one - sin_turn * sin_turn, zero));
+        so = (thrust_ * cos_turn - radial * sin_turn) * inv;
+        co = (radial * cos_turn + thrust_ * sin_turn) * inv;
+      } else {
+        const T turned = radial + 0.4 * fc * c_.gyroscopic;
+        const T inv = one / sqrt(thrust_ * thrust_ + turned * turned);
+        so = thrust_ * inv;
+        co = turned * inv;
+      }
+      possible = possible && (valid || !moving);
+      const Mask<T> update = moving && valid;
+      moving = update && !(abs(so - so_) < T(1e-4));
+      qi = select(update, load, qi);
+      qo = select(update, thrust_ * so + radial * co, qo);
+      so_ = select(update, so, so_);
+      co_ = select(update, co, co_);
+    }
+    possible = possible && qo > zero;
+    const T inner_root = cbrt(select(possible, qi, zero) * inner_share_);
+    const T outer_root = cbrt(select(possible, qo, zero) * outer_share_);
+    possible_ = possible;
+    inner_length_ = c_.inner_radius + inner_root * inner_root;
+    outer_length_ = c_.outer_radius + outer_root * outer_root;
+  }
+
+  [[nodiscard]] Mask<T> possible() const { return possible_; }
+  /// Radial distance of the groove centres [m].
+  [[nodiscard]] T radial_distance() const { return outer_length_ * co_ + inner_length_ * ci_; }
+  [[nodiscard]] T axial_distance() const { return outer_length_ * so_ + inner_length_ * si_; }
+  [[nodiscard]] PlaneOf<T> ball_centre() const {
+    return {outer_length_ * so_, outer_length_ * co_};
+  }
+
+ private:
+  BallConstantsOf<T> c_;
+  T thrust_, inner_share_, outer_share_;
+  Mask<T> possible_ = Mask<T>(false);
+  T si_ = T(0.0), ci_ = T(1.0), so_ = T(0.0), co_ = T(1.0);
+  T inner_length_ = T(unset), outer_length_ = T(unset);  ///< groove centre to ball centre [m]
+};
+
+/// Newton's method for the same in c = cos αi, in which the radial distance is nearly linear:
 ///
-/// with P the thrust per ball. What remains is one equation in cot αi, that the radial distances
-/// fill the radial distance of the groove centres; it is solved by a bracketing secant.
-/// Returns false where that equation has no root: no equilibrium under pure thrust.
-[[nodiscard]] bool thrust_start(const BallConstants& constants, Plane free_groove_centre,
-                                double thrust_per_ball, ThrustStart& start);
+///   d(Lo cos αo + Li c)/dc = Li + Lo (sin αo/sin αi)³ + (2/3) δi c²/sin² αi
+///
+/// (the change of δo left out), the outer angle and the orbital speed following from step to step.
+/// Most loads have it in three or four steps; true in the lanes that do.
+template <RaceControl control, typename T>
+Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
+                           ThrustStart<T>& start) {
+  using std::abs, std::cbrt, std::max, std::min, std::sqrt;
+  using M = Mask<T>;
+  const T one(1.0), zero(0.0), lowest(0.02), highest(0.999);
+  const T inner_share = one / c.inner_stiffness, outer_share = one / c.outer_stiffness;
+  const T inv_thrust = one / thrust;
+  T ci = min(free.radial / sqrt(free.axial * free.axial + free.radial * free.radial), highest);
+  T si(0.0), so(0.0), co(1.0), m = 0.5 * (one - c.diameter_ratio * ci);
+  T inner_root(0.0), outer_root(0.0);
+  M open(true), found(false);
+  start.axial_displacement = zero;
+  start.ball_centre = {zero, zero};
+  for (int i = 0; i < 6 && any(open); ++i) {
+    si = sqrt(one - ci * ci);
+    const T inv_si = one / si;
+    const T fc = c.full_centrifugal * m * m;
+    const T before = so;
+    T qi, radial;
+    M possible(true);
+    if constexpr (control == RaceControl::inner) {
+      // Both races carry the couple; the outer angle as in ThrustStatics.
+      const T ti = 0.2 * c.full_centrifugal * c.gyroscopic * m * (one - m) * si;
+      qi = (thrust - ti * ci) * inv_si;
+      radial = qi * ci - ti * si + fc;
+      const T inv = one / sqrt(thrust * thrust + radial * radial);
+      const T sin_turn = ti * inv;
+      possible = qi > zero && sin_turn < one;
+      const T cos_turn = sqrt(select(possible, one - sin_turn * sin_turn, zero));
+      so = (thrust * cos_turn - radial * sin_turn) * inv;
+      co = (radial * cos_turn + thrust * sin_turn) * inv;
+    } else {
+      qi = thrust * inv_si;
+      radial = qi * ci + fc;
+      const T turned = (radial + 0.4 * fc * c.gyroscopic) * inv_thrust;
+      so = one / sqrt(one + turned * turned);
+      co = turned * so;
+    }
+    const T cd = ci * co + si * so;
+    m = cage_speed_ratio(control, ci, co, cd, c.diameter_ratio);
+    const T inner = max(qi, zero) * inner_share;
+    const T outer = max(thrust * so + radial * co, zero) * outer_share;
+    if (i == 0) {
+      inner_root = cbrt(inner);
+      outer_root = cbrt(outer);
+    } else {
+      // Halley's step from the roots of the step before.
+      const T ri = inner_root * inner_root * inner_root;
+      const T ro = outer_root * outer_root * outer_root;
+      inner_root = inner_root * (ri + 2.0 * inner) / (2.0 * ri + inner);
+      outer_root = outer_root * (ro + 2.0 * outer) / (2.0 * ro + outer);
+    }
+    const T approach = inner_root * inner_root;
+    const T li = c.inner_radius + approach;
+    const T lo = c.outer_radius + outer_root * outer_root;
+    const T excess = lo * co + li * ci - free.radial;
+    // Two bounds on the same error: of the radial distance and of the outer angle.
+    const M close = possible && abs(excess) < 1e-4 * free.radial && abs(so - before) < T(1e-3);
+    const M keep = open && close;
+    start.axial_displacement =
+        select(keep, lo * so + li * si - free.axial, start.axial_displacement);
+    start.ball_centre.axial = select(keep, lo * so, start.ball_centre.axial);
+    start.ball_centre.radial = select(keep, lo * co, start.ball_centre.radial);
+    found = found || keep;
+    const T ratio = so * inv_si, flatter = ci * inv_si;
+    const T slope = li + lo * ratio * ratio * ratio + (2.0 / 3.0) * approach * flatter * flatter;
+    const T next = ci - excess / slope;
+    open = open && possible && !close && next > lowest && finite(next);
+    ci = min(max(next, lowest), highest);
+  }
+  return found;
+}
+
+/// What remains is one equation in cot αi, that the radial distances fill the radial distance of
+/// the groove centres; it is solved by a bracketing secant. False where it has no root: no
+/// equilibrium under pure thrust. Lanes that have their root keep it while others go on.
+template <RaceControl control, typename T>
+Mask<T> thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
+                     ThrustStart<T>& start) {
+  using std::abs, std::max;
+  using M = Mask<T>;
+  const T zero(0.0);
+  const M quick = quick_thrust_start<control>(c, free, thrust, start);
+  if (all(quick)) return quick;
+  ThrustStatics<control, T> statics(c, thrust);
+  const auto excess = [&](const T& cotangent, const M& active) {
+    statics.solve(cotangent, active);
+    return select(statics.possible(), statics.radial_distance() - free.radial, T(unset));
+  };
+  // From flat contact angles (too long) to steep ones (too short). Under inner control statics may
+  // become impossible on the way: then there may be no root.
+  T high = free.radial / max(free.axial, 0.01 * free.radial);
+  T at_high = excess(high, !quick);
+  for (int i = 0; i < 20; ++i) {
+    const M flatter = !quick && at_high < zero;
+    if (!any(flatter)) break;
+    high = select(flatter, 4.0 * high, high);
+    at_high = select(flatter, excess(high, flatter), at_high);
+  }
+  const M rooted = !quick && at_high >= zero;
+  T low = high, at_low = at_high;
+  for (int i = 0; i < 80; ++i) {
+    const M steeper = rooted && at_low > zero;
+    if (!any(steeper)) break;
+    high = select(steeper, low, high);
+    at_high = select(steeper, at_low, at_high);
+    low = select(steeper, select(low > T(0.05), 0.7 * low, low - 0.5), low);
+    at_low = select(steeper, excess(low, steeper), at_low);
+  }
+  // Where the edge of what statics allows lies between low and high: look for a root before it.
+  for (int i = 0; i < 60; ++i) {
+    const M outside = rooted && at_low != at_low;
+    if (!any(outside)) break;
+    const T middle = 0.5 * (low + high);
+    const T value = excess(middle, outside);
+    const M above = outside && value > zero;
+    low = select(outside && !above, middle, low);
+    at_low = select(outside && !above, value, at_low);
+    high = select(above, middle, high);
+    at_high = select(above, value, at_high);
+  }
+  M open = rooted && at_low <= zero;
+  M found = quick;
+  for (int i = 0; i < 30 && any(open); ++i) {
+    const T secant = high - at_high * (high - low) / (at_high - at_low);
+    const T cotangent = select(finite(secant), secant, 0.5 * (low + high));
+    const T value = excess(cotangent, open);
+    const PlaneOf<T> ball = statics.ball_centre();
+    start.axial_displacement =
+        select(open, statics.axial_distance() - free.axial, start.axial_displacement);
+    start.ball_centre.axial = select(open, ball.axial, start.ball_centre.axial);
+    start.ball_centre.radial = select(open, ball.radial, start.ball_centre.radial);
+    found = found || (open && statics.possible());
+    found = found && !(open && !statics.possible());
+    open = open && !(abs(value) < 1e-4 * free.radial || high - low < 1e-9 * (1.0 + abs(high)));
+    // Illinois: halve the value at the end that stays, so that both ends move.
+    const M above = value > zero;
+    high = select(open && above, cotangent, high);
+    low = select(open && !above, cotangent, low);
+    at_low = select(open, select(above, 0.5 * at_low, value), at_low);
+    at_high = select(open, select(above, value, 0.5 * at_high), at_high);
+  }
+  return found;
+}
+
+[[nodiscard]] bool thrust_start(RaceControl control, const BallConstantsOf<double>& constants,
+                                Plane free_groove_centre, double thrust_per_ball,
+                                ThrustStart<double>& start);
 
 /// Ball and inner groove centre at which one ball under inner control pushes on the inner ring with
 /// a given force: tan αi = f_axial / (f_radial + τ), τ = Ti / sin αi, all else from statics.
 /// Returns false where the contact would have to pull.
-[[nodiscard]] bool ball_under_force(const BallConstants& constants, Plane force,
+[[nodiscard]] bool ball_under_force(const BallConstantsOf<double>& constants, Plane force,
                                     Plane& groove_centre, Plane& ball_centre);
 
 }  // namespace raceway::bearing

@@ -1,11 +1,35 @@
 #include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "bearing/arrangement_equilibrium.h"
 #include "bearing/bearing_equilibrium.h"
+#include "bearing/ring_newton.h"
+#include "bearing/solve_many.h"
+#include "bearing/thrust_start.h"
+#include "bench/counted.h"
+#include "bench/limit_kernel.h"
+
+namespace raceway::limit {
+
+void do_operations(bearing::InstructionSet set, const Operations& each, long count) {
+  switch (set) {
+    case bearing::InstructionSet::sse2:
+      return do_sse2(each, count);
+    case bearing::InstructionSet::avx2:
+      return do_avx2(each, count);
+    case bearing::InstructionSet::avx512:
+      return do_avx512(each, count);
+  }
+}
+
+}  // namespace raceway::limit
 
 namespace {
 
@@ -58,6 +82,145 @@ BENCHMARK_CAPTURE(run, free, combined, free_tilt, false)->Name("solve/5dof_20_ba
 BENCHMARK_CAPTURE(run, warm, combined, free_tilt, true)->Name("solve/5dof_20_balls/scalar_warm");
 BENCHMARK_CAPTURE(run, oblique, oblique, free_tilt, false)
     ->Name("solve/5dof_20_balls_oblique/scalar_cold");
+
+/// Points like `point`, the loads and the speed each varied by a tenth.
+std::vector<OperatingPoint> points_like(const OperatingPoint& point, std::size_t count) {
+  std::vector<OperatingPoint> points(count, point);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto vary = [&](std::size_t step) {
+      return 0.9 + 0.2 * static_cast<double>(i * step % count) / static_cast<double>(count);
+    };
+    points[i].speed *= vary(7);
+    points[i].axial_load *= vary(11);
+    points[i].radial_load *= vary(13);
+    points[i].radial_load_z *= vary(13);
+  }
+  return points;
+}
+
+/// How a batch is made up.
+struct Many {
+  InstructionSet set = best_instruction_set();
+  std::size_t threads = 1;
+  std::size_t points = 1024;  ///< results stay in the cache, as a caller's pieces do
+  int balls = 20;
+};
+
+void run_many(benchmark::State& state, const OperatingPoint& point,
+              const EquilibriumOptions& options, const Many& many) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, many.threads);
+  BearingGeometry geometry = spindle_bearing().geometry();
+  geometry.ball_count = many.balls;
+  const Bearing made(geometry, steel(), steel());
+  const std::vector<OperatingPoint> points = points_like(point, many.points);
+  std::vector<BearingEquilibrium> results(points.size());
+  for (auto _ : state) {
+    solve_many(made, points, results, options, many.set);
+    benchmark::DoNotOptimize(results.data());
+  }
+  double steps = 0.0, residual = 0.0, load_error = 0.0;
+  for (const BearingEquilibrium& e : results) {
+    if (!e.report.converged()) state.SkipWithError("not converged");
+    steps += e.report.iterations;
+    residual = std::fmax(residual, e.report.residual);
+    load_error = std::fmax(load_error, e.report.recovered_load_error);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+  state.counters["iterations"] = steps / static_cast<double>(points.size());
+  state.counters["residual"] = residual;
+  state.counters["load_error"] = load_error;
+}
+
+void register_many(const char* name, const OperatingPoint& point,
+                   const EquilibriumOptions& options) {
+  const bool is_thrust = std::string(name) == "thrust";
+  const std::string base = std::string("solve/") + name + (is_thrust ? "/batch" : "/batch_cold");
+  const auto add = [&](const std::string& suffix, const Many& many) {
+    auto* const made =
+        benchmark::RegisterBenchmark((base + suffix).c_str(), run_many, point, options, many);
+    if (many.threads > 1) made->UseRealTime();
+  };
+  add("", {});
+  add("_2_threads", {.threads = 2, .points = 8192});
+  for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2})
+    if (available(set)) add("_" + std::string(bearing::name(set)), {.set = set});
+}
+
+/// What Newton's method computes for `point`, counted in its own code, per ball and step.
+limit::Operations operations(const OperatingPoint& point, const EquilibriumOptions& options) {
+  using limit::Counted;
+  RingPoint<double> ring = unloaded_point(spindle_bearing(), options);
+  set_operating_point(ring, spindle_bearing(), point, options);
+  const BallCircle circle = ball_circle(spindle_bearing(), point);
+  ThrustStart<double> start;
+  if (!thrust_start(options.race_control, ring.ball, ring.free, point.axial_load / circle.count,
+                    start))
+    throw std::runtime_error("no thrust start");
+  RingNewton<Counted> newton;
+  set_lane(newton.point, 0, ring);
+  newton.resize(static_cast<std::size_t>(circle.used()));
+  for (Counted& q : newton.trial_ring) q = 0.0;
+  newton.trial_ring[0] = start.axial_displacement;
+  for (auto& x : newton.trial_balls) x = {start.ball_centre.axial, start.ball_centre.radial};
+  newton.begin(0);
+  const NewtonLimits limits{.tolerance = options.tolerance, .steps = 40};
+  // The first step is left out: there all balls are alike, and computed once.
+  const auto pass = [&] {
+    return newton.pass<BallModel::outer_control, Coordinates<0, 1, 4>>(circle, limits).converged;
+  };
+  (void)pass();
+  Counted::roots = Counted::divisions = Counted::products = Counted::sums = 0;
+  long steps = 0;
+  for (bool converged = false; !converged && steps < 40; ++steps) converged = pass();
+  const long balls = steps * circle.used();
+  return {.roots = Counted::roots / balls,
+          .divisions = Counted::divisions / balls,
+          .fused = std::max(Counted::products, Counted::sums) / balls};
+}
+
+/// The same arithmetic as solve/5dof_20_balls/batch_cold, without dependencies.
+void run_limit(benchmark::State& state, InstructionSet set) {
+  const limit::Operations each = operations(combined, free_tilt);
+  const std::vector<OperatingPoint> points = points_like(combined, 1024);
+  std::vector<BearingEquilibrium> results(points.size());
+  solve_many(spindle_bearing(), points, results, free_tilt);
+  long passes = 0;
+  double residual = 0.0;
+  for (const BearingEquilibrium& e : results) {
+    passes += e.report.iterations + 1;
+    residual = std::fmax(residual, e.report.residual);
+  }
+  const long lanes = set == InstructionSet::avx512 ? 8 : set == InstructionSet::avx2 ? 4 : 2;
+  const long balls = passes * ball_circle(spindle_bearing(), combined).used();
+  for (auto _ : state) limit::do_operations(set, each, balls / lanes);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+  state.counters["iterations"] =
+      static_cast<double>(passes) / static_cast<double>(points.size()) - 1.0;
+  state.counters["residual"] = residual;
+  state.counters["square_roots"] = static_cast<double>(each.roots);
+  state.counters["divisions"] = static_cast<double>(each.divisions);
+  state.counters["fused_multiply_adds"] = static_cast<double>(each.fused);
+}
+
+const bool registered = [] {
+  benchmark::RegisterBenchmark("limit/5dof_20_balls", run_limit, best_instruction_set());
+  for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2})
+    if (available(set))
+      benchmark::RegisterBenchmark(
+          ("limit/5dof_20_balls_" + std::string(bearing::name(set))).c_str(), run_limit, set);
+  register_many("thrust", thrust, locked);
+  register_many("locked_20_balls", combined, locked);
+  register_many("5dof_20_balls", combined, free_tilt);
+  register_many("5dof_20_balls_oblique", oblique, free_tilt);
+  // How cost grows.
+  for (const std::size_t points : {1, 8, 64, 512, 4096, 32768})
+    benchmark::RegisterBenchmark(("grow/points_" + std::to_string(points)).c_str(), run_many,
+                                 combined, free_tilt, Many{.points = points});
+  for (const int balls : {8, 12, 16, 20, 23})
+    benchmark::RegisterBenchmark(("grow/balls_" + std::to_string(balls)).c_str(), run_many,
+                                 combined, free_tilt, Many{.points = 1024, .balls = balls});
+  return true;
+}();
 
 void make_bearing(benchmark::State& state) {
   const Bearing& b = spindle_bearing();

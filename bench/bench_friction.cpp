@@ -1,7 +1,9 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
+#include <atomic>
 #include <cmath>
+#include <mutex>
 
 #include "effects/catalogue.h"
 #include "fit/prediction.h"
@@ -64,7 +66,7 @@ void table_of_1000_points(benchmark::State& state, bool radial) {
     benchmark::DoNotOptimize(table.friction_moment.data());
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(axes.size()));
-  state.counters["iterations_per_point"] = iterations / static_cast<double>(axes.size());
+  state.counters["iterations"] = iterations / static_cast<double>(axes.size());
   state.counters["residual"] = residual;
 }
 BENCHMARK_CAPTURE(table_of_1000_points, thrust, false)
@@ -73,6 +75,51 @@ BENCHMARK_CAPTURE(table_of_1000_points, thrust, false)
 BENCHMARK_CAPTURE(table_of_1000_points, combined, true)
     ->Name("table/1000_combined")
     ->Unit(benchmark::kMillisecond);
+
+/// A table as the command makes it, without the file: 100 speeds, 50 axial and 4 radial loads, 50
+/// temperatures.
+void table_of_a_million(benchmark::State& state, std::size_t threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  const fit::Model model = spindle_model(true);
+  friction::TableAxes axes;
+  for (int i = 1; i <= 100; ++i) axes.speed.push_back(120.0 * i * rpm);
+  for (int i = 1; i <= 50; ++i) axes.axial_load.push_back(30.0 * i);
+  for (int i = 0; i < 50; ++i) axes.temperature.push_back(kelvin(20.0 + i));
+  axes.radial_load = {0.0, 5.0, 10.0, 15.0};
+  std::atomic<long> steps = 0;
+  double residual = 0.0;
+  std::mutex lock;
+  for (auto _ : state) {
+    steps = 0;
+    const auto table = friction::build_stribeck_table(
+        axes, {"inner_contact_angle_deg"}, [&](auto points, auto out) {
+          std::vector<fit::FrictionPrediction> p(points.size());
+          fit::predict_sweep(model, points, p, true);
+          long part = 0;
+          double worst = 0.0;
+          for (std::size_t i = 0; i < p.size(); ++i) {
+            out[i].status = p[i].report.status;
+            out[i].friction_moment = p[i].torque;
+            if (p[i].equilibrium)
+              out[i].columns[0] = p[i].equilibrium->balls[0].inner_contact_angle;
+            part += p[i].report.iterations;
+            worst = std::fmax(worst, p[i].report.residual);
+          }
+          steps += part;
+          const std::lock_guard guard(lock);
+          residual = std::fmax(residual, worst);
+        });
+    benchmark::DoNotOptimize(table.friction_moment.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(axes.size()));
+  state.counters["iterations"] = static_cast<double>(steps) / static_cast<double>(axes.size());
+  state.counters["residual"] = residual;
+}
+BENCHMARK_CAPTURE(table_of_a_million, one, 1)->Name("table/1e6")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(table_of_a_million, two, 2)
+    ->Name("table/1e6_2_threads")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void laws_only(benchmark::State& state) {
   const fit::Model model = spindle_model(false);

@@ -2,22 +2,23 @@
 // that it finds an equilibrium wherever there is one, put to the test.
 //
 //   robustness [--points 1000000] [--seed 1] [--control outer|inner|both] [--scan 300]
-//              [--of bearings|arrangements]
+//              [--mode scalar|batch|both] [--of bearings|arrangements]
 //
+// `--mode batch` solves through solve_many(), `both` also counts where the two disagree.
 // `--scan N` proves up to N of the `no_equilibrium` (loads along y) by a brute-force search that
 // shares nothing of the solver's own search; see equilibrium_scan.h. It is for bearings only.
 
 #include <fmt/core.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdlib>
-#include <mutex>
 #include <string>
 
+#include "bearing/solve_many.h"
 #include "bench/arrangement_domain.h"
 #include "bench/equilibrium_scan.h"
 #include "bench/robustness_domain.h"
@@ -45,14 +46,6 @@ struct Tally {
     most = std::max(most, report.iterations);
     worst_load_error = std::max(worst_load_error, report.recovered_load_error);
   }
-  void add(const Tally& other) {
-    for (std::size_t i = 0; i < status.size(); ++i) status[i] += other.status[i];
-    iterations += other.iterations;
-    in_eight += other.in_eight;
-    most = std::max(most, other.most);
-    worst_load_error = std::max(worst_load_error, other.worst_load_error);
-    without.insert(without.end(), other.without.begin(), other.without.end());
-  }
 };
 
 std::vector<robustness::Size> catalogue_sizes() {
@@ -70,47 +63,101 @@ void show_progress(const char* what, long done, long all) {
     fmt::print(stderr, "\r{} {} of {}{}", what, done, all, done == all ? "\n" : "");
 }
 
-/// Solves all cases of `solve`, which makes a SolveReport of an index.
-template <typename Solve>
-Tally solve_all(const Solve& solve, long points) {
-  constexpr long chunk = 200;
-  Tally total;
-  std::mutex lock;
-  long finished = 0;
-  tbb::parallel_for(0L, (points + chunk - 1) / chunk, [&](long c) {
-    Tally part;
-    for (long i = c * chunk; i < std::min(points, (c + 1) * chunk); ++i) {
-      const auto index = static_cast<std::uint64_t>(i);
-      part.add(index, solve(index));
+/// Cases [first, first + count) with their bearings.
+struct Block {
+  std::vector<robustness::Case> cases;
+  std::vector<bearing::Bearing> bearings;
+
+  Block(const std::vector<robustness::Size>& sizes, RaceControl control, std::uint64_t seed,
+        long first, long count) {
+    for (long i = first; i < first + count; ++i) {
+      cases.push_back(robustness::make_case(sizes, control, seed, static_cast<std::uint64_t>(i)));
+      bearings.emplace_back(cases.back().geometry, bearing::steel(), bearing::steel());
     }
-    const std::lock_guard guard(lock);
-    total.add(part);
-    finished += std::min(points, (c + 1) * chunk) - c * chunk;
-    show_progress("solved", finished, points);
+  }
+};
+
+/// One by one, each from its own cold start.
+void solve_scalar(const Block& block, std::vector<bearing::BearingEquilibrium>& results) {
+  tbb::parallel_for(std::size_t{0}, block.cases.size(), [&](std::size_t i) {
+    results[i] =
+        solve_bearing_equilibrium(block.bearings[i], block.cases[i].point, block.cases[i].options);
   });
-  std::sort(total.without.begin(), total.without.end());
-  return total;
 }
 
-Tally solve_bearings(const std::vector<robustness::Size>& sizes, RaceControl control,
-                     std::uint64_t seed, long points) {
-  return solve_all(
-      [&](std::uint64_t index) {
-        const auto made = robustness::make_case(sizes, control, seed, index);
-        const bearing::Bearing one(made.geometry, bearing::steel(), bearing::steel());
-        return solve_bearing_equilibrium(one, made.point, made.options).report;
-      },
-      points);
+/// Side by side; tilt is an option of a call, so there are two.
+void solve_batch(const Block& block, RaceControl control,
+                 std::vector<bearing::BearingEquilibrium>& results) {
+  for (const bearing::Tilt tilt : {bearing::Tilt::locked, bearing::Tilt::free}) {
+    std::vector<bearing::BearingCase> cases;
+    std::vector<std::size_t> index;
+    for (std::size_t i = 0; i < block.cases.size(); ++i) {
+      if (block.cases[i].options.tilt != tilt) continue;
+      cases.push_back({&block.bearings[i], block.cases[i].point});
+      index.push_back(i);
+    }
+    std::vector<bearing::BearingEquilibrium> solved(cases.size());
+    solve_many(cases, solved, {.race_control = control, .tilt = tilt});
+    for (std::size_t n = 0; n < index.size(); ++n) results[index[n]] = std::move(solved[n]);
+  }
+}
+
+/// Largest difference of two displacements, relative to the larger one.
+double difference(const bearing::BearingEquilibrium& a, const bearing::BearingEquilibrium& b) {
+  return (a.displacement - b.displacement).head<3>().cwiseAbs().maxCoeff() /
+         a.displacement.head<3>().cwiseAbs().maxCoeff();
+}
+
+struct Both {
+  Tally scalar, batch;
+  long other_status = 0, other_state = 0;
+  double worst_difference = 0.0;  ///< of displacements, where both found the same state
+};
+
+Both solve_all(const std::vector<robustness::Size>& sizes, RaceControl control, std::uint64_t seed,
+               long points, bool scalar, bool batch) {
+  constexpr long block_size = 16384;
+  Both all;
+  for (long first = 0; first < points; first += block_size) {
+    const long count = std::min(block_size, points - first);
+    const Block block(sizes, control, seed, first, count);
+    std::vector<bearing::BearingEquilibrium> one(static_cast<std::size_t>(count)), many = one;
+    if (scalar) solve_scalar(block, one);
+    if (batch) solve_batch(block, control, many);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      const auto index = static_cast<std::uint64_t>(first) + i;
+      if (scalar) all.scalar.add(index, one[i].report);
+      if (batch) all.batch.add(index, many[i].report);
+      if (!scalar || !batch) continue;
+      if (one[i].report.status != many[i].report.status) ++all.other_status;
+      if (!one[i].report.converged() || !many[i].report.converged()) continue;
+      const double d = difference(one[i], many[i]);
+      if (d > 1e-6)
+        ++all.other_state;
+      else
+        all.worst_difference = std::max(all.worst_difference, d);
+    }
+    show_progress("solved", first + count, points);
+  }
+  return all;
 }
 
 Tally solve_arrangements(const std::vector<robustness::Size>& sizes, RaceControl control,
                          std::uint64_t seed, long points) {
-  return solve_all(
-      [&](std::uint64_t index) {
-        const auto made = robustness::make_arrangement(sizes, control, seed, index);
-        return solve_arrangement(made.arrangement, made.condition, made.options).report;
-      },
-      points);
+  constexpr long block_size = 16384;
+  Tally total;
+  for (long first = 0; first < points; first += block_size) {
+    const long count = std::min(block_size, points - first);
+    std::vector<bearing::SolveReport> reports(static_cast<std::size_t>(count));
+    const auto index = [&](std::size_t i) { return static_cast<std::uint64_t>(first) + i; };
+    tbb::parallel_for(std::size_t{0}, reports.size(), [&](std::size_t i) {
+      const auto made = robustness::make_arrangement(sizes, control, seed, index(i));
+      reports[i] = solve_arrangement(made.arrangement, made.condition, made.options).report;
+    });
+    for (std::size_t i = 0; i < reports.size(); ++i) total.add(index(i), reports[i]);
+    show_progress("solved", first + count, points);
+  }
+  return total;
 }
 
 struct ScanResult {
@@ -135,9 +182,10 @@ ScanResult scan_some(const std::vector<robustness::Size>& sizes, RaceControl con
   return {static_cast<long>(cases.size()), found};
 }
 
-void report(const char* control, const Tally& t, const ScanResult& scan, long points) {
+void report(const char* control, const char* mode, const Tally& t, const ScanResult& scan,
+            long points) {
   const long converged = t.status[static_cast<std::size_t>(SolveStatus::converged)];
-  fmt::print("{} control, {} points\n", control, points);
+  fmt::print("{} control, {} points, {}\n", control, points, mode);
   for (std::size_t s = 0; s < t.status.size(); ++s)
     if (t.status[s] > 0)
       fmt::print("  {:<16} {:>9}\n", bearing::name(static_cast<SolveStatus>(s)), t.status[s]);
@@ -160,7 +208,7 @@ void report(const char* control, const Tally& t, const ScanResult& scan, long po
 int main(int argc, char** argv) {
   long points = 1000000, scan = 300;
   std::uint64_t seed = 1;
-  std::string control = "both", of = "bearings";
+  std::string control = "both", mode = "scalar", of = "bearings";
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string flag = argv[i];
     if (flag == "--points")
@@ -171,6 +219,8 @@ int main(int argc, char** argv) {
       seed = static_cast<std::uint64_t>(std::atol(argv[i + 1]));
     else if (flag == "--control")
       control = argv[i + 1];
+    else if (flag == "--mode")
+      mode = argv[i + 1];
     else if (flag == "--of")
       of = argv[i + 1];
     else {
@@ -184,11 +234,20 @@ int main(int argc, char** argv) {
     const char* name = c == RaceControl::outer ? "outer" : "inner";
     if (control != "both" && control != name) continue;
     if (of == "arrangements") {
-      report(name, solve_arrangements(sizes, c, seed, points), {}, points);
+      report(name, "one by one", solve_arrangements(sizes, c, seed, points), {}, points);
       continue;
     }
-    const Tally tally = solve_bearings(sizes, c, seed, points);
-    report(name, tally, scan_some(sizes, c, seed, tally.without, scan), points);
+    const bool scalar = mode != "batch", batch = mode != "scalar";
+    const Both all = solve_all(sizes, c, seed, points, scalar, batch);
+    const Tally& one = scalar ? all.scalar : all.batch;
+    const ScanResult found = scan_some(sizes, c, seed, one.without, scan);
+    if (scalar) report(name, "one by one", all.scalar, found, points);
+    if (batch) report(name, "side by side", all.batch, scalar ? ScanResult{} : found, points);
+    if (scalar && batch)
+      fmt::print(
+          "  one by one against side by side: {} other statuses, {} other states, else equal to "
+          "{:.1e}\n",
+          all.other_status, all.other_state, all.worst_difference);
   }
   return 0;
 }

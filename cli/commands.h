@@ -14,6 +14,7 @@ using Run = std::function<int()>;
 Run setup_solve(CLI::App& command);
 Run setup_table(CLI::App& command);
 Run setup_displacement(CLI::App& command);
+Run setup_merge(CLI::App& command);
 Run setup_calibrate(CLI::App& command);
 Run setup_fit_law(CLI::App& command);
 Run setup_compare(CLI::App& command);

@@ -28,6 +28,7 @@ constexpr std::array commands{
             cli::setup_solve},
     Command{"table", "Stribeck table: friction torque over speed, loads and temperature",
             cli::setup_table},
+    Command{"merge", "Join the slabs of a Stribeck table", cli::setup_merge},
     Command{"displacement", "Shaft position, forces and friction of its bearings against speed",
             cli::setup_displacement},
     Command{"fit-law", "Fit the kinematic displacement law u = A n^(1 - B exp(-C n)) to a curve",

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -29,7 +30,7 @@ namespace {
 struct Flags {
   std::string model, output;
   std::string speed, axial_load, radial_load, temperature;
-  std::string data;
+  std::string data, slab;
   bool json = false, force = false;
   ReportFlag report;
 };
@@ -58,6 +59,25 @@ friction::TableAxes axes(const Flags& f, const fit::Model& model) {
   require_all(a.temperature, temperature_range, "--temperature");
   for (double& v : a.temperature) v = kelvin(v);
   return a;
+}
+
+/// "2/4" is the second of four.
+friction::TableSlab slab(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  const auto whole = [&](std::string_view part) {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return error == std::errc() && end == part.data() + part.size() ? value : 0;
+  };
+  const std::string_view all = text;
+  const std::size_t index = slash == text.npos ? 0 : whole(all.substr(0, slash));
+  const std::size_t count = slash == text.npos ? 0 : whole(all.substr(slash + 1));
+  constexpr std::size_t most = 1000000;
+  if (index == 0 || index > count || count > most)
+    throw io::InputError("--slab: " + io::quoted(text) +
+                         ": write i/N with i from 1 to N, N up to a million, as 2/4");
+  return {.index = index - 1, .count = count};
 }
 
 std::vector<std::string> columns(const fit::Model& model) {
@@ -197,6 +217,9 @@ io::BearingStates states_to_draw(const fit::Model& model, const friction::TableA
 int run(const Flags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError("raceway table: --json and --output - both write to stdout; take one");
+  const friction::TableSlab part = slab(flags.slab);
+  if (!flags.slab.empty() && (flags.output.empty() || flags.json))
+    throw io::InputError("raceway table: a slab is for a file to be merged: --slab needs --output");
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
@@ -208,19 +231,21 @@ int run(const Flags& flags) {
   std::optional<fit::DataSet> measured;
   if (!flags.data.empty()) measured = open_data(flags.data, model.rig);
   const friction::TableAxes grid = axes(flags, model);
-  if (static_cast<double>(grid.size()) > 1e8)
-    throw io::InputError(fmt::format("raceway table: {} points: at most 1e8", grid.size()));
+  const std::size_t points = part.points(grid.size());
+  if (static_cast<double>(points) > 1e8)
+    throw io::InputError(
+        fmt::format("raceway table: {} points: at most 1e8; --slab makes a part", points));
   std::function<void(double)> progress;
-  if (isatty(STDERR_FILENO) != 0 && grid.size() >= 20000) progress = show_progress;
+  if (isatty(STDERR_FILENO) != 0 && points >= 20000) progress = show_progress;
   const friction::StribeckTable table = friction::build_stribeck_table(
       grid, model.shaft ? shaft_columns(model) : columns(model),
-      [&](auto points, auto out) {
-        model.shaft ? fill_shaft_line(model, points, out) : fill_line(model, points, out);
+      [&](auto given, auto out) {
+        model.shaft ? fill_shaft_line(model, given, out) : fill_line(model, given, out);
       },
-      progress);
+      progress, part);
   if (to_file) {
     io::write_text(flags.output, io::table_text(table, model.name, file.text), if_exists);
-    say(fmt::format("{} written, {} points", flags.output, grid.size()));
+    say(fmt::format("{} written, {} points", flags.output, points));
   } else if (flags.output == "-") {
     fmt::print("{}", io::table_text(table, model.name, file.text));
   }
@@ -237,27 +262,26 @@ int run(const Flags& flags) {
       flags.force);
   // Displacement is the last column.
   std::size_t only_torque = 0;
-  for (std::size_t i = 0; i < grid.size(); ++i)
+  for (std::size_t i = 0; i < points; ++i)
     only_torque += !std::isnan(table.friction_moment[i]) && std::isnan(table.row(i).back());
   if (only_torque > 0)
     tell(
         {fmt::format("{} of {} points have no equilibrium: a torque, which needs none, but no "
                      "contact angles",
-                     only_torque, grid.size())});
+                     only_torque, points)});
   const auto missing = std::count_if(table.friction_moment.begin(), table.friction_moment.end(),
                                      [](double moment) { return std::isnan(moment); });
   if (missing == 0) return done;
   std::map<bearing::SolveStatus, std::pair<long, std::size_t>> failures;  // count, first point
-  for (std::size_t i = 0; i < grid.size(); ++i)
+  for (std::size_t i = 0; i < points; ++i)
     if (std::isnan(table.friction_moment[i]))
       ++failures.try_emplace(table.status[i], 0, i).first->second.first;
   for (const auto& [status, failure] : failures) {
-    const bearing::OperatingPoint p = table.point(failure.second);
-    tell(
-        {fmt::format("{} of {} points have no value: {}, the first at {:.6g} rpm, {:.6g} N axial, "
-                     "{:.6g} N radial",
-                     failure.first, grid.size(), bearing::name(status), p.speed / rpm, p.axial_load,
-                     p.radial_load)});
+    const bearing::OperatingPoint p = table.point(table.first() + failure.second);
+    tell({fmt::format(
+        "{} of {} points have no value: {}, the first at {:.6g} rpm, {:.6g} N axial, "
+        "{:.6g} N radial",
+        failure.first, points, bearing::name(status), p.speed / rpm, p.axial_load, p.radial_load)});
   }
   return not_converged;
 }
@@ -285,6 +309,10 @@ Run setup_table(CLI::App& command) {
       ->type_name("VALUES");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
+  command
+      .add_option("--slab", flags->slab,
+                  "i/N: only the i-th of N parts, to be joined by raceway merge")
+      ->type_name("i/N");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bearing/solve_many.h"
+
 namespace raceway::fit {
 
 namespace {
 
-constexpr std::size_t chunk = 32;         // points that share a warm start
+constexpr std::size_t chunk = 256;        // points that a thread takes
 constexpr double tilt_tolerance = 1e-10;  // [rad]
 
 using effects::Condition;
@@ -158,10 +160,23 @@ friction::BearingState<double> RowPredictor::state(const Model& model, const Way
   return s;
 }
 
-void RowPredictor::solve(const Model& model, Way& way,
-                         const bearing::BearingEquilibrium* neighbour) const {
-  // The neighbour may be the way's own last equilibrium.
-  const std::shared_ptr<const bearing::BearingEquilibrium> last = std::move(way.equilibrium);
+bool RowPredictor::find_condition(const Model& model, const Steps& steps,
+                                  Condition& condition) const {
+  if (!finite(point_)) return false;
+  if (steps.condition.empty()) return true;
+  const effects::BaseLaw law{model.law, model.law_values};
+  const friction::BearingState<double> entered = bearing_state(model, point_, nullptr);
+  const friction::BaseMoments<double> base = law.moments(entered);
+  const effects::ConditionInputs inputs{.bearing = model.bearing,
+                                        .point = point_,
+                                        .record = record_,
+                                        .power = (base.load + base.viscous) * point_.speed};
+  for (const std::size_t k : steps.condition)
+    model.effects[k].description->condition(inputs, model.effects[k].values, condition);
+  return finite(condition);
+}
+
+std::optional<bearing::BearingCase> RowPredictor::question(const Model& model, Way& way) const {
   way.bearing = nullptr;
   way.equilibrium = nullptr;
   way.report = {};
@@ -169,17 +184,38 @@ void RowPredictor::solve(const Model& model, Way& way,
     way.bearing = changed_bearing(model.bearing, way.condition);
     if (!way.bearing) {
       way.report.status = bearing::SolveStatus::no_equilibrium;
-      return;
+      return {};
     }
   }
-  const bearing::Bearing& bearing = way.bearing ? *way.bearing : model.bearing;
-  bearing::OperatingPoint point = point_;
-  point.axial_load = with_extra(point.axial_load, way.condition.extra_axial_load);
+  bearing::BearingCase asked{way.bearing ? way.bearing.get() : &model.bearing, point_};
+  asked.point.axial_load = with_extra(point_.axial_load, way.condition.extra_axial_load);
+  return asked;
+}
+
+void RowPredictor::solve(const Model& model, Way& way,
+                         const bearing::BearingEquilibrium* neighbour) const {
+  // The neighbour may be the way's own last equilibrium.
+  const std::shared_ptr<const bearing::BearingEquilibrium> last = std::move(way.equilibrium);
+  const auto asked = question(model, way);
+  if (!asked) return;
   way.equilibrium = std::make_shared<const bearing::BearingEquilibrium>(
       way.condition.tilt != 0.0
-          ? solve_tilted(bearing, point, model.solver, way.condition.tilt, neighbour)
-          : solve_from(bearing, point, model.solver, neighbour));
+          ? solve_tilted(*asked->bearing, asked->point, model.solver, way.condition.tilt, neighbour)
+          : solve_from(*asked->bearing, asked->point, model.solver, neighbour));
   way.report = way.equilibrium->report;
+}
+
+std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const Steps& steps) {
+  Condition condition;
+  if (!steps.equilibrium || !find_condition(model, steps, condition) || condition.tilt != 0.0)
+    return {};
+  now_.condition = condition;
+  return question(model, now_);
+}
+
+void RowPredictor::answer(bearing::BearingEquilibrium&& equilibrium) {
+  now_.report = equilibrium.report;
+  now_.equilibrium = std::make_shared<const bearing::BearingEquilibrium>(std::move(equilibrium));
 }
 
 void RowPredictor::run(const Model& model, const Steps& steps, Stage stage, Way& way,
@@ -188,22 +224,8 @@ void RowPredictor::run(const Model& model, const Steps& steps, Stage stage, Way&
   if (stage <= Stage::moment) way.torque = unset;
   way.reading = unset;
   if (stage == Stage::condition) {
-    if (!finite(point_)) {
-      way.report.status = bearing::SolveStatus::not_finite;
-      return;
-    }
     Condition condition;
-    if (!steps.condition.empty()) {
-      friction::BearingState<double> entered = bearing_state(model, point_, nullptr);
-      const friction::BaseMoments<double> base = law.moments(entered);
-      const effects::ConditionInputs inputs{.bearing = model.bearing,
-                                            .point = point_,
-                                            .record = record_,
-                                            .power = (base.load + base.viscous) * point_.speed};
-      for (const std::size_t k : steps.condition)
-        model.effects[k].description->condition(inputs, model.effects[k].values, condition);
-    }
-    if (!finite(condition)) {
+    if (!find_condition(model, steps, condition)) {
       way.report.status = bearing::SolveStatus::not_finite;
       return;
     }
@@ -311,12 +333,25 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
   const Steps steps(model, with_equilibrium);
   const std::size_t chunks = (points.size() + chunk - 1) / chunk;
   tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t k) {
-    const bearing::BearingEquilibrium* neighbour = nullptr;
-    for (std::size_t i = k * chunk; i < std::min((k + 1) * chunk, points.size()); ++i) {
-      RowPredictor row(model, steps, points[i], records.empty() ? effects::Record{} : records[i]);
-      (void)row.predict(model, steps, neighbour);
-      predictions[i] = row.prediction(model);
-      if (predictions[i].report.converged()) neighbour = predictions[i].equilibrium.get();
+    const std::size_t first = k * chunk, count = std::min(chunk, points.size() - first);
+    std::vector<RowPredictor> rows;
+    rows.reserve(count);
+    std::vector<bearing::BearingCase> asked;
+    std::vector<std::size_t> asking;
+    for (std::size_t i = 0; i < count; ++i) {
+      rows.emplace_back(model, steps, points[first + i],
+                        records.empty() ? effects::Record{} : records[first + i]);
+      if (const auto question = rows[i].ask(model, steps)) {
+        asked.push_back(*question);
+        asking.push_back(i);
+      }
+    }
+    std::vector<bearing::BearingEquilibrium> solved(asked.size());
+    bearing::solve_many(asked, solved, model.solver);
+    for (std::size_t n = 0; n < asked.size(); ++n) rows[asking[n]].answer(std::move(solved[n]));
+    for (std::size_t i = 0; i < count; ++i) {
+      (void)rows[i].predict(model, steps);
+      predictions[first + i] = rows[i].prediction(model);
     }
   });
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "bearing/solve_many.h"
 #include "effects/effect.h"
 #include "fit/data_set.h"
 #include "fit/model.h"
@@ -59,9 +61,9 @@ struct FrictionPrediction {
                                                   bool with_equilibrium = false,
                                                   const effects::Record& record = {});
 
-/// The same for many points, shared among threads in fixed chunks with a warm start inside a chunk:
-/// the number of threads changes no digit. `records` may be empty. Throws std::invalid_argument if
-/// the sizes differ.
+/// The same for many points, solved side by side and shared among threads: neither the number of
+/// threads nor the other points change a digit. `records` may be empty. Throws
+/// std::invalid_argument if the sizes differ.
 void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> points,
                    std::span<FrictionPrediction> predictions, bool with_equilibrium = false,
                    std::span<const effects::Record> records = {});
@@ -112,6 +114,11 @@ class RowPredictor {
   /// The same for values that differ from the remembered ones from `stage` on; remembers nothing.
   [[nodiscard]] double vary(const Model& model, const Steps& steps, Stage stage) const;
 
+  /// The balance that predict() will need, for callers that solve many at once and answer() before
+  /// they call it; nothing where it needs none, or one at an imposed tilt.
+  [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
+  void answer(bearing::BearingEquilibrium&& equilibrium);
+
   /// All that the last predict() found.
   [[nodiscard]] FrictionPrediction prediction(const Model& model) const;
   [[nodiscard]] const bearing::BearingEquilibrium* equilibrium() const {
@@ -132,6 +139,8 @@ class RowPredictor {
   };
   void run(const Model& model, const Steps& steps, Stage stage, Way& way,
            const bearing::BearingEquilibrium* neighbour) const;
+  bool find_condition(const Model& model, const Steps& steps, effects::Condition& condition) const;
+  std::optional<bearing::BearingCase> question(const Model& model, Way& way) const;
   void solve(const Model& model, Way& way, const bearing::BearingEquilibrium* neighbour) const;
   [[nodiscard]] friction::BearingState<double> state(const Model& model, const Way& way) const;
 

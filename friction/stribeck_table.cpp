@@ -12,12 +12,13 @@
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace raceway::friction {
 namespace {
 
-constexpr std::size_t piece = 64;        // points of a line that are filled in one go
+constexpr std::size_t piece = 256;       // points that are filled in one go
 constexpr double grid_tolerance = 1e-9;  // relative distance at which a position is a grid value
 
 /// An axis by the name and unit in which messages speak of it.
@@ -149,32 +150,33 @@ std::span<const double> StribeckTable::row(std::size_t index) const {
 
 StribeckTable build_stribeck_table(const TableAxes& axes, std::vector<std::string> columns,
                                    const TableLine& line,
-                                   const std::function<void(double)>& progress) {
+                                   const std::function<void(double)>& progress,
+                                   const TableSlab& slab) {
   validate(axes);
+  if (slab.index >= slab.count)
+    throw std::invalid_argument("slab " + std::to_string(slab.index + 1) + " of " +
+                                std::to_string(slab.count) + ": there is none");
   StribeckTable table;
   table.axes = axes;
+  table.slab = slab;
   table.columns = std::move(columns);
-  table.friction_moment.assign(axes.size(), unset);
-  table.status.assign(axes.size(), bearing::SolveStatus::not_run);
-  table.values.assign(axes.size() * table.columns.size(), unset);
+  const std::size_t points = table.points(), width = table.columns.size();
+  table.friction_moment.assign(points, unset);
+  table.status.assign(points, bearing::SolveStatus::not_run);
+  table.values.assign(points * width, unset);
 
-  const std::size_t speeds = axes.speed.size();
-  const std::size_t pieces = (speeds + piece - 1) / piece;  // of a line
-  const std::size_t chunks = axes.size() / speeds * pieces;
-  const std::size_t width = table.columns.size();
+  const std::size_t pieces = (points + piece - 1) / piece;
   std::mutex progress_mutex;
   std::size_t done = 0;
-  const auto fill = [&](std::size_t chunk) {
-    const std::size_t begin = chunk % pieces * piece;
-    const std::size_t count = std::min(piece, speeds - begin);
-    const std::size_t first = chunk / pieces * speeds + begin;
-    std::array<bearing::OperatingPoint, piece> points;
+  const auto fill = [&](std::size_t k) {
+    const std::size_t first = k * piece, count = std::min(piece, points - first);
+    std::array<bearing::OperatingPoint, piece> given;
     std::array<TablePoint, piece> results;
     for (std::size_t i = 0; i < count; ++i) {
-      points[i] = table.point(first + i);
+      given[i] = table.point(table.first() + first + i);
       results[i].columns = std::span(table.values).subspan((first + i) * width, width);
     }
-    line(std::span(points).first(count), std::span(results).first(count));
+    line(std::span(given).first(count), std::span(results).first(count));
     for (std::size_t i = 0; i < count; ++i) {
       table.status[first + i] = results[i].status;
       // No number without balance, whatever `line` has left there.
@@ -184,14 +186,16 @@ StribeckTable build_stribeck_table(const TableAxes& axes, std::vector<std::strin
     if (!progress) return;
     const std::lock_guard lock(progress_mutex);
     ++done;
-    progress(static_cast<double>(done) / static_cast<double>(chunks));
+    progress(static_cast<double>(done) / static_cast<double>(pieces));
   };
-  tbb::parallel_for(std::size_t{0}, chunks, fill, tbb::simple_partitioner());
+  tbb::parallel_for(std::size_t{0}, pieces, fill, tbb::simple_partitioner());
   return table;
 }
 
 InterpolatedMoment interpolate(const StribeckTable& table, const TablePosition& position,
                                Outside outside) {
+  if (table.slab.count != 1)
+    throw std::invalid_argument("a slab of a table answers no question: join all of them first");
   const TableAxes& axes = table.axes;
   const Stencil n = stencil(speed_axis, axes.speed, position.speed, outside);
   const Stencil a = stencil(axial_axis, axes.axial_load, position.axial_load, outside);

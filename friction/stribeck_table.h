@@ -34,11 +34,29 @@ struct TablePoint {
   std::span<double> columns;       ///< the further values, in the order of StribeckTable::columns
 };
 
+/// One of several parts into which the points of a table are cut, in their order; by default all.
+struct TableSlab {
+  std::size_t index = 0;  ///< from 0
+  std::size_t count = 1;
+  /// Points of a table of `size` points that come before this slab, and that it has.
+  [[nodiscard]] std::size_t first(std::size_t size) const { return part(size, index); }
+  [[nodiscard]] std::size_t points(std::size_t size) const {
+    return part(size, index + 1) - first(size);
+  }
+
+ private:
+  /// size * n / count without overflow.
+  [[nodiscard]] std::size_t part(std::size_t size, std::size_t n) const {
+    return size / count * n + size % count * n / count;
+  }
+};
+
 /// Friction moment of a bearing over speed, loads and temperature, with further columns (parts of
 /// the moment, contact angles, ...) by name. Speed runs fastest, then axial load, radial load,
 /// temperature.
 struct StribeckTable {
   TableAxes axes;
+  TableSlab slab;  ///< of all points of the axes, those that the values below are of
   std::vector<std::string> columns;          ///< names; their units are the writer's business
   std::vector<double> friction_moment;       ///< [N m]; NaN where there is no value
   std::vector<bearing::SolveStatus> status;  ///< why
@@ -47,28 +65,33 @@ struct StribeckTable {
   /// Index of a point from its place on each axis.
   [[nodiscard]] std::size_t index(std::size_t speed, std::size_t axial_load,
                                   std::size_t radial_load, std::size_t temperature) const;
+  /// How many points have values here, and the index of the first.
+  [[nodiscard]] std::size_t points() const { return slab.points(axes.size()); }
+  [[nodiscard]] std::size_t first() const { return slab.first(axes.size()); }
   /// Operating point of an index.
   [[nodiscard]] bearing::OperatingPoint point(std::size_t index) const;
-  /// Further values of an index, in the order of `columns`.
+  /// Further values of the i-th point that has values, in the order of `columns`.
   [[nodiscard]] std::span<const double> row(std::size_t index) const;
 };
 
-/// Fills successive points of a line along speed, at one pair of loads and one temperature. Called
-/// from several threads at once.
+/// Fills successive points of a table. Called from several threads at once.
 using TableLine =
     std::function<void(std::span<const bearing::OperatingPoint>, std::span<TablePoint>)>;
 
-/// Fills a table line by line on all cores.
+/// Fills a table, or one slab of it, on all cores.
 ///
-/// A line is handed out in pieces of at most 64 points, cut at the same places whatever the number
-/// of threads, so that number never changes a digit if `line` depends on its points alone.
+/// Points are handed out in pieces of at most 256, cut at the same places whatever the number of
+/// threads, so that number never changes a digit if `line` depends on its points alone. If what it
+/// makes of a point depends on that point alone, slabs joined are the table made in one go.
 /// `progress` is called with the finished fraction, up to 1, by one thread at a time. What `line`
 /// or `progress` throw ends the build and is passed on. Throws std::invalid_argument as
-/// validate(axes) does. Memory: what the result holds, and one piece of a line per thread.
+/// validate(axes) does, and for a slab that is none. Memory: what the result holds, and one piece
+/// per thread.
 [[nodiscard]] StribeckTable build_stribeck_table(const TableAxes& axes,
                                                  std::vector<std::string> columns,
                                                  const TableLine& line,
-                                                 const std::function<void(double)>& progress = {});
+                                                 const std::function<void(double)>& progress = {},
+                                                 const TableSlab& slab = {});
 
 /// What happens to a question outside the table.
 enum class Outside {
@@ -97,7 +120,8 @@ struct InterpolatedMoment {
 /// answers for that value only. Grid points without value make a position NaN that rests on them.
 ///
 /// Source:   Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984), as in Boost.Math.
-/// Domain:   the closed range of each axis, with 1e-9 relative to spare for rounding of units;
+/// Domain:   a whole table, no slab; the closed range of each axis, with 1e-9 relative to spare for
+/// rounding of units;
 ///           positions that are not finite are an error in either case.
 /// Accuracy: exact at grid points. The error falls with the cube of an equal spacing, with its
 ///           square next to the ends and to an extremum. Along a grid line the moment is monotone

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <iterator>
 #include <stdexcept>
 #include <unordered_map>
@@ -59,6 +62,76 @@ std::vector<double> axis_of(std::vector<double> values) {
   return values;
 }
 
+constexpr std::string_view slab_mark = "# slab ";
+
+/// Tells grids apart: FNV-1a over the axes.
+std::uint64_t fingerprint(const friction::TableAxes& axes) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  const auto add = [&hash](std::uint64_t word) {
+    for (int byte = 0; byte < 8; ++byte) {
+      hash ^= (word >> (8 * byte)) & 0xff;
+      hash *= 0x100000001b3ULL;
+    }
+  };
+  for (const auto* axis : {&axes.speed, &axes.axial_load, &axes.radial_load, &axes.temperature}) {
+    add(axis->size());
+    for (const double value : *axis) add(std::bit_cast<std::uint64_t>(value));
+  }
+  return hash;
+}
+
+std::string slab_line(const friction::StribeckTable& table) {
+  return fmt::format("{}{}/{}: {} of {} points, grid {:016x}", slab_mark, table.slab.index + 1,
+                     table.slab.count, table.points(), table.axes.size(), fingerprint(table.axes));
+}
+
+/// A slab's file, taken apart.
+struct SlabFile {
+  std::string name;
+  std::size_t index = 0, count = 0, points = 0, of = 0;  ///< index from 1
+  std::uint64_t grid = 0;
+  std::string head;       ///< without the slab's line, up to and with the names of the columns
+  std::string_view rows;  ///< in the text it came from
+};
+
+SlabFile slab_file(const SlabText& file) {
+  SlabFile slab;
+  slab.name = file.name;
+  const std::string_view text = file.text;
+  std::size_t begin = 0;
+  for (bool comment = true; comment && begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    const std::string_view line = text.substr(begin, end - begin);
+    comment = line.starts_with('#');
+    begin = end;
+    if (line.starts_with(slab_mark) && slab.count == 0) {
+      unsigned long long grid = 0;
+      if (std::sscanf(std::string(line).c_str(), "# slab %zu/%zu: %zu of %zu points, grid %llx",
+                      &slab.index, &slab.count, &slab.points, &slab.of, &grid) != 5)
+        slab.count = 0;
+      slab.grid = grid;
+      continue;
+    }
+    slab.head += line;
+  }
+  if (slab.count == 0)
+    throw InputError(file.name + ": is no slab of a table; raceway table --slab writes such files");
+  slab.rows = text.substr(begin);
+  const auto rows = static_cast<std::size_t>(std::count(slab.rows.begin(), slab.rows.end(), '\n'));
+  if (rows != slab.points || (!slab.rows.empty() && slab.rows.back() != '\n'))
+    throw InputError(fmt::format("{}: {} of its {} points are there; was it cut off?", file.name,
+                                 rows, slab.points));
+  return slab;
+}
+
+/// What makes b a slab of another table than a; empty if nothing.
+std::string stranger(const SlabFile& a, const SlabFile& b) {
+  if (a.count != b.count) return fmt::format("one of {} slabs, the other of {}", a.count, b.count);
+  if (a.of != b.of || a.grid != b.grid) return "other speeds, loads or temperatures";
+  if (a.head != b.head) return "another model, version or columns";
+  return {};
+}
+
 std::size_t place_on(const std::vector<double>& axis, double value) {
   return static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), value) - axis.begin());
 }
@@ -70,6 +143,7 @@ std::string table_text(const friction::StribeckTable& table, std::string_view ti
   fmt::memory_buffer out;
   const auto put = std::back_inserter(out);
   fmt::format_to(put, "# Stribeck table: {}\n# raceway {}\n", title, RACEWAY_VERSION);
+  if (table.slab.count != 1) fmt::format_to(put, "{}\n", slab_line(table));
   append_model(out, model_text);
   for (const std::string_view name : leading_columns) fmt::format_to(put, "{},", name);
   std::vector<double> factors;
@@ -78,8 +152,8 @@ std::string table_text(const friction::StribeckTable& table, std::string_view ti
     factors.push_back(column_unit(name));
   }
   fmt::format_to(put, "{}\n", status_column);
-  for (std::size_t i = 0; i < table.axes.size(); ++i) {
-    const bearing::OperatingPoint point = table.point(i);
+  for (std::size_t i = 0; i < table.points(); ++i) {
+    const bearing::OperatingPoint point = table.point(table.first() + i);
     fmt::format_to(put, "{:.12g},{:.12g},{:.12g},{:.12g},", point.speed / rpm, point.axial_load,
                    point.radial_load, celsius(point.temperature));
     append_value(out, table.friction_moment[i] / N_mm);
@@ -94,10 +168,50 @@ std::string table_text(const friction::StribeckTable& table, std::string_view ti
   return fmt::to_string(out);
 }
 
+std::string merged_table_text(const std::vector<SlabText>& slabs) {
+  if (slabs.empty()) throw InputError("raceway merge: no slabs");
+  std::vector<SlabFile> files;
+  for (const SlabText& slab : slabs) files.push_back(slab_file(slab));
+  std::sort(files.begin(), files.end(),
+            [](const SlabFile& a, const SlabFile& b) { return a.index < b.index; });
+  const SlabFile& first = files.front();
+  for (const SlabFile& file : files)
+    if (const std::string why = stranger(first, file); !why.empty())
+      throw InputError(
+          fmt::format("{} and {} are slabs of different tables: {}", first.name, file.name, why));
+  for (std::size_t k = 1; k < files.size(); ++k)
+    if (files[k].index == files[k - 1].index)
+      throw InputError(fmt::format("slab {}/{} comes twice: {} and {}", files[k].index, first.count,
+                                   files[k - 1].name, files[k].name));
+  std::vector<std::size_t> missing;
+  std::size_t size = first.head.size(), points = 0, next = 1;
+  for (const SlabFile& file : files) {
+    while (next < file.index) missing.push_back(next++);
+    next = file.index + 1;
+    points += file.points;
+    size += file.rows.size();
+  }
+  while (next <= first.count) missing.push_back(next++);
+  if (!missing.empty())
+    throw InputError(fmt::format("{} of {} slabs are missing: the first is {}/{}", missing.size(),
+                                 first.count, missing.front(), first.count));
+  if (points != first.of)
+    throw InputError(fmt::format("{}: the slabs have {} points together, the table has {}",
+                                 first.name, points, first.of));
+  std::string text;
+  text.reserve(size);
+  text += first.head;
+  for (const SlabFile& file : files) text += file.rows;
+  return text;
+}
+
 TableFile parse_table(std::string text, const std::string& source) {
   const CsvTable csv = parse_csv(std::move(text), source);
   TableFile file;
   file.source = source;
+  for (const std::string& comment : csv.comments)
+    if (comment.starts_with(slab_mark))
+      throw InputError(source + ": is one slab of a table; raceway merge joins all of them");
   file.model_text = model_text_of(csv);
 
   std::array<std::size_t, leading_columns.size()> at{};

@@ -155,5 +155,79 @@ TEST_F(Table, FitsANarrowTerminal) {
   EXPECT_THAT(r.out, HasSubstr("8 N"));
 }
 
+/// Twelve points of a table whose slabs are made one by one.
+class Slabs : public Table {
+ protected:
+  const std::string axes = "--speed 0:8000:2000 --axial-load 100,900 --radial-load 0,50";
+  [[nodiscard]] std::string slab(const std::string& part, const std::string& name,
+                                 const std::string& flags) const {
+    const std::string file = scratch_.file(name);
+    EXPECT_EQ(table(flags + " --slab " + part + " -o " + file).status, 0);
+    return file;
+  }
+  [[nodiscard]] std::string merge_refusal(const std::string& files) const {
+    const Result r = run("merge " + files + " -o " + scratch_.file("refused.csv"));
+    EXPECT_EQ(r.status, 1);
+    EXPECT_FALSE(std::filesystem::exists(scratch_.file("refused.csv")));
+    return r.err;
+  }
+};
+
+TEST_F(Slabs, MergeToTheTableMadeInOneGoToTheLastByte) {
+  const std::string whole = scratch_.file("whole.csv"), merged = scratch_.file("merged.csv");
+  ASSERT_EQ(table(axes + " -o " + whole).status, 0);
+  const std::string a = slab("1/3", "a.csv", axes), b = slab("2/3", "b.csv", axes),
+                    c = slab("3/3", "c.csv", axes);
+  const Result r = run("merge " + c + " " + a + " " + b + " -o " + merged);
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.err, HasSubstr("merged.csv written from 3 slabs\n"));
+  EXPECT_EQ(file_text(merged), file_text(whole));
+  // A file that is there stays.
+  EXPECT_EQ(run("merge " + a + " " + b + " " + c + " -o " + merged).status, 1);
+  EXPECT_EQ(run("merge " + a + " " + b + " " + c + " --force -o " + merged).status, 0);
+}
+
+TEST_F(Slabs, AreMadeAndMergedByGnuParallel) {
+  const std::string model = scratch_.write("my.toml", model_text);
+  const std::string whole = scratch_.file("whole.csv");
+  ASSERT_EQ(run("table " + model + " " + axes + " -o " + whole).status, 0);
+  const Result r = run_shell("cd " + scratch_.path().string() +
+                             " && parallel --jobs 2 $raceway table my.toml " + axes +
+                             " --slab {}/5 -o slab-{}.csv ::: 1 2 3 4 5"
+                             " && $raceway merge slab-*.csv -o merged.csv");
+  EXPECT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(file_text(scratch_.file("merged.csv")), file_text(whole));
+}
+
+TEST_F(Slabs, AreRefusedWhereOneIsMissingTwiceStrangeOrCut) {
+  const std::string a = slab("1/3", "a.csv", axes), b = slab("2/3", "b.csv", axes),
+                    c = slab("3/3", "c.csv", axes);
+  EXPECT_THAT(merge_refusal(a + " " + c), HasSubstr("1 of 3 slabs are missing: the first is 2/3"));
+  EXPECT_THAT(merge_refusal(a + " " + b + " " + c + " " + b), HasSubstr("slab 2/3 comes twice"));
+  const std::string other = slab("2/3", "other.csv", "--speed 0:8000:1000 --axial-load 100,900");
+  EXPECT_THAT(merge_refusal(a + " " + other + " " + c),
+              HasSubstr("slabs of different tables: other speeds, loads or temperatures"));
+  const std::string model = scratch_.file("b2.csv");
+  ASSERT_EQ(table(axes + " --slab 2/3 -o " + model, model_text + spin_effect).status, 0);
+  EXPECT_THAT(merge_refusal(a + " " + model + " " + c),
+              HasSubstr("slabs of different tables: another model, version or columns"));
+  std::string text = file_text(b);
+  text.resize(text.size() - 40);
+  EXPECT_THAT(merge_refusal(a + " " + scratch_.write("cut.csv", text) + " " + c),
+              HasSubstr("points are there; was it cut off?"));
+  const std::string whole = scratch_.file("whole.csv");
+  ASSERT_EQ(table(axes + " -o " + whole).status, 0);
+  EXPECT_THAT(merge_refusal(whole), HasSubstr("is no slab of a table"));
+}
+
+TEST_F(Slabs, NeedAPlaceAmongThemAndAFile) {
+  for (const char* part : {"0/3", "4/3", "2", "a/b", "1/0", "-1/3"}) {
+    const Result r = table(axes + " --slab=" + part + " -o " + scratch_.file("x.csv"));
+    EXPECT_EQ(r.status, 1);
+    EXPECT_THAT(r.err, HasSubstr("write i/N with i from 1 to N")) << part;
+  }
+  EXPECT_THAT(table(axes + " --slab 1/3").err, HasSubstr("--slab needs --output"));
+}
+
 }  // namespace
 }  // namespace raceway::tests

@@ -288,13 +288,41 @@ TEST(StribeckTable, ThreadsDoNotChangeADigit) {
   EXPECT_GT(one.friction_moment.back(), 0.0);
 }
 
+TEST(StribeckTable, SlabsTogetherAreTheTable) {
+  const TableAxes axes{range(0, 1, 23), range(100, 1, 5), {0, 50, 90}, {300, 310}};
+  const friction::TableLine line = [](std::span<const OperatingPoint> points,
+                                      std::span<TablePoint> results) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      results[i].status = bearing::SolveStatus::converged;
+      results[i].friction_moment = points[i].speed + points[i].axial_load;
+      results[i].columns[0] = points[i].radial_load * points[i].temperature;
+    }
+  };
+  const auto whole = build_stribeck_table(axes, {"x"}, line);
+  for (const std::size_t count : {1u, 2u, 7u, 689u, 1000u}) {
+    std::vector<double> moments, values;
+    for (std::size_t index = 0; index < count; ++index) {
+      const auto slab = build_stribeck_table(axes, {"x"}, line, {}, {index, count});
+      EXPECT_EQ(slab.first(), moments.size());
+      moments.insert(moments.end(), slab.friction_moment.begin(), slab.friction_moment.end());
+      values.insert(values.end(), slab.values.begin(), slab.values.end());
+    }
+    EXPECT_EQ(moments, whole.friction_moment) << count << " slabs";
+    EXPECT_EQ(values, whole.values) << count << " slabs";
+  }
+  EXPECT_THROW((void)build_stribeck_table(axes, {"x"}, line, {}, {3, 3}), std::invalid_argument);
+  const auto slab = build_stribeck_table(axes, {"x"}, line, {}, {0, 2});
+  EXPECT_THROW((void)interpolate(slab, {.speed = 1, .axial_load = 101}, Outside::error),
+               std::invalid_argument);
+}
+
 TEST(StribeckTable, TellsItsProgressInOrder) {
   TableAxes axes{range(0, 1, 200), range(100, 1, 20), {0}, {300}};
   std::vector<double> told;
   (void)build_stribeck_table(
       axes, {}, [](std::span<const OperatingPoint>, std::span<TablePoint>) {},
       [&](double fraction) { told.push_back(fraction); });
-  EXPECT_EQ(told.size(), 80u);  // 4 pieces of each of 20 lines
+  EXPECT_EQ(told.size(), 16u);  // pieces of 256 of 4000 points
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_EQ(told.back(), 1.0);
 }

@@ -1,0 +1,75 @@
+#include "bearing/ring_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raceway::bearing {
+
+RingPoint<double> unloaded_point(const Bearing& bearing, const EquilibriumOptions& options) {
+  const BearingGeometry& g = bearing.geometry();
+  RingPoint<double> ring{};
+  const BallConstants constants =
+      ball_constants(bearing, 0.0, options.race_control, options.gyroscopic_moment);
+  ring.ball = constants;
+  ring.springs = spring_pair(constants);
+  const double distance = g.groove_centre_distance();
+  ring.free = {distance * std::sin(g.contact_angle),
+               distance * std::cos(g.contact_angle) - 0.5 * g.radial_clearance};
+  ring.lever = g.inner_groove_centre_radius();
+  ring.moment_arm_ratio = g.inner_conformity * g.ball_diameter / ring.lever;
+  return ring;
+}
+
+void set_operating_point(RingPoint<double>& ring, const Bearing& bearing, const OperatingPoint& p,
+                         const EquilibriumOptions& options) {
+  ring.ball.full_centrifugal = full_centrifugal(bearing, p.speed);
+  const bool tilts = options.tilt == Tilt::free;
+  const double loads[] = {p.axial_load, p.radial_load, p.radial_load_z,
+                          tilts ? p.moment_y / ring.lever : 0.0,
+                          tilts ? p.moment_z / ring.lever : 0.0};
+  ring.load_scale = 0.0;
+  for (int i = 0; i < 5; ++i) {
+    ring.load[i] = loads[i];
+    ring.load_scale = std::max(ring.load_scale, std::abs(loads[i]));
+  }
+  ring.ball_scale = ring.load_scale / bearing.geometry().ball_count;
+}
+
+BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& p) {
+  const Symmetry symmetry = p.radial_load_z != 0.0 || p.moment_y != 0.0 ? Symmetry::none
+                            : p.radial_load != 0.0 || p.moment_z != 0.0 ? Symmetry::mirror
+                                                                        : Symmetry::thrust;
+  return {.azimuth = bearing.azimuth().data(),
+          .cosine = bearing.cos_azimuth().data(),
+          .sine = bearing.sin_azimuth().data(),
+          .count = bearing.geometry().ball_count,
+          .symmetry = symmetry};
+}
+
+BallModel ball_model(const RingPoint<double>& ring, RaceControl race_control) {
+  if (ring.ball.full_centrifugal == 0.0) return BallModel::at_rest;
+  return race_control == RaceControl::outer ? BallModel::outer_control : BallModel::inner_control;
+}
+
+void fill_equilibrium(const RingPoint<double>& point, const BallCircle& circle, const double* ring,
+                      const RingReport<double>& report, const BallReport<double>* balls,
+                      BearingEquilibrium& result) {
+  result.displacement = Eigen::Map<const Vector5>(ring);
+  result.displacement.tail<2>() /= point.lever;
+  result.stiffness =
+      Eigen::Map<const Eigen::Matrix<double, 5, 5, Eigen::RowMajor>>(report.stiffness[0]);
+  result.stiffness.rightCols<2>() *= point.lever;
+  result.stiffness.bottomRows<2>() *= point.lever;
+  result.report.residual = report.residual;
+  result.report.recovered_load_error = report.recovered_load_error;
+  const auto z = static_cast<std::size_t>(circle.count);
+  result.balls.resize(z);
+  for (std::size_t k = 0; k < z; ++k) {
+    const std::size_t source = circle.symmetry == Symmetry::thrust   ? 0
+                               : circle.symmetry == Symmetry::mirror ? std::min(k, z - k)
+                                                                     : k;
+    result.balls[k] = ball_equilibrium(balls[source], circle.azimuth[k]);
+  }
+}
+
+}  // namespace raceway::bearing

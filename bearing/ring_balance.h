@@ -1,0 +1,339 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "bearing/ball_equilibrium.h"
+#include "bearing/ball_report.h"
+#include "bearing/bearing_equilibrium.h"
+#include "bearing/lanes.h"
+
+// The balance of one inner ring: sums over its balls, with derivatives, and what each ball reports.
+// Lengths and forces only: tilts are multiplied by R_i, moments divided by it, so that one scale
+// fits all components.
+namespace raceway::bearing {
+
+/// Which balls and which ring coordinates a load needs.
+enum class Symmetry {
+  thrust,  ///< all balls alike: one ball, x
+  mirror,  ///< load in the x-y plane: half the balls, x, y (and θz)
+  none     ///< all balls, x, y, z (and θy, θz)
+};
+
+/// What holds a ball: two springs on one line, or the balance of a ball that orbits.
+enum class BallModel { at_rest, outer_control, inner_control };
+
+/// Ring coordinates that are unknowns, among x, y, z, θy, θz.
+template <int... indices>
+struct Coordinates {
+  static constexpr int count = sizeof...(indices);
+  static constexpr int at[] = {indices...};
+};
+using AllCoordinates = Coordinates<0, 1, 2, 3, 4>;
+
+/// Calls f with the coordinates that are unknowns.
+template <typename F>
+decltype(auto) with_coordinates(Symmetry symmetry, bool tilts, F&& f) {
+  switch (symmetry) {
+    case Symmetry::thrust:
+      return f(Coordinates<0>());
+    case Symmetry::mirror:
+      return tilts ? f(Coordinates<0, 1, 4>()) : f(Coordinates<0, 1>());
+    case Symmetry::none:
+      break;
+  }
+  return tilts ? f(AllCoordinates()) : f(Coordinates<0, 1, 2>());
+}
+
+template <BallModel model>
+struct ModelConstant {
+  static constexpr BallModel value = model;
+};
+
+/// Calls f with a ModelConstant.
+template <typename F>
+decltype(auto) with_model(BallModel model, F&& f) {
+  switch (model) {
+    case BallModel::at_rest:
+      return f(ModelConstant<BallModel::at_rest>());
+    case BallModel::outer_control:
+      return f(ModelConstant<BallModel::outer_control>());
+    case BallModel::inner_control:
+      break;
+  }
+  return f(ModelConstant<BallModel::inner_control>());
+}
+
+/// Where the balls are, and which of them are unknowns: one, half of them, or all.
+struct BallCircle {
+  const double* azimuth;  ///< [rad]
+  const double* cosine;   ///< of the azimuth
+  const double* sine;
+  int count;  ///< Z
+  Symmetry symmetry;
+
+  [[nodiscard, gnu::always_inline]] int used() const {
+    return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
+  }
+  /// How many balls of the bearing ball k stands for [1].
+  [[nodiscard, gnu::always_inline]] double weight(int k) const {
+    if (symmetry == Symmetry::none) return 1.0;
+    if (symmetry == Symmetry::thrust) return count;
+    return k == 0 || 2 * k == count ? 1.0 : 2.0;
+  }
+};
+
+/// A bearing, a speed and a load, as the balance needs them. Numbers only, see set_lane().
+template <typename T>
+struct RingPoint {
+  BallConstantsOf<T> ball;
+  SpringPairOf<T> springs;  ///< of a ball at rest
+  PlaneOf<T> free;          ///< inner groove centre without displacement [m]
+  T lever;                  ///< R_i [m]
+  T moment_arm_ratio;       ///< f_i D / R_i [1]
+  T load[5];                ///< moments divided by the lever [N]
+  T load_scale;             ///< largest of these [N]
+  T ball_scale;             ///< load_scale / Z [N]
+};
+
+/// A bearing at rest without load.
+[[nodiscard]] RingPoint<double> unloaded_point(const Bearing& bearing,
+                                               const EquilibriumOptions& options);
+/// Gives a point of this bearing its speed and load.
+void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
+                         const OperatingPoint& point, const EquilibriumOptions& options);
+[[nodiscard]] BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& point);
+[[nodiscard]] BallModel ball_model(const RingPoint<double>& ring, RaceControl race_control);
+
+/// The step a ball would take, and what bounds it.
+template <typename T>
+struct BallStep {
+  T own[2];          ///< for a ring at rest [m]
+  T follow[4];       ///< per step of its groove centre [1]
+  T outer_approach;  ///< δo [m]
+};
+
+/// What one ball does to the ring, in its own plane, the ball's position eliminated.
+template <typename T>
+struct BallShare {
+  T force[3];              ///< f_axial, f_radial, f_m [N]
+  T gain[3];               ///< change of these by the ball's own Newton step [N]
+  T tangent[6];            ///< their derivatives by (A_axial, A_radial), row-major 3x2 [N/m]
+  T imbalance;             ///< of the ball, squared and scaled [1]
+  BallForcesOf<T> forces;  ///< for the report
+};
+
+template <BallModel model, typename T>
+[[gnu::always_inline]] inline BallShare<T> ball_share(const RingPoint<T>& p,
+                                                      const PlaneOf<T>& centre, const PlaneOf<T>& x,
+                                                      InnerContact contact, BallStep<T>& step) {
+  BallShare<T> share;
+  if constexpr (model == BallModel::at_rest) {
+    const StaticBallOf<T> b = static_ball<T>(p.ball, p.springs, centre);
+    const T zero(0.0);
+    share.force[0] = share.force[2] = b.force.axial;
+    share.force[1] = b.force.radial;
+    share.gain[0] = share.gain[1] = share.gain[2] = zero;
+    share.tangent[0] = share.tangent[4] = b.f_a[0];
+    share.tangent[1] = share.tangent[5] = b.f_a[1];
+    share.tangent[2] = b.f_a[2];
+    share.tangent[3] = b.f_a[3];
+    share.imbalance = zero;
+    share.forces = {b.load, b.load, zero, zero, zero, zero, zero};
+  } else {
+    constexpr auto control =
+        model == BallModel::outer_control ? RaceControl::outer : RaceControl::inner;
+    const BallBalanceOf<T> b =
+        ball_balance_under<control>(p.ball, centre, x, p.moment_arm_ratio, contact);
+    share.forces = b;
+    step.outer_approach = b.outer_approach;
+    // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r; one division for this and for the imbalance.
+    const T scale = p.ball_scale + b.outer_load;
+    const T squared = scale * scale;
+    const T determinant = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
+    const T reciprocal = 1.0 / (determinant * squared);
+    const T inv = -squared * reciprocal;
+    step.own[0] = inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial);
+    step.own[1] = inv * (b.r_x[0] * b.imbalance.radial - b.r_x[2] * b.imbalance.axial);
+    step.follow[0] = inv * (b.r_x[3] * b.r_a[0] - b.r_x[1] * b.r_a[2]);
+    step.follow[1] = inv * (b.r_x[3] * b.r_a[1] - b.r_x[1] * b.r_a[3]);
+    step.follow[2] = inv * (b.r_x[0] * b.r_a[2] - b.r_x[2] * b.r_a[0]);
+    step.follow[3] = inv * (b.r_x[0] * b.r_a[3] - b.r_x[2] * b.r_a[1]);
+    // Under outer control the moment's row is the axial one.
+    constexpr int rows = control == RaceControl::inner ? 3 : 2;
+    for (int j = 0; j < rows; ++j) {
+      const T fx0 = b.f_x[2 * j], fx1 = b.f_x[2 * j + 1];
+      share.gain[j] = fx0 * step.own[0] + fx1 * step.own[1];
+      share.tangent[2 * j] = b.f_a[2 * j] + fx0 * step.follow[0] + fx1 * step.follow[2];
+      share.tangent[2 * j + 1] = b.f_a[2 * j + 1] + fx0 * step.follow[1] + fx1 * step.follow[3];
+    }
+    if constexpr (rows == 2) {
+      share.gain[2] = share.gain[0];
+      share.tangent[4] = share.tangent[0];
+      share.tangent[5] = share.tangent[1];
+    }
+    share.force[0] = b.force.axial;
+    share.force[1] = b.force.radial;
+    share.force[2] = b.moment_force;
+    share.imbalance =
+        (b.imbalance.axial * b.imbalance.axial + b.imbalance.radial * b.imbalance.radial) *
+        (determinant * reciprocal);
+  }
+  return share;
+}
+
+/// Step of the inner groove centre of ball k in its plane, for a step of the ring.
+template <class C, typename T>
+[[gnu::always_inline]] inline PlaneOf<T> groove_step(const BallCircle& circle, const T* ring,
+                                                     int k) {
+  const double c = circle.cosine[k], s = circle.sine[k];
+  PlaneOf<T> moved;
+  for (const int i : C::at) {
+    if (i == 0) moved.axial = moved.axial + ring[0];
+    if (i == 1) moved.radial = moved.radial + ring[1] * c;
+    if (i == 2) moved.radial = moved.radial + ring[2] * s;
+    if (i == 3) moved.axial = moved.axial + ring[3] * s;
+    if (i == 4) moved.axial = moved.axial - ring[4] * c;
+  }
+  return moved;
+}
+
+template <class C, typename T>
+[[gnu::always_inline]] inline PlaneOf<T> groove_centre(const RingPoint<T>& p,
+                                                       const BallCircle& circle, const T* ring,
+                                                       int k) {
+  const PlaneOf<T> moved = groove_step<C>(circle, ring, k);
+  return {p.free.axial + moved.axial, p.free.radial + moved.radial};
+}
+
+/// Forces of the balls on the ring in the coordinates C, and their derivatives.
+template <class C, typename T>
+struct RingSums {
+  T carried[C::count];              ///< by the balls [N]
+  T ahead[C::count];                ///< the same once they have made their own step [N]
+  T stiffness[C::count][C::count];  ///< with the balls eliminated [N/m]
+
+  RingSums() {
+    for (int i = 0; i < C::count; ++i) {
+      carried[i] = ahead[i] = T(0.0);
+      for (int j = 0; j < C::count; ++j) stiffness[i][j] = T(0.0);
+    }
+  }
+
+  /// Adds ball k, turned from its plane into the bearing's axes.
+  [[gnu::always_inline]] void add(const BallCircle& circle, int k, const BallShare<T>& share) {
+    const double c = circle.cosine[k], s = circle.sine[k], w = circle.weight(k);
+    // What a unit of each coordinate moves the groove centre, axially or radially; the ring feels
+    // the ball's force with the same factors, and the tilts feel f_m.
+    const double unit[] = {1.0, c, s, s, -c};
+    constexpr int row[] = {0, 1, 1, 2, 2}, column[] = {0, 1, 1, 0, 0};
+    for (int i = 0; i < C::count; ++i) {
+      const int a = C::at[i];
+      const double factor = w * unit[a];
+      const T force = share.force[row[a]];
+      carried[i] = carried[i] + factor * force;
+      ahead[i] = ahead[i] + factor * (force + share.gain[row[a]]);
+      for (int j = 0; j < C::count; ++j) {
+        const int b = C::at[j];
+        stiffness[i][j] =
+            stiffness[i][j] + (factor * unit[b]) * share.tangent[2 * row[a] + column[b]];
+      }
+    }
+  }
+};
+
+/// Sums over the circle from the balls used, for all coordinates.
+template <typename T>
+void complete(const BallCircle& circle, RingSums<AllCoordinates, T>& sums) {
+  T(&k)[5][5] = sums.stiffness;
+  const T zero(0.0);
+  if (circle.symmetry == Symmetry::thrust) {
+    // One ball at ψ = 0, Z-fold: k00 = Z t00, k11 = Z t11, k14 = -Z t10, k41 = -Z t21, k44 = Z t20.
+    const T k00 = k[0][0], k11 = 0.5 * k[1][1], k14 = 0.5 * k[1][4], k41 = 0.5 * k[4][1],
+            k44 = 0.5 * k[4][4];
+    for (auto& row : k)
+      for (T& entry : row) entry = zero;
+    k[0][0] = k00;
+    k[1][1] = k[2][2] = k11;
+    k[3][3] = k[4][4] = k44;
+    k[1][4] = k14;
+    k[2][3] = -k14;
+    k[4][1] = k41;
+    k[3][2] = -k41;
+    for (int i = 1; i < 5; ++i) sums.carried[i] = zero;
+  } else if (circle.symmetry == Symmetry::mirror) {
+    // What cancels between the two halves.
+    for (const int odd : {2, 3}) {
+      sums.carried[odd] = zero;
+      for (const int even : {0, 1, 4}) k[odd][even] = k[even][odd] = zero;
+    }
+  }
+}
+
+/// Of the loads summed again from the reported balls, relative; rounding leaves a thousandth of it.
+/// The self-check of every solve: what does not carry the load is no result.
+inline constexpr double largest_load_error = 1e-8;
+
+/// A ring in balance as it is reported.
+template <typename T>
+struct RingReport {
+  T stiffness[5][5];       ///< [N/m]
+  T residual;              ///< largest imbalance of ring and balls, scaled [1]
+  T recovered_load_error;  ///< loads summed again from the reported balls, relative [1]
+};
+
+/// Angles and forces of all balls used at a state of balance, and the loads summed again from
+/// these: an independent check of the frame and of everything between the unknowns and the report.
+template <BallModel model, typename T>
+void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
+                 const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {
+  using std::abs, std::cos, std::max, std::sin, std::sqrt;
+  const T zero(0.0);
+  const T diameter = 2.0 * p.moment_arm_ratio * p.lever - 2.0 * p.ball.inner_radius;
+  RingSums<AllCoordinates, T> sums;
+  T worst_ball = zero, sum[5] = {zero, zero, zero, zero, zero};
+  for (int k = 0; k < circle.used(); ++k) {
+    const PlaneOf<T> a = groove_centre<AllCoordinates>(p, circle, ring, k);
+    const PlaneOf<T> x = balls[k];
+    BallStep<T> step;
+    const BallShare<T> share = ball_share<model>(p, a, x, InnerContact::automatic, step);
+    sums.add(circle, k, share);
+    worst_ball = max(worst_ball, share.imbalance);
+    const BallForcesOf<T>& f = share.forces;
+    const Mask<T> touches = f.inner_load > zero;
+    const BallReport<T> b = reports[k] =
+        ball_report<model == BallModel::at_rest>(f, a, x, diameter);
+
+    const T angle = select(touches, b.inner_contact_angle, zero);
+    const T s = sin(angle), c = cos(angle);
+    const T axial = select(touches, b.inner_load * s + b.inner_friction * c, zero);
+    const T radial = select(touches, b.inner_load * c - b.inner_friction * s, zero);
+    const T moment = select(touches, axial - p.moment_arm_ratio * b.inner_friction, zero);
+    const double cp = circle.cosine[k], sp = circle.sine[k], w = circle.weight(k);
+    sum[0] = sum[0] + w * axial;
+    sum[1] = sum[1] + w * cp * radial;
+    sum[2] = sum[2] + w * sp * radial;
+    sum[3] = sum[3] + w * sp * moment;
+    sum[4] = sum[4] - w * cp * moment;
+  }
+  complete(circle, sums);
+  T missing = zero, error = zero;
+  for (int i = 0; i < (tilts ? 5 : 3); ++i) {
+    missing = max(missing, abs(p.load[i] - sums.carried[i]));
+    // By symmetry these cancel over the balls that are not unknowns.
+    const bool even = circle.symmetry == Symmetry::none || i == 0 ||
+                      (circle.symmetry == Symmetry::mirror && (i == 1 || i == 4));
+    if (even) error = max(error, abs(p.load[i] - sum[i]));
+  }
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) report.stiffness[i][j] = sums.stiffness[i][j];
+  report.residual = max(missing / p.load_scale, sqrt(worst_ball));
+  report.recovered_load_error = error / p.load_scale;
+}
+
+/// Sets all of `result` but status and iterations from a ring in balance and the balls used.
+void fill_equilibrium(const RingPoint<double>& point, const BallCircle& circle, const double* ring,
+                      const RingReport<double>& report, const BallReport<double>* balls,
+                      BearingEquilibrium& result);
+
+}  // namespace raceway::bearing

@@ -1,0 +1,211 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "bearing/linear_solve.h"
+#include "bearing/ring_balance.h"
+
+namespace raceway::bearing {
+
+struct NewtonLimits {
+  double tolerance;  ///< on the scaled residual [1]
+  int steps;         ///< of one lane
+};
+
+/// How far lanes have come; each is true in at most one of these.
+template <typename T>
+struct NewtonProgress {
+  Mask<T> taken;      ///< has moved to its trial state, and goes on from there unless it is in:
+  Mask<T> converged;  ///< balance within the tolerance, at `ring` and `balls`
+  Mask<T> not_finite, singular, exhausted;
+};
+
+/// Newton's method on ring and balls together, for the point of each lane by itself: lanes begin
+/// and end whenever they like, and what one computes does not depend on the others.
+///
+/// A step is shortened to half the free distance of ring and balls, then halved up to six times
+/// while it worsens the balance, and cut where it would lift a ball off the outer race. A ball that
+/// changes between contact and none may raise the residual once.
+template <typename T>
+class RingNewton {
+ public:
+  RingPoint<T> point;
+  T ring[5];
+  std::vector<PlaneOf<T>> balls;
+  T trial_ring[5];  ///< where the next pass looks
+  std::vector<PlaneOf<T>> trial_balls;
+  T steps = T(0.0);     ///< made since the start
+  T residual = T(0.0);  ///< at `ring` and `balls` [1]
+
+  /// The trial state of this lane is a start and not a step.
+  void begin(std::size_t i) {
+    set_lane(fresh_, i, 1.0);
+    set_lane(steps, i, 0.0);
+  }
+
+  void resize(std::size_t used) {
+    for (auto* v : {&balls, &trial_balls}) v->resize(used);
+    for (auto* v : {&now_, &trial_}) v->resize(used);
+  }
+
+  /// Looks at the trial state of every lane, takes it or halves the step, and prepares the next.
+  template <BallModel model, class C>
+  NewtonProgress<T> pass(const BallCircle& circle, const NewtonLimits& limits,
+                         const InnerContact* contacts = nullptr);
+
+ private:
+  template <BallModel model, class C>
+  void assemble(const BallCircle& circle, const InnerContact* contacts);
+  template <class C>
+  void take(const Mask<T>& taken, int used);
+  template <BallModel model, class C>
+  void advance(const BallCircle& circle);
+
+  std::vector<BallStep<T>> now_, trial_;
+  T trial_force_[5], trial_stiffness_[5][5];  // what the ring misses once the balls have stepped
+  T trial_residual_, trial_merit_;
+  T fresh_ = T(1.0), merit_ = T(0.0), fraction_ = T(1.0), halvings_ = T(0.0);
+  T step_[5] = {T(0.0), T(0.0), T(0.0), T(0.0), T(0.0)};
+};
+
+template <typename T>
+template <BallModel model, class C>
+[[gnu::always_inline]] inline void RingNewton<T>::assemble(const BallCircle& circle,
+                                                           const InnerContact* contacts) {
+  using std::abs, std::max, std::sqrt;
+  RingSums<C, T> sums;
+  T worst_ball(0.0), ball_merit(0.0);
+  BallShare<T> share;
+  PlaneOf<T> last_centre{T(unset), T(unset)}, last_ball = last_centre;
+  const int used = circle.used();
+  for (int k = 0; k < used; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const PlaneOf<T> centre = groove_centre<C>(point, circle, trial_ring, k);
+    bool alike = false;
+    // Worth a look for one point: from a thrust start all balls begin alike.
+    if constexpr (is_scalar<T>)
+      alike = centre == last_centre && trial_balls[i] == last_ball && !contacts;
+    if (alike) {
+      trial_[i] = trial_[i - 1];
+    } else {
+      const InnerContact contact = contacts ? contacts[k] : InnerContact::automatic;
+      share = ball_share<model>(point, centre, trial_balls[i], contact, trial_[i]);
+      last_centre = centre;
+      last_ball = trial_balls[i];
+    }
+    worst_ball = max(worst_ball, share.imbalance);
+    ball_merit = ball_merit + circle.weight(k) * share.imbalance;
+    sums.add(circle, k, share);
+  }
+  T largest(0.0), squares(0.0);
+  for (int i = 0; i < C::count; ++i) {
+    const T missing = point.load[C::at[i]] - sums.carried[i];
+    largest = max(largest, abs(missing));
+    squares = squares + missing * missing;
+    trial_force_[i] = point.load[C::at[i]] - sums.ahead[i];
+    for (int j = 0; j < C::count; ++j) trial_stiffness_[i][j] = sums.stiffness[i][j];
+  }
+  const T inv_scale = 1.0 / point.load_scale;
+  trial_residual_ = max(largest * inv_scale, sqrt(worst_ball));
+  trial_merit_ = squares * inv_scale * inv_scale + ball_merit * (1.0 / circle.count);
+}
+
+template <typename T>
+template <class C>
+[[gnu::always_inline]] inline void RingNewton<T>::take(const Mask<T>& taken, int used) {
+  residual = select(taken, trial_residual_, residual);
+  merit_ = select(taken, trial_merit_, merit_);
+  for (const int i : C::at) ring[i] = select(taken, trial_ring[i], ring[i]);
+  if (all(taken)) {
+    std::swap(balls, trial_balls);
+    std::swap(now_, trial_);
+    return;
+  }
+  if (!any(taken)) return;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(used); ++k) {
+    balls[k].axial = select(taken, trial_balls[k].axial, balls[k].axial);
+    balls[k].radial = select(taken, trial_balls[k].radial, balls[k].radial);
+    BallStep<T>&to = now_[k], &from = trial_[k];
+    for (int j = 0; j < 2; ++j) to.own[j] = select(taken, from.own[j], to.own[j]);
+    for (int j = 0; j < 4; ++j) to.follow[j] = select(taken, from.follow[j], to.follow[j]);
+    to.outer_approach = select(taken, from.outer_approach, to.outer_approach);
+  }
+}
+
+template <typename T>
+template <BallModel model, class C>
+[[gnu::always_inline]] inline void RingNewton<T>::advance(const BallCircle& circle) {
+  using std::sqrt;
+  for (const int i : C::at) trial_ring[i] = ring[i] + fraction_ * step_[i];
+  if constexpr (model == BallModel::at_rest) return;
+  const T outer_radius = point.ball.outer_radius;
+  const int used = circle.used();
+  for (int k = 0; k < used; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const PlaneOf<T> da = groove_step<C>(circle, step_, k);
+    const BallStep<T>& e = now_[i];
+    const PlaneOf<T> x = balls[i];
+    PlaneOf<T> next{
+        x.axial + fraction_ * (e.own[0] + e.follow[0] * da.axial + e.follow[1] * da.radial),
+        x.radial + fraction_ * (e.own[1] + e.follow[2] * da.axial + e.follow[3] * da.radial)};
+    // The centrifugal force keeps every ball on the outer race; a step that leaves it is cut.
+    const T least = outer_radius + 0.1 * e.outer_approach;
+    const T squared = next.axial * next.axial + next.radial * next.radial;
+    const Mask<T> leaves = squared < least * least;
+    if (any(leaves)) {
+      const T cut = select(leaves, least / sqrt(squared), T(1.0));
+      next.axial = next.axial * cut;
+      next.radial = next.radial * cut;
+    }
+    trial_balls[i] = next;
+  }
+}
+
+template <typename T>
+template <BallModel model, class C>
+NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimits& limits,
+                                      const InnerContact* contacts) {
+  using std::abs, std::max;
+  assemble<model, C>(circle, contacts);
+  const Mask<T> fresh = fresh_ != T(0.0);
+  const T accept = select(halvings_ == T(0.0), T(4.0), T(1.0));
+  NewtonProgress<T> progress;
+  progress.taken = fresh || trial_merit_ <= accept * merit_ || halvings_ == T(6.0);
+  const Mask<T> stalled =
+      !fresh && trial_residual_ <= T(10.0 * limits.tolerance) && trial_merit_ > 0.25 * merit_;
+  take<C>(progress.taken, circle.used());
+  progress.converged = progress.taken && (residual <= T(limits.tolerance) || stalled);
+  const Mask<T> open = progress.taken && !progress.converged;
+  progress.exhausted = open && steps >= T(limits.steps);
+  progress.not_finite = open && !progress.exhausted && !finite(merit_);
+  progress.singular = Mask<T>(false);
+  if (any(open)) {
+    T a[C::count][C::count], b[C::count];
+    for (int i = 0; i < C::count; ++i) {
+      b[i] = trial_force_[i];
+      for (int j = 0; j < C::count; ++j) a[i][j] = trial_stiffness_[i][j];
+    }
+    solve_linear<C::count>(a, b);
+    T sum(0.0), longest(0.0);
+    for (int i = 0; i < C::count; ++i) {
+      step_[C::at[i]] = select(open, b[i], step_[C::at[i]]);
+      sum = sum + b[i] - b[i];
+      if (C::at[i] < 3) longest = max(longest, abs(step_[C::at[i]]));
+    }
+    progress.singular = open && !progress.exhausted && !progress.not_finite && !finite(sum);
+    const T allowed = 0.5 * (point.ball.inner_radius + point.ball.outer_radius);
+    const T whole = select(longest > allowed, allowed / longest, T(1.0));
+    fraction_ = select(open, whole, 0.5 * fraction_);
+    halvings_ = select(open, T(0.0), halvings_ + 1.0);
+    steps = select(open, steps + 1.0, steps);
+  } else {
+    fraction_ = 0.5 * fraction_;
+    halvings_ = halvings_ + 1.0;
+  }
+  fresh_ = T(0.0);
+  advance<model, C>(circle);
+  return progress;
+}
+
+}  // namespace raceway::bearing

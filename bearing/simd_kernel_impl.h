@@ -1,0 +1,168 @@
+#pragma once
+
+#include <vector>
+#include <xsimd/xsimd.hpp>
+
+#include "bearing/ring_newton.h"
+#include "bearing/simd_kernel.h"
+#include "bearing/thrust_start.h"
+
+// Included by one source for each instruction set. What is compiled with the flags of that set must
+// not be taken by the linker for another: here all functions are named by T, or always inlined.
+// (Not so xsimd's reduction of very large angles, which contact angles never reach.)
+namespace raceway::bearing {
+
+/// Memory of a kernel, kept between calls. One per thread.
+template <typename T>
+struct KernelMemory {
+  RingNewton<T> newton;
+  std::vector<ThrustStart<T>> starts;  ///< of `width` points each
+  std::vector<Mask<T>> started;
+  std::vector<PlaneOf<T>> balls;  ///< in balance, of `width` points each
+  std::vector<BallReport<T>> reports;
+};
+
+template <typename T, BallModel model, class C>
+class KernelRun {
+ public:
+  KernelRun(const KernelCall& call, KernelMemory<T>& memory)
+      : call_(call),
+        memory_(memory),
+        used_(static_cast<std::size_t>(call.circle.used())),
+        groups_((call.count + width - 1) / width) {}
+
+  void run() {
+    memory_.starts.resize(groups_);
+    memory_.started.resize(groups_);
+    memory_.balls.resize(groups_ * used_);
+    memory_.reports.resize(used_);
+    memory_.newton.resize(used_);
+    find_starts();
+    iterate();
+    for (std::size_t g = 0; g < groups_; ++g) report(g);
+  }
+
+ private:
+  static constexpr std::size_t width = Lanes<T>::count;
+
+  /// The points of a group side by side, the last one repeated where there are no more.
+  void load(std::size_t group, RingPoint<T>& points) const {
+    for (std::size_t i = 0; i < width; ++i)
+      set_lane(points, i, call_.points[last(group * width + i)].point);
+  }
+  [[nodiscard]] std::size_t last(std::size_t n) const {
+    return n < call_.count ? n : call_.count - 1;
+  }
+
+  void find_starts() {
+    constexpr auto control =
+        model == BallModel::inner_control ? RaceControl::inner : RaceControl::outer;
+    RingPoint<T> p;
+    for (std::size_t g = 0; g < groups_; ++g) {
+      load(g, p);
+      memory_.started[g] = thrust_start<control, T>(
+          p.ball, p.free, p.load[0] * (1.0 / call_.circle.count), memory_.starts[g]);
+    }
+  }
+
+  /// Every lane works on one point; where one ends, the next point takes its lane.
+  void iterate() {
+    constexpr int most_steps = 40;
+    const NewtonLimits limits{.tolerance = call_.tolerance, .steps = most_steps};
+    std::size_t next = 0, working = 0;
+    for (std::size_t i = 0; i < width; ++i) {
+      // A lane without work goes through the motions of some point.
+      set_lane(memory_.newton.point, i, call_.points[0].point);
+      point_of_[i] = none;
+      working += begin(i, next);
+    }
+    while (working > 0) {
+      const NewtonProgress<T> p = memory_.newton.template pass<model, C>(call_.circle, limits);
+      const Mask<T> ended = p.converged || p.not_finite || p.singular || p.exhausted;
+      if (!any(ended)) continue;
+      const T end = select(ended, T(1.0), T(0.0)), good = select(p.converged, T(1.0), T(0.0));
+      for (std::size_t i = 0; i < width; ++i) {
+        if (lane(end, i) == 0.0 || point_of_[i] == none) continue;
+        if (lane(good, i) != 0.0) keep(i, call_.points[point_of_[i]]);
+        point_of_[i] = none;
+        --working;
+        working += begin(i, next);
+      }
+    }
+  }
+
+  /// Gives lane i the next point that has a start; false if there is none.
+  bool begin(std::size_t i, std::size_t& next) {
+    RingNewton<T>& newton = memory_.newton;
+    while (next < call_.count) {
+      const std::size_t n = next++;
+      call_.points[n].converged = false;
+      const Mask<T>& started = memory_.started[n / width];
+      if (lane(select(started, T(1.0), T(0.0)), n % width) == 0.0) continue;
+      const ThrustStart<T>& start = memory_.starts[n / width];
+      set_lane(newton.point, i, call_.points[n].point);
+      for (const int c : C::at) set_lane(newton.trial_ring[c], i, 0.0);
+      set_lane(newton.trial_ring[0], i, lane(start.axial_displacement, n % width));
+      const double axial = lane(start.ball_centre.axial, n % width);
+      const double radial = lane(start.ball_centre.radial, n % width);
+      for (PlaneOf<T>& x : newton.trial_balls) {
+        set_lane(x.axial, i, axial);
+        set_lane(x.radial, i, radial);
+      }
+      newton.begin(i);
+      point_of_[i] = n;
+      return true;
+    }
+    return false;
+  }
+
+  void keep(std::size_t i, KernelPoint& point) {
+    const RingNewton<T>& newton = memory_.newton;
+    const std::size_t n = point_of_[i];
+    point.converged = true;
+    point.steps = static_cast<int>(lane(newton.steps, i));
+    for (double& q : point.ring) q = 0.0;
+    for (const int c : C::at) point.ring[c] = lane(newton.ring[c], i);
+    PlaneOf<T>* const balls = &memory_.balls[n / width * used_];
+    for (std::size_t k = 0; k < used_; ++k) {
+      set_lane(balls[k].axial, n % width, lane(newton.balls[k].axial, i));
+      set_lane(balls[k].radial, n % width, lane(newton.balls[k].radial, i));
+    }
+  }
+
+  void report(std::size_t group) {
+    RingPoint<T> p;
+    load(group, p);
+    T ring[5];
+    for (std::size_t i = 0; i < width; ++i)
+      for (std::size_t c = 0; c < 5; ++c)
+        set_lane(ring[c], i, call_.points[last(group * width + i)].ring[c]);
+    RingReport<T> found;
+    report_ring<model>(p, call_.circle, call_.tilts, ring, &memory_.balls[group * used_],
+                       memory_.reports.data(), found);
+    for (std::size_t i = 0; i < width && group * width + i < call_.count; ++i) {
+      const std::size_t n = group * width + i;
+      get_lane(found, i, call_.points[n].report);
+      for (std::size_t k = 0; k < used_; ++k)
+        get_lane(memory_.reports[k], i, call_.balls[n * used_ + k]);
+    }
+  }
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  const KernelCall& call_;
+  KernelMemory<T>& memory_;
+  std::size_t used_, groups_;
+  std::size_t point_of_[width];
+};
+
+template <typename T>
+void solve_in(const KernelCall& call) {
+  thread_local KernelMemory<T> memory;
+  with_model(call.model, [&](auto model) {
+    with_coordinates(call.circle.symmetry, call.tilts, [&](auto coordinates) {
+      KernelRun<T, decltype(model)::value, decltype(coordinates)>(call, memory).run();
+    });
+  });
+}
+
+}  // namespace raceway::bearing

@@ -1,0 +1,221 @@
+#include "bearing/solve_many.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "bearing/simd_kernel.h"
+
+namespace raceway::bearing {
+namespace {
+
+constexpr std::size_t chunk = 512;  // points that a thread takes
+constexpr std::size_t batch = 128;  // of these at most go through a kernel at a time
+
+/// Memory of a thread, kept between calls.
+struct Memory {
+  std::vector<KernelPoint> points;
+  std::vector<std::size_t> index;  // of these, in the call
+  std::vector<BallReport<double>> balls;
+  std::vector<bool> done;
+  std::vector<BearingEquilibrium> visited;
+};
+
+Memory& memory() {
+  thread_local Memory m;
+  return m;
+}
+
+/// What points must have in common to be solved side by side.
+struct Kind {
+  int ball_count;
+  Symmetry symmetry;
+  bool at_rest;
+  bool operator==(const Kind&) const = default;
+};
+
+template <typename Case>
+class Chunk {
+ public:
+  /// `at(i)` is case i of the chunk.
+  Chunk(const Case& at, std::span<BearingEquilibrium> results, const EquilibriumOptions& options,
+        InstructionSet set)
+      : at_(at), results_(results), options_(options), set_(set) {}
+
+  void solve() {
+    m_.done.assign(results_.size(), false);
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+      if (m_.done[i]) continue;
+      const auto [bearing, point] = at_(i);
+      if (point.axial_load > 0.0) {
+        solve_like(i, kind(bearing, point));
+      } else {
+        results_[i] = solve_bearing_equilibrium(bearing, point, options_);
+      }
+    }
+  }
+
+ private:
+  static Kind kind(const Bearing& bearing, const OperatingPoint& point) {
+    return {bearing.geometry().ball_count, ball_circle(bearing, point).symmetry,
+            point.speed == 0.0};
+  }
+
+  /// Point i and those after it that are of its kind, as many as make a batch.
+  void solve_like(std::size_t first, const Kind& like) {
+    m_.points.clear();
+    m_.index.clear();
+    const Bearing* unloaded = nullptr;
+    RingPoint<double> ring{};
+    for (std::size_t i = first; i < results_.size() && m_.points.size() < batch; ++i) {
+      if (m_.done[i]) continue;
+      const auto [bearing, point] = at_(i);
+      if (!(point.axial_load > 0.0) || kind(bearing, point) != like) continue;
+      m_.done[i] = true;
+      if (&bearing != unloaded) ring = unloaded_point(bearing, options_);
+      unloaded = &bearing;
+      set_operating_point(ring, bearing, point, options_);
+      m_.points.emplace_back().point = ring;
+      m_.index.push_back(i);
+    }
+    const auto [bearing, point] = at_(first);
+    const BallCircle circle = ball_circle(bearing, point);
+    const auto used = static_cast<std::size_t>(circle.used());
+    m_.balls.resize(m_.points.size() * used);
+    run({.circle = circle,
+         .model = ball_model(m_.points[0].point, options_.race_control),
+         .tilts = options_.tilt == Tilt::free,
+         .tolerance = options_.tolerance,
+         .points = m_.points.data(),
+         .count = m_.points.size(),
+         .balls = m_.balls.data()});
+    for (std::size_t n = 0; n < m_.points.size(); ++n) {
+      const KernelPoint& p = m_.points[n];
+      BearingEquilibrium& result = results_[m_.index[n]];
+      if (p.converged && p.report.recovered_load_error <= largest_load_error) {
+        fill_equilibrium(p.point, circle, p.ring, p.report, &m_.balls[n * used], result);
+        result.report.status = SolveStatus::converged;
+        result.report.iterations = p.steps;
+      } else {
+        const auto [own, its_point] = at_(m_.index[n]);
+        result = solve_bearing_equilibrium(own, its_point, options_);
+      }
+    }
+  }
+
+  void run(const KernelCall& call) const {
+    switch (set_) {
+      case InstructionSet::sse2:
+        return solve_sse2(call);
+      case InstructionSet::avx2:
+        return solve_avx2(call);
+      case InstructionSet::avx512:
+        return solve_avx512(call);
+    }
+  }
+
+  const Case& at_;
+  std::span<BearingEquilibrium> results_;
+  const EquilibriumOptions& options_;
+  InstructionSet set_;
+  Memory& m_ = memory();
+};
+
+void require_available(InstructionSet set) {
+  if (!available(set))
+    throw std::invalid_argument("this machine has no instructions " + std::string(name(set)));
+}
+
+template <typename Body>
+void for_chunks(std::size_t count, const Body& body) {
+  tbb::parallel_for(
+      std::size_t{0}, (count + chunk - 1) / chunk,
+      [&](std::size_t c) { body(c * chunk, std::min(chunk, count - c * chunk)); },
+      tbb::simple_partitioner());
+}
+
+struct OneCase {
+  const Bearing& bearing;
+  const OperatingPoint& point;
+};
+
+}  // namespace
+
+std::string_view name(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::sse2:
+      return "sse2";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::avx512:
+      return "avx512";
+  }
+  return "sse2";
+}
+
+bool available(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::sse2:
+      return true;
+    case InstructionSet::avx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    case InstructionSet::avx512:
+      return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+             __builtin_cpu_supports("avx512vl");
+  }
+  return false;
+}
+
+InstructionSet best_instruction_set() {
+  static const InstructionSet best = available(InstructionSet::avx512) ? InstructionSet::avx512
+                                     : available(InstructionSet::avx2) ? InstructionSet::avx2
+                                                                       : InstructionSet::sse2;
+  return best;
+}
+
+void solve_many(const Bearing& bearing, std::span<const OperatingPoint> points,
+                std::span<BearingEquilibrium> results, const EquilibriumOptions& options,
+                InstructionSet set) {
+  if (points.size() != results.size())
+    throw std::invalid_argument("solve_many: as many results as points are needed");
+  require_available(set);
+  for (const OperatingPoint& p : points) validate(p);
+  for_chunks(points.size(), [&](std::size_t first, std::size_t count) {
+    const auto at = [&](std::size_t i) { return OneCase{bearing, points[first + i]}; };
+    Chunk(at, results.subspan(first, count), options, set).solve();
+  });
+}
+
+void solve_many(std::span<const BearingCase> cases, std::span<BearingEquilibrium> results,
+                const EquilibriumOptions& options, InstructionSet set) {
+  if (cases.size() != results.size())
+    throw std::invalid_argument("solve_many: as many results as cases are needed");
+  require_available(set);
+  for (const BearingCase& c : cases) validate(c.point);
+  for_chunks(cases.size(), [&](std::size_t first, std::size_t count) {
+    const auto at = [&](std::size_t i) {
+      return OneCase{*cases[first + i].bearing, cases[first + i].point};
+    };
+    Chunk(at, results.subspan(first, count), options, set).solve();
+  });
+}
+
+void visit_equilibria(const Bearing& bearing, std::span<const OperatingPoint> points,
+                      const std::function<void(std::size_t, const BearingEquilibrium&)>& take,
+                      const EquilibriumOptions& options, InstructionSet set) {
+  require_available(set);
+  for (const OperatingPoint& p : points) validate(p);
+  for_chunks(points.size(), [&](std::size_t first, std::size_t count) {
+    const auto at = [&](std::size_t i) { return OneCase{bearing, points[first + i]}; };
+    std::vector<BearingEquilibrium>& results = memory().visited;
+    if (results.size() < count) results.resize(count);
+    Chunk(at, std::span(results).first(count), options, set).solve();
+    for (std::size_t i = 0; i < count; ++i) take(first + i, results[i]);
+  });
+}
+
+}  // namespace raceway::bearing

@@ -1,0 +1,52 @@
+#include <fmt/core.h>
+
+#include <vector>
+
+#include "cli/commands.h"
+#include "cli/open_input.h"
+#include "io/error.h"
+#include "io/input_file.h"
+#include "io/output_file.h"
+#include "io/table_file.h"
+
+namespace raceway::cli {
+namespace {
+
+struct Flags {
+  std::vector<std::string> slabs;
+  std::string output;
+  bool force = false;
+};
+
+int run(const Flags& flags) {
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (flags.output != "-") io::require_writable(flags.output, if_exists);
+  std::vector<io::SlabText> slabs;
+  for (const std::string& name : flags.slabs) slabs.push_back({name, io::read_text(name)});
+  const std::string text = io::merged_table_text(slabs);
+  slabs.clear();
+  if (flags.output == "-") {
+    fmt::print("{}", text);
+    return done;
+  }
+  io::write_text(flags.output, text, if_exists);
+  say(fmt::format("{} written from {} slabs", flags.output, flags.slabs.size()));
+  return done;
+}
+
+}  // namespace
+
+Run setup_merge(CLI::App& command) {
+  auto flags = std::make_shared<Flags>();
+  command.add_option("SLABS", flags->slabs, "files that raceway table --slab wrote, in any order")
+      ->required()
+      ->type_name("");
+  command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
+      ->required()
+      ->type_name("FILE");
+  command.add_flag("--force", flags->force, "replace the file if it exists");
+  command.footer("Example:\n  raceway merge slab-*.csv -o stribeck.csv");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

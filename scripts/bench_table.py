@@ -1,0 +1,44 @@
+"""Prints results of Google Benchmark (JSON files) as one table, and the ratios that count."""
+import json
+import sys
+
+fastest = {}
+for path in sys.argv[1:]:
+    with open(path) as file:
+        for run in json.load(file)["benchmarks"]:
+            if run.get("run_type") != "iteration" or run.get("error_occurred"):
+                continue
+            name = run["name"].removesuffix("/real_time")
+            if "items_per_second" not in run:
+                continue
+            run["each"] = 1e6 / run["items_per_second"]  # microseconds
+            if name not in fastest or run["each"] < fastest[name]["each"]:
+                fastest[name] = run
+
+def number(run, key, form):
+    return format(run[key], form) if key in run else ""
+
+width = max(len(name) for name in fastest)
+print(f"{'':{width}}  {'us each':>10}  {'iterations':>10}  {'residual':>8}")
+for name, run in sorted(fastest.items()):
+    iterations = number(run, "iterations", ".2f")
+    if "items_per_second" in run and name.startswith("diagnose"):
+        iterations = ""  # of the benchmark itself
+    print(f"{name:{width}}  {run['each']:10.3f}  {iterations:>10}  {number(run, 'residual', '.0e'):>8}")
+
+def ratio(text, above, below, bar):
+    if above in fastest and below in fastest:
+        value = fastest[above]["each"] / fastest[below]["each"]
+        print(f"{text:{width}}  {value:10.2f}  {bar}")
+
+print("\nratios")
+ball = "solve/5dof_20_balls"
+ratio("scalar to batch", f"{ball}/scalar_cold", f"{ball}/batch_cold", "at least 4 with AVX-512")
+ratio("scalar to batch, AVX2", f"{ball}/scalar_cold", f"{ball}/batch_cold_avx2", "at least 2.5")
+ratio("scalar to batch, SSE2", f"{ball}/scalar_cold", f"{ball}/batch_cold_sse2", "")
+ratio("batch to limit", f"{ball}/batch_cold", "limit/5dof_20_balls", "at most 2.5")
+ratio("batch to limit, AVX2", f"{ball}/batch_cold_avx2", "limit/5dof_20_balls_avx2", "at most 2.5")
+ratio("one thread to two, solves", f"{ball}/batch_cold", f"{ball}/batch_cold_2_threads",
+      "at least 1.8 on two free cores")
+ratio("one thread to two, table", "table/1e6", "table/1e6_2_threads",
+      "at least 1.8 on two free cores")
