@@ -444,8 +444,7 @@ TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
   const std::string bare = complete.substr(0, complete.find("[calibration]"));
   for (const effects::Description& d : effects::catalogue()) {
     SCOPED_TRACE(d.id);
-    effects::Effect effect{.description = &d};
-    for (const effects::Parameter& p : d.parameters) effect.values.push_back(p.initial);
+    const effects::Effect effect{.description = &d, .values = effects::initial_values(d)};
     const fit::Model m = parse_model(with_effect(bare, effect), "m.toml").model;
     ASSERT_EQ(m.effects.size(), 1u);
     EXPECT_EQ(m.effects[0].description, &d);
