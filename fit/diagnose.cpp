@@ -10,6 +10,7 @@
 #include "effects/catalogue.h"
 #include "fit/attribution.h"
 #include "fit/evidence.h"
+#include "fit/hidden_input.h"
 #include "fit/needs.h"
 #include "fit/unknown_shape.h"
 
@@ -62,8 +63,11 @@ class Investigation {
     result_.needed_gain = std::log(rows) + 2.0 * std::log(std::max(1, result_.candidates_tried));
     result_.p_value = attribution_.gate().p_value();
     result_.remaining_p_value = result_.p_value;
-    if (!attribution_.gate().alarm()) {
+    const std::optional<HiddenInput> hidden = find_hidden_input(problem_.data);
+    const bool by_runs = hidden && hidden->follows_the_runs();
+    if (!attribution_.gate().alarm() && !by_runs) {
       nothing_missing();
+      if (hidden) warn_of(*hidden);
       return std::move(result_);
     }
     step(0.2, "refitting with each effect");
@@ -72,7 +76,12 @@ class Investigation {
       if (!single.fit.converged)
         result_.messages.push_back(fmt::format(
             "the fit with {} did not converge: it takes no part in the verdict", id_of(single)));
+    if (by_runs) {
+      outside_the_inputs(*hidden);
+      return std::move(result_);
+    }
     attribute();
+    if (hidden) warn_of(*hidden);
     return std::move(result_);
   }
 
@@ -222,6 +231,34 @@ class Investigation {
       result_.would_have_been_found.push_back(d);
       if (group.size() > 1) result_.aliases.push_back(group);
     }
+  }
+
+  /// Two rows that should read alike.
+  [[nodiscard]] std::string difference_text(const HiddenInput& hidden) const {
+    const Row& low = problem_.data.rows[hidden.low];
+    const Row& high = problem_.data.rows[hidden.high];
+    return fmt::format("lines {} and {}: {:.0f} and {:.0f} N mm at {:.0f} and {:.0f} rpm", low.line,
+                       high.line, low.measured / N_mm, high.measured / N_mm, low.point.speed / rpm,
+                       high.point.speed / rpm);
+  }
+
+  /// A warning beside a verdict: scatter of that size may be no scatter.
+  void warn_of(const HiddenInput& hidden) {
+    result_.sentence += fmt::format(
+        " But readings at nearly equal operating points differ by {:.0f} % ({}), more than a "
+        "rig scatters: something that is in no input of the model may change from row to row.",
+        100.0 * hidden.scatter, difference_text(hidden));
+  }
+
+  /// Runs that read differently at equal operating points: no effect of these inputs can do that.
+  void outside_the_inputs(const HiddenInput& hidden) {
+    result_.verdict = Verdict::not_in_catalogue;
+    fill({}, singles_.empty() ? Explanation{} : singles_.front());
+    result_.sentence = fmt::format(
+        "Something is missing that is in no input of the model: at nearly equal operating points "
+        "runs differ by {:.0f} % ({}; {}), which no law of speed, load and temperature can do. "
+        "Find what changes from run to run before adding an effect.",
+        100.0 * hidden.scatter, p_text(hidden.run_p_value), difference_text(hidden));
   }
 
   void nothing_missing() {

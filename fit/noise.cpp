@@ -8,8 +8,6 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr double tight = 1e-3;            // relative
-constexpr double same_temperature = 0.1;  // [K]
 constexpr int fewest_degrees = 3;
 
 bool near(double a, double b, double relative, double absolute) {
@@ -17,20 +15,22 @@ bool near(double a, double b, double relative, double absolute) {
   return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b)) + absolute;
 }
 
-bool same_point(const Row& a, const Row& b) {
+bool same_point(const Row& a, const Row& b, const SamePoint& same) {
   const bearing::OperatingPoint& p = a.point;
   const bearing::OperatingPoint& q = b.point;
   // Loads are compared with the largest of them: a radial load of 0.01 N beside 1000 N is none.
-  const double force = tight * std::max({std::abs(p.axial_load), std::abs(p.radial_load),
-                                         std::abs(q.axial_load), std::abs(q.radial_load)});
-  return near(p.speed, q.speed, tight, 0.0) && near(p.axial_load, q.axial_load, 0.0, force) &&
+  const double force = same.relative * std::max({std::abs(p.axial_load), std::abs(p.radial_load),
+                                                 std::abs(q.axial_load), std::abs(q.radial_load)});
+  return near(p.speed, q.speed, same.relative, 0.0) &&
+         near(p.axial_load, q.axial_load, 0.0, force) &&
          near(p.radial_load, q.radial_load, 0.0, force) &&
          near(p.radial_load_z, q.radial_load_z, 0.0, force) &&
-         near(p.moment_y, q.moment_y, tight, 0.0) && near(p.moment_z, q.moment_z, tight, 0.0) &&
-         near(p.temperature, q.temperature, 0.0, same_temperature) &&
-         near(a.inner_ring_temperature, b.inner_ring_temperature, 0.0, same_temperature) &&
-         near(a.outer_ring_temperature, b.outer_ring_temperature, 0.0, same_temperature) &&
-         near(a.preload, b.preload, tight, 0.0);
+         near(p.moment_y, q.moment_y, same.relative, 0.0) &&
+         near(p.moment_z, q.moment_z, same.relative, 0.0) &&
+         near(p.temperature, q.temperature, 0.0, same.temperature) &&
+         near(a.inner_ring_temperature, b.inner_ring_temperature, 0.0, same.temperature) &&
+         near(a.outer_ring_temperature, b.outer_ring_temperature, 0.0, same.temperature) &&
+         near(a.preload, b.preload, same.relative, 0.0);
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ std::string_view name(NoiseSource source) {
   return "none";
 }
 
-std::vector<RepeatGroup> find_repeats(const DataSet& data) {
+std::vector<RepeatGroup> find_repeats(const DataSet& data, const SamePoint& same) {
   std::vector<std::size_t> order(data.rows.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -62,10 +62,10 @@ std::vector<RepeatGroup> find_repeats(const DataSet& data) {
   for (const std::size_t i : order) {
     const double speed = data.rows[i].point.speed;
     while (oldest < groups.size() &&
-           !near(data.rows[groups[oldest].front()].point.speed, speed, tight, 0.0))
+           !near(data.rows[groups[oldest].front()].point.speed, speed, same.relative, 0.0))
       ++oldest;
     std::size_t g = oldest;
-    while (g < groups.size() && !same_point(data.rows[groups[g].front()], data.rows[i])) ++g;
+    while (g < groups.size() && !same_point(data.rows[groups[g].front()], data.rows[i], same)) ++g;
     if (g == groups.size())
       groups.push_back({i});
     else

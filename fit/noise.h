@@ -14,10 +14,16 @@ namespace raceway::fit {
 /// Rows that measure the same: indices into DataSet::rows.
 using RepeatGroup = std::vector<std::size_t>;
 
-/// Groups of two or more rows at the same operating point: speed and loads within 0.1 %, lubricant
-/// and ring temperatures within 0.1 K (0.3 % of a viscous torque), preload within 0.1 %. Speed
-/// differs from row to row in a coast-down, so it has none.
-[[nodiscard]] std::vector<RepeatGroup> find_repeats(const DataSet& data);
+/// When two rows stand at the same operating point.
+struct SamePoint {
+  double relative = 1e-3;    ///< difference of speed, loads and preload [1]
+  double temperature = 0.1;  ///< of lubricant and rings [K]; 0.3 % of a viscous torque
+};
+
+/// Groups of two or more rows at the same operating point. Speed differs from row to row in a
+/// coast-down, so it has none.
+[[nodiscard]] std::vector<RepeatGroup> find_repeats(const DataSet& data,
+                                                    const SamePoint& same = {});
 
 /// How much of the measured values is scatter.
 struct Noise {

@@ -380,7 +380,8 @@ class Reader {
   }
 
   effects::Effect read_effect(const Section& s, const effects::Description& description) {
-    if (s.find("torque_Nmm"))
+    // A text is a formula; a number is the parameter that torque-offset calls so.
+    if (const toml::node* const formula = s.find("torque_Nmm"); formula && formula->is_string())
       s.fail("torque_Nmm",
              fmt::format("torque_Nmm: {} is an effect of the catalogue; give yours another id",
                          description.id));

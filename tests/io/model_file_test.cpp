@@ -439,6 +439,19 @@ TEST(ModelEdit, AnAddedEffectReadsBackAsItIs) {
   EXPECT_EQ(m.effects[2].description->parameters[0].lower, 0.0);
 }
 
+TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
+  // torque-offset has a parameter torque_Nmm, which elsewhere is the formula of a user's effect.
+  const std::string bare = complete.substr(0, complete.find("[calibration]"));
+  for (const effects::Description& d : effects::catalogue()) {
+    SCOPED_TRACE(d.id);
+    const effects::Effect effect{.description = &d, .values = effects::initial_values(d)};
+    const fit::Model m = parse_model(with_effect(bare, effect), "m.toml").model;
+    ASSERT_EQ(m.effects.size(), 1u);
+    EXPECT_EQ(m.effects[0].description, &d);
+    EXPECT_EQ(m.effects[0].values, effect.values);
+  }
+}
+
 TEST(ModelEdit, EveryParameterOfAModelHasItsPlaceInTheFile) {
   const ModelFile file = parse_model(complete, "m.toml");
   std::vector<KeyValue> changes;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "bearing/units.h"
+#include "fit/data_set.h"
+
+namespace raceway::fit {
+
+/// Readings that differ at nearly equal operating points by more than a torque rig scatters: what
+/// makes the difference is in none of the inputs, so that no law of them explains it.
+struct HiddenInput {
+  double scatter = unset;         ///< relative standard deviation at equal points [1]
+  std::size_t low = 0, high = 0;  ///< rows that differ most within one point
+  double run_share = unset;       ///< of that variance, common to the rows of a run; NaN without
+  double run_p_value = unset;     ///< of the runs having nothing to do with it; NaN without runs
+  /// A run has its own level: no scatter from row to row.
+  [[nodiscard]] bool follows_the_runs() const { return run_p_value < 1e-3 && run_share > 0.5; }
+};
+
+/// Compares rows whose speed and loads agree within 2 % and temperatures within 1 K: laws of
+/// friction change by 5 % at most over that, and rigs scatter by 1 to 5 %. Found is what scatters
+/// by more than 10 % by the pooled standard deviation and by a robust one as well, so that single
+/// wrong readings do not count. Whether it goes with the runs is asked by an analysis of variance
+/// of the logarithms.
+/// Nothing where it cannot be asked: fewer than 8 degrees of freedom, rows with a time (a bearing
+/// that runs in reads differently at equal points), or a reading that is not positive.
+[[nodiscard]] std::optional<HiddenInput> find_hidden_input(const DataSet& data);
+
+}  // namespace raceway::fit

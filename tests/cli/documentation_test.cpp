@@ -1,0 +1,120 @@
+// What the pages in docs/ show is what the program prints.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/run_program.h"
+
+namespace raceway::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Session {
+  int line;
+  std::string command;
+  std::vector<std::string> shown;  ///< without the blank lines at its end
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  while (!lines.empty() && lines.back().empty()) lines.pop_back();
+  return lines;
+}
+
+/// The commands of all ```console blocks: after "$ ", continued after a backslash.
+std::vector<Session> sessions_of(const std::string& page) {
+  std::vector<Session> sessions;
+  bool inside = false, continued = false;
+  int number = 0;
+  for (const std::string& line : lines_of(page)) {
+    ++number;
+    if (line.starts_with("```")) {
+      inside = line == "```console";
+    } else if (inside && (continued || line.starts_with("$ "))) {
+      if (!continued) sessions.push_back({number, "", {}});
+      sessions.back().command += continued ? "\n" + line : line.substr(2);
+      continued = line.ends_with("\\");
+    } else if (inside) {
+      sessions.back().shown.push_back(line);
+    }
+  }
+  for (Session& s : sessions)
+    while (!s.shown.empty() && s.shown.back().empty()) s.shown.pop_back();
+  return sessions;
+}
+
+/// Words alike, or numbers that differ by no more than their last digits may between compilers.
+bool same_word(const std::string& shown, const std::string& printed) {
+  if (shown == printed) return true;
+  const auto number = [](const std::string& word) {
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    // Punctuation may follow.
+    return std::string(end).find_first_not_of(".,;:)%") == std::string::npos ? value : NAN;
+  };
+  const double a = number(shown), b = number(printed);
+  return std::abs(a - b) <= 0.02 * std::abs(a) || (a != 0.0 && std::abs(a) < 1e-30 && b < 1e-30);
+}
+
+bool same_line(const std::string& shown, const std::string& printed) {
+  std::istringstream a(shown), b(printed);
+  std::string x, y;
+  while (a >> x)
+    if (!(b >> y) || !same_word(x, y)) return false;
+  return !(b >> y);
+}
+
+/// First line shown that the program does not print; "..." stands for any number of lines, at the
+/// end of a line for its rest.
+std::string first_difference(const std::vector<std::string>& shown,
+                             const std::vector<std::string>& printed) {
+  std::size_t at = 0;
+  bool skip = false;
+  for (const std::string& line : shown) {
+    if (line == "...") {
+      skip = true;
+      continue;
+    }
+    while (skip && at < printed.size() && !same_line(line, printed[at])) ++at;
+    if (at == printed.size()) return line + "\n  is not printed";
+    if (!same_line(line, printed[at])) return line + "\n  printed: " + printed[at];
+    skip = false;
+    ++at;
+  }
+  return skip || at == printed.size() ? "" : "not shown: " + printed[at];
+}
+
+TEST(Documentation, TheWorkedExamplesPrintWhatTheyShow) {
+  const fs::path root = RACEWAY_SOURCE_DIR;
+  const auto sessions = sessions_of(file_text(root / "docs/worked-examples.md"));
+  ASSERT_GT(sessions.size(), 8u);
+  // The page's commands run in a folder with the data, one after the other.
+  const ScratchFolder scratch;
+  fs::create_directories(scratch.path() / "build/release");
+  fs::create_symlink(RACEWAY_PROGRAM, scratch.path() / "build/release/raceway");
+  fs::create_directory_symlink(root / "data", scratch.path() / "data");
+  for (const Session& s : sessions) {
+    SCOPED_TRACE("docs/worked-examples.md:" + std::to_string(s.line) + ": " + s.command);
+    const Result r = run_shell("cd '" + scratch.path().string() + "'; " + s.command);
+    // Notes are left out of the page unless the command sends them to stdout.
+    EXPECT_EQ(first_difference(s.shown, lines_of(r.out)), "") << r.out << r.err;
+  }
+}
+
+TEST(Documentation, TheTestSeesADifference) {
+  EXPECT_EQ(first_difference({"a 1.00 b", "...", "c"}, {"a 1.01 b", "x", "y", "c"}), "");
+  EXPECT_NE(first_difference({"a 1.00 b"}, {"a 1.10 b"}), "");
+  EXPECT_NE(first_difference({"a"}, {"a", "b"}), "");
+  EXPECT_NE(first_difference({"a", "...", "c"}, {"a", "b"}), "");
+  EXPECT_NE(first_difference({"verdict: effect"}, {"verdict: ambiguous"}), "");
+}
+
+}  // namespace
+}  // namespace raceway::tests
