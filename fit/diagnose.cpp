@@ -19,6 +19,7 @@ namespace raceway::fit {
 namespace {
 
 constexpr double within_reach = 6.0;       // of the best, in -2 ln L
+constexpr double beaten = 3.84;            // in -2 ln L: 95 % of one degree of freedom
 constexpr double loss_of_a_member = 60.0;  // of a pair, in -2 ln L
 constexpr double detected = 25.0;          // squared misfit over variance: found in 99 of 100
 constexpr double told_apart = 20.0;        // the same, left by the best wrong effect
@@ -433,8 +434,7 @@ class Investigation {
   /// True if a law bent to its limit is beaten by a plain power of the inputs, which has as many
   /// free numbers: what is missing then acts like something else.
   [[nodiscard]] bool bent_too_far(const Explanation& bent) const {
-    return bent.bent_to_a_bound() && result_.shape &&
-           result_.shape->gain > bent.gain + within_reach;
+    return bent.bent_to_a_bound() && result_.shape && result_.shape->gain > bent.gain + beaten;
   }
 
   void bent_law() {
@@ -674,7 +674,7 @@ class Investigation {
     for (const std::size_t k : e.members) {
       const EffectSize s = sizes(e, k)[problem_.candidates[k].size_index];
       std::string text = fmt::format("{} = {:.3g}", s.name, s.value);
-      if (std::isfinite(s.std)) text += fmt::format(" +- {:.1g}", s.std);
+      if (std::isfinite(s.std)) text += fmt::format(" +- {:.2g}", s.std);
       if (s.unit != "1") text += " " + s.unit;
       texts.push_back(std::move(text));
     }
