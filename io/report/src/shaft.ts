@@ -10,6 +10,7 @@ import { dashes, symbols } from './look';
 import { axisTitle, number, plain, quantity } from './text';
 
 export const drawnSpeeds = 500; // that each line is drawn from
+const mostSymbols = 12; // of a line
 
 /// A line against speed: a column of the rows under a name of the legend.
 interface Line {
@@ -38,6 +39,7 @@ interface LineFigure {
 function lineFigure(rows: Rows, f: LineFigure): Figure {
   const speeds = Array.from({ length: rows.count }, (_, k) => k);
   const drawn = thinned(speeds, drawnSpeeds);
+  const step = Math.ceil(drawn.length / mostSymbols);
   const columns = (names: string[]) => () => ({
     columns: ['speed_rpm', ...names].map(axisTitle),
     rows: speeds.map((k) => ['speed_rpm', ...names].map((name) => (Number.isFinite(rows.at(name, k)) ? rows.at(name, k) : null))),
@@ -76,12 +78,16 @@ function lineFigure(rows: Rows, f: LineFigure): Figure {
             type: 'line',
             name: line.name,
             symbol: symbols[line.kind % symbols.length],
-            symbolSize: drawn.length > 80 ? 3 : 5,
+            symbolSize: 7,
             showAllSymbol: true,
             color: l.kinds[line.kind % l.kinds.length],
             lineStyle: { width: 2, type: dashes[(line.dash ?? 0) % dashes.length] },
             connectNulls: false,
-            data: drawn.map((k) => [rows.at('speed_rpm', k), Number.isFinite(rows.at(line.column, k)) ? rows.at(line.column, k) : null]),
+            // A few symbols, between which dashes can be seen; the others answer the pointer.
+            data: drawn.map((k, n) => ({
+              value: [rows.at('speed_rpm', k), Number.isFinite(rows.at(line.column, k)) ? rows.at(line.column, k) : null],
+              ...(n % step ? { itemStyle: { opacity: 0 } } : {}),
+            })),
           })),
           ...(f.more?.(l) ?? []),
         ],
