@@ -4,11 +4,14 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
+#include "cli/law_statement.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
 #include "cli/shaft.h"
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "io/report.h"
 #include "io/shaft_results.h"
 
 namespace raceway::cli {
@@ -18,6 +21,7 @@ struct Flags {
   std::string model, output, speed;
   double axial_load = unset, temperature = unset;
   bool json = false, force = false;
+  ReportFlag report;
 };
 
 std::vector<fit::ShaftPoint> points(const Flags& f, const fit::Model& model) {
@@ -62,6 +66,39 @@ void print(const fit::Model& model, std::span<const fit::ShaftPoint> asked,
   fmt::print("{}", table.text(terminal_width()));
 }
 
+/// The kinematic law of the curve, as fit-law finds it.
+io::LawOfReport law_of(std::span<const fit::ShaftPoint> asked,
+                       std::span<const fit::ShaftPrediction> predictions) {
+  std::vector<fit::DisplacementPoint> curve;
+  for (std::size_t k = 0; k < asked.size(); ++k)
+    if (predictions[k].equilibrium.report.converged())
+      curve.push_back({.speed = asked[k].speed, .displacement = predictions[k].displacement});
+  try {
+    const fit::KinematicLawFit f = fit::fit_kinematic_law(curve);
+    if (f.converged()) return {f, law_statement(f, "raceway fit-law -o FILE writes it")};
+    return {std::nullopt,
+            fmt::format("No law was found: {} after {} steps.", fit::name(f.status), f.iterations)};
+  } catch (const std::invalid_argument& e) {
+    return {std::nullopt, fmt::format("No law was fitted: {}.", e.what())};
+  }
+}
+
+std::vector<std::string> warnings(const fit::Model& model, std::span<const fit::ShaftPoint> asked,
+                                  std::span<const fit::ShaftPrediction> predictions) {
+  std::vector<std::string> lines = shaft_warnings(model, asked, predictions);
+  const auto failed = [](const fit::ShaftPrediction& p) {
+    return !p.equilibrium.report.converged();
+  };
+  const auto first = std::find_if(predictions.begin(), predictions.end(), failed);
+  if (first != predictions.end())
+    lines.push_back(
+        fmt::format("{} of {} speeds have no value, the first {:.6g} rpm: {}",
+                    std::count_if(predictions.begin(), predictions.end(), failed), asked.size(),
+                    asked[static_cast<std::size_t>(first - predictions.begin())].speed / rpm,
+                    shaft_problem(first->equilibrium.report.status)));
+  return lines;
+}
+
 int run(const Flags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError(
@@ -69,6 +106,7 @@ int run(const Flags& flags) {
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
+  flags.report.check(flags.force);
   const io::ModelFile file = open_model(flags.model, Subject::shaft);
   const fit::Model& model = file.model;
   const std::vector<fit::ShaftPoint> asked = points(flags, model);
@@ -87,17 +125,18 @@ int run(const Flags& flags) {
   } else if (flags.output.empty()) {
     print(model, asked, predictions);
   }
-  tell(shaft_warnings(model, asked, predictions));
-  const auto failed = [](const fit::ShaftPrediction& p) {
-    return !p.equilibrium.report.converged();
-  };
-  const auto first = std::find_if(predictions.begin(), predictions.end(), failed);
-  if (first == predictions.end()) return done;
-  tell({fmt::format("{} of {} speeds have no value, the first {:.6g} rpm: {}",
-                    std::count_if(predictions.begin(), predictions.end(), failed), asked.size(),
-                    asked[static_cast<std::size_t>(first - predictions.begin())].speed / rpm,
-                    shaft_problem(first->equilibrium.report.status))});
-  return not_converged;
+  const std::vector<std::string> said = warnings(model, asked, predictions);
+  flags.report.write(
+      [&] {
+        return io::displacement_report(flags.model, model, asked, predictions,
+                                       law_of(asked, predictions), said);
+      },
+      flags.force);
+  tell(said);
+  const bool all =
+      std::all_of(predictions.begin(), predictions.end(),
+                  [](const fit::ShaftPrediction& p) { return p.equilibrium.report.converged(); });
+  return all ? done : not_converged;
 }
 
 }  // namespace
@@ -119,6 +158,7 @@ Run setup_displacement(CLI::App& command) {
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->report.declare(command);
   command.footer("Example:\n  raceway displacement my.toml --speed 0:10000:250 -o kinematic.csv");
   return [flags] { return run(*flags); };
 }

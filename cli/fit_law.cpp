@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/law_statement.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
 #include "fit/displacement_table.h"
-#include "fit/fit_kinematic_law.h"
 #include "io/displacement_curve.h"
 #include "io/error.h"
 #include "io/kinematic_results.h"
@@ -18,33 +18,11 @@
 namespace raceway::cli {
 namespace {
 
-using fit::KinematicLawVerdict;
-
 struct Flags {
   std::string curve, output;
   double at = unset;  // [rpm]
   bool json = false, force = false;
 };
-
-std::string statement(const fit::KinematicLawFit& f, const std::string& table) {
-  const std::string tolerance =
-      fmt::format("{:.4g} um, that of the published fit", fit::kinematic_law_tolerance / um);
-  const std::string share =
-      fmt::format("{:.4g} % of the largest displacement", 100.0 * fit::kinematic_law_share);
-  if (f.verdict == KinematicLawVerdict::follows)
-    return fmt::format("The law follows the curve: its mean absolute error is within {}, and {}.",
-                       tolerance, share);
-  const std::string& limit = f.mae > fit::kinematic_law_tolerance ? tolerance : share;
-  if (f.verdict == KinematicLawVerdict::scatter)
-    return fmt::format(
-        "The mean absolute error is above {}, and what is left jumps from row to row: the rows "
-        "scatter by {} um, and the law is as good as they are.",
-        limit, number(f.scatter / um, 2));
-  return fmt::format(
-      "The law does not follow the curve: its mean absolute error is above {}, and what is left is "
-      "smooth, a shape that three parameters cannot take. Use the monotone table instead ({}).",
-      limit, table.empty() ? "-o FILE writes it" : table);
-}
 
 void print(const fit::KinematicLawFit& f, const std::string& source,
            const std::optional<io::LawAtSpeed>& at, const std::string& statement) {
@@ -98,7 +76,8 @@ int run(const Flags& flags) {
   }();
   tell(f.notes);
   const std::optional<io::LawAtSpeed> at = at_speed(flags, f.law);
-  const std::string words = statement(f, flags.output);
+  const std::string words =
+      law_statement(f, flags.output.empty() ? "-o FILE writes it" : flags.output);
   if (flags.json) {
     fmt::print("{}", io::kinematic_law_json(f, words, at));
   } else if (f.converged() && flags.output != "-") {

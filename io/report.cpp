@@ -11,6 +11,7 @@
 #include "io/diagnosis_results.h"
 #include "io/error.h"
 #include "io/report_columns.h"
+#include "io/report_document.h"
 #include "io/report_template.h"
 #include "io/results.h"
 
@@ -18,27 +19,6 @@ namespace raceway::io {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-std::string dump(const json& value) {
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-/// A document in the making: its members in order, each of them JSON already.
-class Document {
- public:
-  explicit Document(const std::string& kind) {
-    add("raceway_report", "1");
-    add("program", dump("raceway " RACEWAY_VERSION));
-    add("kind", dump(kind));
-  }
-  void add(const std::string& key, const std::string& value) {
-    text_ += (text_.empty() ? "{" : ",\n") + dump(key) + ":" + value;
-  }
-  [[nodiscard]] std::string text() const { return text_ + "\n}"; }
-
- private:
-  std::string text_;
-};
 
 /// What one model says of all rows.
 struct Predicted {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,8 +11,10 @@
 #include "fit/compare.h"
 #include "fit/data_set.h"
 #include "fit/diagnose.h"
+#include "fit/fit_kinematic_law.h"
 #include "fit/model.h"
 #include "fit/prediction.h"
+#include "fit/shaft_prediction.h"
 #include "friction/stribeck_table.h"
 
 /// Results as one HTML page with pictures that needs no network. It holds the document that
@@ -41,6 +44,20 @@ using BearingStates = std::vector<std::pair<bearing::OperatingPoint, fit::Fricti
 [[nodiscard]] std::string table_report(const std::string& model_file, const fit::Model& model,
                                        const friction::StribeckTable& table,
                                        const BearingStates& states, const fit::DataSet* measured);
+
+/// The fitted law of a shaft's displacement, or why there is none.
+struct LawOfReport {
+  std::optional<fit::KinematicLawFit> fit;
+  std::string statement;  ///< how well it follows the curve, or why none was fitted
+};
+
+/// `warnings` are what the command says of the bearings and of speeds without balance.
+[[nodiscard]] std::string displacement_report(const std::string& model_file,
+                                              const fit::Model& model,
+                                              std::span<const fit::ShaftPoint> points,
+                                              std::span<const fit::ShaftPrediction> predictions,
+                                              const LawOfReport& law,
+                                              const std::vector<std::string>& warnings);
 
 /// The page around a document: JSON as text, in which no `<` is left to end the data early.
 [[nodiscard]] std::string report_page(const std::string& document);

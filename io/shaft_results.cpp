@@ -108,36 +108,41 @@ std::string bearing_place(const Arrangement& a, std::size_t i) {
   return fmt::format("{}_{}", side_name(side), (side == Side::front ? i : i - a.front_count()) + 1);
 }
 
+std::vector<DisplacementColumn> displacement_columns(const Arrangement& a) {
+  std::vector<DisplacementColumn> columns;
+  for (const ShaftColumn& c : shaft_columns)
+    columns.push_back(
+        {c.name, [c](const fit::ShaftPrediction& p) { return in_unit(c.value(p), c.name); }});
+  for (std::size_t i = 0; i < a.bearings().size(); ++i)
+    for (const BearingColumn& c : bearing_columns)
+      columns.push_back({fmt::format("{}_{}", bearing_place(a, i), c.name),
+                         [c, i](const fit::ShaftPrediction& p) {
+                           return p.equilibrium.report.converged() ? in_unit(c.value(p, i), c.name)
+                                                                   : unset;
+                         }});
+  return columns;
+}
+
 std::string displacement_text(const fit::Model& model, std::span<const fit::ShaftPoint> points,
                               std::span<const fit::ShaftPrediction> predictions,
                               std::string_view model_text) {
-  const Arrangement& a = model.shaft->arrangement;
+  const std::vector<DisplacementColumn> columns = displacement_columns(model.shaft->arrangement);
   fmt::memory_buffer out;
   const auto put = std::back_inserter(out);
   fmt::format_to(put, "# Shaft position against speed: {}\n# raceway {}\n", model.name,
                  RACEWAY_VERSION);
   append_model(out, model_text);
   fmt::format_to(put, "speed_rpm,");
-  for (const ShaftColumn& c : shaft_columns) fmt::format_to(put, "{},", c.name);
-  const std::size_t bearings = a.bearings().size();
-  for (std::size_t i = 0; i < bearings; ++i)
-    for (const BearingColumn& c : bearing_columns)
-      fmt::format_to(put, "{}_{},", bearing_place(a, i), c.name);
+  for (const DisplacementColumn& c : columns) fmt::format_to(put, "{},", c.name);
   fmt::format_to(put, "status\n");
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const fit::ShaftPrediction& p = predictions[k];
     append_value(out, points[k].speed / rpm);
     out.push_back(',');
-    for (const ShaftColumn& c : shaft_columns) {
-      append_value(out, in_unit(c.value(p), c.name));
+    for (const DisplacementColumn& c : columns) {
+      append_value(out, c.value(predictions[k]));
       out.push_back(',');
     }
-    for (std::size_t i = 0; i < bearings; ++i)
-      for (const BearingColumn& c : bearing_columns) {
-        if (p.equilibrium.report.converged()) append_value(out, in_unit(c.value(p, i), c.name));
-        out.push_back(',');
-      }
-    fmt::format_to(put, "{}\n", bearing::name(p.equilibrium.report.status));
+    fmt::format_to(put, "{}\n", bearing::name(predictions[k].equilibrium.report.status));
   }
   return fmt::to_string(out);
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fit/shaft_prediction.h"
 
@@ -12,6 +14,17 @@ namespace raceway::io {
 
 /// `front_1` and so on: the place of a bearing in the names of columns, counted from the tool.
 [[nodiscard]] std::string bearing_place(const bearing::Arrangement& arrangement, std::size_t i);
+
+/// A number of a shaft: its column with unit, and its value in that unit, NaN without balance.
+struct DisplacementColumn {
+  std::string name;
+  std::function<double(const fit::ShaftPrediction&)> value;
+};
+
+/// Numbers of the shaft and of each of its bearings, as displacement_text() has them between speed
+/// and status.
+[[nodiscard]] std::vector<DisplacementColumn> displacement_columns(
+    const bearing::Arrangement& arrangement);
 
 /// Shaft position against speed as CSV: `#` lines with title, version and the model's text, then
 /// speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,

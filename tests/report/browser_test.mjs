@@ -14,6 +14,7 @@ const { chromium } = createRequire(join(PACKAGES, 'package.json'))('playwright-c
 const rig = join(ROOT, 'tests/hidden_effect/rigs/dev-03');
 const model = join(rig, 'model.toml');
 const train = join(rig, 'train.csv');
+const spindle = join(ROOT, 'data/spindles/two_against_one.toml');
 const folder = mkdtempSync(join(tmpdir(), 'raceway-report-'));
 const file = (name) => join(folder, name);
 
@@ -34,6 +35,7 @@ before(async () => {
   write('add', 'add', model, 'lubricant-drag', '--data', train, '-o', file('better.toml'));
   write('compare', 'compare', model, file('better.toml'), join(rig, 'test.csv'));
   write('table', 'table', file('better.toml'), '--speed', '0:16000:1000', '--axial-load', '600,3000', '--radial-load', '0,400', '--temperature', '25', '--data', train);
+  write('displacement', 'displacement', spindle, '--speed', '0:16000:250', '-o', file('kinematic.csv'));
   const fly = join(ROOT, 'data/measurements');
   raceway('calibrate', join(fly, 'flywheel.toml'), join(fly, 'flywheel_unloaded.csv'), '-o', file('fly.toml'));
   write('coastdown', 'diagnose', file('fly.toml'), join(fly, 'flywheel_unloaded.csv'));
@@ -74,11 +76,11 @@ async function open(name, options = {}) {
 const documentOf = (page) => page.evaluate(() => JSON.parse(document.getElementById('document').textContent));
 const figures = (page) => page.$$eval('figure', (all) => all.map((f) => f.id));
 
-/// Filled shapes of a picture, the legend's among them; painted pixels / 1000 where it is a canvas.
+/// Filled shapes of a picture that can be seen, the legend's among them; painted pixels / 1000 where it is a canvas.
 const marks = (page, id) =>
   page.$eval(`#${id} .chart`, (chart) => {
     const canvas = chart.querySelector('canvas');
-    if (!canvas) return [...chart.querySelectorAll('svg path')].filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill'))).length;
+    if (!canvas) return [...chart.querySelectorAll('svg path')].filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill')) && p.getAttribute('opacity') !== '0' && p.getAttribute('fill-opacity') !== '0').length;
     const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
     let painted = 0;
     for (let k = 3; k < pixels.length; k += 4) painted += pixels[k] > 0;
@@ -115,7 +117,8 @@ const expected = {
   add: { ladder: 8, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24 },
   compare: { ladder: 2, parity: 60, 'residual-speed': 60, 'residual-axial-load': 60, 'residual-temperature': 60, 'residual-order-of-the-rows': 60, map: 15 },
   table: { stribeck: 34, parts: 51, angles: 136, around: 100 },
-  coastdown: { ladder: 1, ranking: 12, parity: 41, 'residual-speed': 41, 'residual-order-of-the-rows': 41, map: 8, plan: 41, detectable: 15 },
+  displacement: { displacement: 11, 'law-residual': 11, forces: 22, stiffness: 11, 'contact-angles': 44, 'ball-loads': 44, pressures: 44, torque: 33, power: 33, heat: 44 },
+  coastdown: { ladder: 1, ranking: 12, parity: 41, 'residual-speed': 41, 'residual-order-of-the-rows': 41, map: 8, plan: 41, detectable: 14 },
   several: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 123, detectable: 20 },
   nothing: { ladder: 1, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 120, detectable: 20 },
 };
@@ -145,6 +148,7 @@ for (const name of ['diagnose', 'add', 'compare', 'coastdown'])
       const ranking = await tableOf(page, 'ranking');
       assert.deepEqual(ranking.map((row) => row.slice(0, 4)), printed.effects.map((e) => [e.id, e.in_verdict ? 'yes' : 'no', e.gain, e.rmse]));
       assert.equal((await tableOf(page, 'detectable')).length, printed.would_have_been_found.length);
+      assert.ok((await marks(page, 'detectable')) >= printed.would_have_been_found.length);
     }
     // The rows behind the pictures give the error that the document names.
     const { columns, rows } = await csvOf(page, 'parity');
@@ -166,6 +170,57 @@ test('table: holds the numbers that --json prints', async () => {
     assert.ok(Math.abs(Number(rows[k][0]) - row.speed_rpm) <= 1e-6 * row.speed_rpm);
     assert.ok(Math.abs(Number(rows[k][torque]) / row.friction_torque_Nmm - 1) < 1e-6);
   });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('displacement: holds the numbers that --json and fit-law print, and the law is that of its parameters', async () => {
+  const { page, faults, close } = await open('displacement');
+  const held = await documentOf(page);
+  const printed = results.displacement;
+  assert.deepEqual(held.results, { ...printed, rows: [] });
+  const { columns, rows } = await csvOf(page, 'displacement');
+  assert.equal(rows.length, printed.rows.length);
+  const at = (name) => {
+    const k = columns.indexOf(name);
+    assert.ok(k >= 0, `${name} of ${columns}`);
+    return (row) => Number(rows[row][k]);
+  };
+  const near = (value, wanted, what) => assert.ok(Math.abs(value - wanted) <= 1e-6 * Math.abs(wanted) + 1e-12, `${what}: ${value} ${wanted}`);
+  const shaft = { axial_displacement_um: 'axial displacement [µm]', front_force_N: 'front force [N]', rear_force_N: 'rear force [N]', axial_stiffness_N_um: 'axial stiffness [N/µm]', friction_torque_Nmm: 'friction torque [N mm]', power_loss_W: 'power loss [W]' };
+  const bearing = { axial_load_N: 'axial load [N]', inner_contact_angle_deg: 'inner contact angle [°]', outer_contact_angle_deg: 'outer contact angle [°]', inner_load_N: 'inner load [N]', outer_load_N: 'outer load [N]', inner_contact_pressure_MPa: 'inner contact pressure [MPa]', outer_contact_pressure_MPa: 'outer contact pressure [MPa]', friction_torque_Nmm: 'friction torque [N mm]', power_loss_W: 'power loss [W]', inner_ring_heat_W: 'inner ring heat [W]', outer_ring_heat_W: 'outer ring heat [W]' };
+  printed.rows.forEach((row, k) => {
+    near(at('speed [rpm]')(k), row.speed_rpm, 'speed');
+    for (const [key, name] of Object.entries(shaft)) near(at(name)(k), row[key], `${key} ${k}`);
+    for (const b of row.bearings) for (const [key, name] of Object.entries(bearing)) near(at(`${b.place.replace('_', ' ')} ${name}`)(k), b[key], `${b.place} ${key} ${k}`);
+  });
+  // fit-law of the curve that the same command wrote.
+  const law = JSON.parse(raceway('fit-law', file('kinematic.csv'), '--json'));
+  const close_to = (value, wanted, what) => assert.ok(Math.abs(value / wanted - 1) < 1e-5, `${what}: ${value} ${wanted}`);
+  for (const name of ['A', 'B', 'C']) close_to(held.law.parameters[name].value, law.parameters[name].value, name);
+  for (const key of ['mae_um', 'max_abs_um', 'max_abs_at_rpm', 'rows']) close_to(held.law[key], law[key], key);
+  const { A, B, C } = Object.fromEntries(Object.entries(held.law.parameters).map(([name, p]) => [name, p.value]));
+  const u = (n) => (n === 0 ? 0 : A * n ** (1 - B * Math.exp(-C * n)));
+  const table = await tableOf(page, 'law-residual');
+  let sum = 0;
+  printed.rows.forEach((row, k) => {
+    assert.ok(Math.abs(table[k][1] - (u(row.speed_rpm) - row.axial_displacement_um)) < 1e-6, `residual at ${row.speed_rpm}`);
+    if (row.speed_rpm > 0) sum += Math.abs(table[k][1]);
+  });
+  close_to(sum / law.rows, law.mae_um, 'mean absolute error');
+  assert.equal(await page.locator('#warnings').count(), 0);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('displacement: warnings stand on the page as the command says them, and without a law it says why', async () => {
+  const told = spawnSync(RACEWAY, ['displacement', spindle, '--speed', '0:15000:7500', '--axial-load', '1200', '--report', file('loaded.html')], { encoding: 'utf8' });
+  const said = told.stderr.split('\n').filter((line) => /minimum load|no contact/.test(line)).map((line) => line.replace('note: ', ''));
+  assert.ok(said.length > 0, told.stderr);
+  const { page, faults, close } = await open('loaded');
+  assert.deepEqual(await page.$$eval('#warnings li', (all) => all.map((li) => li.textContent)), said);
+  assert.match(await page.textContent('#law-statement'), /^No law was fitted: 2 different speeds above zero: .*needs at least 4\.$/);
+  assert.equal(await page.locator('#law-residual').count(), 0);
   assert.deepEqual(faults, []);
   await close();
 });

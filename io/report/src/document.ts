@@ -216,7 +216,37 @@ export interface TableReport extends Common {
   measured?: { rows: ColumnData };
 }
 
-export type Report = CompareReport | DiagnoseReport | AddReport | TableReport;
+export interface KinematicLaw {
+  law: string;
+  parameters: Record<'A' | 'B' | 'C', Size>;
+  mae_um: number;
+  max_abs_um: number;
+  max_abs_at_rpm: number;
+  rows: number;
+  valid_from_rpm: number;
+  valid_to_rpm: number;
+  notes: string[];
+}
+
+export interface DisplacementReport extends Common {
+  kind: 'displacement';
+  model: string;
+  results: {
+    bearing: string;
+    arrangement: {
+      preload_N: number;
+      front_lift_off_load_N: number | null;
+      rear_lift_off_load_N: number | null;
+    };
+  };
+  places: string[]; // front_1, front_2, rear_1: columns of bearings begin so
+  warnings: string[];
+  law_statement: string;
+  law?: KinematicLaw;
+  law_curve?: [number, number][];
+}
+
+export type Report = CompareReport | DiagnoseReport | AddReport | TableReport | DisplacementReport;
 export type ReportOfRows = CompareReport | DiagnoseReport | AddReport;
 
 export function readDocument(): Report {

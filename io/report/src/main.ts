@@ -1,13 +1,14 @@
 // Builds the page from the document inside it: one function for each command that writes reports.
 import { detectable, effectFigures, plan, ranking } from './diagnosis';
-import { readDocument } from './document';
-import type { AddReport, CompareReport, Comparison, DiagnoseReport, Report, TableReport } from './document';
+import { readDocument, Rows } from './document';
+import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, DisplacementReport, Report, TableReport } from './document';
 import { drawAll } from './figure';
 import type { Figure } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
 import { beforeAfter, ladder, noiseSources } from './ladder';
+import { drawnSpeeds, lawFigures, shaftFigures } from './shaft';
 import { tableFigures } from './stribeck';
-import { el, number, plain, probability, shortPaths, unitText } from './text';
+import { dash, el, number, plain, probability, shortPaths, signed, unitText, withUnit } from './text';
 
 const page = document.getElementById('page') as HTMLElement;
 
@@ -208,6 +209,57 @@ function table(report: TableReport): Node[] {
   ];
 }
 
+function displacement(report: DisplacementReport): (Node | undefined)[] {
+  const rows = new Rows(report.rows);
+  const { bearing, arrangement } = report.results;
+  const { law } = report;
+  let last = rows.count - 1;
+  while (last >= 0 && !Number.isFinite(rows.at('axial_displacement_um', last))) --last;
+  const lost = (load: number | null) => (load === null ? dash : `${plain(load, 4)} N`);
+  return [
+    header(
+      {
+        command: 'displacement',
+        files: shortPaths([report.model]),
+        sentence:
+          last < 0
+            ? `No position of the shaft on ${bearing}.`
+            : `Shaft on ${bearing}: ${signed(rows.at('axial_displacement_um', last), 4)} µm at ${plain(rows.at('speed_rpm', last))} rpm, positive towards the tool.`,
+        ...(report.warnings.length ? {} : { more: 'No bearing loses its inner contacts or falls below its minimum load at these speeds.' }),
+      },
+      [
+        ['preload at standstill', `${plain(arrangement.preload_N, 4)} N`],
+        ['external load', withUnit(rows.at('external_load_N', 0), 'external_load_N')],
+        ['front set free at', lost(arrangement.front_lift_off_load_N)],
+        ['rear set free at', lost(arrangement.rear_lift_off_load_N)],
+        ['lubricant', withUnit(rows.at('temperature_C', 0), 'temperature_C')],
+        ['speeds', String(report.rows.total)],
+      ],
+    ),
+    report.warnings.length ? section('Warnings', el('ul', { class: 'notes', id: 'warnings' }, ...report.warnings.map((w) => el('li', {}, w)))) : undefined,
+    section(
+      'Displacement and the kinematic law',
+      thinning(report.rows, 'speeds', drawnSpeeds),
+      grid(...lawFigures(report, rows)),
+      el('p', { class: 'note', id: 'law-statement' }, report.law_statement),
+      law
+        ? list('The law: u = A n^(1 − B exp(−C n)), u in µm, n in rpm', ['parameter', 'value', 'std error', 'unit'], Object.entries(law.parameters).map(([name, p]) => [name, number(p.value, 5), number(p.std, 2), unitText(p.unit)]))
+        : undefined,
+    ),
+    section('The bearings against speed', grid(...shaftFigures(report, rows))),
+    notes(law?.notes ?? []),
+  ];
+}
+
+/// What a page of many rows leaves out.
+function thinning(data: ColumnData, what: string, drawn: number): HTMLElement | undefined {
+  const text = [
+    data.rows < data.total ? `This page holds ${data.rows} of ${data.total} ${what}, evenly spread; the fit and the warnings are from all.` : '',
+    data.rows > drawn ? `Pictures draw about ${drawn} of ${data.rows} ${what}; CSV has all of these.` : '',
+  ].join(' ').trim();
+  return text ? el('p', { class: 'note', id: 'thinned' }, text) : undefined;
+}
+
 function build(report: Report): (Node | undefined)[] {
   switch (report.kind) {
     case 'compare':
@@ -218,6 +270,8 @@ function build(report: Report): (Node | undefined)[] {
       return add(report);
     case 'table':
       return table(report);
+    case 'displacement':
+      return displacement(report);
   }
 }
 

@@ -1,0 +1,31 @@
+#include "cli/law_statement.h"
+
+#include <fmt/core.h>
+
+#include "cli/text_table.h"
+
+namespace raceway::cli {
+
+using fit::KinematicLawVerdict;
+
+std::string law_statement(const fit::KinematicLawFit& f, const std::string& table) {
+  const std::string tolerance =
+      fmt::format("{:.4g} um, that of the published fit", fit::kinematic_law_tolerance / um);
+  const std::string share =
+      fmt::format("{:.4g} % of the largest displacement", 100.0 * fit::kinematic_law_share);
+  if (f.verdict == KinematicLawVerdict::follows)
+    return fmt::format("The law follows the curve: its mean absolute error is within {}, and {}.",
+                       tolerance, share);
+  const std::string& limit = f.mae > fit::kinematic_law_tolerance ? tolerance : share;
+  if (f.verdict == KinematicLawVerdict::scatter)
+    return fmt::format(
+        "The mean absolute error is above {}, and what is left jumps from row to row: the rows "
+        "scatter by {} um, and the law is as good as they are.",
+        limit, number(f.scatter / um, 2));
+  return fmt::format(
+      "The law does not follow the curve: its mean absolute error is above {}, and what is left is "
+      "smooth, a shape that three parameters cannot take. Use the monotone table instead ({}).",
+      limit, table);
+}
+
+}  // namespace raceway::cli
