@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <glog/logging.h>
 
 #include <array>
 #include <cstdio>
@@ -57,6 +58,9 @@ int refuse(const std::string& command, const std::string& problem) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Ceres logs trial points without balance as errors; statuses and messages say it where it
+  // counts.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   CLI::App app{
       "Friction and kinematics of spindle bearings: compute, and hold against measurements."};
   app.name("raceway");

@@ -29,7 +29,7 @@ struct ElasticHysteresis {
   static constexpr std::string_view formula =
       "M = c sum of 7.48e-7 (D/2)^0.33 Q^1.33 (1 - 3.52e-3 (a/b - 1)^0.81) w_roll/w, SI";
   static constexpr std::string_view source =
-      "Houpert (1997) as quoted in the literature, print not seen; exponents derived";
+      "[Houpert] as quoted in the literature, print not seen; exponents derived";
   static constexpr std::array<std::string_view, 3> confused_with{"z", "load-exponent",
                                                                  "differential-slip"};
   static constexpr std::array parameters{Parameter{.name = "factor",

@@ -25,7 +25,7 @@ struct GreaseChurning {
       "Fresh grease lies in the way of the balls and is churned until it has found its place. The "
       "viscous moment is raised at first and settles over hours.";
   static constexpr std::string_view formula = "M = A M0 exp(-t/tau)";
-  static constexpr std::string_view source = "Lugt (2009), grease lubrication in rolling bearings";
+  static constexpr std::string_view source = "[Lugt2009], print not seen";
   static constexpr std::array<std::string_view, 2> confused_with{"torque-time-drift", "f0"};
   static constexpr std::array parameters{Parameter{.name = "factor",
                                                    .unit = "1",

@@ -26,7 +26,7 @@ struct ThermalPreload {
   static constexpr std::string_view formula =
       "F_a + c P in place of F_a, P = (M1 + M0) w at the entered load";
   static constexpr std::string_view source =
-      "steady heat flow, derived; loop of Stein and Tu (1994), Bossmanns and Tu (1999)";
+      "steady heat flow, derived; loop of [SteinTu1994], [BossmannsTu1999]";
   static constexpr std::array<std::string_view, 4> confused_with{
       "centrifugal-ring-growth", "spin-friction", "lubricant-drag", "windage"};
   static constexpr std::array parameters{Parameter{.name = "force_per_power_N_W",

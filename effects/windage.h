@@ -23,7 +23,7 @@ struct Windage {
       "friction grows a little slower than the square of speed.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm)^1.8";
   static constexpr std::string_view source =
-      "turning cylinder in a gap, Bilgen and Boulos: C_f ~ Re^-0.2; size left to c";
+      "turning cylinder in a gap, [BilgenBoulos1973]: C_f ~ Re^-0.2; size left to c";
   static constexpr std::array<std::string_view, 4> confused_with{
       "lubricant-drag", "centrifugal-ring-growth", "cage-friction", "gyroscopic-slip"};
   static constexpr std::array parameters{Parameter{.name = "torque_at_10000_rpm_Nmm",

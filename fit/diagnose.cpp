@@ -13,12 +13,14 @@
 #include "fit/hidden_input.h"
 #include "fit/needs.h"
 #include "fit/unknown_shape.h"
+#include "fit/verdict_text.h"
 
 namespace raceway::fit {
 
 namespace {
 
 constexpr double within_reach = 6.0;       // of the best, in -2 ln L
+constexpr double beaten = 3.84;            // in -2 ln L: 95 % of one degree of freedom
 constexpr double loss_of_a_member = 60.0;  // of a pair, in -2 ln L
 constexpr double detected = 25.0;          // squared misfit over variance: found in 99 of 100
 constexpr double told_apart = 20.0;        // the same, left by the best wrong effect
@@ -27,20 +29,6 @@ constexpr double passed = 0.01;            // of the gate
 constexpr double plausible_factor = 3.0;
 constexpr std::size_t ranked = 6;     // effects with a hold-out of their own
 constexpr std::size_t most_near = 3;  // named where nothing explains the misfit
-
-std::string joined(const std::vector<std::string>& words, const char* last) {
-  std::string text;
-  for (std::size_t k = 0; k < words.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == words.size() ? std::string(" ") + last + " " : ", ") + words[k];
-  return text;
-}
-
-std::string with_unit(double value, const std::string& unit) {
-  return unit == "1" || unit.empty() ? fmt::format("{:.3g}", value)
-                                     : fmt::format("{:.3g} {}", value, unit);
-}
-
-std::string p_text(double p) { return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.1g}", p); }
 
 double rms(const Eigen::VectorXd& v) { return v.norm() / std::sqrt(static_cast<double>(v.size())); }
 
@@ -233,21 +221,12 @@ class Investigation {
     }
   }
 
-  /// Two rows that should read alike.
-  [[nodiscard]] std::string difference_text(const HiddenInput& hidden) const {
-    const Row& low = problem_.data.rows[hidden.low];
-    const Row& high = problem_.data.rows[hidden.high];
-    return fmt::format("lines {} and {}: {:.0f} and {:.0f} N mm at {:.0f} and {:.0f} rpm", low.line,
-                       high.line, low.measured / N_mm, high.measured / N_mm, low.point.speed / rpm,
-                       high.point.speed / rpm);
-  }
-
   /// A warning beside a verdict: scatter of that size may be no scatter.
   void warn_of(const HiddenInput& hidden) {
     result_.sentence += fmt::format(
         " But readings at nearly equal operating points differ by {:.0f} % ({}), more than a "
         "rig scatters: something that is in no input of the model may change from row to row.",
-        100.0 * hidden.scatter, difference_text(hidden));
+        100.0 * hidden.scatter, difference_text(problem_.data, hidden));
   }
 
   /// Runs that read differently at equal operating points: no effect of these inputs can do that.
@@ -258,28 +237,13 @@ class Investigation {
         "Something is missing that is in no input of the model: at nearly equal operating points "
         "runs differ by {:.0f} % ({}; {}), which no law of speed, load and temperature can do. "
         "Find what changes from run to run before adding an effect.",
-        100.0 * hidden.scatter, p_text(hidden.run_p_value), difference_text(hidden));
+        100.0 * hidden.scatter, p_text(hidden.run_p_value), difference_text(problem_.data, hidden));
   }
 
   void nothing_missing() {
     result_.verdict = Verdict::nothing_missing;
     result_.rmse_after = result_.rmse_before;
-    std::vector<DetectableSize> easy = result_.would_have_been_found;
-    std::erase_if(easy, [](const DetectableSize& d) { return !(d.share_of_torque < 0.2); });
-    std::stable_sort(easy.begin(), easy.end(),
-                     [](const DetectableSize& a, const DetectableSize& b) {
-                       return a.share_of_torque < b.share_of_torque;
-                     });
-    std::vector<std::string> found, hidden;
-    for (std::size_t k = 0; k < easy.size() && k < 3; ++k)
-      found.push_back(fmt::format("{} from {}", easy[k].id, with_unit(easy[k].size, easy[k].unit)));
-    for (const NotTestable& n : result_.not_testable)
-      if (hidden.size() < 3) hidden.push_back(n.id);
-    result_.sentence = fmt::format(
-        "Nothing missing that these data can show (p = {:.2g}, alarm level 1 %).{}{}",
-        result_.p_value,
-        found.empty() ? "" : " Would have been found: " + joined(found, "and") + ".",
-        hidden.empty() ? "" : " Could not have been found: " + joined(hidden, "and") + ", ...");
+    result_.sentence = nothing_missing_text(result_);
   }
 
   /// Candidates admitted and within reach of the best; the first is the best.
@@ -396,7 +360,7 @@ class Investigation {
           result_.remaining_p_value,
           next_id.empty() ? ""
                           : fmt::format(", next best {} {:.0f} behind", next_id, best.gain - next),
-          error_text(), shift_text());
+          error_text(result_), shifts());
       return;
     }
     result_.verdict = Verdict::ambiguous;
@@ -405,7 +369,7 @@ class Investigation {
         "{} cannot be told apart on these data (difference {:.1f}, needed {:.0f}); one of them is "
         "missing ({}).{}",
         joined_sets(set), std::abs(set.front()->gain - set[1]->gain), within_reach,
-        p_text(result_.p_value), measure_text());
+        p_text(result_.p_value), measure_text(result_));
   }
 
   void two_effects(const std::vector<const Explanation*>& set) {
@@ -427,14 +391,13 @@ class Investigation {
         "noise level (p = {:.2g}).{} Error {}{}.{}",
         id_of(best), size_text(best), best.gain, best.least_loss, result_.remaining_p_value,
         set.size() > 1 ? fmt::format(" {} other pair(s) do as well.", set.size() - 1) : "",
-        error_text(), shift_text(), measure_text());
+        error_text(result_), shifts(), measure_text(result_));
   }
 
   /// True if a law bent to its limit is beaten by a plain power of the inputs, which has as many
   /// free numbers: what is missing then acts like something else.
   [[nodiscard]] bool bent_too_far(const Explanation& bent) const {
-    return bent.bent_to_a_bound() && result_.shape &&
-           result_.shape->gain > bent.gain + within_reach;
+    return bent.bent_to_a_bound() && result_.shape && result_.shape->gain > bent.gain + beaten;
   }
 
   void bent_law() {
@@ -669,57 +632,20 @@ class Investigation {
     return joined(names, "or");
   }
 
+  [[nodiscard]] std::string shifts() const {
+    return base_is_identifiable() ? shift_text(result_) : "";
+  }
+
   [[nodiscard]] std::string size_text(const Explanation& e) const {
     std::vector<std::string> texts;
     for (const std::size_t k : e.members) {
       const EffectSize s = sizes(e, k)[problem_.candidates[k].size_index];
       std::string text = fmt::format("{} = {:.3g}", s.name, s.value);
-      if (std::isfinite(s.std)) text += fmt::format(" +- {:.1g}", s.std);
+      if (std::isfinite(s.std)) text += fmt::format(" +- {:.2g}", s.std);
       if (s.unit != "1") text += " " + s.unit;
       texts.push_back(std::move(text));
     }
     return joined(texts, "and");
-  }
-
-  [[nodiscard]] std::string error_text() const {
-    std::string text =
-        fmt::format("{:.3g} -> {:.3g} N mm", result_.rmse_before / N_mm, result_.rmse_after / N_mm);
-    if (!result_.hold_out.empty()) {
-      double before = 0.0, after = 0.0;
-      for (const HoldOut& h : result_.hold_out) {
-        before += h.rmse_before * h.rmse_before;
-        after += h.rmse_after * h.rmse_after;
-      }
-      const double count = static_cast<double>(result_.hold_out.size());
-      text += fmt::format(", on held-out blocks {:.3g} -> {:.3g}", std::sqrt(before / count) / N_mm,
-                          std::sqrt(after / count) / N_mm);
-    }
-    return text;
-  }
-
-  [[nodiscard]] std::string shift_text() const {
-    if (!base_is_identifiable()) return "";
-    std::vector<std::string> texts;
-    for (const BaseShift& b : result_.base_shifts) {
-      const double share = b.before / b.after - 1.0;
-      if (std::isfinite(share) && std::abs(share) >= 0.01)
-        texts.push_back(fmt::format("{} had been {:.0f} % too {}", b.name, 100.0 * std::abs(share),
-                                    share > 0.0 ? "high" : "low"));
-    }
-    return texts.empty() ? "" : "; " + joined(texts, "and");
-  }
-
-  [[nodiscard]] std::string measure_text() const {
-    std::vector<std::string> texts;
-    for (const SuggestedMeasurement& m : result_.suggested_measurements)
-      if (texts.size() < 3)
-        texts.push_back(fmt::format("{:.0f} rpm, {:.0f} N, {:.0f} C ({} times)",
-                                    m.point.speed / rpm, m.point.axial_load,
-                                    m.point.temperature - kelvin(0), m.repeats));
-    if (texts.empty()) return "";
-    return fmt::format(
-        " Measure: {}; predicted difference {:.0f}, by repeating what exists {:.0f}.",
-        fmt::join(texts, "; "), result_.predicted_separation, result_.separation_by_repetition);
   }
 
   const DiagnoseOptions& options_;

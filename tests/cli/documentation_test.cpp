@@ -91,22 +91,41 @@ std::string first_difference(const std::vector<std::string>& shown,
   return skip || at == printed.size() ? "" : "not shown: " + printed[at];
 }
 
-TEST(Documentation, TheWorkedExamplesPrintWhatTheyShow) {
+class Page : public testing::TestWithParam<const char*> {};
+
+TEST_P(Page, PrintsWhatItShows) {
   const fs::path root = RACEWAY_SOURCE_DIR;
-  const auto sessions = sessions_of(file_text(root / "docs/worked-examples.md"));
-  ASSERT_GT(sessions.size(), 8u);
+  const auto sessions = sessions_of(file_text(root / GetParam()));
+  ASSERT_GE(sessions.size(), 1u);
   // The page's commands run in a folder with the data, one after the other.
   const ScratchFolder scratch;
   fs::create_directories(scratch.path() / "build/release");
   fs::create_symlink(RACEWAY_PROGRAM, scratch.path() / "build/release/raceway");
   fs::create_directory_symlink(root / "data", scratch.path() / "data");
+  fs::create_directory_symlink(root / "tests", scratch.path() / "tests");
+  fs::create_directory_symlink(root / "tests/hidden_effect/rigs/dev-03", scratch.path() / "rig");
   for (const Session& s : sessions) {
-    SCOPED_TRACE("docs/worked-examples.md:" + std::to_string(s.line) + ": " + s.command);
-    const Result r = run_shell("cd '" + scratch.path().string() + "'; " + s.command);
-    // Notes are left out of the page unless the command sends them to stdout.
-    EXPECT_EQ(first_difference(s.shown, lines_of(r.out)), "") << r.out << r.err;
+    SCOPED_TRACE(std::string(GetParam()) + ":" + std::to_string(s.line) + ": " + s.command);
+    const Result r = run_shell("cd '" + scratch.path().string() +
+                               "'; PATH=$PWD/build/release:$PATH; " + s.command);
+    // Notes are left out of a page unless the command sends them to stdout.
+    std::vector<std::string> shown = s.shown;
+    if (s.command.find("2>&1") == std::string::npos)
+      std::erase_if(shown, [](const std::string& line) { return line.starts_with("note: "); });
+    if (shown.empty()) continue;
+    EXPECT_EQ(first_difference(shown, lines_of(r.out)), "") << r.out << r.err;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Documentation, Page,
+                         testing::Values("README.md", "docs/coast-down.md", "docs/kinematic-law.md",
+                                         "docs/loop.md", "docs/shaft.md",
+                                         "docs/worked-examples.md"),
+                         [](const auto& p) {
+                           std::string name = fs::path(p.param).stem().string();
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 TEST(Documentation, TheTestSeesADifference) {
   EXPECT_EQ(first_difference({"a 1.00 b", "...", "c"}, {"a 1.01 b", "x", "y", "c"}), "");

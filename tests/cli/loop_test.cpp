@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run_program.h"
@@ -10,6 +12,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 /// A rig with a known hidden effect: drag of 62.5 N mm at 10 000 rpm.
@@ -62,6 +65,77 @@ TEST(Loop, ExplainsEveryEffectOfTheCatalogue) {
   const Result unknown = run("effects spin-frictoin");
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.err, HasSubstr("spin-friction"));
+}
+
+TEST(Loop, FindsAndAddsAFormulaOfTheUsersOwnWhereItStands) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write(
+      "m.toml", file_text(rig + "model.toml") +
+                    "\n[[effect]]\nid = \"my-drag\"\ntorque_Nmm = \"c * (speed_rpm/10000)^2\"  "
+                    "# mine\nc = { value = 0.0, unit = \"N mm\", lower = 0.0 }\n");
+  const Result found = run("diagnose " + model + " " + rig + "train.csv --json");
+  ASSERT_EQ(found.status, 0) << found.err;
+  const json d = json::parse(found.out);
+  EXPECT_EQ(d["verdict"], "ambiguous");  // it is lubricant-drag by another name
+  const json verdict = d["explanations"];
+  EXPECT_NE(std::find(verdict.begin(), verdict.end(), json::array({"my-drag"})), verdict.end());
+
+  const std::string better = scratch.file("better.toml");
+  const Result added = run("add " + model + " my-drag --data " + rig + "train.csv -o " + better);
+  ASSERT_EQ(added.status, 0) << added.err;
+  const std::string text = file_text(better);
+  EXPECT_THAT(text, HasSubstr("(speed_rpm/10000)^2\"  # mine"));
+  EXPECT_THAT(text, Not(HasSubstr("value = 0.0")));
+  EXPECT_EQ(text.find("my-drag"), text.rfind("my-drag"));
+}
+
+TEST(Loop, RefusesAnEffectThatImitatesTheMissingOne) {
+  const ScratchFolder scratch;
+  const Result r = run("add " + rig + "model.toml spin-friction --data " + rig + "train.csv -o " +
+                       scratch.file("x.toml"));
+  EXPECT_EQ(r.status, 1);
+  EXPECT_THAT(r.err, HasSubstr("lubricant-drag explains these data to the noise"));
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("x.toml")));
+}
+
+TEST(Loop, RefitsWhatDiffersFromDayToDayBeforeComparing) {
+  const Result as_it_stands = run("compare " + rig + "model.toml " + rig + "test.csv --json");
+  const Result refitted =
+      run("compare --refit f0,z " + rig + "model.toml " + rig + "test.csv --json");
+  ASSERT_EQ(refitted.status, 0) << refitted.err;
+  EXPECT_LT(json::parse(refitted.out)["rmse"].get<double>(),
+            0.8 * json::parse(as_it_stands.out)["rmse"].get<double>());
+  EXPECT_THAT(refitted.err, HasSubstr("f0 and z refitted to"));
+  const Result unknown = run("compare --refit f1 " + rig + "model.toml " + rig + "test.csv");
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("nearest: f0"));
+}
+
+/// Rows of the rig's plan with another torque.
+std::string rows(const std::function<std::string(int)>& row, int count) {
+  std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
+  for (int i = 0; i < count; ++i) text += row(i) + "\n";
+  return text;
+}
+
+TEST(Loop, GivesNoVerdictWhereTheDataCannotCarryOne) {
+  const ScratchFolder scratch;
+  const auto message = [&](const std::string& data) {
+    const Result r = run("diagnose " + rig + "model.toml " + scratch.write("d.csv", data));
+    EXPECT_EQ(r.status, 1) << data;
+    EXPECT_EQ(r.out, "");
+    return r.err;
+  };
+  const auto speed = [](int i) { return std::to_string(1000 + 500 * i); };
+  const auto torque = [](int i) { return std::to_string(200 + 7 * i + i * i % 5); };
+  EXPECT_THAT(message(rows([&](int i) { return speed(i) + ",600,40," + torque(i); }, 8)),
+              HasSubstr("needs at least 15"));
+  EXPECT_THAT(message(rows([&](int i) { return "5000,600,40," + torque(i); }, 30)),
+              HasSubstr("one operating point"));
+  EXPECT_THAT(message(rows([&](int i) { return speed(i % 2) + ",600,40," + torque(i); }, 30)),
+              HasSubstr("three levels"));
+  EXPECT_THAT(message(rows([&](int i) { return speed(i) + ",600,40,100"; }, 30)),
+              HasSubstr("all readings are 100 N mm"));
 }
 
 TEST(Loop, ShowsWhereAFormulaIsWrong) {

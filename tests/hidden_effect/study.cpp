@@ -1,5 +1,6 @@
 // study: how often the diagnosis is right, against the bars it is held to. See docs/study.md.
 
+#include <glog/logging.h>
 #include <tbb/global_control.h>
 #include <unistd.h>
 
@@ -226,6 +227,7 @@ void print_json(const std::vector<Bar>& table, const Arguments& arguments, std::
 }  // namespace
 
 int main(int argc, char** argv) try {
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs trial points without balance as errors
   const Arguments arguments = parse(argc, argv);
   std::unique_ptr<tbb::global_control> limit;
   if (arguments.threads > 0)
