@@ -9,6 +9,7 @@
 #include "cli/open_input.h"
 #include "cli/text_table.h"
 #include "fit/free_parameters.h"
+#include "fit/quantity.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/results.h"
@@ -43,8 +44,9 @@ void print(const fit::Calibration& c) {
         fmt::print("correlation of {} and {}: {:.2f}\n",
                    c.parameters[static_cast<std::size_t>(j)].name,
                    c.parameters[static_cast<std::size_t>(i)].name, c.correlation(i, j));
-  fmt::print("\nRMS error over {} rows: {} N mm before, {} N mm after\n", c.rows,
-             number(c.rmse_before / N_mm), number(c.rmse_after / N_mm));
+  const fit::QuantityText q = fit::text_of(c.quantity);
+  fmt::print("\nRMS error over {} rows: {} {} before, {} {} after\n", c.rows,
+             number(c.rmse_before / q.factor), q.unit, number(c.rmse_after / q.factor), q.unit);
 }
 
 int run(const Flags& flags) {
@@ -55,8 +57,8 @@ int run(const Flags& flags) {
         {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
-  const io::ModelFile file = open_model(flags.model);
-  const fit::DataSet data = open_data(flags.data, file.model.rig);
+  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
+  const fit::DataSet data = open_data(flags.data, file.model);
   fit::Calibration c = [&] {
     try {
       return fit::calibrate(file.model, data);
@@ -78,7 +80,8 @@ int run(const Flags& flags) {
   if (!flags.output.empty()) {
     std::vector<io::KeyValue> changes;
     for (const fit::ModelParameter& p : fit::free_parameters(c.model))
-      if (p.get(c.model) != p.get(file.model)) changes.push_back({io::file_key(p), p.get(c.model)});
+      if (p.get(c.model) != p.get(file.model))
+        for (const std::string& key : io::file_keys(p)) changes.push_back({key, p.get(c.model)});
     io::write_text(flags.output, io::with_values(file.text, changes), if_exists);
     say(flags.output + " written");
   }
@@ -105,7 +108,8 @@ Run setup_calibrate(CLI::App& command) {
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
-      "What is fitted stands in the model: [calibration] free, by default f0 and z.\n\n"
+      "What is fitted stands in the model: [calibration] free, by default f0 and z,\n"
+      "of an [arrangement] its preload_N.\n\n"
       "Without DATA the groove conformity, which no maker prints, is fitted to the axial "
       "rigidities\n"
       "that the catalogue prints of the bearing.\n\n"

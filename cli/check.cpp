@@ -13,6 +13,7 @@
 #include "fit/free_parameters.h"
 #include "fit/needs.h"
 #include "fit/noise.h"
+#include "fit/quantity.h"
 #include "io/results.h"
 
 namespace raceway::cli {
@@ -39,7 +40,7 @@ io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) 
   const fit::Noise noise = fit::estimate_noise(data);
   io::CheckSummary s;
   s.model_name = model.name;
-  s.quantity = torque ? "friction_torque" : "axial_displacement";
+  s.quantity = fit::text_of(data.quantity).name;
   s.rows = static_cast<int>(data.rows.size());
   s.runs = static_cast<int>(data.runs.size());
   s.noise_source = fit::name(noise.source);
@@ -60,6 +61,11 @@ io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) 
   if (torque) {
     add_column(s, data, "friction_torque_Nmm", [](const fit::Row& r) { return r.measured / N_mm; });
     add_column(s, data, "std_Nmm", [](const fit::Row& r) { return r.std / N_mm; });
+  } else {
+    add_column(s, data, "axial_displacement_um", [](const fit::Row& r) { return r.measured / um; });
+    add_column(s, data, "std_um", [](const fit::Row& r) { return r.std / um; });
+  }
+  if (torque || model.shaft) {
     try {
       for (const fit::FittedParameter& p : fit::calibrate(model, data).parameters)
         s.free_parameters.push_back({p.name, p.identifiable});
@@ -68,8 +74,6 @@ io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) 
       tell({s.notes.back()});
       for (const std::string& name : model.free) s.free_parameters.push_back({name, false});
     }
-  } else {
-    add_column(s, data, "axial_displacement_um", [](const fit::Row& r) { return r.measured / um; });
   }
   for (const effects::Description& e : effects::catalogue())
     s.effects.push_back(
@@ -120,8 +124,8 @@ Run setup_check(CLI::App& command) {
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer("Example:\n  raceway check my.toml rig.csv");
   return [flags] {
-    const io::ModelFile file = open_model(flags->model);
-    const fit::DataSet data = open_data(flags->data, file.model.rig);
+    const io::ModelFile file = open_model(flags->model, Subject::bearing_or_shaft);
+    const fit::DataSet data = open_data(flags->data, file.model);
     const io::CheckSummary summary = summarise(file, data);
     if (flags->json) {
       fmt::print("{}", io::check_json(summary));

@@ -11,6 +11,7 @@
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "fit/calibrate.h"
+#include "fit/quantity.h"
 #include "io/error.h"
 #include "io/report.h"
 #include "io/results.h"
@@ -26,8 +27,9 @@ struct Flags {
 };
 
 /// Differences show the decimals of the error they belong to: rounding noise reads 0.
-std::string difference(double value, double error, bool sign = true) {
-  return beside(value / N_mm, error / N_mm, 3, sign);
+std::string difference(double value, const fit::Comparison& c, bool sign = true) {
+  const double unit = fit::text_of(c.quantity).factor;
+  return beside(value / unit, c.rmse / unit, 3, sign);
 }
 
 std::string range_text(const fit::ErrorRange& r) {
@@ -44,6 +46,9 @@ std::string range_text(const fit::ErrorRange& r) {
     case fit::Variable::radial_load:
       what = "radial load";
       break;
+    case fit::Variable::preload:
+      what = "preload";
+      break;
     default:
       what = "temperature", unit = "C", from = celsius(from), to = celsius(to);
   }
@@ -53,8 +58,11 @@ std::string range_text(const fit::ErrorRange& r) {
 }
 
 std::string noise_text(const fit::Comparison& c) {
-  if (std::isnan(c.noise.rms)) return "not known (no column std_Nmm, no repeated rows)";
-  return fmt::format("{} N mm ({})", number(c.noise.rms / N_mm, 3), fit::name(c.noise.source));
+  const fit::QuantityText q = fit::text_of(c.quantity);
+  if (std::isnan(c.noise.rms))
+    return fmt::format("not known (no column std_{}, no repeated rows)", q.key_unit);
+  return fmt::format("{} {} ({})", number(c.noise.rms / q.factor, 3), q.unit,
+                     fit::name(c.noise.source));
 }
 
 std::string p_text(double p) {
@@ -64,12 +72,14 @@ std::string p_text(double p) {
 }
 
 void print(const std::string& model, const std::string& data, const fit::Comparison& c) {
-  fmt::print("{} against {}: {} row{}, friction torque\n\n", model, data, c.rows,
-             c.rows == 1 ? "" : "s");
-  fmt::print("RMS error       {:>10} N mm   mean error (bias) {:>10} N mm\n", number(c.rmse / N_mm),
-             difference(c.bias, c.rmse));
-  fmt::print("mean abs error  {:>10} N mm   largest error     {:>10} N mm\n", number(c.mae / N_mm),
-             number(c.max_abs / N_mm));
+  const fit::QuantityText q = fit::text_of(c.quantity);
+  const std::string unit(q.unit);
+  fmt::print("{} against {}: {} row{}, {}\n\n", model, data, c.rows, c.rows == 1 ? "" : "s",
+             q.in_words);
+  fmt::print("RMS error       {:>10} {}   mean error (bias) {:>10} {}\n", number(c.rmse / q.factor),
+             unit, difference(c.bias, c), unit);
+  fmt::print("mean abs error  {:>10} {}   largest error     {:>10} {}\n", number(c.mae / q.factor),
+             unit, number(c.max_abs / q.factor), unit);
   if (!std::isnan(c.fit_percent))
     fmt::print("fit             {:>10} %\n", number(c.fit_percent, 3));
   fmt::print("noise of the data: {}\n", noise_text(c));
@@ -77,21 +87,21 @@ void print(const std::string& model, const std::string& data, const fit::Compari
     fmt::print("lack of fit: {} = {}, {}\n",
                c.noise.source == fit::NoiseSource::repeats ? "F" : "chi2/dof",
                number(c.lack_of_fit.statistic, 3), p_text(c.lack_of_fit.p_value));
-  TextTable where({{"where it fails", "", true}, {"rows", ""}, {"RMS", "N mm"}, {"bias", "N mm"}});
+  TextTable where({{"where it fails", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
   for (std::size_t i = 0; i < std::min<std::size_t>(c.where.size(), 8); ++i) {
     const fit::ErrorRange& r = c.where[i];
-    where.add({range_text(r), fmt::format("{}", r.rows), difference(r.rmse, c.rmse, false),
-               difference(r.bias, c.rmse)});
+    where.add({range_text(r), fmt::format("{}", r.rows), difference(r.rmse, c, false),
+               difference(r.bias, c)});
   }
   if (!c.where.empty()) fmt::print("\n{}", where.text(terminal_width()));
   TextTable worst({{"worst rows", "", true},
-                   {"predicted", "N mm"},
-                   {"measured", "N mm"},
-                   {"difference", "N mm"},
+                   {"predicted", unit},
+                   {"measured", unit},
+                   {"difference", unit},
                    {"in sigma", ""}});
   for (const fit::RowError& r : c.worst)
-    worst.add({fmt::format("line {}", r.line), difference(r.predicted, c.rmse, false),
-               difference(r.measured, c.rmse, false), difference(r.residual, c.rmse),
+    worst.add({fmt::format("line {}", r.line), difference(r.predicted, c, false),
+               difference(r.measured, c, false), difference(r.residual, c),
                std::isnan(r.sigmas) ? "-" : fmt::format("{:+.1f}", r.sigmas)});
   fmt::print("\n{}\n{}\n", worst.text(terminal_width()),
              in_colour(c.statement,
@@ -113,16 +123,17 @@ fit::Model refitted(const fit::Model& model, const std::vector<std::string>& nam
 void print_ladder(const std::vector<std::string>& models,
                   const std::vector<fit::Comparison>& comparisons) {
   constexpr std::size_t bar_width = 24;
+  const fit::QuantityText q = fit::text_of(comparisons[0].quantity);
   TextTable ladder({{"model", "", true},
-                    {"RMS", "N mm"},
-                    {"bias", "N mm"},
+                    {"RMS", std::string(q.unit)},
+                    {"bias", std::string(q.unit)},
                     {"fit", "%"},
                     {"", std::isnan(comparisons[0].noise.rms) ? "" : "| noise", true}});
   double worst = 0.0;
   for (const fit::Comparison& c : comparisons) worst = std::max(worst, c.rmse);
   for (std::size_t i = 0; i < models.size(); ++i) {
     const fit::Comparison& c = comparisons[i];
-    ladder.add({models[i], number(c.rmse / N_mm), difference(c.bias, c.rmse),
+    ladder.add({models[i], number(c.rmse / q.factor), difference(c.bias, c),
                 number(c.fit_percent, 3), bar(c.rmse, worst, bar_width, c.noise.rms)});
   }
   fmt::print("{}noise of the data: {}\n", ladder.text(terminal_width()),
@@ -140,6 +151,13 @@ void note_other_rigs(const std::vector<io::ModelFile>& files) {
         !same(rig.minimum_speed, first.minimum_speed))
       tell({fmt::format("{}: its [rig] differs from that of {}, which is used for all models",
                         file.source, files[0].source)});
+    const auto& shaft = file.model.shaft;
+    const auto& first_shaft = files[0].model.shaft;
+    if (shaft && first_shaft && shaft->external_load != first_shaft->external_load)
+      tell(
+          {fmt::format("{}: its external_load_N differs from that of {}, which is used for all "
+                       "models",
+                       file.source, files[0].source)});
   }
 }
 
@@ -151,10 +169,13 @@ int run(const Flags& flags) {
   const std::vector<std::string> models(flags.files.begin(), flags.files.end() - 1);
   flags.report.check(flags.force);
   std::vector<io::ModelFile> files;
-  for (const std::string& m : models) files.push_back(open_model(m));
+  for (const std::string& m : models) files.push_back(open_model(m, Subject::bearing_or_shaft));
   std::vector<fit::Comparison> comparisons;
   note_other_rigs(files);
-  const fit::DataSet data = open_data(data_file, files[0].model.rig);
+  const fit::DataSet data = open_data(data_file, files[0].model);
+  if (!flags.report.path.empty() && data.quantity != fit::Quantity::friction_torque)
+    throw io::InputError(data_file +
+                         ": holds axial displacement: --report shows friction torque alone");
   for (std::size_t i = 0; i < models.size(); ++i) {
     try {
       const fit::Model& model = files[i].model;

@@ -38,9 +38,10 @@ io::ModelFile open_model(const std::string& path, Subject subject) {
     }
   }();
   if (file.model.shaft && subject == Subject::bearing)
-    throw io::InputError(path +
-                         ": has an [arrangement]: this command works on a single bearing on a rig; "
-                         "displacement, solve and table work on a shaft");
+    throw io::InputError(
+        path +
+        ": has an [arrangement]: this command works on a single bearing on a rig; "
+        "displacement, solve, table, check, compare and calibrate work on a shaft");
   if (!file.model.shaft && subject == Subject::shaft)
     throw io::InputError(path +
                          ": has no [arrangement]: a shaft position needs one, with layout, "
@@ -56,10 +57,14 @@ io::ModelFile open_model(const std::string& path, Subject subject) {
   return file;
 }
 
-fit::DataSet open_data(const std::string& path, const fit::Rig& rig) {
+fit::DataSet open_data(const std::string& path, const fit::Model& model) {
+  return open_data(path, model.rig, model.shaft ? &*model.shaft : nullptr);
+}
+
+fit::DataSet open_data(const std::string& path, const fit::Rig& rig, const fit::Shaft* shaft) {
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected");
-  io::Measurement measurement = io::read_measurement(path, rig);
+  io::Measurement measurement = io::read_measurement(path, rig, shaft);
   if (auto* data = std::get_if<fit::DataSet>(&measurement)) {
     tell(data->notes);
     return std::move(*data);

@@ -17,7 +17,11 @@ enum class Subject { bearing, bearing_or_shaft, shaft };
 [[nodiscard]] io::ModelFile open_model(const std::string& path, Subject subject = Subject::bearing);
 
 /// Reads measurements for a model, a coast-down turned into torque, and tells the notes on stderr.
-[[nodiscard]] fit::DataSet open_data(const std::string& path, const fit::Rig& rig);
+[[nodiscard]] fit::DataSet open_data(const std::string& path, const fit::Rig& rig,
+                                     const fit::Shaft* shaft = nullptr);
+
+/// The same for whatever the model stands for.
+[[nodiscard]] fit::DataSet open_data(const std::string& path, const fit::Model& model);
 
 /// Puts the name of the model before what `fit` says of the data, and makes it an io::InputError.
 [[noreturn]] void refuse_data(const std::string& model, const fit::DataSet& data,

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "fit/prediction.h"
+#include "fit/quantity.h"
+#include "fit/shaft_prediction.h"
 
 namespace raceway::fit {
 
@@ -17,6 +19,7 @@ namespace {
 
 constexpr double dependent = 1e-6;  // share of a unit column that others leave; below, it is theirs
 constexpr double difference_step = 1e-5;  // of the size of a parameter
+constexpr double shaft_step = 1e-4;       // the same, where balances of sets are differenced
 constexpr double bound_tolerance = 1e-7;  // of the scale of a parameter
 
 /// A typical size of a parameter, so that the optimiser works with numbers of order one.
@@ -33,22 +36,32 @@ class Residuals {
   Residuals(const Model& model, const DataSet& data, std::vector<ModelParameter> parameters)
       : model_(model), steps_(model), parameters_(std::move(parameters)) {
     weighted_ = !data.rows.empty();
-    std::vector<FrictionPrediction> predictions = predict_rows(model, data);
+    std::vector<FrictionPrediction> predictions;
+    std::vector<double> displacements;
+    if (model.shaft)
+      displacements = predict_displacement(model, data.rows);
+    else
+      predictions = predict_rows(model, data);
     for (std::size_t i = 0; i < data.rows.size(); ++i) {
       const Row& row = data.rows[i];
-      if (!std::isfinite(predictions[i].reading) || !std::isfinite(row.measured)) {
+      if (!std::isfinite(model.shaft ? displacements[i] : predictions[i].reading) ||
+          !std::isfinite(row.measured)) {
         lines_not_predicted_.push_back(row.line);
         continue;
       }
-      predictors_.emplace_back(model, steps_, row.point, record_of(row));
-      (void)predictors_.back().predict(model, steps_, predictions[i].equilibrium.get());
+      if (model.shaft) {
+        shaft_rows_.push_back(row);
+      } else {
+        predictors_.emplace_back(model, steps_, row.point, record_of(row));
+        (void)predictors_.back().predict(model, steps_, predictions[i].equilibrium.get());
+      }
       measured_.push_back(row.measured);
       stds_.push_back(row.std);
       weighted_ = weighted_ && row.std > 0.0 && std::isfinite(row.std);
     }
     if (!weighted_) {
       some_std_ = std::any_of(stds_.begin(), stds_.end(), [](double s) { return s > 0.0; });
-      // Torques are scaled to order one.
+      // Readings are scaled to order one.
       double square = 0.0;
       for (const double m : measured_) square += m * m;
       const double size = std::sqrt(square / static_cast<double>(std::max<std::size_t>(1, rows())));
@@ -63,44 +76,55 @@ class Residuals {
   [[nodiscard]] const std::vector<ModelParameter>& parameters() const { return parameters_; }
   [[nodiscard]] const std::vector<int>& lines_not_predicted() const { return lines_not_predicted_; }
 
-  /// Counts a scatter common to all rows beside their own standard deviation [N m].
+  /// Counts a scatter common to all rows beside their own standard deviation [N m] or [m].
   void set_excess_scatter(double excess) {
     for (std::size_t i = 0; i < rows(); ++i) stds_[i] = std::hypot(own_stds_[i], excess);
   }
 
-  /// χ² against the rows' own standard deviations widened by a common scatter [1]; `torque_errors`
-  /// are prediction minus reading [N m].
-  [[nodiscard]] double chi_square(const Eigen::VectorXd& torque_errors, double excess) const {
+  /// χ² against the rows' own standard deviations widened by a common scatter [1]; `errors` are
+  /// prediction minus reading [N m] or [m].
+  [[nodiscard]] double chi_square(const Eigen::VectorXd& errors, double excess) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < rows(); ++i) {
-      const double t =
-          torque_errors[static_cast<Eigen::Index>(i)] / std::hypot(own_stds_[i], excess);
+      const double t = errors[static_cast<Eigen::Index>(i)] / std::hypot(own_stds_[i], excess);
       sum += t * t;
     }
     return sum;
   }
 
-  /// Prediction minus reading [N m].
-  [[nodiscard]] Eigen::VectorXd torque_errors(const Eigen::VectorXd& values) const {
+  /// Prediction minus reading [N m] or [m].
+  [[nodiscard]] Eigen::VectorXd errors(const Eigen::VectorXd& values) const {
     Eigen::VectorXd r = evaluate(values, nullptr);
     for (std::size_t i = 0; i < rows(); ++i) r[static_cast<Eigen::Index>(i)] *= stds_[i];
     return r;
   }
 
-  /// Root mean square of prediction minus reading [N m].
+  /// Root mean square of prediction minus reading [N m] or [m].
   [[nodiscard]] double rmse(const Eigen::VectorXd& values) const {
-    return torque_errors(values).norm() / std::sqrt(static_cast<double>(rows()));
+    return errors(values).norm() / std::sqrt(static_cast<double>(rows()));
   }
 
   /// Residuals at these values of the parameters; the Jacobian (rows x parameters) where asked for.
+  /// NaN where the model cannot take the values.
   [[nodiscard]] Eigen::VectorXd evaluate(const Eigen::VectorXd& values,
                                          Eigen::MatrixXd* jacobian) const {
+    try {
+      return residuals_at(values, jacobian);
+    } catch (const std::invalid_argument&) {  // no bearing has these values together
+      if (jacobian)
+        *jacobian =
+            Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(rows()), values.size(), unset);
+      return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(rows()), unset);
+    }
+  }
+
+ private:
+  [[nodiscard]] Eigen::VectorXd residuals_at(const Eigen::VectorXd& values,
+                                             Eigen::MatrixXd* jacobian) const {
     Model model = model_;
     for (std::size_t k = 0; k < parameters_.size(); ++k)
       parameters_[k].set(model, values[static_cast<Eigen::Index>(k)]);
-    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
-    for (std::size_t i = 0; i < rows(); ++i)
-      readings[static_cast<Eigen::Index>(i)] = predictors_[i].predict(model, steps_);
+    const Eigen::VectorXd readings = predicted(model);
     const Eigen::Map<const Eigen::ArrayXd> measured(measured_.data(), readings.size());
     const Eigen::Map<const Eigen::ArrayXd> stds(stds_.data(), readings.size());
     if (jacobian) {
@@ -114,7 +138,19 @@ class Residuals {
     return ((readings.array() - measured) / stds).matrix();
   }
 
- private:
+  [[nodiscard]] Eigen::VectorXd predicted(const Model& model) const {
+    if (model.shaft) return displaced(model);
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
+    for (std::size_t i = 0; i < rows(); ++i)
+      readings[static_cast<Eigen::Index>(i)] = predictors_[i].predict(model, steps_);
+    return readings;
+  }
+
+  [[nodiscard]] Eigen::VectorXd displaced(const Model& model) const {
+    const std::vector<double> u = predict_displacement(model, shaft_rows_);
+    return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
+  }
+
   /// Of the readings by one parameter, at the values of `model`, whose parameter is left moved.
   /// Differences of second order, inside the bounds: exact but for rounding where the parameter is
   /// an amplitude, as most are.
@@ -122,9 +158,10 @@ class Residuals {
                              const Eigen::VectorXd& readings) const {
     const Stage stage = first_stage(model, steps_, p.effect);
     const double centre = p.get(model);
-    const double step = difference_step * typical_size(p, centre);
+    const double step = (model.shaft ? shaft_step : difference_step) * typical_size(p, centre);
     const auto at = [&](double value) {
       p.set(model, value);
+      if (model.shaft) return displaced(model);
       Eigen::VectorXd result(readings.size());
       for (std::size_t i = 0; i < rows(); ++i)
         result[static_cast<Eigen::Index>(i)] = predictors_[i].vary(model, steps_, stage);
@@ -141,6 +178,7 @@ class Residuals {
   Steps steps_;
   std::vector<ModelParameter> parameters_;
   mutable std::vector<RowPredictor> predictors_;  // one per row that can be predicted
+  std::vector<Row> shaft_rows_;                   // the same, of a shaft
   std::vector<double> measured_;
   std::vector<double> own_stds_, stds_;  // of the rows; with the common scatter
   std::vector<int> lines_not_predicted_;
@@ -331,15 +369,15 @@ std::string minimise(const Residuals& residuals, const Eigen::VectorXd& scale,
   return summary.message;
 }
 
-/// The common scatter that brings χ² down to the degrees of freedom [N m]; 0 where it is below.
-double excess_scatter(const Residuals& residuals, const Eigen::VectorXd& torque_errors,
+/// The common scatter that brings χ² down to the degrees of freedom [N m] or [m]; 0 where it is
+/// below.
+double excess_scatter(const Residuals& residuals, const Eigen::VectorXd& errors,
                       int degrees_of_freedom) {
-  if (degrees_of_freedom < 1 || residuals.chi_square(torque_errors, 0.0) <= degrees_of_freedom)
-    return 0.0;
-  double low = 0.0, high = torque_errors.norm();  // there χ² is below 1
+  if (degrees_of_freedom < 1 || residuals.chi_square(errors, 0.0) <= degrees_of_freedom) return 0.0;
+  double low = 0.0, high = errors.norm();  // there χ² is below 1
   for (int iteration = 0; iteration < 60; ++iteration) {
     const double middle = 0.5 * (low + high);
-    (residuals.chi_square(torque_errors, middle) > degrees_of_freedom ? low : high) = middle;
+    (residuals.chi_square(errors, middle) > degrees_of_freedom ? low : high) = middle;
   }
   return high;
 }
@@ -358,7 +396,7 @@ void fit_parameters(Residuals& residuals, const Eigen::VectorXd& scale, Calibrat
   for (int round = 0; round < 50; ++round) {
     words = minimise(residuals, scale, result);
     if (!result.converged() || !residuals.weighted()) break;
-    const Eigen::VectorXd errors = residuals.torque_errors(values_of(result));
+    const Eigen::VectorXd errors = residuals.errors(values_of(result));
     const double before = result.excess_scatter;
     result.excess_scatter = excess_scatter(residuals, errors, result.degrees_of_freedom);
     residuals.set_excess_scatter(result.excess_scatter);
@@ -371,11 +409,12 @@ void fit_parameters(Residuals& residuals, const Eigen::VectorXd& scale, Calibrat
       result.messages.push_back(fmt::format(
           "{} ends at its {} bound, {}: the data want it beyond, or the model lacks something",
           p.name, p.at_bound == Bound::lower ? "lower" : "upper", with_unit(p.value, p.unit)));
+  const QuantityText q = text_of(result.quantity);
   if (result.excess_scatter > 0.0)
     result.messages.push_back(fmt::format(
-        "misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}); {:.3g} N mm were "
+        "misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}); {:.3g} {} were "
         "added to each, by which weights are evened out and standard errors are widened",
-        result.reduced_chi_square, result.excess_scatter / N_mm));
+        result.reduced_chi_square, result.excess_scatter / q.factor, q.unit));
   if (!result.converged())
     result.messages.push_back(
         fmt::format("the fit did not converge ({}): {}", name(result.status), words));
@@ -483,10 +522,10 @@ std::string_view name(FitStatus status) {
 }
 
 Calibration calibrate(const Model& model, const DataSet& data) {
-  if (data.quantity != Quantity::friction_torque)
-    throw std::invalid_argument(data.source + ": calibrate needs measured friction torque");
+  require_measured_subject(model, data);
   Residuals residuals(model, data, free_parameters(model));
   Calibration result{.model = model};
+  result.quantity = data.quantity;
   result.rows = static_cast<int>(residuals.rows());
   result.rows_not_predicted = residuals.lines_not_predicted();
   result.weighted = residuals.weighted();

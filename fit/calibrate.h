@@ -47,8 +47,9 @@ struct Calibration {
   int degrees_of_freedom = 0;             ///< rows minus parameters that moved
   bool weighted = false;                  ///< by the standard deviation of the rows
   double reduced_chi_square = unset;  ///< χ²/degrees of freedom; NaN where no std is known [1]
-  double excess_scatter = 0.0;        ///< added to the std of each row, see calibrate() [N m]
-  double rmse_before = unset, rmse_after = unset;  ///< of the rig torque [N m]
+  double excess_scatter = 0.0;  ///< added to the std of each row, see calibrate() [N m] or [m]
+  double rmse_before = unset, rmse_after = unset;  ///< of torque [N m] or displacement [m]
+  Quantity quantity = Quantity::friction_torque;
   int iterations = 0;
   FitStatus status = FitStatus::not_run;
   std::vector<std::string> messages{};  ///< what the user should know, one line each
@@ -56,7 +57,8 @@ struct Calibration {
   [[nodiscard]] bool converged() const { return status == FitStatus::converged; }
 };
 
-/// Re-fits the free parameters of a model to measured friction torque, within their bounds.
+/// Re-fits the free parameters of a model to measured friction torque of a rig, or to measured
+/// displacement of a shaft, within their bounds.
 ///
 ///   minimise Σ (M_predicted - M_measured)² / (std² + excess²)
 ///
@@ -74,7 +76,8 @@ struct Calibration {
 /// A parameter that the data cannot tell from those before it in the list (z and y at one load) is
 /// held at its start; all of the group are marked not identifiable. So is one whose standard error
 /// exceeds the range of its bounds.
-/// Throws std::invalid_argument: no torque data, unknown parameter, fewer rows than parameters.
+/// Throws std::invalid_argument: torque of a shaft or displacement without one, unknown parameter,
+/// fewer rows than parameters.
 [[nodiscard]] Calibration calibrate(const Model& model, const DataSet& data);
 
 }  // namespace raceway::fit

@@ -12,6 +12,8 @@
 #include <stdexcept>
 
 #include "fit/prediction.h"
+#include "fit/quantity.h"
+#include "fit/shaft_prediction.h"
 
 namespace raceway::fit {
 
@@ -104,6 +106,7 @@ void add_ranges(Variable variable, const DataSet& data, Comparison& result) {
 
 Pattern find_pattern(const DataSet& data, const std::vector<RowError>& errors) {
   // Loads within 2 % and temperatures within 2 K make one string.
+  const bool displaced = data.quantity == Quantity::axial_displacement;
   const auto key = [&](const RowError& e) {
     const Row& row = data.rows[e.row];
     const auto step = [](double load) {
@@ -111,7 +114,7 @@ Pattern find_pattern(const DataSet& data, const std::vector<RowError>& errors) {
     };
     return std::tuple{row.run, step(std::abs(row.point.axial_load)),
                       step(value_of(Variable::radial_load, row)),
-                      std::lround(row.point.temperature / 2.0)};
+                      std::lround(row.point.temperature / 2.0), displaced ? step(row.preload) : 0};
   };
   std::map<decltype(key(errors.front())), std::vector<const RowError*>> strings;
   double square = 0.0;
@@ -205,6 +208,9 @@ std::string where_text(const ErrorRange& range) {
     case Variable::radial_load:
       unit_name = "N radial load";
       break;
+    case Variable::preload:
+      unit_name = "N preload";
+      break;
     case Variable::temperature:
       offset = celsius_zero, unit_name = "C";
       break;
@@ -218,9 +224,10 @@ std::string where_text(const ErrorRange& range) {
 }
 
 std::string statement_of(const Comparison& c) {
-  const std::string misfit = fmt::format("The misfit ({:.3g} N mm)", c.rmse / N_mm);
+  const QuantityText q = text_of(c.quantity);
+  const std::string misfit = fmt::format("The misfit ({:.3g} {})", c.rmse / q.factor, q.unit);
   const LackOfFit& test = c.lack_of_fit;
-  const std::string noise = fmt::format("{:.2g} N mm", c.noise.rms / N_mm);
+  const std::string noise = fmt::format("{:.2g} {}", c.noise.rms / q.factor, q.unit);
   const std::string statistic =
       fmt::format("{} = {:.3g}, {}", c.noise.source == NoiseSource::repeats ? "F" : "chi2/dof",
                   test.statistic, p_text(test.p_value));
@@ -261,6 +268,8 @@ std::string_view name(Variable variable) {
       return "temperature";
     case Variable::run:
       return "run";
+    case Variable::preload:
+      return "preload";
   }
   return "unknown";
 }
@@ -277,19 +286,20 @@ double value_of(Variable variable, const Row& row) {
       return row.point.temperature;
     case Variable::run:
       return row.run;
+    case Variable::preload:
+      return row.preload;
   }
   return unset;
 }
 
 Comparison compare(const std::vector<double>& predicted, const DataSet& data,
                    int fitted_parameters) {
-  if (data.quantity != Quantity::friction_torque)
-    throw std::invalid_argument(data.source + ": compare needs measured friction torque");
   if (predicted.size() != data.rows.size())
     throw std::invalid_argument("compare: one prediction per row is needed");
   if (data.rows.empty()) throw std::invalid_argument(data.source + ": no rows to compare with");
 
   Comparison result;
+  result.quantity = data.quantity;
   result.noise = estimate_noise(data);
   const bool by_row = result.noise.source == NoiseSource::declared ||
                       result.noise.source == NoiseSource::regression;
@@ -341,6 +351,7 @@ Comparison compare(const std::vector<double>& predicted, const DataSet& data,
   for (const Variable variable : {Variable::speed, Variable::axial_load, Variable::radial_load,
                                   Variable::temperature, Variable::run})
     add_ranges(variable, data, result);
+  if (data.quantity == Quantity::axial_displacement) add_ranges(Variable::preload, data, result);
   std::stable_sort(result.where.begin(), result.where.end(),
                    [](const ErrorRange& a, const ErrorRange& b) { return a.rmse > b.rmse; });
   result.worst = result.errors;
@@ -354,6 +365,8 @@ Comparison compare(const std::vector<double>& predicted, const DataSet& data,
 }
 
 Comparison compare(const Model& model, const DataSet& data, int fitted_parameters) {
+  require_measured_subject(model, data);
+  if (model.shaft) return compare(predict_displacement(model, data.rows), data, fitted_parameters);
   std::vector<double> predicted;
   predicted.reserve(data.rows.size());
   for (const FrictionPrediction& p : predict_rows(model, data)) predicted.push_back(p.reading);

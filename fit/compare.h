@@ -11,9 +11,9 @@
 namespace raceway::fit {
 
 /// What a misfit can be sorted by.
-enum class Variable { speed, axial_load, radial_load, temperature, run };
+enum class Variable { speed, axial_load, radial_load, temperature, run, preload };
 
-/// "speed", "axial_load", "radial_load", "temperature", "run".
+/// "speed", "axial_load", "radial_load", "temperature", "run", "preload".
 [[nodiscard]] std::string_view name(Variable variable);
 
 /// The value of a row by which it is sorted, SI; the index of its run for `run`.
@@ -25,18 +25,18 @@ struct ErrorRange {
   double from = unset, to = unset;  ///< smallest and largest value within, SI; index for `run`
   std::string run;                  ///< run_id, empty unless variable is `run`
   int rows = 0;
-  double rmse = unset;  ///< [N m]
-  double bias = unset;  ///< mean of prediction minus reading [N m]
+  double rmse = unset;  ///< [N m] or [m]
+  double bias = unset;  ///< mean of prediction minus reading [N m] or [m]
 };
 
-/// One row, prediction against reading.
+/// One row, prediction against reading, [N m] or [m].
 struct RowError {
   std::size_t row = 0;  ///< index into DataSet::rows
   int line = 0;
-  double predicted = unset;  ///< [N m]
-  double measured = unset;   ///< [N m]
-  double residual = unset;   ///< prediction minus reading [N m]
-  double sigmas = unset;     ///< residual over standard deviation, NaN where that is not known [1]
+  double predicted = unset;
+  double measured = unset;
+  double residual = unset;  ///< prediction minus reading
+  double sigmas = unset;    ///< residual over standard deviation, NaN where that is not known [1]
 };
 
 /// Whether the misfit is larger than the noise.
@@ -70,7 +70,7 @@ enum class Judgement {
 struct Comparison {
   Quantity quantity = Quantity::friction_torque;
   int rows = 0;                                                     ///< compared
-  double rmse = unset, mae = unset, max_abs = unset, bias = unset;  ///< [N m]
+  double rmse = unset, mae = unset, max_abs = unset, bias = unset;  ///< [N m] or [m]
   /// 100 (1 - |y - ŷ| / |y - mean y|) in Euclidean norms: 100 is perfect, 0 no better than the
   /// mean, negative is worse. NaN if all readings are equal.
   double fit_percent = unset;
@@ -85,10 +85,11 @@ struct Comparison {
   std::string statement;  ///< in one sentence: how wrong, structure or noise, and where
 };
 
-/// Compares predicted and measured friction torque of the rig. `fitted_parameters` of the model
-/// were fitted to these very data; they cost degrees of freedom in the test (0 where in doubt,
-/// which makes the test milder). Throws std::invalid_argument if nothing can be compared: no torque
-/// data, no row, none predicted.
+/// Compares predicted and measured friction torque of the rig, or axial displacement of the shaft.
+/// `fitted_parameters` of the model were fitted to these very data; they cost degrees of freedom in
+/// the test (0 where in doubt, which makes the test milder). Throws std::invalid_argument if
+/// nothing can be compared: torque of a shaft, displacement without a shaft, no row, none
+/// predicted.
 [[nodiscard]] Comparison compare(const Model& model, const DataSet& data,
                                  int fitted_parameters = 0);
 

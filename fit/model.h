@@ -29,6 +29,8 @@ struct Shaft {
   double external_load = 0.0;  ///< axial, positive towards the tool [N]
   /// What is not measured is left at the mounting temperature.
   std::optional<bearing::SetTemperatures> temperatures = {};
+  /// A set has bearings of its own: what the model says of its bearing is not of all.
+  bool own_bearings = false;
 };
 
 /// What the user believes about a bearing on a rig: the subject of compare, calibrate and diagnose.

@@ -50,6 +50,20 @@ class ShaftModels {
 
   [[nodiscard]] ShaftPrediction predict(const ShaftPoint& point,
                                         const ArrangementEquilibrium* neighbour) {
+    ShaftPrediction p = balance(point, neighbour);
+    if (!p.equilibrium.report.converged()) return p;
+    p.torque = 0.0;
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+      add_friction(i, point, p);
+      p.torque += p.friction[i].torque;
+    }
+    p.power_loss = p.torque * point.speed;
+    return p;
+  }
+
+  /// The position alone, without friction.
+  [[nodiscard]] ShaftPrediction balance(const ShaftPoint& point,
+                                        const ArrangementEquilibrium* neighbour) {
     ShaftPrediction p;
     ArrangementCondition condition = shaft_condition(model_, point);
     if (conditioned_ && !add_effects(point, condition)) {
@@ -57,14 +71,8 @@ class ShaftModels {
       return p;
     }
     p.equilibrium = solve_arrangement(arrangement_, condition, model_.solver, neighbour);
-    if (!p.equilibrium.report.converged()) return p;
-    p.displacement = p.equilibrium.position - standstill(point.external_load);
-    p.torque = 0.0;
-    for (std::size_t i = 0; i < models_.size(); ++i) {
-      add_friction(i, point, p);
-      p.torque += p.friction[i].torque;
-    }
-    p.power_loss = p.torque * point.speed;
+    if (p.equilibrium.report.converged())
+      p.displacement = p.equilibrium.position - standstill(point.external_load);
     return p;
   }
 
@@ -141,6 +149,37 @@ class ShaftModels {
   double standstill_load_ = unset, standstill_ = unset;
 };
 
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+/// Whether one arrangement at one temperature serves both rows.
+bool same_setting(const Row& a, const Row& b) {
+  return same(a.preload, b.preload) && same(a.inner_ring_temperature, b.inner_ring_temperature) &&
+         same(a.outer_ring_temperature, b.outer_ring_temperature);
+}
+
+std::optional<bearing::SetTemperatures> temperatures_of(const Shaft& shaft, const Row& row) {
+  if (std::isnan(row.inner_ring_temperature) && std::isnan(row.outer_ring_temperature))
+    return shaft.temperatures;
+  const double mounted = shaft.arrangement.design().mounting_temperature;
+  bearing::SetTemperatures t = shaft.temperatures.value_or(bearing::SetTemperatures());
+  t.inner_ring = given(row.inner_ring_temperature, given(t.inner_ring, mounted));
+  t.outer_ring = given(row.outer_ring_temperature, given(t.outer_ring, mounted));
+  t.shaft = given(t.shaft, t.inner_ring);
+  t.housing = given(t.housing, t.outer_ring);
+  return t;
+}
+
+/// The arrangement with another force of preload; nothing where there is none with that force.
+std::optional<Arrangement> with_preload(const Arrangement& arrangement, double force) {
+  bearing::ArrangementDesign design = arrangement.design();
+  design.preload = bearing::PreloadForce{force};
+  try {
+    return Arrangement(std::move(design));
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 ArrangementCondition shaft_condition(const Model& model, const ShaftPoint& point) {
@@ -166,6 +205,50 @@ std::vector<ShaftPrediction> predict_shaft(const Model& model, std::span<const S
       neighbour = &predictions.back().equilibrium;
   }
   return predictions;
+}
+
+std::vector<double> predict_displacement(const Model& model, std::span<const Row> rows) {
+  if (!model.shaft) throw std::invalid_argument("the model has no shaft");
+  std::vector<double> displacements(rows.size(), unset);
+  Model set = model;
+  double preload = unset;  // of the rows, that `set` has now; NaN: that of the model
+  for (std::size_t first = 0, end = 0; first < rows.size(); first = end) {
+    while (end < rows.size() && same_setting(rows[first], rows[end])) ++end;
+    if (!same(rows[first].preload, preload)) {
+      const auto other = std::isnan(rows[first].preload)
+                             ? model.shaft->arrangement
+                             : with_preload(model.shaft->arrangement, rows[first].preload);
+      if (!other) continue;
+      set.shaft->arrangement = *other;
+      preload = rows[first].preload;
+    }
+    set.shaft->temperatures = temperatures_of(*model.shaft, rows[first]);
+    ShaftModels models(set);
+    ArrangementEquilibrium last;
+    for (std::size_t i = first; i < end; ++i) {
+      ShaftPrediction p = models.balance({.speed = rows[i].point.speed,
+                                          .external_load = rows[i].point.axial_load,
+                                          .temperature = rows[i].point.temperature},
+                                         last.report.converged() ? &last : nullptr);
+      displacements[i] = p.displacement;
+      if (p.equilibrium.report.converged()) last = std::move(p.equilibrium);
+    }
+  }
+  return displacements;
+}
+
+void require_measured_subject(const Model& model, const DataSet& data) {
+  const bool torque = data.quantity == Quantity::friction_torque;
+  if (model.shaft && torque)
+    throw std::invalid_argument(
+        data.source +
+        ": holds friction torque, but the model has an [arrangement]: axial_displacement_um is "
+        "needed, or a model of a single bearing on a rig");
+  if (!model.shaft && !torque)
+    throw std::invalid_argument(data.source +
+                                ": holds axial displacement, which needs a model with an "
+                                "[arrangement]; of a single bearing measured friction torque is "
+                                "needed");
 }
 
 }  // namespace raceway::fit

@@ -38,6 +38,22 @@ struct ShaftPrediction {
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);
 
+/// Displacement of the model's shaft at rows of measured displacement [m], as
+/// ShaftPrediction::displacement; NaN where the sets do not balance. The axial load of a row is the
+/// external load.
+///
+/// What was recorded with a row stands in the place of what the model says: the preload as force at
+/// standstill, ring temperatures. Balls, shaft and housing keep the temperatures of the model where
+/// it has any; otherwise they follow the rings: balls their mean, the shaft the inner, the housing
+/// the outer.
+/// Throws std::invalid_argument for a model without shaft, and as add_expansion() does.
+[[nodiscard]] std::vector<double> predict_displacement(const Model& model,
+                                                       std::span<const Row> rows);
+
+/// Throws std::invalid_argument unless the data are of what the model stands for: displacement of a
+/// shaft, friction torque of a bearing on a rig.
+void require_measured_subject(const Model& model, const DataSet& data);
+
 /// The condition of the model's arrangement at a point, its temperatures included.
 [[nodiscard]] bearing::ArrangementCondition shaft_condition(const Model& model,
                                                             const ShaftPoint& point);

@@ -70,8 +70,8 @@ std::string joined(const std::vector<std::string>& words) {
 
 class Reader {
  public:
-  Reader(CsvTable table, const fit::Rig& rig)
-      : table_(std::move(table)), rig_(rig), bad_(table_.source, table_.rows()) {
+  Reader(CsvTable table, const fit::Rig& rig, const fit::Shaft* shaft)
+      : table_(std::move(table)), rig_(rig), shaft_(shaft), bad_(table_.source, table_.rows()) {
     for (std::size_t k = 0; k < known_count; ++k) {
       column_[k] = table_.column(columns[k].name);
       values_[k].clear();
@@ -127,7 +127,7 @@ class Reader {
       throw InputError(header_place() + ": column std_Nmm has no friction_torque_Nmm beside it");
     if (has(displacement_std) && !has(displacement))
       throw InputError(header_place() + ": column std_um has no axial_displacement_um beside it");
-    if (!has(axial_load) && std::isnan(rig_.axial_load))
+    if (!has(axial_load) && !shaft_ && std::isnan(rig_.axial_load))
       throw InputError(fmt::format(
           "{}: the axial load is neither in a column axial_load_N nor in the model; write "
           "axial_load_N under [rig], 0 if the load is unknown or none",
@@ -135,7 +135,8 @@ class Reader {
   }
 
   void read_column(std::size_t k) {
-    const Column& c = columns[k];
+    Column c = columns[k];
+    if (shaft_ && k == axial_load) c.lower = -c.upper;
     std::vector<double>& values = values_[k];
     values.reserve(table_.rows());
     for (std::size_t row = 0; row < table_.rows(); ++row) {
@@ -187,13 +188,18 @@ class Reader {
   }
 
   void fill_in_from_rig() {
-    const auto fill = [&](std::size_t k, double value, double shown) {
+    const auto fill = [&](std::size_t k, double value, double shown,
+                          std::string_view from = "[rig]") {
       if (has(k)) return;
       values_[k].assign(table_.rows(), value);
-      notes_.push_back(fmt::format("no column {}: {:.6g} {} for all rows, from [rig]",
-                                   columns[k].name, shown, columns[k].unit));
+      notes_.push_back(fmt::format("no column {}: {:.6g} {} for all rows, from {}", columns[k].name,
+                                   shown, columns[k].unit, from));
     };
-    fill(axial_load, rig_.axial_load, rig_.axial_load);
+    if (shaft_)
+      fill(axial_load, shaft_->external_load, shaft_->external_load,
+           "external_load_N of [arrangement]");
+    else
+      fill(axial_load, rig_.axial_load, rig_.axial_load);
     fill(radial_load, rig_.radial_load, rig_.radial_load);
     fill(temperature, rig_.temperature, celsius(rig_.temperature));
   }
@@ -212,13 +218,16 @@ class Reader {
   Measurement data_set() {
     fit::DataSet data;
     data.source = table_.source;
-    const std::size_t measured = has(torque) ? torque : displacement;
-    const std::size_t std = has(torque) ? torque_std : displacement_std;
-    data.quantity =
-        has(torque) ? fit::Quantity::friction_torque : fit::Quantity::axial_displacement;
+    const bool of_torque = has(torque) && !(shaft_ && has(displacement));
+    const std::size_t measured = of_torque ? torque : displacement;
+    const std::size_t std = of_torque ? torque_std : displacement_std;
+    data.quantity = of_torque ? fit::Quantity::friction_torque : fit::Quantity::axial_displacement;
     if (has(torque) && has(displacement))
-      notes_.emplace_back(
-          "two measured columns: friction_torque_Nmm is used, axial_displacement_um is not");
+      notes_.push_back(fmt::format("two measured columns: {} is used, {} is not",
+                                   columns[measured].name,
+                                   columns[of_torque ? displacement : torque].name));
+    if (shaft_ && has(radial_load))
+      notes_.emplace_back("radial_load_N is not used: the sets on a shaft take axial load alone");
     if (has(std)) data.noise = fit::NoiseSource::declared;
     std::unordered_map<int, double> last_time;
     int back = 0;
@@ -293,6 +302,7 @@ class Reader {
 
   CsvTable table_;
   const fit::Rig& rig_;
+  const fit::Shaft* shaft_;  // null for a bearing on a rig
   BadCells bad_;
   std::array<std::optional<std::size_t>, known_count> column_;
   std::array<std::vector<double>, known_count> values_;  // SI
@@ -304,12 +314,14 @@ class Reader {
 
 }  // namespace
 
-Measurement read_measurement(const std::string& path, const fit::Rig& rig) {
-  return Reader(read_csv(path), rig).read();
+Measurement read_measurement(const std::string& path, const fit::Rig& rig,
+                             const fit::Shaft* shaft) {
+  return Reader(read_csv(path), rig, shaft).read();
 }
 
-Measurement parse_measurement(std::string text, const std::string& source, const fit::Rig& rig) {
-  return Reader(parse_csv(std::move(text), source), rig).read();
+Measurement parse_measurement(std::string text, const std::string& source, const fit::Rig& rig,
+                              const fit::Shaft* shaft) {
+  return Reader(parse_csv(std::move(text), source), rig, shaft).read();
 }
 
 }  // namespace raceway::io

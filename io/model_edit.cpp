@@ -149,6 +149,15 @@ std::string with_comment(std::string text, const KeyValue& change) {
 
 }  // namespace
 
+std::vector<std::string> file_keys(const fit::ModelParameter& parameter) {
+  using fit::ShaftNumber;
+  if (parameter.shaft == ShaftNumber::preload) return {"arrangement." + parameter.name};
+  if (parameter.shaft == ShaftNumber::conformity)
+    return {"bearing.inner_conformity", "bearing.outer_conformity"};
+  if (parameter.shaft != ShaftNumber::none) return {"bearing." + parameter.name};
+  return {file_key(parameter)};
+}
+
 std::string file_key(const fit::ModelParameter& parameter) {
   if (parameter.effect < 0) return "friction." + parameter.name;
   return fmt::format("effect[{}].{}", parameter.effect,

@@ -69,22 +69,22 @@ class Reader {
     read_effects();
     const auto solver = read_solver();
     const fit::Rig rig = read_rig();
-    Names free = read_calibration();
-    std::string catalogue = bearing.row ? bearing.row->full_name() : std::string();
-    return {.model = {.name = bearing.name,
-                      .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing
-                                       : std::move(bearing.bearing),
-                      .lubricant = lubricant,
-                      .law = law_,
-                      .law_values = std::move(law_values_),
-                      .effects = std::move(effects_),
-                      .solver = solver,
-                      .rig = rig,
-                      .free = std::move(free),
-                      .shaft = std::move(shaft)},
+    fit::Model model{
+        .name = bearing.name,
+        .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing : std::move(bearing.bearing),
+        .lubricant = lubricant,
+        .law = law_,
+        .law_values = std::move(law_values_),
+        .effects = std::move(effects_),
+        .solver = solver,
+        .rig = rig,
+        .free = {},
+        .shaft = std::move(shaft)};
+    model.free = read_calibration(model);
+    return {.model = std::move(model),
             .source = source_,
             .text = std::move(text_),
-            .catalogue = std::move(catalogue),
+            .catalogue = bearing.row ? bearing.row->full_name() : std::string(),
             .defaults = std::move(defaults_)};
   }
 
@@ -508,24 +508,26 @@ class Reader {
     return rig;
   }
 
-  Names read_calibration() {
+  Names read_calibration(const fit::Model& model) {
     const Section s = section("calibration");
     s.allow_only({"free"});
     // An effect's parameter is known by "id.name", and by its name alone where no other has it.
     std::multimap<std::string, std::string> full_names;
-    for (const friction::Parameter& p : friction::parameters(law_))
+    for (const friction::Parameter& p : friction::parameters(model.law))
       full_names.emplace(p.name, p.name);
-    for (const effects::Effect& e : effects_)
+    for (const effects::Effect& e : model.effects)
       for (const effects::Parameter& p : e.description->parameters) {
         const std::string full = fmt::format("{}.{}", e.description->id, p.name);
         full_names.emplace(p.name, full);
         full_names.emplace(full, full);
       }
+    for (const fit::ShaftParameter& p : fit::shaft_parameters(model))
+      full_names.emplace(p.name, p.name);
     Names known;
     for (const auto& [name, full] : full_names) known.push_back(name);
     const toml::node* const node = s.find("free");
     if (!node) {
-      Names names = fit::default_free(law_);
+      Names names = fit::default_free(model);
       std::string text;
       for (const std::string& name : names)
         text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", name);

@@ -32,8 +32,11 @@ struct ModelFile {
 /// The same from text; `source` stands in messages.
 [[nodiscard]] ModelFile parse_model(std::string text, const std::string& source);
 
-/// Where a parameter that may be fitted stands in its file, as KeyValue::key.
+/// Where a parameter of the law or of an effect stands in its file, as KeyValue::key.
 [[nodiscard]] std::string file_key(const fit::ModelParameter& parameter);
+
+/// The same for any parameter that may be fitted; both grooves for the conformity of both.
+[[nodiscard]] std::vector<std::string> file_keys(const fit::ModelParameter& parameter);
 
 /// A new value for a number of a model file, in the unit of its key.
 struct KeyValue {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "fit/quantity.h"
 #include "io/column_unit.h"
 #include "io/json_text.h"
 
@@ -111,6 +112,7 @@ std::string calibration_json(const fit::Calibration& c) {
     for (Eigen::Index j = 0; j < c.correlation.cols(); ++j) row.push_back(c.correlation(i, j));
     correlation.push_back(row);
   }
+  const fit::QuantityText q = fit::text_of(c.quantity);
   // The digits of the model file, all of them.
   return exact_text({{"parameters", parameters},
                      {"correlation", correlation},
@@ -118,9 +120,10 @@ std::string calibration_json(const fit::Calibration& c) {
                      {"rows_not_predicted", c.rows_not_predicted},
                      {"degrees_of_freedom", c.degrees_of_freedom},
                      {"reduced_chi_square", c.reduced_chi_square},
-                     {"unit", "Nmm"},
-                     {"rmse_before", c.rmse_before / N_mm},
-                     {"rmse", c.rmse_after / N_mm},
+                     {"quantity", q.name},
+                     {"unit", q.key_unit},
+                     {"rmse_before", c.rmse_before / q.factor},
+                     {"rmse", c.rmse_after / q.factor},
                      {"messages", c.messages},
                      {"report", {{"status", fit::name(c.status)}, {"iterations", c.iterations}}}});
 }
@@ -147,6 +150,7 @@ RangeUnit range_unit(fit::Variable v) {
 }
 
 json one_comparison(const std::string& file, const fit::Comparison& c) {
+  const fit::QuantityText q = fit::text_of(c.quantity);
   json where = json::array();
   for (const fit::ErrorRange& r : c.where) {
     const RangeUnit u = range_unit(r.variable);
@@ -159,30 +163,29 @@ json one_comparison(const std::string& file, const fit::Comparison& c) {
     }
     range["unit"] = u.unit;
     range["rows"] = r.rows;
-    range["rmse"] = r.rmse / N_mm;
-    range["bias"] = r.bias / N_mm;
+    range["rmse"] = r.rmse / q.factor;
+    range["bias"] = r.bias / q.factor;
     where.push_back(range);
   }
   json worst = json::array();
   for (const fit::RowError& r : c.worst)
     worst.push_back({{"line", r.line},
-                     {"predicted", r.predicted / N_mm},
-                     {"measured", r.measured / N_mm},
-                     {"residual", r.residual / N_mm},
+                     {"predicted", r.predicted / q.factor},
+                     {"measured", r.measured / q.factor},
+                     {"residual", r.residual / q.factor},
                      {"sigmas", r.sigmas}});
   return {
       {"model", file},
-      {"quantity",
-       c.quantity == fit::Quantity::friction_torque ? "friction_torque" : "axial_displacement"},
-      {"unit", "Nmm"},
+      {"quantity", q.name},
+      {"unit", q.key_unit},
       {"rows", c.rows},
       {"rows_not_predicted", c.rows_not_predicted},
-      {"rmse", c.rmse / N_mm},
-      {"mae", c.mae / N_mm},
-      {"max_abs", c.max_abs / N_mm},
-      {"bias", c.bias / N_mm},
+      {"rmse", c.rmse / q.factor},
+      {"mae", c.mae / q.factor},
+      {"max_abs", c.max_abs / q.factor},
+      {"bias", c.bias / q.factor},
       {"fit_percent", c.fit_percent},
-      {"noise", {{"rms", c.noise.rms / N_mm}, {"source", fit::name(c.noise.source)}}},
+      {"noise", {{"rms", c.noise.rms / q.factor}, {"source", fit::name(c.noise.source)}}},
       {"lack_of_fit", {{"statistic", c.lack_of_fit.statistic}, {"p_value", c.lack_of_fit.p_value}}},
       {"statement", c.statement},
       {"where", where},

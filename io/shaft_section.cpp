@@ -61,7 +61,10 @@ class ShaftReader {
     const auto temperatures = read_temperatures();
     const double load = number_or(external_load, 0.0);
     try {
-      return {bearing::Arrangement(d_), load, temperatures};
+      return {.arrangement = bearing::Arrangement(d_),
+              .external_load = load,
+              .temperatures = temperatures,
+              .own_bearings = s_.find("front_bearing") || s_.find("rear_bearing")};
     } catch (const std::invalid_argument& error) {
       throw InputError(fmt::format("{}: [arrangement] {}", s_.place(), error.what()));
     }

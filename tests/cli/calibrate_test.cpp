@@ -116,7 +116,7 @@ TEST(Calibrate, WritesNothingWhereItCannotFit) {
   };
   refused("speed_rpm,axial_load_N,friction_torque_Nmm\n1000,100,92\n", "2 parameters are free");
   refused("speed_rpm,axial_load_N,axial_displacement_um\n1,100,1\n2,100,2\n3,100,3\n",
-          "needs measured friction torque");
+          "holds axial displacement, which needs a model with an [arrangement]");
 }
 
 TEST(Calibrate, NeverOverwritesWithoutForce) {

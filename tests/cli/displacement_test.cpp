@@ -18,6 +18,11 @@ using testing::StartsWith;
 
 const std::string sets = "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n";
 
+/// Made by the model with other preloads than the rows say.
+const std::string curve_text =
+    "speed_rpm,preload_N,axial_displacement_um\n2000,320,0.5\n4000,320,2.0\n6000,320,3.6\n"
+    "8000,320,4.9\n2000,900,0.2\n4000,900,0.9\n6000,900,2.1\n8000,900,3.3\n";
+
 class Displacement : public testing::Test {
  protected:
   [[nodiscard]] Result raceway(const std::string& command, const std::string& flags,
@@ -166,11 +171,102 @@ TEST_F(Displacement, TableHasTheTorqueOfTheSetUnderItsOwnLoad) {
                             "axial_displacement_um"}));
 }
 
+TEST_F(Displacement, IsComparedInMicrometres) {
+  const std::string data = scratch_.write("u.csv", curve_text);
+  const json c = parsed(raceway("compare", data + " --json"));
+  EXPECT_EQ(c["quantity"], "axial_displacement");
+  EXPECT_EQ(c["unit"], "um");
+  EXPECT_EQ(c["rows"], 8);
+  const json& worst = c["worst_rows"][0];
+  const int row = worst["line"].get<int>() - 2;  // four speeds at each preload
+  const json curve = parsed(raceway("displacement", "--speed 2000:8000:2000 --json",
+                                    replaced(model_text + sets, "preload_N = 600",
+                                             row < 4 ? "preload_N = 320" : "preload_N = 900")));
+  const double predicted =
+      curve["rows"][static_cast<std::size_t>(row % 4)]["axial_displacement_um"];
+  EXPECT_NEAR(worst["predicted"].get<double>(), predicted, 1e-6);
+  EXPECT_NEAR(worst["residual"].get<double>(), predicted - worst["measured"].get<double>(), 1e-6);
+  const Result text = raceway("compare", data);
+  EXPECT_THAT(text.out, HasSubstr("8 rows, axial displacement"));
+  EXPECT_THAT(text.out, Not(HasSubstr("N mm")));
+  EXPECT_THAT(text.out, HasSubstr("no column std_um"));
+  const Result ladder =
+      run("compare " + scratch_.file("my.toml") + " " + scratch_.file("my.toml") + " " + data);
+  EXPECT_EQ(ladder.status, 0) << ladder.err;
+  EXPECT_THAT(ladder.out, Not(HasSubstr("N mm")));
+}
+
+TEST_F(Displacement, IsCalibratedToAndWrittenBack) {
+  // Two sweeps of a model whose groove conformity the other does not know.
+  const std::string truth =
+      replaced(replaced(model_text, "inner_conformity = 0.52", "inner_conformity = 0.53") + sets,
+               "outer_conformity = 0.52", "outer_conformity = 0.53");
+  std::string csv = "speed_rpm,preload_N,axial_displacement_um,std_um\n";
+  for (const std::string preload : {"300", "1200"}) {
+    const json d = parsed(raceway("displacement", "--speed 1000:10000:1000 --json",
+                                  replaced(truth, "preload_N = 600", "preload_N = " + preload)));
+    for (const json& row : d["rows"])
+      csv += row["speed_rpm"].dump() + "," + preload + "," + row["axial_displacement_um"].dump() +
+             ",0.01\n";
+  }
+  const std::string data = scratch_.write("u.csv", csv), fitted = scratch_.file("fitted.toml");
+  const std::string model =
+      model_text + sets + "\n[calibration]\nfree = [\"conformity\", \"preload_N\"]\n";
+  const Result r = raceway("calibrate", data + " -o " + fitted, model);
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("held: not identifiable")) << "the preload stands in the data";
+  EXPECT_THAT(r.out, HasSubstr(" um before, "));
+  EXPECT_THAT(r.err, HasSubstr("the data do not depend on preload_N: it stays at 600 N"));
+  const std::string text = file_text(fitted);
+  EXPECT_THAT(text, HasSubstr("preload_N = 600\n"));
+  EXPECT_THAT(text, Not(HasSubstr("conformity = 0.52\n")));
+  const json c = parsed(raceway("calibrate", data + " --json", model));
+  EXPECT_EQ(c["quantity"], "axial_displacement");
+  EXPECT_EQ(c["unit"], "um");
+  EXPECT_NEAR(c["parameters"]["conformity"]["value"].get<double>(), 0.53, 1e-5);
+  EXPECT_LT(parsed(run("compare " + fitted + " " + data + " --json"))["rmse"].get<double>(), 1e-3);
+}
+
+TEST_F(Displacement, PreloadIsWrittenWhereItStands) {
+  const std::string data =
+      scratch_.write("u.csv",
+                     "speed_rpm,axial_load_N,axial_displacement_um\n2000,-50,0.3\n5000,-50,1.9\n"
+                     "8000,-50,4.4\n10000,0,6.1\n");
+  const std::string fitted = scratch_.file("fitted.toml");
+  const Result r = raceway("calibrate", data + " -o " + fitted);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const json c = parsed(raceway("calibrate", data + " --json"));
+  const std::string value = c["parameters"]["preload_N"]["value"].dump();
+  EXPECT_EQ(file_text(fitted),
+            replaced(model_text + sets, "preload_N = 600", "preload_N = " + value));
+}
+
+TEST_F(Displacement, CheckSaysWhatWasRead) {
+  const std::string data = scratch_.write("u.csv", curve_text);
+  const Result r = raceway("check", data);
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("8 rows of axial displacement"));
+  EXPECT_THAT(r.out, testing::ContainsRegex("preload_N +320.00 +900.00 +2"));
+  EXPECT_THAT(r.out, HasSubstr("free parameter preload_N: cannot be told from these data"));
+  EXPECT_THAT(r.err, HasSubstr("no column axial_load_N: 0 N for all rows, from external_load_N of "
+                               "[arrangement]"));
+}
+
 TEST_F(Displacement, WrongUseIsRefused) {
   expect_refused(raceway("displacement", "--speed 0", model_text),
                  "my.toml: has no [arrangement]: a shaft position needs one");
-  expect_refused(raceway("compare", scratch_.write("d.csv", data_text)),
+  const std::string torque = scratch_.write("d.csv", data_text);
+  expect_refused(raceway("diagnose", torque),
                  "my.toml: has an [arrangement]: this command works on a single bearing on a rig");
+  for (const char* command : {"compare", "calibrate"}) {
+    expect_refused(raceway(command, torque), "axial_displacement_um is needed");
+    expect_refused(raceway(command, scratch_.write("u.csv", curve_text),
+                           model_text + "\n[rig]\naxial_load_N = 0\n"),
+                   "which needs a model with an [arrangement]");
+  }
+  const std::string page = scratch_.file("page.html");
+  expect_refused(raceway("compare", scratch_.write("u.csv", curve_text) + " --report " + page),
+                 "--report shows friction torque alone");
   expect_refused(raceway("solve", "--speed 0 --radial-load 50"),
                  "a shaft takes --axial-load alone");
   expect_refused(raceway("table", "--speed 0 --radial-load 50"),

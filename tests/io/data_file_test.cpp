@@ -80,6 +80,37 @@ TEST(DataFile, WhatTheFileLacksComesFromTheRigAndIsNoted) {
   EXPECT_THAT(data.notes, Contains("no column temperature_C: 40 C for all rows, from [rig]"));
 }
 
+TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
+  const auto one =
+      std::make_shared<const bearing::Bearing>(bearing::BearingGeometry{.ball_count = 20,
+                                                                        .ball_diameter = 0.0119,
+                                                                        .pitch_diameter = 0.09,
+                                                                        .contact_angle = 0.4,
+                                                                        .inner_conformity = 0.52,
+                                                                        .outer_conformity = 0.52},
+                                               bearing::steel(), bearing::steel());
+  const fit::Shaft shaft{
+      .arrangement = bearing::Arrangement(
+          {.front = {{one}}, .rear = {{one}}, .preload = bearing::PreloadForce{500}}),
+      .external_load = 70};
+  const fit::Rig rig;
+  const auto read = [&](const std::string& text) {
+    return std::get<fit::DataSet>(parse_measurement(text, "d.csv", rig, &shaft));
+  };
+  const fit::DataSet filled = read("speed_rpm,axial_displacement_um\n1000,2\n");
+  EXPECT_DOUBLE_EQ(filled.rows[0].point.axial_load, 70);
+  EXPECT_THAT(filled.notes, Contains("no column axial_load_N: 70 N for all rows, from "
+                                     "external_load_N of [arrangement]"));
+  const fit::DataSet both = read(
+      "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm,axial_displacement_um\n"
+      "1000,-40,10,90,2\n");
+  EXPECT_DOUBLE_EQ(both.rows[0].point.axial_load, -40);
+  EXPECT_EQ(both.quantity, fit::Quantity::axial_displacement);
+  EXPECT_THAT(both.notes, Contains("two measured columns: axial_displacement_um is used, "
+                                   "friction_torque_Nmm is not"));
+  EXPECT_THAT(both.notes, Contains(HasSubstr("radial_load_N is not used")));
+}
+
 TEST(DataFile, RunsAreNumberedInOrderOfAppearance) {
   const fit::DataSet data = data_of("run_id,speed_rpm,friction_torque_Nmm\nb,1,1\na,1,1\nb,2,1\n");
   EXPECT_THAT(data.runs, ElementsAre("b", "a"));

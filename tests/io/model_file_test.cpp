@@ -464,5 +464,31 @@ TEST(ModelEdit, EveryParameterOfAModelHasItsPlaceInTheFile) {
     EXPECT_EQ(parameters[k].get(m), changes[k].value) << changes[k].key;
 }
 
+TEST(ModelEdit, EveryParameterOfAShaftHasItsPlaceInTheFile) {
+  const std::string text = complete +
+                           "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\n"
+                           "preload_N = 600\n";
+  const fit::Model before = parse_model(text, "m.toml").model;
+  int numbers = 0;
+  for (const fit::ModelParameter& p : fit::model_parameters(before)) {
+    if (p.shaft == fit::ShaftNumber::none) continue;
+    ++numbers;
+    const double value = 1.01 * p.get(before);
+    std::vector<KeyValue> changes;
+    for (const std::string& key : file_keys(p)) changes.push_back({key, value});
+    const fit::Model after = parse_model(with_values(text, changes), "m.toml").model;
+    EXPECT_NEAR(p.get(after), value, 1e-12 * value) << p.name;
+    fit::Model set = before;
+    p.set(set, value);
+    EXPECT_NEAR(set.shaft->arrangement.displacement(bearing::Side::rear),
+                after.shaft->arrangement.displacement(bearing::Side::rear), 1e-15)
+        << p.name;
+  }
+  EXPECT_GE(numbers, 4);
+  const std::string own = text + "[arrangement.rear_bearing]\ncontact_angle_deg = 20\n";
+  for (const fit::ModelParameter& p : fit::model_parameters(parse_model(own, "m.toml").model))
+    EXPECT_TRUE(p.shaft == fit::ShaftNumber::none || p.shaft == fit::ShaftNumber::preload);
+}
+
 }  // namespace
 }  // namespace raceway::io
