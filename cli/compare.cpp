@@ -211,10 +211,7 @@ Run setup_compare(CLI::App& command) {
   command.add_option("FILES", flags->files, "MODEL [MODEL2 ...] DATA: models (TOML), then one CSV")
       ->type_name("")
       ->expected(-1);
-  command
-      .add_option("--refit", flags->refit,
-                  "parameters to fit to DATA first, by comma, such as f0,z: what differs from one "
-                  "day to the next")
+  command.add_option("--refit", flags->refit, "fit these to DATA first, such as f0,z (by comma)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");

@@ -189,8 +189,7 @@ Run setup_diagnose(CLI::App& command) {
   command.add_flag("--no-pairs", flags->no_pairs, "single effects only, for a quick look");
   command
       .add_option("--tried-before", flags->tried_before,
-                  "explanations of your own already tried on these data; each makes the "
-                  "evidence asked for stronger")
+                  "explanations of your own already tried on these data")
       ->type_name("N");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

@@ -125,7 +125,7 @@ int run(const std::string& id, bool json) {
 Run setup_effects(CLI::App& command) {
   auto id = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  command.add_option("ID", *id, "explain this effect; without it, the list");
+  command.add_option("ID", *id, "explain this effect; without it, the list")->type_name("");
   command.add_flag("--json", *json, "one JSON document instead of text");
   command.footer("Example:\n  raceway effects thermal-preload");
   return [=] { return run(*id, *json); };

@@ -35,8 +35,8 @@ Eigen::VectorXd measured(const Response& response, double a, double b) {
 struct Fitted {
   Response response;
   Whitening whitening;
-  Eigen::VectorXd y;
-  ResponseFit fit;
+  Eigen::VectorXd y{};
+  ResponseFit fit{};
 };
 
 Fitted fitted(bool exponential, double a, double b) {
