@@ -1,13 +1,14 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "io/json_text.h"
 
 namespace raceway::io {
 
 /// JSON on one line; text that is no UTF-8 is kept as far as it is.
-inline std::string dump(const nlohmann::ordered_json& value) {
-  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+inline std::string dump(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 /// The document of a report in the making: its members in order, each of them JSON already.
