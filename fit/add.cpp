@@ -12,6 +12,7 @@
 #include "fit/evidence.h"
 #include "fit/nearest_names.h"
 #include "fit/needs.h"
+#include "fit/quantity.h"
 
 namespace raceway::fit {
 
@@ -155,11 +156,13 @@ AddResult add(const Model& model, std::span<const std::string> ids, const DataSe
       std::max(1.0, found.fit.misfit / (rows - static_cast<double>(found.fit.values.size())));
   const double needed = excess * std::log(rows) * static_cast<double>(members.size());
   if (!confirmed(result.hold_out) || found.gain < needed) {
+    const QuantityText quantity = text_of(data.quantity);
     result.refused = true;
     result.reason = fmt::format(
-        "no better than chance: {:.4g} -> {:.4g} N mm on rows that the fit did not see, fall of "
+        "no better than chance: {:.4g} -> {:.4g} {} on rows that the fit did not see, fall of "
         "-2 ln L by {:.1f} (needed {:.1f})",
-        result.rmse_held_out_before / N_mm, result.rmse_held_out_after / N_mm, found.gain, needed);
+        result.rmse_held_out_before / quantity.factor,
+        result.rmse_held_out_after / quantity.factor, quantity.unit, found.gain, needed);
   } else if (const auto rival = better_rival(attribution, found)) {
     result.refused = true;
     result.reason = fmt::format(

@@ -12,6 +12,7 @@
 #include "fit/evidence.h"
 #include "fit/hidden_input.h"
 #include "fit/needs.h"
+#include "fit/quantity.h"
 #include "fit/unknown_shape.h"
 #include "fit/verdict_text.h"
 
@@ -181,7 +182,7 @@ class Investigation {
         visible.push_back(k);
     }
     result_.candidates_tried = static_cast<int>(visible.size()) + options_.tried_before;
-    const double torque = rms(problem_.measured);
+    const double reading = rms(problem_.measured);
     std::vector<Eigen::VectorXd> unit;
     for (const std::size_t k : visible)
       unit.push_back(gate.projected.col(clearest_score(k)).normalized());
@@ -196,8 +197,8 @@ class Investigation {
                        .unit = c.parameters[c.size_index].unit};
       const double units = std::sqrt(detected) / length;
       d.size = c.neutral[c.size_index] + units * c.unit_size;
-      d.share_of_torque =
-          units * rms(c.scores.col(score - attribution_.score_range(k).first)) / torque;
+      d.share_of_reading =
+          units * rms(c.scores.col(score - attribution_.score_range(k).first)) / reading;
       double closest = 0.0;
       std::vector<std::string> group{c.id};
       for (std::size_t j = 0; j < visible.size(); ++j) {
@@ -456,10 +457,11 @@ class Investigation {
         near.push_back(&e);
     if (near.empty()) return "";
     const double left = rms(problem_.measured - near.front()->fit.prediction);
+    const QuantityText quantity = text_of(problem_.data.quantity);
     std::string text =
-        fmt::format(" Nearest: {}; {} {:.0f} % of the misfit away and leaves {:.3g} N mm",
+        fmt::format(" Nearest: {}; {} {:.0f} % of the misfit away and leaves {:.3g} {}",
                     joined_sets(near), near.size() > 1 ? "the first takes" : "it takes",
-                    100.0 * taken(*near.front()), left / N_mm);
+                    100.0 * taken(*near.front()), left / quantity.factor, quantity.unit);
     const double ratio = left / evidence_.noise.rms;
     if (ratio > 2.0)
       text += fmt::format(

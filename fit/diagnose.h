@@ -51,8 +51,8 @@ struct RankedEffect {
   /// Fall of -2 ln L against the model without it, less ln N for each free shape; of the whole set
   /// where the verdict is `several_effects` and this effect is in it.
   double gain = unset;
-  double rmse = unset;                  ///< [N m]
-  double rmse_cross_validated = unset;  ///< over blocks that the fit did not see [N m]
+  double rmse = unset;                  ///< [N m] or [m]
+  double rmse_cross_validated = unset;  ///< over blocks that the fit did not see [N m] or [m]
   std::vector<EffectSize> parameters{};
   std::vector<std::string> indistinguishable_from{};  ///< ids; names of base parameters
   double remaining_p_value = unset;  ///< of the gate with this effect on; NaN where not asked
@@ -64,7 +64,7 @@ struct DetectableSize {
   std::string parameter;
   std::string unit;
   double size = unset;             ///< of that parameter
-  double share_of_torque = unset;  ///< rms of the effect at that size over rms of the torque [1]
+  double share_of_reading = unset;  ///< rms of the effect at that size over rms of the readings [1]
   std::string most_alike{};        ///< the effect it is hardest told from, empty if none
   double told_apart_from = unset;  ///< size from which it is told from that one
 };
@@ -109,7 +109,7 @@ struct Diagnosis {
   std::optional<Shape> shape;
   std::vector<BaseShift> base_shifts;              ///< what the base parameters had been hiding
   std::vector<HoldOut> hold_out;                   ///< of the verdict's best set against the base
-  double rmse_before = unset, rmse_after = unset;  ///< in sample [N m]
+  double rmse_before = unset, rmse_after = unset;  ///< in sample [N m] or [m]
   double needed_gain = unset;                      ///< ln N + 2 ln m
   int candidates_tried = 0;                        ///< m, with those tried before
   int rows = 0;                                    ///< used

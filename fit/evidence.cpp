@@ -9,6 +9,7 @@
 
 #include "fit/free_parameters.h"
 #include "fit/prediction.h"
+#include "fit/quantity.h"
 #include "fit/screening.h"
 
 namespace raceway::fit {
@@ -93,6 +94,7 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
                          const NoiseOptions& options) {
   if (data.quantity != Quantity::friction_torque)
     throw std::invalid_argument(data.source + ": diagnosis needs measured friction torque");
+  const QuantityText quantity = text_of(data.quantity);
   Evidence evidence{.problem = {.model = model}};
   Problem& problem = evidence.problem;
   for (const ModelParameter& p : free_parameters(model)) problem.base.push_back(p.name);
@@ -129,8 +131,8 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   if (!(rms > 0.0)) throw std::invalid_argument(data.source + ": all readings are zero");
   if (problem.measured.maxCoeff() - problem.measured.minCoeff() <= least_noise * rms)
     throw std::invalid_argument(
-        fmt::format("{}: all readings are {:.4g} N mm: a verdict needs readings that vary",
-                    data.source, problem.measured[0] / N_mm));
+        fmt::format("{}: all readings are {:.4g} {}: a verdict needs readings that vary",
+                    data.source, problem.measured[0] / quantity.factor, quantity.unit));
   const Eigen::VectorXd guess = first_relative * problem.measured.cwiseAbs().cwiseMax(0.1 * rms);
   const auto starts_of = [&](const Eigen::VectorXd& x) {
     return std::vector<Eigen::VectorXd>{x, 0.8 * x, 1.25 * x, 0.5 * x};
@@ -152,8 +154,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
       !evidence.noise.whitening.std().allFinite())
     throw std::invalid_argument(
         data.source +
-        ": the readings have no scatter at all, so nothing can be held against it; give std_Nmm "
-        "where they are exact");
+        fmt::format(": the readings have no scatter at all, so nothing can be held against it; "
+                    "give std_{} where they are exact",
+                    quantity.key_unit));
   evidence.base = fit_response(evidence.response, evidence.noise.whitening, problem.measured,
                                starts_of(first.values));
   if (!evidence.base.converged)
