@@ -12,9 +12,9 @@ namespace raceway::bearing {
 
 /// How the sets at the two ends of a shaft face each other. `front` is the tool side.
 ///
-///   back_to_back   O: bearings at the front push the shaft towards the tool, those at the rear
-///   away face_to_face   X: the other way round tandem         all bearings in one set that pushes
-///   towards the tool, against a spring
+///   back_to_back   O: bearings at the front push the shaft towards the tool, those behind away
+///   face_to_face   X: the other way round
+///   tandem         all bearings in one set, which pushes towards the tool, against a spring
 enum class Layout { back_to_back, face_to_face, tandem };
 
 /// What holds the outer rings of the rear set: the housing, or a spring that presses them on.
