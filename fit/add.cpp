@@ -161,8 +161,8 @@ AddResult add(const Model& model, std::span<const std::string> ids, const DataSe
     result.reason = fmt::format(
         "no better than chance: {:.4g} -> {:.4g} {} on rows that the fit did not see, fall of "
         "-2 ln L by {:.1f} (needed {:.1f})",
-        result.rmse_held_out_before / quantity.factor,
-        result.rmse_held_out_after / quantity.factor, quantity.unit, found.gain, needed);
+        result.rmse_held_out_before / quantity.factor, result.rmse_held_out_after / quantity.factor,
+        quantity.unit, found.gain, needed);
   } else if (const auto rival = better_rival(attribution, found)) {
     result.refused = true;
     result.reason = fmt::format(

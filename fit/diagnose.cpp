@@ -437,10 +437,11 @@ class Investigation {
     fill(set, *set.front());
     result_.sentence = fmt::format(
         "Something is missing; it acts like {} but not with the catalogue's law (pure law "
-        "rejected, {}; exponents speed {:+.2f}, load {:+.2f}, viscosity {:+.2f}): either "
+        "rejected, {}; exponents speed {:+.2f}, {} {:+.2f}, viscosity {:+.2f}): either "
         "that effect with another law, or an effect outside the catalogue that acts alike.",
-        joined_sets(set), p_text(pure), set.front()->speed_exponent, set.front()->load_exponent,
-        set.front()->viscosity_exponent);
+        joined_sets(set), p_text(pure), set.front()->speed_exponent,
+        problem_.data.quantity == Quantity::friction_torque ? "load" : "preload",
+        set.front()->load_exponent, set.front()->viscosity_exponent);
   }
 
   /// Which single effects of believable size come nearest, and how far what they leave is from

@@ -63,10 +63,10 @@ struct DetectableSize {
   std::string id;
   std::string parameter;
   std::string unit;
-  double size = unset;             ///< of that parameter
+  double size = unset;              ///< of that parameter
   double share_of_reading = unset;  ///< rms of the effect at that size over rms of the readings [1]
-  std::string most_alike{};        ///< the effect it is hardest told from, empty if none
-  double told_apart_from = unset;  ///< size from which it is told from that one
+  std::string most_alike{};         ///< the effect it is hardest told from, empty if none
+  double told_apart_from = unset;   ///< size from which it is told from that one
 };
 
 struct NotTestable {
@@ -106,6 +106,7 @@ struct Diagnosis {
   std::vector<std::vector<std::string>> aliases;  ///< effects alike on these data (|cos| > 0.98)
   std::vector<SuggestedMeasurement> suggested_measurements;
   double predicted_separation = unset, separation_by_repetition = unset;
+  std::vector<std::string> records_needed;  ///< what to record beside it, to tell them apart
   std::optional<Shape> shape;
   std::vector<BaseShift> base_shifts;              ///< what the base parameters had been hiding
   std::vector<HoldOut> hold_out;                   ///< of the verdict's best set against the base

@@ -53,6 +53,7 @@ std::vector<Blocking> blockings(const DataSet& data) {
   add("speed", 5e-3, 0.0, [](const Row& r) { return r.point.speed; });
   add("axial_load", 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; });
   add("temperature", 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
+  add("preload", 5e-3, 0.0, [](const Row& r) { return std::isnan(r.preload) ? 0.0 : r.preload; });
   if (result.size() < 3) add("run", 0.0, 0.5, [](const Row& r) { return 1.0 * r.run; });
   return result;
 }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "fit/free_parameters.h"
-#include "fit/prediction.h"
+#include "fit/shaft_prediction.h"
 
 namespace raceway::fit {
 
@@ -278,6 +278,16 @@ Response model_response(const Model& model, const DataSet& data,
     const double range = p.upper - p.lower;
     parameter.scale = size > 0.0 ? size : std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
     response.parameters.push_back(parameter);
+  }
+  if (model.shaft) {
+    response.readings = [moved = model, chosen, &data](const Eigen::VectorXd& x) mutable {
+      for (std::size_t k = 0; k < chosen.size(); ++k)
+        chosen[k].set(moved, x[static_cast<Eigen::Index>(k)]);
+      const std::vector<double> u = predict_displacement(moved, data.rows);
+      return Eigen::VectorXd(
+          Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size())));
+    };
+    return response;
   }
   // Rows remember their balance, which most parameters leave alone.
   struct Rows {

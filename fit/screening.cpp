@@ -52,9 +52,8 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
 }
 
-}  // namespace
-
-Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size) {
+/// 15 terms that a torque may be multiplied by.
+Eigen::MatrixXd torque_surface(const DataSet& data) {
   const Eigen::ArrayXd n =
       standardised(logarithm(column_of(data, [](const Row& r) { return r.point.speed; })), 1e-3)
           .array();
@@ -64,10 +63,44 @@ Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size
           .array();
   const Eigen::ArrayXd t =
       standardised(column_of(data, [](const Row& r) { return r.point.temperature; }), 0.5).array();
-  Eigen::MatrixXd columns(size.size(), 15);
-  columns << Eigen::VectorXd::Ones(size.size()), n, f, t, n * n, f * f, t * t, n * f, n * t, f * t,
+  Eigen::MatrixXd columns(n.size(), 15);
+  columns << Eigen::VectorXd::Ones(n.size()), n, f, t, n * n, f * f, t * t, n * f, n * t, f * t,
       n * n * n, f * f * f, t * t * t, n * n * f, n * n * t;
-  return size.asDiagonal() * columns;
+  return columns;
+}
+
+/// Terms that lie in what may be added to a displacement.
+Eigen::MatrixXd displacement_surface(const DataSet& data) {
+  const auto rows = static_cast<Eigen::Index>(data.rows.size());
+  const Eigen::ArrayXd n =
+      standardised(column_of(data, [](const Row& r) { return r.point.speed; }), 0.0).array();
+  std::vector<Eigen::ArrayXd> terms{Eigen::ArrayXd::Ones(rows), n, n * n, n * n * n, n * n * n * n};
+  const auto add = [&](double least, const std::function<double(const Row&)>& value) {
+    Eigen::VectorXd values = column_of(data, value);
+    if (!values.allFinite()) return;
+    const Eigen::ArrayXd v = standardised(std::move(values), least).array();
+    if (v.isZero()) return;
+    for (const Eigen::ArrayXd& term : {Eigen::ArrayXd(v), Eigen::ArrayXd(v * v),
+                                       Eigen::ArrayXd(v * n), Eigen::ArrayXd(v * n * n)})
+      terms.push_back(term);
+  };
+  add(1.0, [](const Row& r) { return r.point.axial_load; });
+  add(1.0, [](const Row& r) { return r.preload; });
+  add(0.5, [](const Row& r) { return r.point.temperature; });
+  add(0.5, [](const Row& r) { return r.inner_ring_temperature; });
+  add(0.5, [](const Row& r) { return r.outer_ring_temperature; });
+  Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(terms.size()));
+  for (std::size_t k = 0; k < terms.size(); ++k)
+    columns.col(static_cast<Eigen::Index>(k)) = terms[k].matrix();
+  return columns;
+}
+
+}  // namespace
+
+Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size) {
+  return size.asDiagonal() * (data.quantity == Quantity::friction_torque
+                                  ? torque_surface(data)
+                                  : displacement_surface(data));
 }
 
 Eigen::MatrixXd level_columns(const DataSet& data, const Eigen::VectorXd& size) {
@@ -90,6 +123,8 @@ Eigen::MatrixXd level_columns(const DataSet& data, const Eigen::VectorXd& size) 
   const Eigen::VectorXd load = column_of(data, [](const Row& r) { return r.point.axial_load; });
   add(speed, 5e-3 * speed.cwiseAbs().maxCoeff());
   add(load, 5e-3 * load.cwiseAbs().maxCoeff());
+  const Eigen::VectorXd preload = column_of(data, [](const Row& r) { return r.preload; });
+  if (preload.allFinite()) add(preload, 5e-3 * preload.cwiseAbs().maxCoeff());
   Eigen::MatrixXd result(size.size(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k)
     result.col(static_cast<Eigen::Index>(k)) = columns[k];

@@ -7,11 +7,16 @@
 
 namespace raceway::fit {
 
-/// Columns that a smooth misfit of unknown origin lies in: the torque `size` times a polynomial of
-/// 15 terms, cubic in ln speed, ln axial load and temperature with interactions (rows x 15).
+/// Columns that a smooth misfit of unknown origin lies in, of the size `size` of the readings.
+///
+///   friction torque   times a polynomial of 15 terms, cubic in ln speed, ln axial load and
+///                     temperature with interactions
+///   displacement      times a polynomial of fourth degree in speed; for each other input that
+///                     varies (external load, preload, temperatures) its square and its products
+///                     with speed and speed squared
 [[nodiscard]] Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size);
 
-/// The torque times an indicator of each level, for variables measured at few levels: what a
+/// `size` times an indicator of each level, for variables measured at few levels: what a
 /// cubic is too smooth for.
 [[nodiscard]] Eigen::MatrixXd level_columns(const DataSet& data, const Eigen::VectorXd& size);
 

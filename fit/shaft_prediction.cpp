@@ -237,6 +237,15 @@ std::vector<double> predict_displacement(const Model& model, std::span<const Row
   return displacements;
 }
 
+std::vector<double> predict_readings(const Model& model, const DataSet& data) {
+  require_measured_subject(model, data);
+  if (model.shaft) return predict_displacement(model, data.rows);
+  std::vector<double> readings;
+  readings.reserve(data.rows.size());
+  for (const FrictionPrediction& p : predict_rows(model, data)) readings.push_back(p.reading);
+  return readings;
+}
+
 void require_measured_subject(const Model& model, const DataSet& data) {
   const bool torque = data.quantity == Quantity::friction_torque;
   if (model.shaft && torque)

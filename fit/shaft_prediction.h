@@ -50,6 +50,10 @@ struct ShaftPrediction {
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        std::span<const Row> rows);
 
+/// What is measured, at every row of the data: friction torque of the rig [N m] or displacement of
+/// the shaft [m]; NaN where there is no balance. Throws as require_measured_subject().
+[[nodiscard]] std::vector<double> predict_readings(const Model& model, const DataSet& data);
+
 /// Throws std::invalid_argument unless the data are of what the model stands for: displacement of a
 /// shaft, friction torque of a bearing on a rig.
 void require_measured_subject(const Model& model, const DataSet& data);

@@ -6,23 +6,17 @@
 
 #include "fit/candidates.h"
 #include "fit/free_parameters.h"
-#include "fit/prediction.h"
+#include "fit/shaft_prediction.h"
 
 namespace raceway::fit {
 namespace {
-
-std::vector<double> readings(const Model& model, const DataSet& data) {
-  std::vector<double> values;
-  for (const FrictionPrediction& p : predict_rows(model, data)) values.push_back(p.reading);
-  return values;
-}
 
 void set_by_name(Model& model, const std::string& name, double value) {
   for (const ModelParameter& p : model_parameters(model))
     if (p.name == name) p.set(model, value);
 }
 
-/// Error over the rows that the diagnosis used, which are those of its baseline [N m].
+/// Error over the rows that the diagnosis used, which are those of its baseline, SI.
 double rms_error(const std::vector<double>& predicted, const DataSet& data,
                  const Diagnosis& diagnosis) {
   std::unordered_map<int, std::size_t> row_of_line;
@@ -57,7 +51,7 @@ std::optional<VerdictModel> verdict_model(const Model& model, const DataSet& dat
   }
   for (const BaseShift& shift : diagnosis.base_shifts)
     set_by_name(result.model, shift.name, shift.after);
-  result.readings = readings(result.model, data);
+  result.readings = predict_readings(result.model, data);
   const double error = rms_error(result.readings, data, diagnosis);
   if (!(std::abs(error - diagnosis.rmse_after) <= 1e-4 * diagnosis.rmse_after)) return std::nullopt;
 
@@ -65,12 +59,12 @@ std::optional<VerdictModel> verdict_model(const Model& model, const DataSet& dat
   Model without = result.model;
   std::for_each(without.effects.begin() + static_cast<std::ptrdiff_t>(before),
                 without.effects.end(), off);
-  result.base = readings(without, data);
+  result.base = predict_readings(without, data);
   for (std::size_t k = before; k < result.model.effects.size(); ++k) {
     Model one_off = result.model;
     off(one_off.effects[k]);
     EffectShare share{.id = std::string(one_off.effects[k].description->id),
-                      .torque = readings(one_off, data)};
+                      .torque = predict_readings(one_off, data)};
     for (std::size_t i = 0; i < share.torque.size(); ++i)
       share.torque[i] = result.readings[i] - share.torque[i];
     result.effects.push_back(std::move(share));

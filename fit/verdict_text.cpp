@@ -75,13 +75,25 @@ std::string shift_text(const Diagnosis& d) {
 
 std::string measure_text(const Diagnosis& d) {
   std::vector<std::string> texts;
+  const bool shaft = d.baseline.quantity == Quantity::axial_displacement;
   for (const SuggestedMeasurement& m : d.suggested_measurements)
     if (texts.size() < 3)
-      texts.push_back(fmt::format("{:.0f} rpm, {:.0f} N, {:.0f} C ({} times)", m.point.speed / rpm,
-                                  m.point.axial_load, m.point.temperature - kelvin(0), m.repeats));
-  if (texts.empty()) return "";
-  return fmt::format(" Measure: {}; predicted difference {:.0f}, by repeating what exists {:.0f}.",
-                     fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
+      texts.push_back(shaft ? fmt::format("{:.0f} rpm{} ({} times)", m.point.speed / rpm,
+                                          std::isfinite(m.preload)
+                                              ? fmt::format(" at a preload of {:.0f} N", m.preload)
+                                              : "",
+                                          m.repeats)
+                            : fmt::format("{:.0f} rpm, {:.0f} N, {:.0f} C ({} times)",
+                                          m.point.speed / rpm, m.point.axial_load,
+                                          m.point.temperature - kelvin(0), m.repeats));
+  std::string text;
+  if (!texts.empty())
+    text =
+        fmt::format(" Measure: {}; predicted difference {:.0f}, by repeating what exists {:.0f}.",
+                    fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
+  if (!d.records_needed.empty())
+    text += " Record: " + fmt::format("{}.", fmt::join(d.records_needed, "; "));
+  return text;
 }
 
 std::string difference_text(const DataSet& data, const HiddenInput& hidden) {

@@ -70,14 +70,16 @@ std::string diagnosis_json(const std::string& model_file, const fit::DataSet& da
   for (const fit::NotTestable& n : d.not_testable)
     not_testable.push_back({{"id", n.id}, {"missing", n.reason}});
   json suggested = json::array();
+  const bool shaft = data.quantity == fit::Quantity::axial_displacement;
   for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
-    suggested.push_back({{"speed_rpm", m.point.speed / rpm},
-                         {"axial_load_N", m.point.axial_load},
-                         {"radial_load_N", m.point.radial_load},
-                         {"temperature_C", celsius(m.point.temperature)},
-                         {"repeats", m.repeats},
-                         {"separates", m.separates},
-                         {"difference_in_sigma", m.difference_in_sigma}});
+    suggested.push_back(
+        {{"speed_rpm", m.point.speed / rpm},
+         {"axial_load_N", m.point.axial_load},
+         {shaft ? "preload_N" : "radial_load_N", shaft ? m.preload : m.point.radial_load},
+         {"temperature_C", celsius(m.point.temperature)},
+         {"repeats", m.repeats},
+         {"separates", m.separates},
+         {"difference_in_sigma", m.difference_in_sigma}});
   json shifts = json::object();
   for (const fit::BaseShift& b : d.base_shifts)
     shifts[b.name] = {{"before", b.before}, {"after", b.after}, {"std", b.std}, {"unit", b.unit}};
@@ -110,6 +112,7 @@ std::string diagnosis_json(const std::string& model_file, const fit::DataSet& da
                    {"suggested_measurements", suggested},
                    {"predicted_separation", d.predicted_separation},
                    {"separation_by_repetition", d.separation_by_repetition},
+                   {"records_needed", d.records_needed},
                    {"outlier_lines", d.outlier_lines},
                    {"messages", d.messages}};
   if (d.shape)
