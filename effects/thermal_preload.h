@@ -19,6 +19,7 @@ namespace raceway::effects {
 /// Domain:   speed >= 0. c = 0 with springs.
 struct ThermalPreload {
   static constexpr std::string_view id = "thermal-preload";
+  static constexpr Subject subject = Subject::bearing;
   static constexpr std::string_view title = "preload that grows with the bearing's own heat";
   static constexpr std::string_view mechanism =
       "Friction warms the inner ring and the balls more than the outer ring. In a rigid set they "

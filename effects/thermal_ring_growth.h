@@ -17,6 +17,7 @@ namespace raceway::effects {
 /// Domain:   both ring temperatures measured. Balls at the temperature of the outer ring.
 struct ThermalRingGrowth {
   static constexpr std::string_view id = "thermal-ring-growth";
+  static constexpr Subject subject = Subject::bearing;
   static constexpr std::string_view title = "rings of different temperature";
   static constexpr std::string_view mechanism =
       "An inner ring that is warmer than the outer one grows into the clearance, and the balls run "
