@@ -72,8 +72,8 @@ int run(const Flags& flags) {
   const std::string& path = flags.model_and_effects.front();
   const std::vector<std::string> ids(flags.model_and_effects.begin() + 1,
                                      flags.model_and_effects.end());
-  const io::ModelFile file = open_model(path);
-  const fit::DataSet data = open_data(flags.data, file.model.rig);
+  const io::ModelFile file = open_model(path, Subject::bearing_or_shaft);
+  const fit::DataSet data = open_data(flags.data, file.model);
   const fit::AddResult result = [&] {
     try {
       return fit::add(file.model, ids, data);

@@ -112,17 +112,22 @@ void print_verdict_details(const fit::Diagnosis& d) {
       fmt::print("  {} = {}\n", c.name, number(c.value, 4));
   }
   if (!d.suggested_measurements.empty()) {
+    const bool shaft = d.baseline.quantity == fit::Quantity::axial_displacement;
     TextTable points({{"measure next: speed", "rpm"},
-                      {"axial load", "N"},
+                      {shaft ? "preload" : "axial load", "N"},
                       {"temperature", "C"},
                       {"repeats", ""},
                       {"separates", "", true}});
     for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
-      points.add({number(m.point.speed / rpm), number(m.point.axial_load),
+      points.add({number(m.point.speed / rpm),
+                  !shaft                     ? number(m.point.axial_load)
+                  : std::isfinite(m.preload) ? number(m.preload)
+                                             : "as it is",
                   number(celsius(m.point.temperature), 3), fmt::format("{}", m.repeats),
                   m.separates});
     fmt::print("\n{}", points.text(terminal_width()));
   }
+  for (const std::string& record : d.records_needed) fmt::print("record: {}\n", record);
 }
 
 void print_limits(const fit::Diagnosis& d) {
@@ -166,8 +171,8 @@ void print(const fit::Diagnosis& d) {
 
 int run(const Flags& flags) {
   flags.report.check(flags.force);
-  const io::ModelFile file = open_model(flags.model);
-  const fit::DataSet data = open_data(flags.data, file.model.rig);
+  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
+  const fit::DataSet data = open_data(flags.data, file.model);
   fit::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
   options.tried_before = flags.tried_before;

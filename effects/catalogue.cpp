@@ -23,6 +23,7 @@ constexpr Description describe() {
   if constexpr (requires { E::needs_equilibrium; }) d.needs_equilibrium = E::needs_equilibrium;
   if constexpr (requires { E::grows_with_the_rotor; })
     d.grows_with_the_rotor = E::grows_with_the_rotor;
+  if constexpr (requires { E::follows_heat; }) d.follows_heat = E::follows_heat;
   if constexpr (requires { &E::condition; }) d.condition = &E::condition;
   if constexpr (requires { &E::lubricant; }) d.lubricant = &E::lubricant;
   if constexpr (requires { &E::moment; }) d.moment = &E::moment;

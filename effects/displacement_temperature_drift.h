@@ -34,6 +34,7 @@ struct DisplacementTemperatureDrift {
                                                    .upper = 1e4,
                                                    .plausible_lower = -5.0,
                                                    .plausible_upper = 5.0}};
+  static constexpr bool follows_heat = true;
   static constexpr std::array needs{Need::viscosity_levels};
 
   static double displacement(const DisplacementInputs& in, std::span<const double> values) {

@@ -142,6 +142,8 @@ struct Description {
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
   /// Whatever turns on the shaft adds to it: the plausible range is that of the bearing alone.
   bool grows_with_the_rotor = false;
+  /// Warms up and cools down with the machine: what tells it from the rest is temperature or lag.
+  bool follows_heat = false;
   bool for_bearing = true;      ///< may stand in a model of a bearing on a rig
   bool for_shaft = true;        ///< may stand in a model of a shaft
   bool friction_alone = false;  ///< a condition that does not move the sets

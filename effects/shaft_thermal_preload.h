@@ -39,6 +39,7 @@ struct ShaftThermalPreload {
                                                    .upper = 1.0,
                                                    .plausible_lower = 0.001,
                                                    .plausible_upper = 0.1}};
+  static constexpr bool follows_heat = true;
   static constexpr std::array needs{Need::speed_levels, Need::preload_levels};
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {

@@ -40,6 +40,7 @@ struct ShaftThermalRingGrowth {
                                                    .upper = 3.0,
                                                    .plausible_lower = -0.5,
                                                    .plausible_upper = 0.5}};
+  static constexpr bool follows_heat = true;
   static constexpr std::array needs{Need::ring_temperatures};
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {

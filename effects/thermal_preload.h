@@ -37,6 +37,7 @@ struct ThermalPreload {
                                                    .upper = 100.0,
                                                    .plausible_lower = 0.05,
                                                    .plausible_upper = 5.0}};
+  static constexpr bool follows_heat = true;
   static constexpr std::array needs{Need::speed_levels};
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {

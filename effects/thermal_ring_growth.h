@@ -33,6 +33,7 @@ struct ThermalRingGrowth {
                                                    .upper = 2.0,
                                                    .plausible_lower = 0.3,
                                                    .plausible_upper = 1.5}};
+  static constexpr bool follows_heat = true;
   static constexpr std::array needs{Need::ring_temperatures, Need::loads, Need::ball_load_law};
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {

@@ -53,9 +53,14 @@ void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values);
 /// are candidates. One without such a parameter stays.
 [[nodiscard]] std::vector<effects::Effect> take_user_made(Model& model);
 
-/// An effect with its initial values: one of these, or one of the catalogue.
-[[nodiscard]] std::optional<effects::Effect> find_effect(
-    std::string_view id, std::span<const effects::Effect> user_made);
+/// An effect with its initial values: one of these, or one of the catalogue in the form for that
+/// subject.
+[[nodiscard]] std::optional<effects::Effect> find_effect(std::string_view id,
+                                                         std::span<const effects::Effect> user_made,
+                                                         effects::Subject subject);
+
+/// What may be missing where that subject is measured: those of the catalogue that move it.
+[[nodiscard]] std::vector<const effects::Description*> catalogue_of(effects::Subject subject);
 
 /// Candidates of a catalogue that the model does not have yet.
 [[nodiscard]] std::vector<Candidate> make_candidates(

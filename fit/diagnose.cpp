@@ -7,7 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "effects/catalogue.h"
 #include "fit/attribution.h"
 #include "fit/evidence.h"
 #include "fit/hidden_input.h"
@@ -39,6 +38,7 @@ class Investigation {
   Investigation(const Model& model, const DataSet& data, const DiagnoseOptions& options)
       : options_(options),
         model_(model),
+        subject_(subject_of(data.quantity)),
         user_made_(take_user_made(model_)),
         evidence_(gather_evidence(model_, data, candidates(), options.most_rows, options.noise)),
         problem_(evidence_.problem),
@@ -77,9 +77,9 @@ class Investigation {
  private:
   [[nodiscard]] std::vector<const effects::Description*> candidates() const {
     std::vector<const effects::Description*> all = options_.candidates;
-    if (all.empty())
-      for (const effects::Description& d : effects::catalogue()) all.push_back(&d);
+    if (all.empty()) all = catalogue_of(subject_);
     for (const effects::Effect& e : user_made_) all.push_back(e.description);
+    std::erase_if(all, [this](const effects::Description* d) { return !d->moves(subject_); });
     return all;
   }
 
@@ -627,6 +627,34 @@ class Investigation {
     result_.suggested_measurements = std::move(next.points);
     result_.predicted_separation = next.predicted_separation;
     result_.separation_by_repetition = next.separation_by_repetition;
+    result_.records_needed = records_needed(set);
+  }
+
+  /// What the file of a shaft should hold beside, so that what heat does is told from the rest.
+  [[nodiscard]] std::vector<std::string> records_needed(
+      const std::vector<const Explanation*>& set) const {
+    if (subject_ != effects::Subject::shaft) return {};
+    const auto warm = [this](std::size_t k) {
+      return problem_.candidates[k].description->follows_heat;
+    };
+    const auto by_heat = [&](const Explanation* e) {
+      return std::any_of(e->members.begin(), e->members.end(), warm);
+    };
+    if (std::none_of(set.begin(), set.end(), by_heat) ||
+        std::all_of(set.begin(), set.end(), by_heat))
+      return {};
+    std::vector<std::string> list;
+    const auto rings = [](const Row& r) {
+      return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
+    };
+    if (!std::all_of(problem_.data.rows.begin(), problem_.data.rows.end(), rings))
+      list.emplace_back(
+          "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), which say what "
+          "expands");
+    list.emplace_back(
+        "the same speeds up and down, each soon after a change and again when warm: heat lags "
+        "behind, speed does not");
+    return list;
   }
 
   [[nodiscard]] std::string joined_sets(const std::vector<const Explanation*>& set) const {
@@ -653,6 +681,7 @@ class Investigation {
 
   const DiagnoseOptions& options_;
   Model model_;
+  effects::Subject subject_;
   std::vector<effects::Effect> user_made_;
   Evidence evidence_;
   const Problem& problem_;

@@ -6,6 +6,7 @@
 
 #include "fit/candidates.h"
 #include "fit/free_parameters.h"
+#include "fit/quantity.h"
 #include "fit/shaft_prediction.h"
 
 namespace raceway::fit {
@@ -39,7 +40,7 @@ std::optional<VerdictModel> verdict_model(const Model& model, const DataSet& dat
   const std::vector<effects::Effect> user_made = take_user_made(result.model);
   const std::size_t before = result.model.effects.size();
   for (const std::string& id : diagnosis.sets.front()) {
-    std::optional<effects::Effect> effect = find_effect(id, user_made);
+    std::optional<effects::Effect> effect = find_effect(id, user_made, subject_of(data.quantity));
     const auto ranked =
         std::find_if(diagnosis.effects.begin(), diagnosis.effects.end(),
                      [&](const RankedEffect& e) { return e.in_verdict && e.id == id; });
