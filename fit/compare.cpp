@@ -14,6 +14,7 @@
 #include "fit/prediction.h"
 #include "fit/quantity.h"
 #include "fit/shaft_prediction.h"
+#include "fit/shaft_response.h"
 
 namespace raceway::fit {
 

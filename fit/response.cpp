@@ -11,6 +11,7 @@
 
 #include "fit/free_parameters.h"
 #include "fit/prediction.h"
+#include "fit/shaft_response.h"
 
 namespace raceway::fit {
 
@@ -278,6 +279,10 @@ Response model_response(const Model& model, const DataSet& data,
     const double range = p.upper - p.lower;
     parameter.scale = size > 0.0 ? size : std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
     response.parameters.push_back(parameter);
+  }
+  if (model.shaft) {
+    response.readings = displacement_readings(model, data.rows, chosen);
+    return response;
   }
   // Rows remember their balance, which most parameters leave alone.
   struct Rows {
