@@ -65,6 +65,8 @@ std::string needs_of(const Description& d) {
     if (!text.empty()) text += "; ";
     text += effects::text(need);
   }
+  if (!text.empty() && d.for_bearing && d.moves(Subject::shaft))
+    return "on a rig: " + text + "; on a shaft: nothing beside the displacement";
   if (!text.empty()) return text;
   return d.for_bearing ? "nothing beside the torque" : "nothing beside the displacement";
 }

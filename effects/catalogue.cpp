@@ -1,6 +1,7 @@
 #include "effects/catalogue.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 
@@ -123,6 +124,11 @@ std::string_view text(Need need) {
              "all moments";
   }
   return "";
+}
+
+bool Condition::finite() const {
+  return std::isfinite(extra_axial_load) && std::isfinite(radial_growth) && std::isfinite(tilt) &&
+         std::isfinite(other_balls) && std::isfinite(other_mounting);
 }
 
 std::string_view Description::step() const {

@@ -86,6 +86,7 @@ struct Condition {
   double other_mounting = 0.0;    ///< of the sets on a shaft: share of the way from the entered
                                   ///< mounting to the other one of rigid and spring [1]
   [[nodiscard]] bool operator==(const Condition&) const = default;
+  [[nodiscard]] bool finite() const;
   [[nodiscard]] bool changes_bearing() const { return radial_growth != 0.0 || other_balls != 0.0; }
 };
 

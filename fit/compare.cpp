@@ -13,6 +13,7 @@
 
 #include "fit/quantity.h"
 #include "fit/shaft_prediction.h"
+#include "fit/shaft_response.h"
 
 namespace raceway::fit {
 

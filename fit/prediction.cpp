@@ -25,11 +25,6 @@ bool finite(const bearing::OperatingPoint& p) {
          std::isfinite(p.temperature);
 }
 
-bool finite(const Condition& c) {
-  return std::isfinite(c.extra_axial_load) && std::isfinite(c.radial_growth) &&
-         std::isfinite(c.tilt) && std::isfinite(c.other_balls);
-}
-
 /// An angular contact bearing cannot be pulled: the extra load ends where the entered one is gone.
 double with_extra(double axial_load, double extra) {
   return std::copysign(std::max(std::abs(axial_load) + extra, 0.0), axial_load);
@@ -126,11 +121,30 @@ Steps::Steps(const Model& model, bool with_equilibrium)
     if (d.lubricant) lubricant.push_back(k);
     if (d.has_moment()) moment.push_back(k);
     if (d.reading) reading.push_back(k);
+    if (d.displacement) displacement.push_back(k);
   }
   // Descriptions of the catalogue stand in one array, in its order.
   std::stable_sort(lubricant.begin(), lubricant.end(), [&](std::size_t a, std::size_t b) {
     return std::less<>()(model.effects[a].description, model.effects[b].description);
   });
+}
+
+Condition condition_of(const Model& model, const Steps& steps, const bearing::Bearing& bearing,
+                       const bearing::OperatingPoint& point, const effects::Record& record,
+                       const Condition& given) {
+  Condition condition = given;
+  if (steps.condition.empty()) return condition;
+  const effects::BaseLaw law{model.law, model.law_values};
+  friction::BearingState<double> entered = bearing_state(model, point, nullptr);
+  entered.bearing = &bearing;
+  const friction::BaseMoments<double> base = law.moments(entered);
+  const effects::ConditionInputs inputs{.bearing = bearing,
+                                        .point = point,
+                                        .record = record,
+                                        .power = (base.load + base.viscous) * point.speed};
+  for (const std::size_t k : steps.condition)
+    model.effects[k].description->condition(inputs, model.effects[k].values, condition);
+  return condition;
 }
 
 Stage first_stage(const Model& model, const Steps& steps, int effect) {
@@ -146,9 +160,11 @@ Stage first_stage(const Model& model, const Steps& steps, int effect) {
 }
 
 RowPredictor::RowPredictor(const Model& model, const Steps& steps,
-                           const bearing::OperatingPoint& point, const effects::Record& record)
+                           const bearing::OperatingPoint& point, const effects::Record& record,
+                           const Condition& given)
     : point_(point),
       record_(record),
+      given_(given),
       entered_viscosity_(model.lubricant.kinematic_viscosity(point.temperature)) {
   now_.units.assign(steps.moment.size(), unset);
 }
@@ -163,17 +179,8 @@ friction::BearingState<double> RowPredictor::state(const Model& model, const Way
 bool RowPredictor::find_condition(const Model& model, const Steps& steps,
                                   Condition& condition) const {
   if (!finite(point_)) return false;
-  if (steps.condition.empty()) return true;
-  const effects::BaseLaw law{model.law, model.law_values};
-  const friction::BearingState<double> entered = bearing_state(model, point_, nullptr);
-  const friction::BaseMoments<double> base = law.moments(entered);
-  const effects::ConditionInputs inputs{.bearing = model.bearing,
-                                        .point = point_,
-                                        .record = record_,
-                                        .power = (base.load + base.viscous) * point_.speed};
-  for (const std::size_t k : steps.condition)
-    model.effects[k].description->condition(inputs, model.effects[k].values, condition);
-  return finite(condition);
+  condition = condition_of(model, steps, model.bearing, point_, record_, given_);
+  return condition.finite();
 }
 
 std::optional<bearing::BearingCase> RowPredictor::question(const Model& model, Way& way) const {

@@ -88,11 +88,20 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
 
 /// Which effects of a model act where; found once for many predictions.
 struct Steps {
-  std::vector<std::size_t> condition, lubricant, moment, reading;  ///< indices into Model::effects
-  bool equilibrium = false;                                        ///< to be solved
+  /// Indices into Model::effects.
+  std::vector<std::size_t> condition, lubricant, moment, reading, displacement;
+  bool equilibrium = false;  ///< to be solved
   bool needs_balls = false;  ///< without it there is no prediction
   explicit Steps(const Model& model, bool with_equilibrium = false);
 };
+
+/// What the effects of a model change of the condition of a bearing, which may be another one than
+/// the model's, beside what is `given`; not finite where an input is not known.
+[[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
+                                              const bearing::Bearing& bearing,
+                                              const bearing::OperatingPoint& point,
+                                              const effects::Record& record,
+                                              const effects::Condition& given = {});
 
 /// The first thing that a changed parameter can change.
 enum class Stage { condition, lubricant, base, moment, reading };
@@ -105,8 +114,9 @@ enum class Stage { condition, lubricant, base, moment, reading };
 /// leaves alone.
 class RowPredictor {
  public:
+  /// `given` is a condition beside that of the effects in `steps`: what a shaft makes of it.
   RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
-               const effects::Record& record);
+               const effects::Record& record, const effects::Condition& given = {});
 
   /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered.
   double predict(const Model& model, const Steps& steps,
@@ -146,6 +156,7 @@ class RowPredictor {
 
   bearing::OperatingPoint point_;
   effects::Record record_;
+  effects::Condition given_;
   double entered_viscosity_;
   Way now_;
   mutable Way varied_;  // memory kept between calls of vary()

@@ -10,7 +10,8 @@
 #include <utility>
 
 #include "fit/free_parameters.h"
-#include "fit/shaft_prediction.h"
+#include "fit/prediction.h"
+#include "fit/shaft_response.h"
 
 namespace raceway::fit {
 
@@ -280,13 +281,7 @@ Response model_response(const Model& model, const DataSet& data,
     response.parameters.push_back(parameter);
   }
   if (model.shaft) {
-    response.readings = [moved = model, chosen, &data](const Eigen::VectorXd& x) mutable {
-      for (std::size_t k = 0; k < chosen.size(); ++k)
-        chosen[k].set(moved, x[static_cast<Eigen::Index>(k)]);
-      const std::vector<double> u = predict_displacement(moved, data.rows);
-      return Eigen::VectorXd(
-          Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size())));
-    };
+    response.readings = displacement_readings(model, data.rows, chosen);
     return response;
   }
   // Rows remember their balance, which most parameters leave alone.

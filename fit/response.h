@@ -27,7 +27,7 @@ struct FitParameter {
 /// at points spread within the bounds, `constant + slope x` is kept and no fit needs an iteration.
 struct Response {
   std::vector<FitParameter> parameters{};
-  /// [N m] by row; NaN where there is no balance.
+  /// [N m] or [m] by row; NaN where there is no balance.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 
   struct Affine {

@@ -66,7 +66,7 @@ class Reader {
     read_friction();
     require_data(bearing.bearing, section("bearing"));
     std::optional<fit::Shaft> shaft = read_arrangement(bearing);
-    read_effects(shaft ? effects::Subject::shaft : effects::Subject::bearing);
+    read_effects(shaft ? &*shaft : nullptr);
     const auto solver = read_solver();
     const fit::Rig rig = read_rig();
     fit::Model model{
@@ -354,7 +354,8 @@ class Reader {
     }
   }
 
-  void read_effects(effects::Subject subject) {
+  void read_effects(const fit::Shaft* shaft) {
+    const effects::Subject subject = shaft ? effects::Subject::shaft : effects::Subject::bearing;
     const toml::array* const list = root_["effect"].as_array();
     if (!list) return;
     Names ids;
@@ -380,6 +381,10 @@ class Reader {
                          "id = \"{}\": unknown effect{}; one of your own has a formula, torque_Nmm",
                          *id, near.empty() ? "; the catalogue has " + listed(ids) : near));
       }
+      if (found && shaft && shaft->arrangement.design().rear.empty())
+        for (const effects::Need need : found->needs)
+          if (need == effects::Need::opposed_sets)
+            s.fail("id", fmt::format("id = \"{}\": needs {}", *id, effects::text(need)));
       for (const effects::Effect& before : effects_)
         if (before.description->id == *id)
           s.fail("id", fmt::format("id = \"{}\": this effect is listed twice", *id));
