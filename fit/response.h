@@ -63,9 +63,9 @@ struct ResponseFit {
   double misfit = unset;  ///< |residual|², -2 ln L but for a constant [1]
 };
 
-/// Minimises |W (y - f(x))|² within the bounds. Affine responses are solved directly; others by
-/// Ceres from each start until the best optimum is reached twice (misfit within 1e-6), otherwise
-/// the fit counts as not converged.
+/// Minimises |W (y - f(x))|² within the bounds. Affine responses are solved directly; others by the
+/// method of Levenberg and Marquardt from each start until the best optimum is reached twice
+/// (misfit within 1e-6), otherwise the fit counts as not converged.
 [[nodiscard]] ResponseFit fit_response(const Response& response, const Whitening& whitening,
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);
