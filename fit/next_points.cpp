@@ -75,6 +75,7 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
   }
   mean.time = time;
   planned.data.rows.clear();
+  planned.balances.clear();
   for (const double n : grid(speed.low, speed.high, 7))
     for (const double f : grid(axial.low, axial.high, 5))
       for (const double r : grid(radial.low, radial.high, 3))

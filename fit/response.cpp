@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "fit/free_parameters.h"
-#include "fit/prediction.h"
 
 namespace raceway::fit {
 
@@ -146,7 +145,8 @@ Eigen::VectorXd scales(const Response& response) {
 /// A minimum of the misfit, and what is known there.
 struct Minimum {
   Eigen::VectorXd values, prediction;
-  Eigen::MatrixXd jacobian;  ///< whitened, in units of the scales
+  Eigen::MatrixXd slope;     ///< of the readings
+  Eigen::MatrixXd jacobian;  ///< the same whitened, in units of the scales
   double misfit = unset;
 
   /// Parameters that change nothing here, as the shape of an effect of size zero: with another
@@ -201,7 +201,8 @@ std::optional<Minimum> minimum_from(const Response& response, const Whitening& w
   const double rounding = std::pow(least_reading, 2) * whitening(measured).squaredNorm();
   double damping = first_damping, harder = 4.0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    at.jacobian = whitening(Eigen::MatrixXd(response.jacobian(at.values) * scale.asDiagonal()));
+    at.slope = response.jacobian(at.values);
+    at.jacobian = whitening(Eigen::MatrixXd(at.slope * scale.asDiagonal()));
     if (!at.jacobian.allFinite()) return std::nullopt;
     const LeastSquares linearised(at.jacobian, residual);
     const double least = std::max(least_fall * at.misfit, rounding);
@@ -329,7 +330,7 @@ void Response::find_affine_form() {
 }
 
 Response model_response(const Model& model, const DataSet& data,
-                        const std::vector<std::string>& names) {
+                        const std::vector<std::string>& names, std::span<const Balance> entered) {
   Response response;
   Model wanted = model;
   wanted.free = names;
@@ -342,27 +343,33 @@ Response model_response(const Model& model, const DataSet& data,
     parameter.scale = size > 0.0 ? size : std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
     response.parameters.push_back(parameter);
   }
-  // Rows remember their balance, which most parameters leave alone.
+  // Rows remember what a parameter leaves alone: all before the stage at which it acts first.
   struct Rows {
     Model model;
     Steps steps;
-    std::vector<RowPredictor> predictors;
+    std::vector<RowPredictor> predictors{};
+    std::vector<Stage> stage{};  // of each parameter
+    Eigen::VectorXd last{};
   };
-  const auto rows = std::make_shared<Rows>(Rows{model, Steps(model), {}});
+  const auto rows = std::make_shared<Rows>(Rows{model, Steps(model)});
   rows->predictors.reserve(data.rows.size());
-  for (const Row& row : data.rows)
-    rows->predictors.emplace_back(rows->model, rows->steps, row.point, record_of(row));
+  for (std::size_t i = 0; i < data.rows.size(); ++i)
+    rows->predictors.emplace_back(rows->model, rows->steps, data.rows[i].point,
+                                  record_of(data.rows[i]), entered.empty() ? nullptr : entered[i]);
+  for (const ModelParameter& p : chosen)
+    rows->stage.push_back(first_stage(rows->model, rows->steps, p.effect));
   response.readings = [rows, chosen](const Eigen::VectorXd& x) {
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-      chosen[k].set(rows->model, x[static_cast<Eigen::Index>(k)]);
-    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows->predictors.size()));
-    const bearing::BearingEquilibrium* neighbour = nullptr;
-    for (std::size_t i = 0; i < rows->predictors.size(); ++i) {
-      RowPredictor& row = rows->predictors[i];
-      readings[static_cast<Eigen::Index>(i)] =
-          row.predict(rows->model, rows->steps, row.equilibrium() ? nullptr : neighbour);
-      if (row.equilibrium()) neighbour = row.equilibrium();
+    Stage from = rows->last.size() == x.size() ? Stage::reading : Stage::condition;
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(k);
+      if (from != Stage::condition && x[at] == rows->last[at]) continue;
+      chosen[k].set(rows->model, x[at]);
+      from = std::min(from, rows->stage[k]);
     }
+    rows->last = x;
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows->predictors.size()));
+    predict_all(rows->model, rows->steps, rows->predictors,
+                std::span(readings.data(), rows->predictors.size()), from);
     return readings;
   };
   return response;
@@ -378,6 +385,7 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
     fit.prediction = response.at(fit.values);
     fit.residual = whitening(Eigen::VectorXd(measured - fit.prediction));
     fit.tangent.resize(measured.size(), 0);
+    fit.slope = fit.tangent;
     fit.misfit = fit.residual.squaredNorm();
     return fit;
   }
@@ -395,7 +403,10 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
     std::vector<int> side;
     fit.converged = LeastSquares(a, r).solve(lower, upper, 0.0, x, side);
     fit.values = x.cwiseProduct(scale);
-    if (fit.converged) complete(response, whitening, measured, response.at(fit.values), a, fit);
+    if (fit.converged) {
+      fit.slope = response.affine->slope;
+      complete(response, whitening, measured, response.at(fit.values), a, fit);
+    }
     return fit;
   }
   Minimum best{.misfit = std::numeric_limits<double>::infinity()};
@@ -421,6 +432,7 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
     next.assign(others.begin(), others.end());
   }
   fit.values = best.values;
+  fit.slope = std::move(best.slope);
   if (fit.converged) complete(response, whitening, measured, best.prediction, best.jacobian, fit);
   return fit;
 }
