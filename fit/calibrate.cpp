@@ -55,8 +55,9 @@ class Residuals {
       if (model.shaft) {
         shaft_rows.push_back(row);
       } else {
-        predictors_.emplace_back(model, steps_, row.point, record_of(row));
-        (void)predictors_.back().predict(model, steps_, predictions[i].equilibrium.get());
+        const bool as_entered = predictions[i].condition == effects::Condition{};
+        predictors_.emplace_back(model, steps_, row.point, record_of(row),
+                                 as_entered ? predictions[i].equilibrium : nullptr);
       }
       measured_.push_back(row.measured);
       stds_.push_back(row.std);
@@ -145,8 +146,7 @@ class Residuals {
   [[nodiscard]] Eigen::VectorXd predicted(const Model& model) const {
     if (model.shaft) return displaced(model);
     Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
-    for (std::size_t i = 0; i < rows(); ++i)
-      readings[static_cast<Eigen::Index>(i)] = predictors_[i].predict(model, steps_);
+    predict_all(model, steps_, predictors_, std::span(readings.data(), rows()));
     return readings;
   }
 
