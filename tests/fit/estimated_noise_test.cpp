@@ -29,6 +29,19 @@ TEST(EstimatedNoise, IsThatOfTheReadingsHoweverWrongTheModel) {
   EXPECT_TRUE(std::all_of(noise->std.begin(), noise->std.end(), [](double s) { return s > 0.0; }));
 }
 
+TEST(EstimatedNoise, IsThereForRowsThatADiagnosisOfManyLeavesOut) {
+  std::vector<double> speeds, loads;
+  for (int k = 0; k < 60; ++k) speeds.push_back(600.0 + 250.0 * k);
+  for (int k = 0; k < 25; ++k) loads.push_back(250.0 + 100.0 * k);
+  DataSet data = factorial_plan(speeds, loads, {25, 40, 55});
+  std::mt19937 random(5);
+  measure(synthetic_model(), 5.0 * N_mm, random, data);
+  ASSERT_GT(data.rows.size(), 4000U);
+  const auto noise = estimate_noise_as_diagnosis(synthetic_model(), data);
+  ASSERT_TRUE(noise);
+  for (const double s : noise->std) EXPECT_NEAR(s, 5.0 * N_mm, 1.0 * N_mm);
+}
+
 TEST(EstimatedNoise, IsNothingWhereTheDataCannotCarryADiagnosis) {
   DataSet data = plan();
   std::mt19937 random(11);
