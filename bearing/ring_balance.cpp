@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace raceway::bearing {
 
@@ -62,14 +63,9 @@ void fill_equilibrium(const RingPoint<double>& point, const BallCircle& circle, 
   result.stiffness.bottomRows<2>() *= point.lever;
   result.report.residual = report.residual;
   result.report.recovered_load_error = report.recovered_load_error;
-  const auto z = static_cast<std::size_t>(circle.count);
-  result.balls.resize(z);
-  for (std::size_t k = 0; k < z; ++k) {
-    const std::size_t source = circle.symmetry == Symmetry::thrust   ? 0
-                               : circle.symmetry == Symmetry::mirror ? std::min(k, z - k)
-                                                                     : k;
-    result.balls[k] = ball_equilibrium(balls[source], circle.azimuth[k]);
-  }
+  const std::span<BallEquilibrium> kept = result.balls.reset(circle.count, circle.symmetry);
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    kept[k] = ball_equilibrium(balls[k], circle.azimuth[k]);
 }
 
 }  // namespace raceway::bearing

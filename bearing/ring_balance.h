@@ -13,13 +13,6 @@
 // fits all components.
 namespace raceway::bearing {
 
-/// Which balls and which ring coordinates a load needs.
-enum class Symmetry {
-  thrust,  ///< all balls alike: one ball, x
-  mirror,  ///< load in the x-y plane: half the balls, x, y (and θz)
-  none     ///< all balls, x, y, z (and θy, θz)
-};
-
 /// What holds a ball: two springs on one line, or the balance of a ball that orbits.
 enum class BallModel { at_rest, outer_control, inner_control };
 
@@ -72,14 +65,10 @@ struct BallCircle {
   int count;  ///< Z
   Symmetry symmetry;
 
-  [[nodiscard, gnu::always_inline]] int used() const {
-    return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
-  }
+  [[nodiscard, gnu::always_inline]] int used() const { return distinct_balls(symmetry, count); }
   /// How many balls of the bearing ball k stands for [1].
   [[nodiscard, gnu::always_inline]] double weight(int k) const {
-    if (symmetry == Symmetry::none) return 1.0;
-    if (symmetry == Symmetry::thrust) return count;
-    return k == 0 || 2 * k == count ? 1.0 : 2.0;
+    return weight_of_ball(symmetry, count, k);
   }
 };
 
