@@ -52,15 +52,15 @@ BallModel ball_model(const RingPoint<double>& ring, RaceControl race_control) {
   return race_control == RaceControl::outer ? BallModel::outer_control : BallModel::inner_control;
 }
 
-void fill_equilibrium(const RingPoint<double>& point, const BallCircle& circle, const double* ring,
+void fill_equilibrium(double lever, const BallCircle& circle, const double* ring,
                       const RingReport<double>& report, const BallReport<double>* balls,
                       BearingEquilibrium& result) {
-  result.displacement = Eigen::Map<const Vector5>(ring);
-  result.displacement.tail<2>() /= point.lever;
-  result.stiffness =
-      Eigen::Map<const Eigen::Matrix<double, 5, 5, Eigen::RowMajor>>(report.stiffness[0]);
-  result.stiffness.rightCols<2>() *= point.lever;
-  result.stiffness.bottomRows<2>() *= point.lever;
+  for (int i = 0; i < 5; ++i) {
+    const double row = i < 3 ? 1.0 : lever;
+    result.displacement[i] = ring[i] / row;
+    for (int j = 0; j < 5; ++j)
+      result.stiffness(i, j) = report.stiffness[i][j] * row * (j < 3 ? 1.0 : lever);
+  }
   result.report.residual = report.residual;
   result.report.recovered_load_error = report.recovered_load_error;
   const std::span<BallEquilibrium> kept = result.balls.reset(circle.count, circle.symmetry);

@@ -72,7 +72,7 @@ struct BallCircle {
   }
 };
 
-/// A bearing, a speed and a load, as the balance needs them. Numbers only, see set_lane().
+/// A bearing, a speed and a load, as the balance needs them. Numbers only, see copy_lanes().
 template <typename T>
 struct RingPoint {
   BallConstantsOf<T> ball;
@@ -321,7 +321,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
 }
 
 /// Sets all of `result` but status and iterations from a ring in balance and the balls used.
-void fill_equilibrium(const RingPoint<double>& point, const BallCircle& circle, const double* ring,
+void fill_equilibrium(double lever, const BallCircle& circle, const double* ring,
                       const RingReport<double>& report, const BallReport<double>* balls,
                       BearingEquilibrium& result);
 

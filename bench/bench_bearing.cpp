@@ -157,7 +157,7 @@ limit::Operations operations(const OperatingPoint& point, const EquilibriumOptio
                     start))
     throw std::runtime_error("no thrust start");
   RingNewton<Counted> newton;
-  set_lane(newton.point, 0, ring);
+  copy_lanes(newton.point, 0, ring, 0);
   newton.resize(static_cast<std::size_t>(circle.used()));
   for (Counted& q : newton.trial_ring) q = 0.0;
   newton.trial_ring[0] = start.axial_displacement;
