@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 /// Code that is written once for one operating point and for several side by side: its numbers are
 /// `double`, or SIMD batches with one point per lane. Batches bring arithmetic, comparisons, sqrt
@@ -34,6 +35,11 @@ inline constexpr bool is_scalar = Lanes<T>::count == 1;
 }
 [[gnu::always_inline]] inline bool any(bool mask) { return mask; }
 [[gnu::always_inline]] inline bool all(bool mask) { return mask; }
+
+/// Sine and cosine together; batches have this with them.
+[[gnu::always_inline]] inline std::pair<double, double> sincos(double x) {
+  return {std::sin(x), std::cos(x)};
+}
 
 /// Neither infinite nor NaN. Holds without a classification of each lane.
 template <typename T>

@@ -20,7 +20,6 @@ struct Memory {
   std::vector<KernelBlock> blocks;
   std::vector<std::size_t> index;  // of the points in these, in the call
   std::vector<BallReport<Eight>> balls;
-  std::vector<BallReport<double>> reports;  // of one point
   std::vector<bool> done;
   std::vector<BearingEquilibrium> visited;
 };
@@ -91,7 +90,6 @@ class Chunk {
     const BallCircle circle = ball_circle(bearing, point);
     const auto used = static_cast<std::size_t>(circle.used());
     m_.balls.resize(m_.blocks.size() * used);
-    m_.reports.resize(used);
     run({.circle = circle,
          .model = ball_model(ring, options_.race_control),
          .tilts = options_.tilt == Tilt::free,
@@ -113,15 +111,9 @@ class Chunk {
       result = solve_bearing_equilibrium(bearing, point, options_);
       return;
     }
-    double ring[5];
-    for (int i = 0; i < 5; ++i) ring[i] = block.ring[i].lanes[lane];
-    RingReport<double> report;
-    copy_lanes(report, 0, block.report, lane);
-    const std::size_t used = m_.reports.size();
-    for (std::size_t k = 0; k < used; ++k)
-      copy_lanes(m_.reports[k], 0, m_.balls[n / Eight::size * used + k], lane);
-    fill_equilibrium(block.points.lever.lanes[lane], circle, ring, report, m_.reports.data(),
-                     result);
+    const auto used = static_cast<std::size_t>(circle.used());
+    fill_equilibrium(block.points.lever, circle, block.ring, block.report,
+                     &m_.balls[n / Eight::size * used], lane, result);
     result.report.status = SolveStatus::converged;
     result.report.iterations = block.steps[lane];
   }

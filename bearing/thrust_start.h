@@ -90,6 +90,13 @@ class ThrustStatics {
   T inner_length_ = T(unset), outer_length_ = T(unset);  ///< groove centre to ball centre [m]
 };
 
+/// Halley's step to the cube root of x: three times the digits.
+template <typename T>
+[[gnu::always_inline]] inline T better_root(const T& root, const T& x) {
+  const T cube = root * root * root;
+  return root * (cube + 2.0 * x) / (2.0 * cube + x);
+}
+
 /// Newton's method for the same in c = cos αi and the orbital speed m:
 ///
 ///   E = Lo cos αo + Li c - R = 0,   m = F(c, cos(αi - αo)),   R the radial distance of the grooves
@@ -144,14 +151,11 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     const T outer = max(qo, zero) * outer_share;
     if (i == 0) {
       inner_root = cbrt(inner);
-      outer_root = cbrt(outer);
+      outer_root = better_root(inner_root, outer);
     } else {
-      // Halley's step from the roots of the step before.
-      const T ri = inner_root * inner_root * inner_root;
-      const T ro = outer_root * outer_root * outer_root;
-      inner_root = inner_root * (ri + 2.0 * inner) / (2.0 * ri + inner);
-      outer_root = outer_root * (ro + 2.0 * outer) / (2.0 * ro + outer);
+      inner_root = better_root(inner_root, inner);
     }
+    outer_root = better_root(outer_root, outer);
     const T inner_approach = inner_root * inner_root, outer_approach = outer_root * outer_root;
     const T li = c.inner_radius + inner_approach, lo = c.outer_radius + outer_approach;
     const T excess = lo * co + li * ci - free.radial;
