@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -22,6 +23,7 @@ namespace {
 constexpr double dependent = 1e-6;  // share of a unit column that others leave; below, it is theirs
 constexpr double difference_step = 1e-5;  // of the size of a parameter
 constexpr double shaft_step = 1e-4;       // the same, where balances of sets are differenced
+constexpr std::size_t chunk = 64;         // rows that a thread takes
 constexpr double bound_tolerance = 1e-7;  // of the scale of a parameter
 
 /// A typical size of a parameter, so that the optimiser works with numbers of order one.
@@ -150,6 +152,17 @@ class Residuals {
     return readings;
   }
 
+  /// `reading` of each row, shared among threads; rows do not see each other.
+  template <typename Reading>
+  [[nodiscard]] Eigen::VectorXd of_rows(const Reading& reading) const {
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
+    tbb::parallel_for(std::size_t{0}, (rows() + chunk - 1) / chunk, [&](std::size_t c) {
+      for (std::size_t i = c * chunk; i < std::min(rows(), (c + 1) * chunk); ++i)
+        readings[static_cast<Eigen::Index>(i)] = reading(predictors_[i]);
+    });
+    return readings;
+  }
+
   [[nodiscard]] Eigen::VectorXd displaced(const Model& model) const {
     Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
     shaft_->predict(model, {readings.data(), rows()});
@@ -167,10 +180,7 @@ class Residuals {
     const auto at = [&](double value) {
       p.set(model, value);
       if (model.shaft) return displaced(model);
-      Eigen::VectorXd result(readings.size());
-      for (std::size_t i = 0; i < rows(); ++i)
-        result[static_cast<Eigen::Index>(i)] = predictors_[i].vary(model, steps_, stage);
-      return result;
+      return of_rows([&](const RowPredictor& row) { return row.vary(model, steps_, stage); });
     };
     if (centre - step < p.lower)
       return (4.0 * at(centre + step) - at(centre + 2.0 * step) - 3.0 * readings) / (2.0 * step);
