@@ -19,16 +19,16 @@ struct Rig {
   fit::DataSet data;
 };
 
-Rig read_rig() {
-  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/dev-03/";
+Rig read_rig(const std::string& name) {
+  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/" + name + "/";
   io::ModelFile file = io::read_model(folder + "model.toml");
   io::Measurement data = io::read_measurement(folder + "train.csv", file.model.rig);
   return {std::move(file.model), std::get<fit::DataSet>(std::move(data))};
 }
 
-void diagnose(benchmark::State& state, bool pairs) {
+void diagnose(benchmark::State& state, const std::string& name, bool pairs) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
-  const Rig rig = read_rig();
+  const Rig rig = read_rig(name);
   fit::DiagnoseOptions options;
   options.pairs = pairs;
   for (auto _ : state) {
@@ -38,9 +38,19 @@ void diagnose(benchmark::State& state, bool pairs) {
   state.SetItemsProcessed(state.iterations());
   state.counters["rows"] = static_cast<double>(rig.data.rows.size());
 }
-BENCHMARK_CAPTURE(diagnose, pairs, true)->Name("diagnose/120_rows")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(diagnose, singles, false)
+// One hidden effect: no pair is asked for.
+BENCHMARK_CAPTURE(diagnose, usual, "dev-03", true)
+    ->Name("diagnose/120_rows")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(diagnose, singles, "dev-03", false)
     ->Name("diagnose/120_rows_singles")
+    ->Unit(benchmark::kMillisecond);
+// Two hidden effects, and one outside the catalogue: all pairs, then bent laws.
+BENCHMARK_CAPTURE(diagnose, pairs, "dev-06", true)
+    ->Name("diagnose/120_rows_pairs")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(diagnose, unknown, "dev-07", true)
+    ->Name("diagnose/120_rows_unknown")
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
