@@ -180,7 +180,8 @@ bool RowPredictor::find_condition(const Model& model, const Steps& steps,
   if (!finite(point_)) return false;
   if (steps.condition.empty()) return true;
   const effects::BaseLaw law{model.law, model.law_values};
-  const Way before{.film = {.kinematic_viscosity = entered_viscosity_}};
+  Way before;
+  before.film.kinematic_viscosity = entered_viscosity_;
   const friction::BearingState<double> entered = state(model, before);
   const friction::BaseMoments<double> base = law.moments(entered);
   const effects::ConditionInputs inputs{.bearing = model.bearing,
