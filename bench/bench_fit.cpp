@@ -23,8 +23,8 @@ struct Rig {
   fit::DataSet data;
 };
 
-Rig read_rig() {
-  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/dev-03/";
+Rig read_rig(const std::string& name) {
+  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/" + name + "/";
   io::ModelFile file = io::read_model(folder + "model.toml");
   io::Measurement data = io::read_measurement(folder + "train.csv", file.model.rig);
   return {std::move(file.model), std::get<fit::DataSet>(std::move(data))};
@@ -37,7 +37,7 @@ void add_effect(fit::Model& model, std::string_view id, double size) {
 /// That rig measured at `rows` random points: what spin friction adds is not in the model, readings
 /// scatter by 1 %.
 Rig measured_rig(std::size_t rows) {
-  Rig rig = read_rig();
+  Rig rig = read_rig("dev-03");
   fit::Model truth = rig.model;
   add_effect(truth, "spin-friction", 0.06);
   std::mt19937_64 random(1);
@@ -99,9 +99,15 @@ const bool registered = [] {
   const auto add = [](const std::string& name, auto run) {
     benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
   };
-  for (const bool pairs : {true, false})
-    add(pairs ? "diagnose/120_rows" : "diagnose/120_rows_singles",
-        [=](benchmark::State& state) { diagnose(state, read_rig(), pairs); });
+  const auto of_rig = [&](const std::string& name, const char* rig, bool pairs) {
+    add(name, [=](benchmark::State& state) { diagnose(state, read_rig(rig), pairs); });
+  };
+  // One hidden effect: no pair is asked for.
+  of_rig("diagnose/120_rows", "dev-03", true);
+  of_rig("diagnose/120_rows_singles", "dev-03", false);
+  // Two hidden effects, and one outside the catalogue: all pairs, then bent laws.
+  of_rig("diagnose/120_rows_pairs", "dev-06", true);
+  of_rig("diagnose/120_rows_unknown", "dev-07", true);
   for (const std::size_t rows : {1000, 10000, 100000})
     add("diagnose/" + rows_name(rows),
         [=](benchmark::State& state) { diagnose(state, measured_rig(rows), true); });
