@@ -725,11 +725,14 @@ Diagnosis diagnose(const Model& model, const DataSet& data, const DiagnoseOption
   const std::size_t used =
       static_cast<std::size_t>(diagnosis.rows) + diagnosis.rows_not_predicted.size();
   if (used < data.rows.size())
-    if (const auto errors = errors_on_all_rows(model, data, diagnosis))
+    if (const auto errors = errors_on_all_rows(model, data, diagnosis)) {
+      const QuantityText quantity = text_of(data.quantity);
       diagnosis.messages.push_back(fmt::format(
-          "over all {} rows that can be predicted the error falls from {:.3g} to {:.3g} N mm with "
+          "over all {} rows that can be predicted the error falls from {:.3g} to {:.3g} {} with "
           "the numbers found on those that were used",
-          errors->rows, errors->before / N_mm, errors->after / N_mm));
+          errors->rows, errors->before / quantity.factor, errors->after / quantity.factor,
+          quantity.unit));
+    }
   return diagnosis;
 }
 
