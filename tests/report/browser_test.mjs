@@ -52,6 +52,7 @@ before(async () => {
   raceway('calibrate', model, train, '-o', file('calibrated.toml'));
   write('compare', 'compare', model, file('calibrated.toml'), file('better.toml'), join(rig, 'test.csv'));
   write('table', 'table', file('better.toml'), '--speed', '0:16000:1000', '--axial-load', '600,3000', '--radial-load', '0,400', '--temperature', '25', '--data', train);
+  write('shafttable', 'table', spindle, '--speed', '0:16000:1000', '--axial-load', '0,500');
   write('displacement', 'displacement', spindle, '--speed', '0:16000:250', '-o', file('kinematic.csv'));
   measureShaft();
   raceway('calibrate', file('shaft.toml'), file('shaft.csv'), '-o', file('fitted.toml'));
@@ -138,7 +139,8 @@ const expected = {
   add: { ladder: 8, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24 },
   compare: { ladder: 3, parity: 60, 'residual-speed': 60, 'residual-axial-load': 60, 'residual-temperature': 60, 'residual-order-of-the-rows': 60, map: 15 },
   comparedshaft: { ladder: 2, parity: 48, 'residual-speed': 48, 'residual-preload': 48, 'residual-order-of-the-rows': 48, map: 24 },
-  table: { stribeck: 34, parts: 51, angles: 136, around: 100 },
+  table: { stribeck: 34, parts: 51, angles: 136, balls: 68, around: 100 },
+  shafttable: { stribeck: 33, parts: 51 },
   displacement: { displacement: 11, 'law-residual': 11, forces: 22, stiffness: 11, 'contact-angles': 44, 'ball-loads': 44, pressures: 44, torque: 33, power: 33, heat: 44 },
   coastdown: { ladder: 1, ranking: 12, share: 41, hidden: 27, parity: 41, 'residual-speed': 41, 'residual-order-of-the-rows': 41, map: 8, plan: 41, detectable: 14 },
   several: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 123, detectable: 20 },
