@@ -386,6 +386,48 @@ test('hovering over a mark shows its row as it stands in the file', async () => 
   await close();
 });
 
+/// Filled shapes of a picture below its legend, evenly picked.
+const shapes = (page, id) =>
+  page.$$eval(`#${id} svg path`, (paths) => {
+    const top = paths[0].ownerSVGElement.getBoundingClientRect().top;
+    const all = paths
+      .filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill')) && p.getAttribute('fill-opacity') !== '0')
+      .map((p) => p.getBoundingClientRect())
+      .filter((box) => box.width > 2 && box.height > 2 && box.top > top + 46)
+      .map((box) => [box.x + box.width / 2, box.y + box.height / 2]);
+    return all.filter((_, k) => k % Math.ceil(all.length / 10) === 0);
+  });
+
+for (const name of ['add', 'comparedshaft', 'table', 'displacement', 'several'])
+  test(`${name}: every picture tells numbers under the pointer, and its legend takes marks away`, async () => {
+    const { page, faults, close } = await open(name);
+    for (const id of await figures(page)) {
+      await page.locator(`#${id} .chart`).scrollIntoViewIfNeeded();
+      const told = new Set();
+      for (const [x, y] of await shapes(page, id)) {
+        await page.mouse.move(x, y);
+        await page.waitForTimeout(20);
+        for (const text of await page.$$eval(`#${id} .tip`, (tips) => tips.map((t) => t.textContent))) told.add(text);
+      }
+      assert.ok(told.size >= 1, `${id}: nothing told`);
+      for (const text of told) {
+        assert.match(text, /\d/, id);
+        assert.doesNotMatch(text, /NaN|undefined|null/, id);
+      }
+      if (['map', 'detectable'].includes(id) || (id === 'ladder' && name === 'comparedshaft')) continue; // without legend
+      await page.mouse.move(2, 2);
+      const before = await marks(page, id);
+      await (await legendEntry(page, id)).click();
+      await page.waitForTimeout(50);
+      assert.ok((await marks(page, id)) < before, `${id}: the legend`);
+      await (await legendEntry(page, id)).click();
+      await page.waitForTimeout(50);
+      assert.equal(await marks(page, id), before, id);
+    }
+    assert.deepEqual(faults, []);
+    await close();
+  });
+
 test('the points to measure next are drawn into the plan', async () => {
   const { page, faults, close } = await open('several');
   const next = results.several.suggested_measurements;
