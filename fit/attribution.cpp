@@ -212,9 +212,13 @@ Explanation Attribution::elastic(const Explanation& single) const {
   const auto rows = problem_.measured.size();
   Eigen::MatrixXd logs(rows, 3);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const bearing::OperatingPoint& p = problem_.data.rows[static_cast<std::size_t>(i)].point;
+    const Row& row = problem_.data.rows[static_cast<std::size_t>(i)];
+    const bearing::OperatingPoint& p = row.point;
     logs(i, 0) = p.speed;
-    logs(i, 1) = std::hypot(p.axial_load, std::hypot(p.radial_load, p.radial_load_z));
+    if (problem_.data.quantity == Quantity::friction_torque)
+      logs(i, 1) = std::hypot(p.axial_load, std::hypot(p.radial_load, p.radial_load_z));
+    else
+      logs(i, 1) = std::isfinite(row.preload) ? row.preload : 0.0;
     logs(i, 2) = problem_.model.lubricant.kinematic_viscosity(p.temperature);
   }
   for (Eigen::Index k = 0; k < 3; ++k) {

@@ -2,16 +2,19 @@
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "fit/prediction.h"
 #include "fit/quantity.h"
 #include "fit/shaft_prediction.h"
+#include "fit/shaft_response.h"
 
 namespace raceway::fit {
 
@@ -20,6 +23,7 @@ namespace {
 constexpr double dependent = 1e-6;  // share of a unit column that others leave; below, it is theirs
 constexpr double difference_step = 1e-5;  // of the size of a parameter
 constexpr double shaft_step = 1e-4;       // the same, where balances of sets are differenced
+constexpr std::size_t chunk = 64;         // rows that a thread takes
 constexpr double bound_tolerance = 1e-7;  // of the scale of a parameter
 
 /// A typical size of a parameter, so that the optimiser works with numbers of order one.
@@ -38,6 +42,7 @@ class Residuals {
     weighted_ = !data.rows.empty();
     std::vector<FrictionPrediction> predictions;
     std::vector<double> displacements;
+    std::vector<Row> shaft_rows;
     if (model.shaft)
       displacements = predict_displacement(model, data.rows);
     else
@@ -50,15 +55,17 @@ class Residuals {
         continue;
       }
       if (model.shaft) {
-        shaft_rows_.push_back(row);
+        shaft_rows.push_back(row);
       } else {
-        predictors_.emplace_back(model, steps_, row.point, record_of(row));
-        (void)predictors_.back().predict(model, steps_, predictions[i].equilibrium.get());
+        const bool as_entered = predictions[i].condition == effects::Condition{};
+        predictors_.emplace_back(model, steps_, row.point, record_of(row),
+                                 as_entered ? predictions[i].equilibrium : nullptr);
       }
       measured_.push_back(row.measured);
       stds_.push_back(row.std);
       weighted_ = weighted_ && row.std > 0.0 && std::isfinite(row.std);
     }
+    if (model.shaft) shaft_.emplace(model, shaft_rows);
     if (!weighted_) {
       some_std_ = std::any_of(stds_.begin(), stds_.end(), [](double s) { return s > 0.0; });
       // Readings are scaled to order one.
@@ -141,14 +148,25 @@ class Residuals {
   [[nodiscard]] Eigen::VectorXd predicted(const Model& model) const {
     if (model.shaft) return displaced(model);
     Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
-    for (std::size_t i = 0; i < rows(); ++i)
-      readings[static_cast<Eigen::Index>(i)] = predictors_[i].predict(model, steps_);
+    predict_all(model, steps_, predictors_, std::span(readings.data(), rows()));
+    return readings;
+  }
+
+  /// `reading` of each row, shared among threads; rows do not see each other.
+  template <typename Reading>
+  [[nodiscard]] Eigen::VectorXd of_rows(const Reading& reading) const {
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
+    tbb::parallel_for(std::size_t{0}, (rows() + chunk - 1) / chunk, [&](std::size_t c) {
+      for (std::size_t i = c * chunk; i < std::min(rows(), (c + 1) * chunk); ++i)
+        readings[static_cast<Eigen::Index>(i)] = reading(predictors_[i]);
+    });
     return readings;
   }
 
   [[nodiscard]] Eigen::VectorXd displaced(const Model& model) const {
-    const std::vector<double> u = predict_displacement(model, shaft_rows_);
-    return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
+    shaft_->predict(model, {readings.data(), rows()});
+    return readings;
   }
 
   /// Of the readings by one parameter, at the values of `model`, whose parameter is left moved.
@@ -162,10 +180,7 @@ class Residuals {
     const auto at = [&](double value) {
       p.set(model, value);
       if (model.shaft) return displaced(model);
-      Eigen::VectorXd result(readings.size());
-      for (std::size_t i = 0; i < rows(); ++i)
-        result[static_cast<Eigen::Index>(i)] = predictors_[i].vary(model, steps_, stage);
-      return result;
+      return of_rows([&](const RowPredictor& row) { return row.vary(model, steps_, stage); });
     };
     if (centre - step < p.lower)
       return (4.0 * at(centre + step) - at(centre + 2.0 * step) - 3.0 * readings) / (2.0 * step);
@@ -177,8 +192,8 @@ class Residuals {
   Model model_;
   Steps steps_;
   std::vector<ModelParameter> parameters_;
-  mutable std::vector<RowPredictor> predictors_;  // one per row that can be predicted
-  std::vector<Row> shaft_rows_;                   // the same, of a shaft
+  mutable std::vector<RowPredictor> predictors_;   // one per row that can be predicted
+  mutable std::optional<DisplacementRows> shaft_;  // the same, of a shaft
   std::vector<double> measured_;
   std::vector<double> own_stds_, stds_;  // of the rows; with the common scatter
   std::vector<int> lines_not_predicted_;

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <set>
 
-#include "effects/catalogue.h"
 #include "fit/attribution.h"
 #include "fit/evidence.h"
 #include "fit/hidden_input.h"
 #include "fit/needs.h"
+#include "fit/quantity.h"
 #include "fit/unknown_shape.h"
 #include "fit/verdict_text.h"
 
@@ -38,6 +38,7 @@ class Investigation {
   Investigation(const Model& model, const DataSet& data, const DiagnoseOptions& options)
       : options_(options),
         model_(model),
+        subject_(subject_of(data.quantity)),
         user_made_(take_user_made(model_)),
         evidence_(gather_evidence(model_, data, candidates(), options.most_rows, options.noise)),
         problem_(evidence_.problem),
@@ -76,9 +77,9 @@ class Investigation {
  private:
   [[nodiscard]] std::vector<const effects::Description*> candidates() const {
     std::vector<const effects::Description*> all = options_.candidates;
-    if (all.empty())
-      for (const effects::Description& d : effects::catalogue()) all.push_back(&d);
+    if (all.empty()) all = catalogue_of(subject_);
     for (const effects::Effect& e : user_made_) all.push_back(e.description);
+    std::erase_if(all, [this](const effects::Description* d) { return !d->moves(subject_); });
     return all;
   }
 
@@ -181,7 +182,7 @@ class Investigation {
         visible.push_back(k);
     }
     result_.candidates_tried = static_cast<int>(visible.size()) + options_.tried_before;
-    const double torque = rms(problem_.measured);
+    const double reading = rms(problem_.measured);
     std::vector<Eigen::VectorXd> unit;
     for (const std::size_t k : visible)
       unit.push_back(gate.projected.col(clearest_score(k)).normalized());
@@ -196,8 +197,8 @@ class Investigation {
                        .unit = c.parameters[c.size_index].unit};
       const double units = std::sqrt(detected) / length;
       d.size = c.neutral[c.size_index] + units * c.unit_size;
-      d.share_of_torque =
-          units * rms(c.scores.col(score - attribution_.score_range(k).first)) / torque;
+      d.share_of_reading =
+          units * rms(c.scores.col(score - attribution_.score_range(k).first)) / reading;
       double closest = 0.0;
       std::vector<std::string> group{c.id};
       for (std::size_t j = 0; j < visible.size(); ++j) {
@@ -436,10 +437,11 @@ class Investigation {
     fill(set, *set.front());
     result_.sentence = fmt::format(
         "Something is missing; it acts like {} but not with the catalogue's law (pure law "
-        "rejected, {}; exponents speed {:+.2f}, load {:+.2f}, viscosity {:+.2f}): either "
+        "rejected, {}; exponents speed {:+.2f}, {} {:+.2f}, viscosity {:+.2f}): either "
         "that effect with another law, or an effect outside the catalogue that acts alike.",
-        joined_sets(set), p_text(pure), set.front()->speed_exponent, set.front()->load_exponent,
-        set.front()->viscosity_exponent);
+        joined_sets(set), p_text(pure), set.front()->speed_exponent,
+        problem_.data.quantity == Quantity::friction_torque ? "load" : "preload",
+        set.front()->load_exponent, set.front()->viscosity_exponent);
   }
 
   /// Which single effects of believable size come nearest, and how far what they leave is from
@@ -456,10 +458,11 @@ class Investigation {
         near.push_back(&e);
     if (near.empty()) return "";
     const double left = rms(problem_.measured - near.front()->fit.prediction);
+    const QuantityText quantity = text_of(problem_.data.quantity);
     std::string text =
-        fmt::format(" Nearest: {}; {} {:.0f} % of the misfit away and leaves {:.3g} N mm",
+        fmt::format(" Nearest: {}; {} {:.0f} % of the misfit away and leaves {:.3g} {}",
                     joined_sets(near), near.size() > 1 ? "the first takes" : "it takes",
-                    100.0 * taken(*near.front()), left / N_mm);
+                    100.0 * taken(*near.front()), left / quantity.factor, quantity.unit);
     const double ratio = left / evidence_.noise.rms;
     if (ratio > 2.0)
       text += fmt::format(
@@ -630,6 +633,34 @@ class Investigation {
     result_.suggested_measurements = std::move(next.points);
     result_.predicted_separation = next.predicted_separation;
     result_.separation_by_repetition = next.separation_by_repetition;
+    result_.records_needed = records_needed(set);
+  }
+
+  /// What the file of a shaft should hold beside, so that what heat does is told from the rest.
+  [[nodiscard]] std::vector<std::string> records_needed(
+      const std::vector<const Explanation*>& set) const {
+    if (subject_ != effects::Subject::shaft) return {};
+    const auto warm = [this](std::size_t k) {
+      return problem_.candidates[k].description->follows_heat;
+    };
+    const auto by_heat = [&](const Explanation* e) {
+      return std::any_of(e->members.begin(), e->members.end(), warm);
+    };
+    if (std::none_of(set.begin(), set.end(), by_heat) ||
+        std::all_of(set.begin(), set.end(), by_heat))
+      return {};
+    std::vector<std::string> list;
+    const auto rings = [](const Row& r) {
+      return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
+    };
+    if (!std::all_of(problem_.data.rows.begin(), problem_.data.rows.end(), rings))
+      list.emplace_back(
+          "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), which say what "
+          "expands");
+    list.emplace_back(
+        "the same speeds up and down, each soon after a change and again when warm: heat lags "
+        "behind, speed does not");
+    return list;
   }
 
   [[nodiscard]] std::string joined_sets(const std::vector<const Explanation*>& set) const {
@@ -656,6 +687,7 @@ class Investigation {
 
   const DiagnoseOptions& options_;
   Model model_;
+  effects::Subject subject_;
   std::vector<effects::Effect> user_made_;
   Evidence evidence_;
   const Problem& problem_;

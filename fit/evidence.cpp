@@ -8,8 +8,9 @@
 #include <stdexcept>
 
 #include "fit/free_parameters.h"
-#include "fit/prediction.h"
+#include "fit/quantity.h"
 #include "fit/screening.h"
+#include "fit/shaft_prediction.h"
 
 namespace raceway::fit {
 
@@ -18,7 +19,10 @@ namespace {
 constexpr std::size_t fewest_rows = 15;
 constexpr Eigen::Index fewest_freedom = 8;  // of the noise
 constexpr double first_relative = 0.02;     // noise assumed before it is known
-constexpr double least_noise = 1e-8;        // of the torque: less is rounding of a computer
+constexpr double least_noise = 1e-8;        // of the readings: less is rounding of a computer
+// Below this share of the rms, errors no longer shrink with the reading. Most of the noise of a
+// displacement is that of the sensor whatever it reads.
+constexpr double torque_floor = 0.05, displacement_floor = 1.0;
 
 int distinct(const DataSet& data, double relative, double absolute, double (*value)(const Row&)) {
   std::vector<double> values;
@@ -42,7 +46,10 @@ void require_enough(const DataSet& data, std::size_t parameters) {
         "several speeds, loads and temperatures",
         data.source, data.rows.size(), needed));
   const int speeds = distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.speed; });
-  const int loads = distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; });
+  const int loads =
+      std::max(distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; }),
+               distinct(data, 5e-3, 0.0,
+                        [](const Row& r) { return std::isnan(r.preload) ? 0.0 : r.preload; }));
   const int temperatures =
       distinct(data, 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
   if (speeds * loads * temperatures < 2)
@@ -91,8 +98,8 @@ NoiseModel noise_of_saturated_regression(const Evidence& evidence,
 Evidence gather_evidence(const Model& model, const DataSet& data,
                          std::span<const effects::Description* const> candidates, int most_rows,
                          const NoiseOptions& options) {
-  if (data.quantity != Quantity::friction_torque)
-    throw std::invalid_argument(data.source + ": diagnosis needs measured friction torque");
+  require_measured_subject(model, data);
+  const QuantityText quantity = text_of(data.quantity);
   Evidence evidence{.problem = {.model = model}};
   Problem& problem = evidence.problem;
   for (const ModelParameter& p : free_parameters(model)) problem.base.push_back(p.name);
@@ -108,9 +115,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   thinned.rows.clear();
   for (std::size_t i = every / 2; i < sorted.rows.size(); i += every)
     thinned.rows.push_back(sorted.rows[i]);
-  const std::vector<FrictionPrediction> predictions = predict_rows(model, thinned);
-  for (std::size_t i = 0; i < predictions.size(); ++i) {
-    if (predictions[i].predicted() && std::isfinite(thinned.rows[i].measured))
+  const std::vector<double> predicted = predict_readings(model, thinned);
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    if (std::isfinite(predicted[i]) && std::isfinite(thinned.rows[i].measured))
       problem.data.rows.push_back(thinned.rows[i]);
     else
       problem.rows_not_predicted.push_back(thinned.rows[i].line);
@@ -121,17 +128,23 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   for (Eigen::Index i = 0; i < rows; ++i)
     problem.measured[i] = problem.data.rows[static_cast<std::size_t>(i)].measured;
   problem.candidates = make_candidates(model, candidates);
+  if (std::any_of(problem.candidates.begin(), problem.candidates.end(),
+                  [](const Candidate& c) { return c.description->needs_equilibrium; }))
+    problem.balances = entered_balances(model, problem.data);
 
-  // A first fit with the noise that rigs have, for a smooth size of each torque.
+  // A first fit with the noise that rigs have, for a smooth size of each reading.
   evidence.response = response_with(problem, {});
   evidence.response.find_affine_form();
   const double rms = problem.measured.norm() / std::sqrt(static_cast<double>(rows));
   if (!(rms > 0.0)) throw std::invalid_argument(data.source + ": all readings are zero");
   if (problem.measured.maxCoeff() - problem.measured.minCoeff() <= least_noise * rms)
     throw std::invalid_argument(
-        fmt::format("{}: all readings are {:.4g} N mm: a verdict needs readings that vary",
-                    data.source, problem.measured[0] / N_mm));
-  const Eigen::VectorXd guess = first_relative * problem.measured.cwiseAbs().cwiseMax(0.1 * rms);
+        fmt::format("{}: all readings are {:.4g} {}: a verdict needs readings that vary",
+                    data.source, problem.measured[0] / quantity.factor, quantity.unit));
+  const double floor =
+      data.quantity == Quantity::friction_torque ? torque_floor : displacement_floor;
+  const Eigen::VectorXd guess =
+      first_relative * problem.measured.cwiseAbs().cwiseMax(2.0 * floor * rms);
   const auto starts_of = [&](const Eigen::VectorXd& x) {
     return std::vector<Eigen::VectorXd>{x, 0.8 * x, 1.25 * x, 0.5 * x};
   };
@@ -142,7 +155,7 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
         data.source +
         ": the fit of the model's own parameters does not converge; free fewer of "
         "them, or check units of model and data");
-  evidence.size = first.prediction.cwiseAbs().cwiseMax(0.05 * rms);
+  evidence.size = first.prediction.cwiseAbs().cwiseMax(floor * rms);
   screen_candidates(problem, first.values);
 
   evidence.noise = problem.data.noise == NoiseSource::regression
@@ -152,8 +165,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
       !evidence.noise.whitening.std().allFinite())
     throw std::invalid_argument(
         data.source +
-        ": the readings have no scatter at all, so nothing can be held against it; give std_Nmm "
-        "where they are exact");
+        fmt::format(": the readings have no scatter at all, so nothing can be held against it; "
+                    "give std_{} where they are exact",
+                    quantity.key_unit));
   evidence.base = fit_response(evidence.response, evidence.noise.whitening, problem.measured,
                                starts_of(first.values));
   if (!evidence.base.converged)

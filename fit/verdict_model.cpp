@@ -6,23 +6,18 @@
 
 #include "fit/candidates.h"
 #include "fit/free_parameters.h"
-#include "fit/prediction.h"
+#include "fit/quantity.h"
+#include "fit/shaft_prediction.h"
 
 namespace raceway::fit {
 namespace {
-
-std::vector<double> readings(const Model& model, const DataSet& data) {
-  std::vector<double> values;
-  for (const FrictionPrediction& p : predict_rows(model, data)) values.push_back(p.reading);
-  return values;
-}
 
 void set_by_name(Model& model, const std::string& name, double value) {
   for (const ModelParameter& p : model_parameters(model))
     if (p.name == name) p.set(model, value);
 }
 
-/// Error over the rows that the diagnosis used, which are those of its baseline [N m].
+/// Error over the rows that the diagnosis used, which are those of its baseline, SI.
 double rms_error(const std::vector<double>& predicted, const DataSet& data,
                  const Diagnosis& diagnosis) {
   std::unordered_map<int, std::size_t> row_of_line;
@@ -45,7 +40,8 @@ std::optional<EffectModel> effect_model(const Model& model, const DataSet& data,
   const std::vector<effects::Effect> user_made = take_user_made(result.model);
   const std::size_t before = result.model.effects.size();
   for (const RankedEffect* ranked : set) {
-    std::optional<effects::Effect> effect = find_effect(ranked->id, user_made);
+    std::optional<effects::Effect> effect =
+        find_effect(ranked->id, user_made, subject_of(data.quantity));
     if (!effect) return std::nullopt;
     for (const EffectSize& size : ranked->parameters)
       for (std::size_t k = 0; k < effect->values.size(); ++k)
@@ -53,7 +49,7 @@ std::optional<EffectModel> effect_model(const Model& model, const DataSet& data,
     result.model.effects.push_back(*std::move(effect));
   }
   for (const BaseShift& shift : base) set_by_name(result.model, shift.name, shift.after);
-  result.readings = readings(result.model, data);
+  result.readings = predict_readings(result.model, data);
   const double error = rms_error(result.readings, data, diagnosis);
   if (!(std::abs(error - rmse) <= 1e-4 * rmse)) return std::nullopt;
 
@@ -61,14 +57,14 @@ std::optional<EffectModel> effect_model(const Model& model, const DataSet& data,
   Model without = result.model;
   std::for_each(without.effects.begin() + static_cast<std::ptrdiff_t>(before),
                 without.effects.end(), off);
-  result.base = readings(without, data);
+  result.base = predict_readings(without, data);
   for (std::size_t k = before; k < result.model.effects.size(); ++k) {
     EffectShare share{.id = std::string(result.model.effects[k].description->id),
                       .torque = result.base};
     if (set.size() > 1) {
       Model one_off = result.model;
       off(one_off.effects[k]);
-      share.torque = readings(one_off, data);
+      share.torque = predict_readings(one_off, data);
     }
     for (std::size_t i = 0; i < share.torque.size(); ++i)
       share.torque[i] = result.readings[i] - share.torque[i];

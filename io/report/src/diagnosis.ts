@@ -210,9 +210,9 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
 }
 
 export function detectable(report: DiagnoseReport, { what }: FitView): Figure | undefined {
-  const list = report.results.would_have_been_found.slice().sort((a, b) => a.share_of_torque - b.share_of_torque);
+  const list = report.results.would_have_been_found.slice().sort((a, b) => a.share_of_reading - b.share_of_reading);
   if (list.length === 0) return undefined;
-  const percent = list.map((d) => 100 * d.share_of_torque);
+  const percent = list.map((d) => 100 * d.share_of_reading);
   const floor = 10 ** Math.floor(Math.log10(Math.min(...percent) * 0.999));
   return new Figure({
     id: 'detectable',
@@ -232,7 +232,7 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
           return [
             d.id,
             ['found from', `${d.parameter} = ${number(d.size, 2)}${unit ? ` ${unit}` : ''}`],
-            [`share of the ${what}`, `${number(100 * d.share_of_torque, 2)} %`],
+            [`share of the ${what}`, `${number(100 * d.share_of_reading, 2)} %`],
             ...(d.most_alike ? ([['most alike', d.most_alike], ['told from it from', `${number(d.told_apart_from, 2)}${unit ? ` ${unit}` : ''}`]] as [string, string][]) : []),
           ];
         }),
@@ -252,7 +252,7 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
     },
     table: () => ({
       columns: ['effect', 'parameter', 'found from', 'unit', `share of the ${what} [%]`, 'most alike', 'told from it from'],
-      rows: list.map((d) => [d.id, d.parameter, d.size, unitText(d.unit), 100 * d.share_of_torque, d.most_alike, d.told_apart_from]),
+      rows: list.map((d) => [d.id, d.parameter, d.size, unitText(d.unit), 100 * d.share_of_reading, d.most_alike, d.told_apart_from]),
     }),
   });
 }

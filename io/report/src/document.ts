@@ -103,7 +103,7 @@ export interface Detectable {
   parameter: string;
   unit: string;
   size: number;
-  share_of_torque: number;
+  share_of_reading: number;
   most_alike: string;
   told_apart_from: number | null;
 }
