@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdlib>
 
 #include "bearing/units.h"
 #include "io/column_unit.h"
@@ -6,9 +9,15 @@
 #include "io/report_columns.h"
 #include "io/report_document.h"
 #include "io/report_rows.h"
+#include "io/shaft_results.h"
 
 namespace raceway::io {
 namespace {
+
+/// Seven digits, which is what rows of a report have.
+double short_number(double value) {
+  return std::isfinite(value) ? std::strtod(fmt::format("{:.7g}", value).c_str(), nullptr) : unset;
+}
 
 json state_json(const fit::Model& model, const bearing::OperatingPoint& point,
                 const fit::FrictionPrediction& prediction) {
@@ -17,17 +26,17 @@ json state_json(const fit::Model& model, const bearing::OperatingPoint& point,
        inner_load = json::array(), outer_load = json::array(), inner_pressure = json::array(),
        outer_pressure = json::array();
   for (const bearing::BallEquilibrium& b : prediction.equilibrium->balls) {
-    azimuth.push_back(b.azimuth / degree);
-    inner_angle.push_back(b.inner_contact_angle / degree);
-    outer_angle.push_back(b.outer_contact_angle / degree);
-    inner_load.push_back(b.inner_load);
-    outer_load.push_back(b.outer_load);
-    inner_pressure.push_back(bearing.contact(bearing::Race::inner).peak_pressure(b.inner_load) /
-                             MPa);
-    outer_pressure.push_back(bearing.contact(bearing::Race::outer).peak_pressure(b.outer_load) /
-                             MPa);
+    azimuth.push_back(short_number(b.azimuth / degree));
+    inner_angle.push_back(short_number(b.inner_contact_angle / degree));
+    outer_angle.push_back(short_number(b.outer_contact_angle / degree));
+    inner_load.push_back(short_number(b.inner_load));
+    outer_load.push_back(short_number(b.outer_load));
+    inner_pressure.push_back(
+        short_number(bearing.contact(bearing::Race::inner).peak_pressure(b.inner_load) / MPa));
+    outer_pressure.push_back(
+        short_number(bearing.contact(bearing::Race::outer).peak_pressure(b.outer_load) / MPa));
   }
-  return {{"speed_rpm", point.speed / rpm},
+  return {{"speed_rpm", short_number(point.speed / rpm)},
           {"axial_load_N", point.axial_load},
           {"radial_load_N", point.radial_load},
           {"temperature_C", celsius(point.temperature)},
@@ -46,9 +55,16 @@ std::string table_report(const std::string& model_file, const fit::Model& model,
                          const friction::StribeckTable& table, const BearingStates& states,
                          const fit::DataSet* measured) {
   Document document("table");
-  json parts = json::array({"load_Nmm", "viscous_Nmm"});
-  for (const effects::Effect& e : model.effects)
-    parts.push_back(std::string(e.description->id) + "_Nmm");
+  json parts = json::array();
+  if (model.shaft) {
+    const bearing::Arrangement& arrangement = model.shaft->arrangement;
+    for (std::size_t i = 0; i < arrangement.bearings().size(); ++i)
+      parts.push_back(bearing_place(arrangement, i) + "_friction_torque_Nmm");
+  } else {
+    parts = {"load_Nmm", "viscous_Nmm"};
+    for (const effects::Effect& e : model.effects)
+      parts.push_back(std::string(e.description->id) + "_Nmm");
+  }
   document.add("results",
                dump({{"model", model_file},
                      {"bearing", model.name},

@@ -52,6 +52,7 @@ before(async () => {
   raceway('calibrate', model, train, '-o', file('calibrated.toml'));
   write('compare', 'compare', model, file('calibrated.toml'), file('better.toml'), join(rig, 'test.csv'));
   write('table', 'table', file('better.toml'), '--speed', '0:16000:1000', '--axial-load', '600,3000', '--radial-load', '0,400', '--temperature', '25', '--data', train);
+  write('shafttable', 'table', spindle, '--speed', '0:16000:1000', '--axial-load', '0,500');
   write('displacement', 'displacement', spindle, '--speed', '0:16000:250', '-o', file('kinematic.csv'));
   measureShaft();
   raceway('calibrate', file('shaft.toml'), file('shaft.csv'), '-o', file('fitted.toml'));
@@ -138,7 +139,8 @@ const expected = {
   add: { ladder: 8, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24 },
   compare: { ladder: 3, parity: 60, 'residual-speed': 60, 'residual-axial-load': 60, 'residual-temperature': 60, 'residual-order-of-the-rows': 60, map: 15 },
   comparedshaft: { ladder: 2, parity: 48, 'residual-speed': 48, 'residual-preload': 48, 'residual-order-of-the-rows': 48, map: 24 },
-  table: { stribeck: 34, parts: 51, angles: 136, around: 100 },
+  table: { stribeck: 34, parts: 51, angles: 136, balls: 68, around: 100 },
+  shafttable: { stribeck: 33, parts: 51 },
   displacement: { displacement: 11, 'law-residual': 11, forces: 22, stiffness: 11, 'contact-angles': 44, 'ball-loads': 44, pressures: 44, torque: 33, power: 33, heat: 44 },
   coastdown: { ladder: 1, ranking: 12, share: 41, hidden: 27, parity: 41, 'residual-speed': 41, 'residual-order-of-the-rows': 41, map: 8, plan: 41, detectable: 14 },
   several: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 123, detectable: 20 },
@@ -383,6 +385,48 @@ test('hovering over a mark shows its row as it stands in the file', async () => 
   assert.deepEqual(faults, []);
   await close();
 });
+
+/// Filled shapes of a picture below its legend, evenly picked.
+const shapes = (page, id) =>
+  page.$$eval(`#${id} svg path`, (paths) => {
+    const top = paths[0].ownerSVGElement.getBoundingClientRect().top;
+    const all = paths
+      .filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill')) && p.getAttribute('fill-opacity') !== '0')
+      .map((p) => p.getBoundingClientRect())
+      .filter((box) => box.width > 2 && box.height > 2 && box.top > top + 46)
+      .map((box) => [box.x + box.width / 2, box.y + box.height / 2]);
+    return all.filter((_, k) => k % Math.ceil(all.length / 10) === 0);
+  });
+
+for (const name of ['add', 'comparedshaft', 'table', 'displacement', 'several'])
+  test(`${name}: every picture tells numbers under the pointer, and its legend takes marks away`, async () => {
+    const { page, faults, close } = await open(name);
+    for (const id of await figures(page)) {
+      await page.locator(`#${id} .chart`).scrollIntoViewIfNeeded();
+      const told = new Set();
+      for (const [x, y] of await shapes(page, id)) {
+        await page.mouse.move(x, y);
+        await page.waitForTimeout(20);
+        for (const text of await page.$$eval(`#${id} .tip`, (tips) => tips.map((t) => t.textContent))) told.add(text);
+      }
+      assert.ok(told.size >= 1, `${id}: nothing told`);
+      for (const text of told) {
+        assert.match(text, /\d/, id);
+        assert.doesNotMatch(text, /NaN|undefined|null/, id);
+      }
+      if (['map', 'detectable'].includes(id) || (id === 'ladder' && name === 'comparedshaft')) continue; // without legend
+      await page.mouse.move(2, 2);
+      const before = await marks(page, id);
+      await (await legendEntry(page, id)).click();
+      await page.waitForTimeout(50);
+      assert.ok((await marks(page, id)) < before, `${id}: the legend`);
+      await (await legendEntry(page, id)).click();
+      await page.waitForTimeout(50);
+      assert.equal(await marks(page, id), before, id);
+    }
+    assert.deepEqual(faults, []);
+    await close();
+  });
 
 test('the points to measure next are drawn into the plan', async () => {
   const { page, faults, close } = await open('several');
