@@ -99,7 +99,7 @@ std::string rows_name(std::size_t rows) {
 
 const bool registered = [] {
   const auto add = [](const std::string& name, auto run) {
-    benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
+    return benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
   };
   const auto of_rig = [&](const std::string& name, const char* rig, bool pairs) {
     add(name, [=](benchmark::State& state) { diagnose(state, read_rig(rig), pairs); });
@@ -116,10 +116,12 @@ const bool registered = [] {
   for (const std::size_t rows : {120, 1000, 10000, 100000}) {
     const std::string name = "calibrate/" + rows_name(rows);
     add(name, [=](benchmark::State& state) { calibrate(state, rows, false, 1); });
-    add(name + "_moved", [=](benchmark::State& state) { calibrate(state, rows, true, 1); });
+    if (rows == 120 || rows == 10000)
+      add(name + "_moved", [=](benchmark::State& state) { calibrate(state, rows, true, 1); });
   }
-  add("calibrate/100k_rows_moved_2_threads",
-      [](benchmark::State& state) { calibrate(state, 100000, true, 2); });
+  add("calibrate/10000_rows_moved_2_threads", [](benchmark::State& state) {
+    calibrate(state, 10000, true, 2);
+  })->UseRealTime();
   return true;
 }();
 
