@@ -120,9 +120,10 @@ AddResult add(const Model& model, std::span<const std::string> ids, const DataSe
     }
   }
   if (found.fit.converged) {
-    const std::vector<ModelParameter> base = free_parameters(before);
-    for (std::size_t k = 0; k < base.size(); ++k)
-      base[k].set(extended, found.fit.values[static_cast<Eigen::Index>(k)]);
+    for (const ModelParameter& p : free_parameters(extended)) {
+      const auto at = std::find(problem.base.begin(), problem.base.end(), p.name);
+      if (at != problem.base.end()) p.set(extended, found.fit.values[at - problem.base.begin()]);
+    }
   }
   DataSet weighted = problem.data;
   const bool declared = std::all_of(weighted.rows.begin(), weighted.rows.end(),

@@ -103,6 +103,7 @@ class Investigation {
 
   [[nodiscard]] bool base_is_identifiable() const {
     Eigen::MatrixXd columns = evidence_.base.tangent;
+    if (columns.cols() == 0) return true;
     columns.colwise().normalize();
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
     qr.setThreshold(1e-4);
@@ -143,6 +144,9 @@ class Investigation {
       if (evidence_.base.at_bound[k])
         result_.messages.push_back(evidence_.response.parameters[k].name +
                                    " ends at a bound: the model lacks something, or is far off");
+    for (const std::string& name : evidence_.idle)
+      result_.messages.push_back("the readings do not depend on " + name +
+                                 ", which stays as it is");
     if (!base_is_identifiable())
       result_.messages.push_back(joined(problem_.base, "and") +
                                  " cannot all be told apart on these data: their values mean "

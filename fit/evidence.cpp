@@ -64,6 +64,32 @@ void require_enough(const DataSet& data, std::size_t parameters) {
         data.source, speeds, loads, temperatures));
 }
 
+/// Takes the free parameters out that change no reading, near the start nor away from it: what was
+/// measured with each row stands in their place, or nothing here depends on them.
+std::vector<std::string> take_idle(Problem& problem, const Response& response) {
+  const Eigen::VectorXd start = response.start();
+  const Eigen::VectorXd there = response.readings(start);
+  std::vector<std::string> idle;
+  if (!there.allFinite()) return idle;
+  for (std::size_t k = 0; k < response.parameters.size(); ++k) {
+    const FitParameter& p = response.parameters[k];
+    bool moves = false;
+    for (const double step : {0.1, -0.1, 1e-3, -1e-3}) {
+      if (moves) break;
+      Eigen::VectorXd x = start;
+      const auto at = static_cast<Eigen::Index>(k);
+      x[at] = std::clamp(x[at] + step * p.scale, p.lower, p.upper);
+      const Eigen::VectorXd change = response.readings(x) - there;
+      moves = !(change.norm() <= least_noise * there.norm());
+    }
+    if (!moves) idle.push_back(p.name);
+  }
+  std::erase_if(problem.base, [&](const std::string& name) {
+    return std::find(idle.begin(), idle.end(), name) != idle.end();
+  });
+  return idle;
+}
+
 /// Noise from what base law, smooth surfaces, levels and all candidates together leave.
 NoiseModel noise_of_saturated_regression(const Evidence& evidence,
                                          const Eigen::VectorXd& base_values,
@@ -134,6 +160,8 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
 
   // A first fit with the noise that rigs have, for a smooth size of each reading.
   evidence.response = response_with(problem, {});
+  evidence.idle = take_idle(problem, evidence.response);
+  if (!evidence.idle.empty()) evidence.response = response_with(problem, {});
   evidence.response.find_affine_form();
   const double rms = problem.measured.norm() / std::sqrt(static_cast<double>(rows));
   if (!(rms > 0.0)) throw std::invalid_argument(data.source + ": all readings are zero");

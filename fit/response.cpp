@@ -335,7 +335,8 @@ Response model_response(const Model& model, const DataSet& data,
   Response response;
   Model wanted = model;
   wanted.free = names;
-  const std::vector<ModelParameter> chosen = free_parameters(wanted);
+  const std::vector<ModelParameter> chosen =
+      names.empty() ? std::vector<ModelParameter>() : free_parameters(wanted);
   for (const ModelParameter& p : chosen) {
     FitParameter parameter{
         .name = p.name, .unit = p.unit, .start = p.get(model), .lower = p.lower, .upper = p.upper};

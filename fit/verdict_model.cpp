@@ -77,7 +77,7 @@ std::optional<EffectModel> effect_model(const Model& model, const DataSet& data,
 
 std::optional<EffectModel> verdict_model(const Model& model, const DataSet& data,
                                          const Diagnosis& diagnosis) {
-  if (diagnosis.sets.empty() || diagnosis.base_shifts.empty()) return std::nullopt;
+  if (diagnosis.sets.empty()) return std::nullopt;
   std::vector<const RankedEffect*> set;
   for (const std::string& id : diagnosis.sets.front()) {
     const auto ranked =
