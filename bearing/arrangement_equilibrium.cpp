@@ -234,9 +234,7 @@ BearingEquilibrium ArrangementEquilibrium::bearing(std::size_t i,
   e.displacement[0] = in_set.displacement;
   e.stiffness(0, 0) = in_set.axial_stiffness;
   e.report = report;
-  e.balls.assign(static_cast<std::size_t>(count), in_set.ball);
-  for (int k = 0; k < count; ++k)
-    e.balls[static_cast<std::size_t>(k)].azimuth = 2.0 * pi * k / count;
+  e.balls.reset(count, Symmetry::thrust)[0] = in_set.ball;
   return e;
 }
 

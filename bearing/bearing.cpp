@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "bearing/balls.h"
+
 namespace raceway::bearing {
 
 Bearing::Bearing(const BearingGeometry& geometry, const Material& balls, const Material& rings)
@@ -15,7 +17,7 @@ Bearing::Bearing(const BearingGeometry& geometry, const Material& balls, const M
   const double d = geometry_.ball_diameter;
   ball_mass_ = balls_.density * pi / 6.0 * d * d * d;
   for (int k = 0; k < geometry_.ball_count; ++k) {
-    const double azimuth = 2.0 * pi * k / geometry_.ball_count;
+    const double azimuth = azimuth_of_ball(k, geometry_.ball_count);
     azimuth_.push_back(azimuth);
     cos_azimuth_.push_back(std::cos(azimuth));
     sin_azimuth_.push_back(std::sin(azimuth));

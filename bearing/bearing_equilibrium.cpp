@@ -1,6 +1,5 @@
 #include "bearing/bearing_equilibrium.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "bearing/equilibrium_search.h"
@@ -47,13 +46,15 @@ std::string_view name(SolveStatus status) {
 }
 
 int BearingEquilibrium::lost_balls() const {
-  return static_cast<int>(std::count_if(
-      balls.begin(), balls.end(), [](const BallEquilibrium& b) { return !(b.inner_load > 0.0); }));
+  double lost = 0.0;
+  for (std::size_t i = 0; i < balls.distinct().size(); ++i)
+    if (!(balls.distinct()[i].inner_load > 0.0)) lost += balls.weight(i);
+  return static_cast<int>(lost);
 }
 
 BallSpeeds BearingEquilibrium::speeds(std::size_t k, const Bearing& bearing, double speed,
                                       RaceControl race_control) const {
-  const BallEquilibrium& b = balls.at(k);
+  const BallEquilibrium b = balls.at(k);
   const bool lost = std::isnan(b.inner_contact_angle);
   return ball_speeds(lost ? RaceControl::outer : race_control,
                      lost ? b.outer_contact_angle : b.inner_contact_angle, b.outer_contact_angle,

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
+#include "bearing/balls.h"
 #include "bearing/bearing.h"
 #include "bearing/kinematics.h"
 #include "bearing/operating_point.h"
@@ -24,19 +24,6 @@ struct EquilibriumOptions {
   int max_iterations = 100000;    ///< Newton steps over all stages
 };
 
-/// One ball in balance.
-struct BallEquilibrium {
-  double azimuth = unset;              ///< ψ from +y towards +z [rad]
-  double inner_contact_angle = unset;  ///< αi [rad]; NaN where the ball has lost the inner race
-  double outer_contact_angle = unset;  ///< αo [rad]; NaN where the ball is loose (only at rest)
-  double inner_load = unset;           ///< Qi [N]
-  double outer_load = unset;           ///< Qo [N]
-  double inner_friction = unset;       ///< Ti that carries the gyroscopic moment [N]
-  double outer_friction = unset;       ///< To [N]
-  double centrifugal_force = unset;    ///< Fc [N]
-  double gyroscopic_moment = unset;    ///< M_g [N m]
-};
-
 /// The inner-ring displacement that carries a load, and all that follows from it.
 /// Only `report` is set unless the solve converged.
 struct BearingEquilibrium {
@@ -44,7 +31,7 @@ struct BearingEquilibrium {
   /// the no-load position at standstill, where balls just touch at the nominal contact angle
   /// (deep groove, α0 = 0: from the centred position).
   Vector5 displacement = Vector5::Constant(unset);
-  std::vector<BallEquilibrium> balls;
+  Balls balls;
   /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad]. Not
   /// quite symmetric at speed, since centrifugal and gyroscopic forces follow the motion.
   Matrix5 stiffness = Matrix5::Constant(unset);

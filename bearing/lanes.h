@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 /// Code that is written once for one operating point and for several side by side: its numbers are
 /// `double`, or SIMD batches with one point per lane. Batches bring arithmetic, comparisons, sqrt
@@ -35,6 +36,11 @@ inline constexpr bool is_scalar = Lanes<T>::count == 1;
 [[gnu::always_inline]] inline bool any(bool mask) { return mask; }
 [[gnu::always_inline]] inline bool all(bool mask) { return mask; }
 
+/// Sine and cosine together; batches have this with them.
+[[gnu::always_inline]] inline std::pair<double, double> sincos(double x) {
+  return {std::sin(x), std::cos(x)};
+}
+
 /// Neither infinite nor NaN. Holds without a classification of each lane.
 template <typename T>
 [[gnu::always_inline]] inline Mask<T> finite(const T& x) {
@@ -53,25 +59,26 @@ template <typename T>
   std::memcpy(reinterpret_cast<char*>(&x) + i * sizeof value, &value, sizeof value);
 }
 
-/// Members of a struct of T only, one after the other.
-template <typename T, template <typename> class Struct>
-[[gnu::always_inline]] inline void set_lane(Struct<T>& to, std::size_t i,
-                                            const Struct<double>& from) {
+/// Copies `count` lanes of all members of a struct, from lane j of U on to lane i of T on. The
+/// struct must be made of its number type only.
+template <std::size_t count = 1, typename T, typename U, template <typename> class Struct>
+[[gnu::always_inline]] inline void copy_lanes(Struct<T>& to, std::size_t i, const Struct<U>& from,
+                                              std::size_t j) {
   constexpr std::size_t members = sizeof(Struct<double>) / sizeof(double);
   for (std::size_t m = 0; m < members; ++m)
     std::memcpy(reinterpret_cast<char*>(&to) + m * sizeof(T) + i * sizeof(double),
-                reinterpret_cast<const char*>(&from) + m * sizeof(double), sizeof(double));
+                reinterpret_cast<const char*>(&from) + m * sizeof(U) + j * sizeof(double),
+                count * sizeof(double));
 }
 
-/// Members of `from` in lane i, one after the other.
-template <typename T, template <typename> class Struct>
-[[gnu::always_inline]] inline void get_lane(const Struct<T>& from, std::size_t i,
-                                            Struct<double>& to) {
-  constexpr std::size_t members = sizeof(Struct<double>) / sizeof(double);
-  for (std::size_t m = 0; m < members; ++m)
-    std::memcpy(reinterpret_cast<char*>(&to) + m * sizeof(double),
-                reinterpret_cast<const char*>(&from) + m * sizeof(T) + i * sizeof(double),
-                sizeof(double));
-}
+/// Memory for eight points side by side, which batches of any width are loaded from.
+struct alignas(64) Eight {
+  static constexpr std::size_t size = 8;
+  double lanes[size];
+  Eight() = default;
+  [[gnu::always_inline]] Eight(double all) {
+    for (double& x : lanes) x = all;
+  }
+};
 
 }  // namespace raceway::bearing

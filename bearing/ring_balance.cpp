@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace raceway::bearing {
 
@@ -51,25 +52,32 @@ BallModel ball_model(const RingPoint<double>& ring, RaceControl race_control) {
   return race_control == RaceControl::outer ? BallModel::outer_control : BallModel::inner_control;
 }
 
-void fill_equilibrium(const RingPoint<double>& point, const BallCircle& circle, const double* ring,
-                      const RingReport<double>& report, const BallReport<double>* balls,
+template <typename T>
+void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
+                      const RingReport<T>& report, const BallReport<T>* balls, std::size_t i,
                       BearingEquilibrium& result) {
-  result.displacement = Eigen::Map<const Vector5>(ring);
-  result.displacement.tail<2>() /= point.lever;
-  result.stiffness =
-      Eigen::Map<const Eigen::Matrix<double, 5, 5, Eigen::RowMajor>>(report.stiffness[0]);
-  result.stiffness.rightCols<2>() *= point.lever;
-  result.stiffness.bottomRows<2>() *= point.lever;
-  result.report.residual = report.residual;
-  result.report.recovered_load_error = report.recovered_load_error;
-  const auto z = static_cast<std::size_t>(circle.count);
-  result.balls.resize(z);
-  for (std::size_t k = 0; k < z; ++k) {
-    const std::size_t source = circle.symmetry == Symmetry::thrust   ? 0
-                               : circle.symmetry == Symmetry::mirror ? std::min(k, z - k)
-                                                                     : k;
-    result.balls[k] = ball_equilibrium(balls[source], circle.azimuth[k]);
+  const double arm = lane(lever, i);
+  for (int r = 0; r < 5; ++r) {
+    const double row = r < 3 ? 1.0 : arm;
+    result.displacement[r] = lane(ring[r], i) / row;
+    for (int c = 0; c < 5; ++c)
+      result.stiffness(r, c) = lane(report.stiffness[r][c], i) * row * (c < 3 ? 1.0 : arm);
+  }
+  result.report.residual = lane(report.residual, i);
+  result.report.recovered_load_error = lane(report.recovered_load_error, i);
+  const std::span<BallEquilibrium> kept = result.balls.reset(circle.count, circle.symmetry);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    BallReport<double> ball;
+    copy_lanes(ball, 0, balls[k], i);
+    kept[k] = ball_equilibrium(ball, circle.azimuth[k]);
   }
 }
+
+template void fill_equilibrium(const double&, const BallCircle&, const double*,
+                               const RingReport<double>&, const BallReport<double>*, std::size_t,
+                               BearingEquilibrium&);
+template void fill_equilibrium(const Eight&, const BallCircle&, const Eight*,
+                               const RingReport<Eight>&, const BallReport<Eight>*, std::size_t,
+                               BearingEquilibrium&);
 
 }  // namespace raceway::bearing

@@ -13,13 +13,6 @@
 // fits all components.
 namespace raceway::bearing {
 
-/// Which balls and which ring coordinates a load needs.
-enum class Symmetry {
-  thrust,  ///< all balls alike: one ball, x
-  mirror,  ///< load in the x-y plane: half the balls, x, y (and θz)
-  none     ///< all balls, x, y, z (and θy, θz)
-};
-
 /// What holds a ball: two springs on one line, or the balance of a ball that orbits.
 enum class BallModel { at_rest, outer_control, inner_control };
 
@@ -72,18 +65,14 @@ struct BallCircle {
   int count;  ///< Z
   Symmetry symmetry;
 
-  [[nodiscard, gnu::always_inline]] int used() const {
-    return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
-  }
+  [[nodiscard, gnu::always_inline]] int used() const { return distinct_balls(symmetry, count); }
   /// How many balls of the bearing ball k stands for [1].
   [[nodiscard, gnu::always_inline]] double weight(int k) const {
-    if (symmetry == Symmetry::none) return 1.0;
-    if (symmetry == Symmetry::thrust) return count;
-    return k == 0 || 2 * k == count ? 1.0 : 2.0;
+    return weight_of_ball(symmetry, count, k);
   }
 };
 
-/// A bearing, a speed and a load, as the balance needs them. Numbers only, see set_lane().
+/// A bearing, a speed and a load, as the balance needs them. Numbers only, see copy_lanes().
 template <typename T>
 struct RingPoint {
   BallConstantsOf<T> ball;
@@ -287,7 +276,7 @@ struct RingReport {
 template <BallModel model, typename T>
 void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, const T* ring,
                  const PlaneOf<T>* balls, BallReport<T>* reports, RingReport<T>& report) {
-  using std::abs, std::cos, std::max, std::sin, std::sqrt;
+  using std::abs, std::max, std::sqrt;
   const T zero(0.0);
   const T diameter = 2.0 * p.moment_arm_ratio * p.lever - 2.0 * p.ball.inner_radius;
   RingSums<AllCoordinates, T> sums;
@@ -305,7 +294,7 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
         ball_report<model == BallModel::at_rest>(f, a, x, diameter);
 
     const T angle = select(touches, b.inner_contact_angle, zero);
-    const T s = sin(angle), c = cos(angle);
+    const auto [s, c] = sincos(angle);
     const T axial = select(touches, b.inner_load * s + b.inner_friction * c, zero);
     const T radial = select(touches, b.inner_load * c - b.inner_friction * s, zero);
     const T moment = select(touches, axial - p.moment_arm_ratio * b.inner_friction, zero);
@@ -331,9 +320,11 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   report.recovered_load_error = error / p.load_scale;
 }
 
-/// Sets all of `result` but status and iterations from a ring in balance and the balls used.
-void fill_equilibrium(const RingPoint<double>& point, const BallCircle& circle, const double* ring,
-                      const RingReport<double>& report, const BallReport<double>* balls,
+/// Sets all of `result` but status and iterations at a ring in balance and the balls used, all in
+/// lane i. T is double or Eight.
+template <typename T>
+void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
+                      const RingReport<T>& report, const BallReport<T>* balls, std::size_t i,
                       BearingEquilibrium& result);
 
 }  // namespace raceway::bearing

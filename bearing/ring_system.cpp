@@ -70,7 +70,7 @@ void RingSystem::fill(const RingState& state, BearingEquilibrium& result) const 
     report_ring<decltype(model)::value>(point_, circle_, options_.tilt == Tilt::free,
                                         state.ring.data(), state.balls.data(), balls.data(), ring);
   });
-  fill_equilibrium(point_, circle_, state.ring.data(), ring, balls.data(), result);
+  fill_equilibrium(point_.lever, circle_, state.ring.data(), ring, balls.data(), 0, result);
 }
 
 Plane RingSystem::groove_centre(const Vector5& ring, std::size_t k) const {

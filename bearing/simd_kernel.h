@@ -6,24 +6,25 @@
 
 namespace raceway::bearing {
 
-/// One operating point on its way through a kernel. Axial load > 0.
-struct KernelPoint {
-  RingPoint<double> point;
-  bool converged;
-  int steps;       ///< of Newton's method
-  double ring[5];  ///< displacement, tilts times the lever [m]
-  RingReport<double> report;
+/// Eight operating points on their way through a kernel. Axial loads > 0.
+struct KernelBlock {
+  RingPoint<Eight> points;
+  bool converged[Eight::size];
+  int steps[Eight::size];  ///< of Newton's method
+  Eight ring[5];           ///< displacement, tilts times the lever [m]
+  RingReport<Eight> report;
 };
 
-/// Points that share ball count, symmetry, ball model and free coordinates.
+/// Points that share ball count, symmetry, ball model and free coordinates. Where they do not fill
+/// the last block, some point stands in the rest of it.
 struct KernelCall {
   BallCircle circle;
   BallModel model;
   bool tilts;
   double tolerance;
-  KernelPoint* points;
-  std::size_t count;
-  BallReport<double>* balls;  ///< circle.used() for each point
+  KernelBlock* blocks;
+  std::size_t count;         ///< of points
+  BallReport<Eight>* balls;  ///< circle.used() for each block
 };
 
 // Newton's method from the closed-form thrust start on many points side by side, and their reports.

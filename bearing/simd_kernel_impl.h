@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstring>
 #include <vector>
 #include <xsimd/xsimd.hpp>
 
@@ -45,13 +46,8 @@ class KernelRun {
  private:
   static constexpr std::size_t width = Lanes<T>::count;
 
-  /// The points of a group side by side, the last one repeated where there are no more.
-  void load(std::size_t group, RingPoint<T>& points) const {
-    for (std::size_t i = 0; i < width; ++i)
-      set_lane(points, i, call_.points[last(group * width + i)].point);
-  }
-  [[nodiscard]] std::size_t last(std::size_t n) const {
-    return n < call_.count ? n : call_.count - 1;
+  [[nodiscard]] KernelBlock& block_of(std::size_t point) const {
+    return call_.blocks[point / Eight::size];
   }
 
   void find_starts() {
@@ -59,7 +55,7 @@ class KernelRun {
         model == BallModel::inner_control ? RaceControl::inner : RaceControl::outer;
     RingPoint<T> p;
     for (std::size_t g = 0; g < groups_; ++g) {
-      load(g, p);
+      copy_lanes<width>(p, 0, block_of(g * width).points, g * width % Eight::size);
       memory_.started[g] = thrust_start<control, T>(
           p.ball, p.free, p.load[0] * (1.0 / call_.circle.count), memory_.starts[g]);
     }
@@ -72,7 +68,7 @@ class KernelRun {
     std::size_t next = 0, working = 0;
     for (std::size_t i = 0; i < width; ++i) {
       // A lane without work goes through the motions of some point.
-      set_lane(memory_.newton.point, i, call_.points[0].point);
+      copy_lanes(memory_.newton.point, i, call_.blocks[0].points, 0);
       point_of_[i] = none;
       working += begin(i, next);
     }
@@ -83,7 +79,7 @@ class KernelRun {
       const T end = select(ended, T(1.0), T(0.0)), good = select(p.converged, T(1.0), T(0.0));
       for (std::size_t i = 0; i < width; ++i) {
         if (lane(end, i) == 0.0 || point_of_[i] == none) continue;
-        if (lane(good, i) != 0.0) keep(i, call_.points[point_of_[i]]);
+        if (lane(good, i) != 0.0) keep(i);
         point_of_[i] = none;
         --working;
         working += begin(i, next);
@@ -96,11 +92,11 @@ class KernelRun {
     RingNewton<T>& newton = memory_.newton;
     while (next < call_.count) {
       const std::size_t n = next++;
-      call_.points[n].converged = false;
+      block_of(n).converged[n % Eight::size] = false;
       const Mask<T>& started = memory_.started[n / width];
       if (lane(select(started, T(1.0), T(0.0)), n % width) == 0.0) continue;
       const ThrustStart<T>& start = memory_.starts[n / width];
-      set_lane(newton.point, i, call_.points[n].point);
+      copy_lanes(newton.point, i, block_of(n).points, n % Eight::size);
       for (const int c : C::at) set_lane(newton.trial_ring[c], i, 0.0);
       set_lane(newton.trial_ring[0], i, lane(start.axial_displacement, n % width));
       const double axial = lane(start.ball_centre.axial, n % width);
@@ -116,13 +112,14 @@ class KernelRun {
     return false;
   }
 
-  void keep(std::size_t i, KernelPoint& point) {
+  void keep(std::size_t i) {
     const RingNewton<T>& newton = memory_.newton;
-    const std::size_t n = point_of_[i];
-    point.converged = true;
-    point.steps = static_cast<int>(lane(newton.steps, i));
-    for (double& q : point.ring) q = 0.0;
-    for (const int c : C::at) point.ring[c] = lane(newton.ring[c], i);
+    const std::size_t n = point_of_[i], j = n % Eight::size;
+    KernelBlock& block = block_of(n);
+    block.converged[j] = true;
+    block.steps[j] = static_cast<int>(lane(newton.steps, i));
+    for (Eight& q : block.ring) q.lanes[j] = 0.0;
+    for (const int c : C::at) block.ring[c].lanes[j] = lane(newton.ring[c], i);
     PlaneOf<T>* const balls = &memory_.balls[n / width * used_];
     for (std::size_t k = 0; k < used_; ++k) {
       set_lane(balls[k].axial, n % width, lane(newton.balls[k].axial, i));
@@ -131,21 +128,18 @@ class KernelRun {
   }
 
   void report(std::size_t group) {
+    const std::size_t block = group * width / Eight::size, first = group * width % Eight::size;
+    KernelBlock& b = call_.blocks[block];
     RingPoint<T> p;
-    load(group, p);
+    copy_lanes<width>(p, 0, b.points, first);
     T ring[5];
-    for (std::size_t i = 0; i < width; ++i)
-      for (std::size_t c = 0; c < 5; ++c)
-        set_lane(ring[c], i, call_.points[last(group * width + i)].ring[c]);
+    for (int c = 0; c < 5; ++c) std::memcpy(&ring[c], b.ring[c].lanes + first, sizeof(T));
     RingReport<T> found;
     report_ring<model>(p, call_.circle, call_.tilts, ring, &memory_.balls[group * used_],
                        memory_.reports.data(), found);
-    for (std::size_t i = 0; i < width && group * width + i < call_.count; ++i) {
-      const std::size_t n = group * width + i;
-      get_lane(found, i, call_.points[n].report);
-      for (std::size_t k = 0; k < used_; ++k)
-        get_lane(memory_.reports[k], i, call_.balls[n * used_ + k]);
-    }
+    copy_lanes<width>(b.report, first, found, 0);
+    for (std::size_t k = 0; k < used_; ++k)
+      copy_lanes<width>(call_.balls[block * used_ + k], first, memory_.reports[k], 0);
   }
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

@@ -17,9 +17,9 @@ constexpr std::size_t batch = 128;  // of these at most go through a kernel at a
 
 /// Memory of a thread, kept between calls.
 struct Memory {
-  std::vector<KernelPoint> points;
-  std::vector<std::size_t> index;  // of these, in the call
-  std::vector<BallReport<double>> balls;
+  std::vector<KernelBlock> blocks;
+  std::vector<std::size_t> index;  // of the points in these, in the call
+  std::vector<BallReport<Eight>> balls;
   std::vector<bool> done;
   std::vector<BearingEquilibrium> visited;
 };
@@ -66,11 +66,14 @@ class Chunk {
 
   /// Point i and those after it that are of its kind, as many as make a batch.
   void solve_like(std::size_t first, const Kind& like) {
-    m_.points.clear();
+    m_.blocks.resize(batch / Eight::size);
     m_.index.clear();
     const Bearing* unloaded = nullptr;
     RingPoint<double> ring{};
-    for (std::size_t i = first; i < results_.size() && m_.points.size() < batch; ++i) {
+    const auto place = [&](std::size_t n) {
+      copy_lanes(m_.blocks[n / Eight::size].points, n % Eight::size, ring, 0);
+    };
+    for (std::size_t i = first; i < results_.size() && m_.index.size() < batch; ++i) {
       if (m_.done[i]) continue;
       const auto [bearing, point] = at_(i);
       if (!(point.axial_load > 0.0) || kind(bearing, point) != like) continue;
@@ -78,32 +81,41 @@ class Chunk {
       if (&bearing != unloaded) ring = unloaded_point(bearing, options_);
       unloaded = &bearing;
       set_operating_point(ring, bearing, point, options_);
-      m_.points.emplace_back().point = ring;
+      place(m_.index.size());
       m_.index.push_back(i);
     }
+    const std::size_t count = m_.index.size();
+    for (std::size_t n = count; n % Eight::size != 0; ++n) place(n);
     const auto [bearing, point] = at_(first);
     const BallCircle circle = ball_circle(bearing, point);
     const auto used = static_cast<std::size_t>(circle.used());
-    m_.balls.resize(m_.points.size() * used);
+    m_.balls.resize(m_.blocks.size() * used);
     run({.circle = circle,
-         .model = ball_model(m_.points[0].point, options_.race_control),
+         .model = ball_model(ring, options_.race_control),
          .tilts = options_.tilt == Tilt::free,
          .tolerance = options_.tolerance,
-         .points = m_.points.data(),
-         .count = m_.points.size(),
+         .blocks = m_.blocks.data(),
+         .count = count,
          .balls = m_.balls.data()});
-    for (std::size_t n = 0; n < m_.points.size(); ++n) {
-      const KernelPoint& p = m_.points[n];
-      BearingEquilibrium& result = results_[m_.index[n]];
-      if (p.converged && p.report.recovered_load_error <= largest_load_error) {
-        fill_equilibrium(p.point, circle, p.ring, p.report, &m_.balls[n * used], result);
-        result.report.status = SolveStatus::converged;
-        result.report.iterations = p.steps;
-      } else {
-        const auto [own, its_point] = at_(m_.index[n]);
-        result = solve_bearing_equilibrium(own, its_point, options_);
-      }
+    for (std::size_t n = 0; n < count; ++n) take(n, circle);
+  }
+
+  /// Point n of the batch as its result.
+  void take(std::size_t n, const BallCircle& circle) {
+    const KernelBlock& block = m_.blocks[n / Eight::size];
+    const std::size_t lane = n % Eight::size;
+    BearingEquilibrium& result = results_[m_.index[n]];
+    if (!block.converged[lane] ||
+        !(block.report.recovered_load_error.lanes[lane] <= largest_load_error)) {
+      const auto [bearing, point] = at_(m_.index[n]);
+      result = solve_bearing_equilibrium(bearing, point, options_);
+      return;
     }
+    const auto used = static_cast<std::size_t>(circle.used());
+    fill_equilibrium(block.points.lever, circle, block.ring, block.report,
+                     &m_.balls[n / Eight::size * used], lane, result);
+    result.report.status = SolveStatus::converged;
+    result.report.iterations = block.steps[lane];
   }
 
   void run(const KernelCall& call) const {

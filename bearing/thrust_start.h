@@ -90,32 +90,43 @@ class ThrustStatics {
   T inner_length_ = T(unset), outer_length_ = T(unset);  ///< groove centre to ball centre [m]
 };
 
-/// Newton's method for the same in c = cos αi, in which the radial distance is nearly linear:
+/// Halley's step to the cube root of x: three times the digits.
+template <typename T>
+[[gnu::always_inline]] inline T better_root(const T& root, const T& x) {
+  const T cube = root * root * root;
+  return root * (cube + 2.0 * x) / (2.0 * cube + x);
+}
+
+/// Newton's method for the same in c = cos αi and the orbital speed m:
 ///
-///   d(Lo cos αo + Li c)/dc = Li + Lo (sin αo/sin αi)³ + (2/3) δi c²/sin² αi
+///   E = Lo cos αo + Li c - R = 0,   m = F(c, cos(αi - αo)),   R the radial distance of the grooves
+///   t = cot αo = (Qi c + 1.4 Fc)/P,   ∂t/∂c = 1/sin³ αi,   ∂t/∂m = 2.8 C m/P
+///   d sin αo = -cos αo sin² αo dt,   d cos αo = sin³ αo dt,   dδ = (2/3) (δ/Q) dQ
 ///
-/// (the change of δo left out), the outer angle and the orbital speed following from step to step.
-/// Most loads have it in three or four steps; true in the lanes that do.
+/// (under inner control with the same slopes, which then leave out how the couple changes). The
+/// last step is taken along the slopes, that of sin αi to second order, without another look. Most
+/// loads need two looks; true in the lanes that have it.
 template <RaceControl control, typename T>
 Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, const T& thrust,
                            ThrustStart<T>& start) {
   using std::abs, std::cbrt, std::max, std::min, std::sqrt;
   using M = Mask<T>;
+  constexpr double last_step = 0.01;  // of c and of αo [rad]
   const T one(1.0), zero(0.0), lowest(0.02), highest(0.999);
   const T inner_share = one / c.inner_stiffness, outer_share = one / c.outer_stiffness;
   const T inv_thrust = one / thrust;
+  const T friction = 0.4 * c.gyroscopic;
   T ci = min(free.radial / sqrt(free.axial * free.axial + free.radial * free.radial), highest);
-  T si(0.0), so(0.0), co(1.0), m = 0.5 * (one - c.diameter_ratio * ci);
+  T m = 0.5 * (one - c.diameter_ratio * ci);
   T inner_root(0.0), outer_root(0.0);
   M open(true), found(false);
   start.axial_displacement = zero;
   start.ball_centre = {zero, zero};
   for (int i = 0; i < 6 && any(open); ++i) {
-    si = sqrt(one - ci * ci);
+    const T si = sqrt(one - ci * ci);
     const T inv_si = one / si;
     const T fc = c.full_centrifugal * m * m;
-    const T before = so;
-    T qi, radial;
+    T qi, radial, so, co;
     M possible(true);
     if constexpr (control == RaceControl::inner) {
       // Both races carry the couple; the outer angle as in ThrustStatics.
@@ -131,41 +142,72 @@ Mask<T> quick_thrust_start(const BallConstantsOf<T>& c, const PlaneOf<T>& free, 
     } else {
       qi = thrust * inv_si;
       radial = qi * ci + fc;
-      const T turned = (radial + 0.4 * fc * c.gyroscopic) * inv_thrust;
-      so = one / sqrt(one + turned * turned);
-      co = turned * so;
+      const T cotangent = (radial + friction * fc) * inv_thrust;
+      so = one / sqrt(one + cotangent * cotangent);
+      co = cotangent * so;
     }
-    const T cd = ci * co + si * so;
-    m = cage_speed_ratio(control, ci, co, cd, c.diameter_ratio);
     const T inner = max(qi, zero) * inner_share;
-    const T outer = max(thrust * so + radial * co, zero) * outer_share;
+    const T qo = thrust * so + radial * co;
+    const T outer = max(qo, zero) * outer_share;
     if (i == 0) {
       inner_root = cbrt(inner);
-      outer_root = cbrt(outer);
+      outer_root = better_root(inner_root, outer);
     } else {
-      // Halley's step from the roots of the step before.
-      const T ri = inner_root * inner_root * inner_root;
-      const T ro = outer_root * outer_root * outer_root;
-      inner_root = inner_root * (ri + 2.0 * inner) / (2.0 * ri + inner);
-      outer_root = outer_root * (ro + 2.0 * outer) / (2.0 * ro + outer);
+      inner_root = better_root(inner_root, inner);
     }
-    const T approach = inner_root * inner_root;
-    const T li = c.inner_radius + approach;
-    const T lo = c.outer_radius + outer_root * outer_root;
+    outer_root = better_root(outer_root, outer);
+    const T inner_approach = inner_root * inner_root, outer_approach = outer_root * outer_root;
+    const T li = c.inner_radius + inner_approach, lo = c.outer_radius + outer_approach;
     const T excess = lo * co + li * ci - free.radial;
-    // Two bounds on the same error: of the radial distance and of the outer angle.
-    const M close = possible && abs(excess) < 1e-4 * free.radial && abs(so - before) < T(1e-3);
+
+    // How αo follows c and m, and with it Lo.
+    const T flatter = ci * inv_si, inv_si2 = inv_si * inv_si, so2 = so * so;
+    const T t_c = inv_si2 * inv_si;
+    const T fc_m = 2.0 * c.full_centrifugal * m;
+    const T t_m = (one + friction) * fc_m * inv_thrust;
+    const T co_t = so2 * so, so_t = -co * so2;
+    const T soft = (2.0 / 3.0) * outer_approach / qo;
+    const T lo_t = -soft * co_t * friction * fc;
+    const T lo_c = soft * co * thrust * t_c + lo_t * t_c, lo_m = soft * co * fc_m + lo_t * t_m;
+    const T li_c = (2.0 / 3.0) * inner_approach * ci * inv_si2;
+    const T e_c = li + li_c * ci + lo * co_t * t_c + co * lo_c;
+    const T e_m = lo * co_t * t_m + co * lo_m;
+    // The same of F - m.
+    const T cd = ci * co + si * so, sd = si * co - ci * so;
+    const T inv = one / (one + cd);
+    T ratio, ratio_c, ratio_t;
+    if constexpr (control == RaceControl::inner) {
+      ratio = (cd - c.diameter_ratio * co) * inv;
+      ratio_c = (one - ratio) * inv * sd * inv_si;
+      ratio_t = -inv * so2 * ((one - ratio) * sd + c.diameter_ratio * so);
+    } else {
+      ratio = (one - c.diameter_ratio * ci) * inv;
+      ratio_c = -inv * (c.diameter_ratio + ratio * sd * inv_si);
+      ratio_t = ratio * inv * so2 * sd;
+    }
+    const T behind = ratio - m;
+    const T f_c = ratio_c + ratio_t * t_c, f_m = ratio_t * t_m - one;
+    const T scale = one / (e_c * f_m - e_m * f_c);
+    const T dc = (e_m * behind - excess * f_m) * scale;
+    const T dm = (excess * f_c - e_c * behind) * scale;
+    const T dt = t_c * dc + t_m * dm;
+
+    const M close = possible && abs(dc) < T(last_step) && abs(dt) * so2 < T(last_step);
     const M keep = open && close;
+    const T next_so = so + so_t * dt, next_co = co + co_t * dt;
+    const T next_lo = lo + lo_c * dc + lo_m * dm;
     start.axial_displacement =
-        select(keep, lo * so + li * si - free.axial, start.axial_displacement);
-    start.ball_centre.axial = select(keep, lo * so, start.ball_centre.axial);
-    start.ball_centre.radial = select(keep, lo * co, start.ball_centre.radial);
+        select(keep,
+               next_lo * next_so + (li + li_c * dc) * (si - flatter * dc - 0.5 * t_c * dc * dc) -
+                   free.axial,
+               start.axial_displacement);
+    start.ball_centre.axial = select(keep, next_lo * next_so, start.ball_centre.axial);
+    start.ball_centre.radial = select(keep, next_lo * next_co, start.ball_centre.radial);
     found = found || keep;
-    const T ratio = so * inv_si, flatter = ci * inv_si;
-    const T slope = li + lo * ratio * ratio * ratio + (2.0 / 3.0) * approach * flatter * flatter;
-    const T next = ci - excess / slope;
+    const T next = ci + dc;
     open = open && possible && !close && next > lowest && finite(next);
     ci = min(max(next, lowest), highest);
+    m = m + dm;
   }
   return found;
 }

@@ -7,9 +7,8 @@
 
 namespace raceway::bearing {
 
-void require_between(std::string_view name, double value, double lower, double upper, double unit,
-                     std::string_view unit_name) {
-  if (value >= lower && value <= upper) return;
+void refuse(std::string_view name, double value, double lower, double upper, double unit,
+            std::string_view unit_name) {
   const std::string suffix = unit_name.empty() ? "" : " " + std::string(unit_name);
   std::ostringstream text;
   if (std::isnan(value)) {

@@ -147,6 +147,7 @@ void register_many(const char* name, const OperatingPoint& point,
 }
 
 /// What Newton's method computes for `point`, counted in its own code, per ball and step.
+template <class C>
 limit::Operations operations(const OperatingPoint& point, const EquilibriumOptions& options) {
   using limit::Counted;
   RingPoint<double> ring = unloaded_point(spindle_bearing(), options);
@@ -157,7 +158,7 @@ limit::Operations operations(const OperatingPoint& point, const EquilibriumOptio
                     start))
     throw std::runtime_error("no thrust start");
   RingNewton<Counted> newton;
-  set_lane(newton.point, 0, ring);
+  copy_lanes(newton.point, 0, ring, 0);
   newton.resize(static_cast<std::size_t>(circle.used()));
   for (Counted& q : newton.trial_ring) q = 0.0;
   newton.trial_ring[0] = start.axial_displacement;
@@ -166,7 +167,7 @@ limit::Operations operations(const OperatingPoint& point, const EquilibriumOptio
   const NewtonLimits limits{.tolerance = options.tolerance, .steps = 40};
   // The first step is left out: there all balls are alike, and computed once.
   const auto pass = [&] {
-    return newton.pass<BallModel::outer_control, Coordinates<0, 1, 4>>(circle, limits).converged;
+    return newton.pass<BallModel::outer_control, C>(circle, limits).converged;
   };
   (void)pass();
   Counted::roots = Counted::divisions = Counted::products = Counted::sums = 0;
@@ -178,12 +179,14 @@ limit::Operations operations(const OperatingPoint& point, const EquilibriumOptio
           .fused = std::max(Counted::products, Counted::sums) / balls};
 }
 
-/// The same arithmetic as solve/5dof_20_balls/batch_cold, without dependencies.
-void run_limit(benchmark::State& state, InstructionSet set) {
-  const limit::Operations each = operations(combined, free_tilt);
-  const std::vector<OperatingPoint> points = points_like(combined, 1024);
+/// The same arithmetic as a batch_cold of `point`, without dependencies.
+template <class C>
+void run_limit(benchmark::State& state, const OperatingPoint& point,
+               const EquilibriumOptions& options, InstructionSet set) {
+  const limit::Operations each = operations<C>(point, options);
+  const std::vector<OperatingPoint> points = points_like(point, 1024);
   std::vector<BearingEquilibrium> results(points.size());
-  solve_many(spindle_bearing(), points, results, free_tilt);
+  solve_many(spindle_bearing(), points, results, options);
   long passes = 0;
   double residual = 0.0;
   for (const BearingEquilibrium& e : results) {
@@ -191,7 +194,7 @@ void run_limit(benchmark::State& state, InstructionSet set) {
     residual = std::fmax(residual, e.report.residual);
   }
   const long lanes = set == InstructionSet::avx512 ? 8 : set == InstructionSet::avx2 ? 4 : 2;
-  const long balls = passes * ball_circle(spindle_bearing(), combined).used();
+  const long balls = passes * ball_circle(spindle_bearing(), point).used();
   for (auto _ : state) limit::do_operations(set, each, balls / lanes);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
   state.counters["iterations"] =
@@ -203,11 +206,16 @@ void run_limit(benchmark::State& state, InstructionSet set) {
 }
 
 const bool registered = [] {
-  benchmark::RegisterBenchmark("limit/5dof_20_balls", run_limit, best_instruction_set());
-  for (const InstructionSet set : {InstructionSet::sse2, InstructionSet::avx2})
-    if (available(set))
-      benchmark::RegisterBenchmark(
-          ("limit/5dof_20_balls_" + std::string(bearing::name(set))).c_str(), run_limit, set);
+  for (const InstructionSet set :
+       {best_instruction_set(), InstructionSet::sse2, InstructionSet::avx2}) {
+    if (!available(set)) continue;
+    const std::string suffix =
+        set == best_instruction_set() ? "" : "_" + std::string(bearing::name(set));
+    benchmark::RegisterBenchmark(("limit/5dof_20_balls" + suffix).c_str(),
+                                 run_limit<Coordinates<0, 1, 4>>, combined, free_tilt, set);
+    benchmark::RegisterBenchmark(("limit/thrust" + suffix).c_str(), run_limit<Coordinates<0>>,
+                                 thrust, locked, set);
+  }
   register_many("thrust", thrust, locked);
   register_many("locked_20_balls", combined, locked);
   register_many("5dof_20_balls", combined, free_tilt);
@@ -221,6 +229,54 @@ const bool registered = [] {
                                  combined, free_tilt, Many{.points = 1024, .balls = balls});
   return true;
 }();
+
+enum class Start { cold, neighbour, predicted };
+
+/// b + (b - a), as a start: displacement, outer angles and loads.
+void extrapolate(const BearingEquilibrium& a, const BearingEquilibrium& b, BearingEquilibrium& to) {
+  to = b;
+  to.displacement += b.displacement - a.displacement;
+  const auto balls = to.balls.reset(static_cast<int>(b.balls.size()), Symmetry::mirror);
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    const BallEquilibrium x = a.balls[k], y = b.balls[k];
+    balls[k].outer_contact_angle = 2.0 * y.outer_contact_angle - x.outer_contact_angle;
+    balls[k].outer_load = 2.0 * y.outer_load - x.outer_load;
+  }
+}
+
+/// A row of a table: 100 speeds to 12 000 rpm, one solve at a time.
+void sweep(benchmark::State& state, Start start) {
+  constexpr int speeds = 100;
+  std::vector<BearingEquilibrium> found(speeds);
+  BearingEquilibrium guess;
+  for (auto _ : state) {
+    OperatingPoint p = combined;
+    for (std::size_t i = 0; i < speeds; ++i) {
+      p.speed = 120.0 * static_cast<double>(i + 1) * rpm;
+      if (start == Start::cold || i == 0) {
+        found[i] = solve_bearing_equilibrium(spindle_bearing(), p, free_tilt);
+        continue;
+      }
+      const bool predict = start == Start::predicted && i > 1;
+      if (predict) extrapolate(found[i - 2], found[i - 1], guess);
+      found[i] = solve_bearing_equilibrium(spindle_bearing(), p, free_tilt,
+                                           predict ? guess : found[i - 1]);
+    }
+    benchmark::DoNotOptimize(found.data());
+  }
+  double steps = 0.0, residual = 0.0;
+  for (const BearingEquilibrium& e : found) {
+    if (!e.report.converged()) state.SkipWithError("not converged");
+    steps += e.report.iterations;
+    residual = std::fmax(residual, e.report.residual);
+  }
+  state.SetItemsProcessed(speeds * state.iterations());
+  state.counters["iterations"] = steps / speeds;
+  state.counters["residual"] = residual;
+}
+BENCHMARK_CAPTURE(sweep, cold, Start::cold)->Name("sweep/100_speeds/scalar_cold");
+BENCHMARK_CAPTURE(sweep, neighbour, Start::neighbour)->Name("sweep/100_speeds/scalar_neighbour");
+BENCHMARK_CAPTURE(sweep, predicted, Start::predicted)->Name("sweep/100_speeds/scalar_predicted");
 
 void make_bearing(benchmark::State& state) {
   const Bearing& b = spindle_bearing();
@@ -272,7 +328,7 @@ void displacement_curve(benchmark::State& state, bool warm) {
     load_error = std::max(load_error, e.report.recovered_load_error);
   }
   state.SetItemsProcessed(40 * state.iterations());
-  state.counters["iterations_per_point"] = iterations / 40;
+  state.counters["iterations"] = iterations / 40;
   state.counters["residual"] = residual;
   state.counters["load_error"] = load_error;
 }

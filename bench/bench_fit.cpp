@@ -2,11 +2,14 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
-#include <stdexcept>
+#include <random>
 #include <string>
 #include <variant>
 
+#include "effects/catalogue.h"
+#include "fit/calibrate.h"
 #include "fit/diagnose.h"
+#include "fit/prediction.h"
 #include "fit/response.h"
 #include "io/data_file.h"
 #include "io/model_file.h"
@@ -28,9 +31,35 @@ Rig read_rig() {
   return {std::move(file.model), std::get<fit::DataSet>(std::move(data))};
 }
 
-void diagnose(benchmark::State& state, bool pairs) {
+void add_effect(fit::Model& model, std::string_view id, double size) {
+  model.effects.push_back({effects::find(id), {size}});
+}
+
+/// That rig measured at `rows` random points: what spin friction adds is not in the model, readings
+/// scatter by 1 %.
+Rig measured_rig(std::size_t rows) {
+  Rig rig = read_rig();
+  fit::Model truth = rig.model;
+  add_effect(truth, "spin-friction", 0.06);
+  std::mt19937_64 random(1);
+  const auto between = [&](double lower, double upper) {
+    return lower + (upper - lower) * std::generate_canonical<double, 53>(random);
+  };
+  rig.data.rows.assign(rows, {});
+  for (fit::Row& row : rig.data.rows)
+    row.point = {.speed = between(500, 16000) * rpm,
+                 .axial_load = between(250, 3000),
+                 .temperature = kelvin(between(25, 65))};
+  std::normal_distribution<double> scatter(0.0, 0.01);
+  const auto predicted = fit::predict_rows(truth, rig.data);
+  for (std::size_t i = 0; i < rows; ++i)
+    rig.data.rows[i].measured = predicted[i].reading * (1.0 + scatter(random));
+  rig.data.runs.clear();
+  return rig;
+}
+
+void diagnose(benchmark::State& state, const Rig& rig, bool pairs) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
-  const Rig rig = read_rig();
   fit::DiagnoseOptions options;
   options.pairs = pairs;
   for (auto _ : state) {
@@ -40,10 +69,28 @@ void diagnose(benchmark::State& state, bool pairs) {
   state.SetItemsProcessed(state.iterations());
   state.counters["rows"] = static_cast<double>(rig.data.rows.size());
 }
-BENCHMARK_CAPTURE(diagnose, pairs, true)->Name("diagnose/120_rows")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(diagnose, singles, false)
-    ->Name("diagnose/120_rows_singles")
-    ->Unit(benchmark::kMillisecond);
+
+/// f0, z and the spin friction coefficient; `offset` frees an error of the load as well, which
+/// moves the balance of every row.
+void calibrate(benchmark::State& state, std::size_t rows, bool offset, std::size_t threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  Rig rig = measured_rig(rows);
+  add_effect(rig.model, "spin-friction", 0.03);
+  rig.model.free.push_back("spin-friction.friction_coefficient");
+  if (offset) {
+    add_effect(rig.model, "load-offset", 1.0);
+    rig.model.free.push_back("load-offset.force_N");
+  }
+  int steps = 0;
+  for (auto _ : state) {
+    const fit::Calibration c = fit::calibrate(rig.model, rig.data);
+    if (!c.converged()) state.SkipWithError("not converged");
+    steps = c.iterations;
+  }
+  state.SetItemsProcessed(state.iterations());
+  state.counters["rows"] = static_cast<double>(rows);
+  state.counters["iterations"] = steps;
+}
 
 /// One evaluation of 120 rows of measured displacement, at four preloads, with a parameter that
 /// moves every balance: what a fit does some thirty times.
@@ -67,8 +114,31 @@ void displacement_response(benchmark::State& state) {
   if (!std::isfinite(sum)) state.SkipWithError("a row has no balance");
   state.counters["rows"] = static_cast<double>(data.rows.size());
 }
-BENCHMARK(displacement_response)
-    ->Name("displacement_response/120_rows")
-    ->Unit(benchmark::kMicrosecond);
+
+std::string rows_name(std::size_t rows) {
+  return rows == 100000 ? "100k_rows" : std::to_string(rows) + "_rows";
+}
+
+const bool registered = [] {
+  const auto add = [](const std::string& name, auto run) {
+    benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
+  };
+  for (const bool pairs : {true, false})
+    add(pairs ? "diagnose/120_rows" : "diagnose/120_rows_singles",
+        [=](benchmark::State& state) { diagnose(state, read_rig(), pairs); });
+  for (const std::size_t rows : {1000, 10000, 100000})
+    add("diagnose/" + rows_name(rows),
+        [=](benchmark::State& state) { diagnose(state, measured_rig(rows), true); });
+  for (const std::size_t rows : {120, 1000, 10000, 100000}) {
+    const std::string name = "calibrate/" + rows_name(rows);
+    add(name, [=](benchmark::State& state) { calibrate(state, rows, false, 1); });
+    add(name + "_moved", [=](benchmark::State& state) { calibrate(state, rows, true, 1); });
+  }
+  add("calibrate/100k_rows_moved_2_threads",
+      [](benchmark::State& state) { calibrate(state, 100000, true, 2); });
+  benchmark::RegisterBenchmark("displacement_response/120_rows", displacement_response)
+      ->Unit(benchmark::kMicrosecond);
+  return true;
+}();
 
 }  // namespace

@@ -30,9 +30,12 @@ using namespace raceway;
 using bearing::RaceControl;
 using bearing::SolveStatus;
 
+constexpr int one_run = 40;  // most steps of one run of Newton's method
+
 struct Tally {
   std::array<long, 6> status{};
   long iterations = 0, in_eight = 0;
+  long in_one_run = 0, iterations_of_one_run = 0;  ///< neither path nor search was needed
   int most = 0;
   double worst_load_error = 0.0;
   std::vector<std::uint64_t> without;  ///< indices that ended in no_equilibrium
@@ -43,6 +46,10 @@ struct Tally {
     if (!report.converged()) return;
     iterations += report.iterations;
     in_eight += report.iterations <= 8;
+    if (report.iterations <= one_run) {
+      ++in_one_run;
+      iterations_of_one_run += report.iterations;
+    }
     most = std::max(most, report.iterations);
     worst_load_error = std::max(worst_load_error, report.recovered_load_error);
   }
@@ -192,6 +199,9 @@ void report(const char* control, const char* mode, const Tally& t, const ScanRes
   fmt::print("  Newton steps: {:.2f} on average, {:.1f} % within 8, at most {}\n",
              static_cast<double>(t.iterations) / static_cast<double>(converged),
              100.0 * static_cast<double>(t.in_eight) / static_cast<double>(converged), t.most);
+  fmt::print("  in one run, without path or search: {:.1f} %, {:.2f} steps on average\n",
+             100.0 * static_cast<double>(t.in_one_run) / static_cast<double>(converged),
+             static_cast<double>(t.iterations_of_one_run) / static_cast<double>(t.in_one_run));
   fmt::print("  loads recovered to {:.1e} at worst\n", t.worst_load_error);
   if (scan.scanned == 0) return;
   // The scanned share stands for all points without equilibrium.

@@ -143,7 +143,7 @@ void fill_line(const fit::Model& model, std::span<const bearing::OperatingPoint>
     if (!p.equilibrium || !p.equilibrium->report.converged()) continue;
     // NaN of lost balls must not spread: fmin and fmax pass over it.
     double inner_min = unset, inner_max = unset, outer_min = unset, outer_max = unset;
-    for (const bearing::BallEquilibrium& b : p.equilibrium->balls) {
+    for (const bearing::BallEquilibrium& b : p.equilibrium->balls.distinct()) {
       inner_min = std::fmin(inner_min, b.inner_contact_angle);
       inner_max = std::fmax(inner_max, b.inner_contact_angle);
       outer_min = std::fmin(outer_min, b.outer_contact_angle);

@@ -27,35 +27,29 @@ template <typename Value>
 double sum_over_contacts(const friction::BearingState<double>& s, const Value& value) {
   if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) return unset;
   const bearing::BearingGeometry& g = s.bearing->geometry();
-  const bearing::BallEquilibrium* last = nullptr;
-  double sum = 0.0, one = 0.0;
-  for (std::size_t k = 0; k < s.equilibrium->balls.size(); ++k) {
-    const bearing::BallEquilibrium& ball = s.equilibrium->balls[k];
-    // Under pure thrust all balls are alike; their trigonometry is done once.
-    const bool same = last != nullptr && ball.inner_load == last->inner_load &&
-                      ball.outer_load == last->outer_load &&
-                      ball.inner_contact_angle == last->inner_contact_angle &&
-                      ball.outer_contact_angle == last->outer_contact_angle;
-    if (!same) {
-      const bearing::BallSpeeds v = s.equilibrium->speeds(k, *s.bearing, 1.0, s.race_control);
-      one = 0.0;
-      if (ball.inner_load > 0.0)
-        one += value(RollingContact{
-            .hertz = s.bearing->contact(bearing::Race::inner),
-            .load = ball.inner_load,
-            .conformity = g.inner_conformity,
-            .rolling_ratio = v.ball_speed * std::cos(ball.inner_contact_angle - v.pitch_angle) +
-                             (1.0 - v.cage_speed) * std::cos(ball.inner_contact_angle)});
-      if (ball.outer_load > 0.0)
-        one += value(RollingContact{
-            .hertz = s.bearing->contact(bearing::Race::outer),
-            .load = ball.outer_load,
-            .conformity = g.outer_conformity,
-            .rolling_ratio = v.ball_speed * std::cos(ball.outer_contact_angle - v.pitch_angle) -
-                             v.cage_speed * std::cos(ball.outer_contact_angle)});
-      last = &ball;
-    }
-    sum += one;
+  const bearing::Balls& balls = s.equilibrium->balls;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
+    const bearing::BallEquilibrium& ball = balls.distinct()[k];
+    const bearing::BallSpeeds v = s.equilibrium->speeds(k, *s.bearing, 1.0, s.race_control);
+    if (ball.inner_load > 0.0)
+      sum +=
+          balls.weight(k) *
+          value(RollingContact{
+              .hertz = s.bearing->contact(bearing::Race::inner),
+              .load = ball.inner_load,
+              .conformity = g.inner_conformity,
+              .rolling_ratio = v.ball_speed * std::cos(ball.inner_contact_angle - v.pitch_angle) +
+                               (1.0 - v.cage_speed) * std::cos(ball.inner_contact_angle)});
+    if (ball.outer_load > 0.0)
+      sum +=
+          balls.weight(k) *
+          value(RollingContact{
+              .hertz = s.bearing->contact(bearing::Race::outer),
+              .load = ball.outer_load,
+              .conformity = g.outer_conformity,
+              .rolling_ratio = v.ball_speed * std::cos(ball.outer_contact_angle - v.pitch_angle) -
+                               v.cage_speed * std::cos(ball.outer_contact_angle)});
   }
   return sum;
 }

@@ -40,7 +40,8 @@ struct GyroscopicSlip {
     const bearing::BearingEquilibrium* const e = in.state.equilibrium;
     if (e == nullptr || !e->report.converged()) return unset;
     double sum = 0.0;
-    for (const bearing::BallEquilibrium& ball : e->balls) sum += ball.gyroscopic_moment;
+    for (std::size_t k = 0; k < e->balls.distinct().size(); ++k)
+      sum += e->balls.weight(k) * e->balls.distinct()[k].gyroscopic_moment;
     return sum;
   }
 };

@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -22,6 +23,7 @@ namespace {
 constexpr double dependent = 1e-6;  // share of a unit column that others leave; below, it is theirs
 constexpr double difference_step = 1e-5;  // of the size of a parameter
 constexpr double shaft_step = 1e-4;       // the same, where balances of sets are differenced
+constexpr std::size_t chunk = 64;         // rows that a thread takes
 constexpr double bound_tolerance = 1e-7;  // of the scale of a parameter
 
 /// A typical size of a parameter, so that the optimiser works with numbers of order one.
@@ -55,8 +57,9 @@ class Residuals {
       if (model.shaft) {
         shaft_rows.push_back(row);
       } else {
-        predictors_.emplace_back(model, steps_, row.point, record_of(row));
-        (void)predictors_.back().predict(model, steps_, predictions[i].equilibrium.get());
+        const bool as_entered = predictions[i].condition == effects::Condition{};
+        predictors_.emplace_back(model, steps_, row.point, record_of(row),
+                                 as_entered ? predictions[i].equilibrium : nullptr);
       }
       measured_.push_back(row.measured);
       stds_.push_back(row.std);
@@ -145,8 +148,18 @@ class Residuals {
   [[nodiscard]] Eigen::VectorXd predicted(const Model& model) const {
     if (model.shaft) return displaced(model);
     Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
-    for (std::size_t i = 0; i < rows(); ++i)
-      readings[static_cast<Eigen::Index>(i)] = predictors_[i].predict(model, steps_);
+    predict_all(model, steps_, predictors_, std::span(readings.data(), rows()));
+    return readings;
+  }
+
+  /// `reading` of each row, shared among threads; rows do not see each other.
+  template <typename Reading>
+  [[nodiscard]] Eigen::VectorXd of_rows(const Reading& reading) const {
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
+    tbb::parallel_for(std::size_t{0}, (rows() + chunk - 1) / chunk, [&](std::size_t c) {
+      for (std::size_t i = c * chunk; i < std::min(rows(), (c + 1) * chunk); ++i)
+        readings[static_cast<Eigen::Index>(i)] = reading(predictors_[i]);
+    });
     return readings;
   }
 
@@ -167,10 +180,7 @@ class Residuals {
     const auto at = [&](double value) {
       p.set(model, value);
       if (model.shaft) return displaced(model);
-      Eigen::VectorXd result(readings.size());
-      for (std::size_t i = 0; i < rows(); ++i)
-        result[static_cast<Eigen::Index>(i)] = predictors_[i].vary(model, steps_, stage);
-      return result;
+      return of_rows([&](const RowPredictor& row) { return row.vary(model, steps_, stage); });
     };
     if (centre - step < p.lower)
       return (4.0 * at(centre + step) - at(centre + 2.0 * step) - 3.0 * readings) / (2.0 * step);

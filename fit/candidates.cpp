@@ -111,7 +111,7 @@ Response response_with(const Problem& problem, std::span<const Candidate* const>
       scale.push_back(c->parameters[k].scale);
     }
   }
-  Response response = model_response(model, problem.data, names);
+  Response response = model_response(model, problem.data, names, problem.balances);
   for (std::size_t k = 0; k < scale.size(); ++k)
     response.parameters[problem.base.size() + k].scale = scale[k];
   return response;

@@ -39,6 +39,7 @@ struct Problem {
   std::vector<std::string> base{};        ///< free parameters of the model
   std::vector<Candidate> candidates{};    ///< by id, so that their order does not matter
   Eigen::VectorXd measured{};
+  std::vector<Balance> balances{};  ///< of the rows as entered; empty where nobody solved them
 };
 
 /// Readings of the problem's model with some candidates switched on: base parameters first, then

@@ -540,18 +540,23 @@ class Investigation {
     return true;
   }
 
+  [[nodiscard]] std::vector<BaseShift> base_shifts(const Explanation& e) const {
+    std::vector<BaseShift> list;
+    for (std::size_t k = 0; k < problem_.base.size(); ++k)
+      list.push_back({.name = problem_.base[k],
+                      .unit = evidence_.response.parameters[k].unit,
+                      .before = evidence_.base.values[static_cast<Eigen::Index>(k)],
+                      .after = e.fit.values[static_cast<Eigen::Index>(k)],
+                      .std = e.fit.standard_errors[static_cast<Eigen::Index>(k)]});
+    return list;
+  }
+
   /// Effects of the verdict first, the best set leading, then the others by rank.
   void fill(const std::vector<const Explanation*>& set, const Explanation& best) {
     if (!set.empty()) {
       result_.rmse_after = rms(problem_.measured - best.fit.prediction);
       result_.remaining_p_value = best.rechecked ? best.recheck.p_value() : unset;
-      for (std::size_t k = 0; k < problem_.base.size(); ++k)
-        result_.base_shifts.push_back(
-            {.name = problem_.base[k],
-             .unit = evidence_.response.parameters[k].unit,
-             .before = evidence_.base.values[static_cast<Eigen::Index>(k)],
-             .after = best.fit.values[static_cast<Eigen::Index>(k)],
-             .std = best.fit.standard_errors[static_cast<Eigen::Index>(k)]});
+      result_.base_shifts = base_shifts(best);
       for (std::size_t k = 0; k < best.parameters.size(); ++k)
         if (best.fit.at_bound[k] && k < problem_.base.size())
           result_.messages.push_back(best.parameters[k].name + " ends at a bound");
@@ -610,6 +615,7 @@ class Investigation {
     effect.rmse = rms(problem_.measured - e.fit.prediction);
     if (validate) effect.rmse_cross_validated = cross_validated(e);
     effect.parameters = sizes(e, member);
+    effect.base_shifts = base_shifts(e);
     if (e.rechecked) effect.remaining_p_value = e.recheck.p_value();
     for (const auto& group : result_.aliases)
       if (std::find(group.begin(), group.end(), effect.id) != group.end())

@@ -44,6 +44,13 @@ struct EffectSize {
   bool at_bound = false;
 };
 
+/// A base parameter before and after an effect, or those of the verdict, was on.
+struct BaseShift {
+  std::string name;
+  std::string unit;
+  double before = unset, after = unset, std = unset;
+};
+
 /// How one effect explains the data, all base parameters refitted with it.
 struct RankedEffect {
   std::string id;
@@ -54,6 +61,7 @@ struct RankedEffect {
   double rmse = unset;                  ///< [N m] or [m]
   double rmse_cross_validated = unset;  ///< over blocks that the fit did not see [N m] or [m]
   std::vector<EffectSize> parameters{};
+  std::vector<BaseShift> base_shifts{};  ///< what the base parameters had been hiding of it
   std::vector<std::string> indistinguishable_from{};  ///< ids; names of base parameters
   double remaining_p_value = unset;  ///< of the gate with this effect on; NaN where not asked
 };
@@ -81,13 +89,6 @@ struct Shape {
   std::string statement;           ///< where it is strongest, and its sign
   double explained_share = unset;  ///< of the squared misfit beyond the noise [1]
   double gain = unset;             ///< fall of -2 ln L against the model without it
-};
-
-/// A base parameter before and after the effects of the verdict were on.
-struct BaseShift {
-  std::string name;
-  std::string unit;
-  double before = unset, after = unset, std = unset;
 };
 
 struct Diagnosis {

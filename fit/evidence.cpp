@@ -128,6 +128,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   for (Eigen::Index i = 0; i < rows; ++i)
     problem.measured[i] = problem.data.rows[static_cast<std::size_t>(i)].measured;
   problem.candidates = make_candidates(model, candidates);
+  if (std::any_of(problem.candidates.begin(), problem.candidates.end(),
+                  [](const Candidate& c) { return c.description->needs_equilibrium; }))
+    problem.balances = entered_balances(model, problem.data);
 
   // A first fit with the noise that rigs have, for a smooth size of each reading.
   evidence.response = response_with(problem, {});

@@ -86,6 +86,7 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
   }
   mean.time = time;
   planned.data.rows.clear();
+  planned.balances.clear();
   const std::vector<double> preloads = preload_levels(problem, preload.low, preload.high);
   for (const double n : grid(speed.low, speed.high, 7))
     for (const double f : grid(axial.low, axial.high, 5))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "fit/data_set.h"
@@ -31,19 +32,22 @@ namespace raceway::fit {
 [[nodiscard]] Eigen::MatrixXd project_off(const Eigen::MatrixXd& tangent,
                                           const Eigen::MatrixXd& columns);
 
-/// Standard normal numbers for the null distribution of the largest score: drawn once, so that all
-/// gates of a diagnosis are held against the same draws.
+/// Standard normal numbers for the null distribution of the largest score, drawn when first needed:
+/// the same for all gates of a diagnosis, and for all diagnoses with as many scores.
 class NullDraws {
  public:
-  explicit NullDraws(Eigen::Index scores, int draws = 10000);
+  explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
   /// Share of draws of N(0, C) whose largest score (over a χ scale) reaches `observed`.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
                                double observed) const;
 
  private:
-  Eigen::MatrixXd normal_;  // draws x scores
-  Eigen::VectorXd uniform_;
+  struct Normals;
+  [[nodiscard]] static std::shared_ptr<const Normals> draw(Eigen::Index scores, int draws);
+  Eigen::Index scores_;
+  int draws_;
+  mutable std::shared_ptr<const Normals> normals_;
 };
 
 /// Is anything missing? A surface F test and the largest score of a catalogue.

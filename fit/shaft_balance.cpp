@@ -52,6 +52,14 @@ bool change_bearings(const std::vector<Condition>& conditions, ArrangementDesign
   return true;
 }
 
+/// One bearing of the sets without balls in balance, as base laws look at it.
+friction::BearingState<double> entered_state(const Model& model, const bearing::Bearing& bearing,
+                                             const bearing::OperatingPoint& point) {
+  friction::BearingState<double> state = bearing_state(model, point, nullptr);
+  state.bearing = &bearing;
+  return state;
+}
+
 }  // namespace
 
 bool ShaftBalance::mount(const Model& model, const Steps& steps) {
@@ -67,7 +75,8 @@ bool ShaftBalance::mount(const Model& model, const Steps& steps) {
   std::vector<Condition> mounted;
   mounted.reserve(entered.bearings().size());
   for (const MountedBearing& m : entered.bearings())
-    mounted.push_back(condition_of(model, steps, *m.bearing, rest, record));
+    mounted.push_back(
+        condition_of(model, steps, entered_state(model, *m.bearing, rest), rest, record));
   if (version_ > 0 && design == entered_ && mounted == at_rest_) return arrangement_.has_value();
 
   ++version_;
@@ -107,7 +116,8 @@ bool ShaftBalance::find_condition(const Model& model, const Steps& steps,
       bearing::OperatingPoint alone = point;
       alone.axial_load =
           arrangement_->preload() / static_cast<double>(i < front ? front : count - front);
-      condition.bearings[i] = condition_of(model, steps, *bearings[i].bearing, alone, record);
+      condition.bearings[i] = condition_of(
+          model, steps, entered_state(model, *bearings[i].bearing, alone), alone, record);
     }
     if (!condition.bearings[i].finite()) return false;
     sets.shifts[i].radial += condition.bearings[i].radial_growth - at_rest_[i].radial_growth;

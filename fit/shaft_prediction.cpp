@@ -95,7 +95,7 @@ class ShaftModels {
     const bearing::OperatingPoint alone{
         .speed = point.speed, .axial_load = b.axial_load, .temperature = point.temperature};
     friction_.equilibrium = friction_.needs_balls || !b.lost();
-    RowPredictor bearing(models_[i], friction_, alone, record_, condition_.bearings[i]);
+    RowPredictor bearing(models_[i], friction_, alone, record_, nullptr, condition_.bearings[i]);
     (void)bearing.predict(models_[i], friction_);
     p.friction.push_back(bearing.prediction(models_[i]));
     const FrictionPrediction& friction = p.friction.back();

@@ -49,19 +49,21 @@ struct HeatSplit {
   if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) return {};
   const bearing::BearingGeometry& g = s.bearing->geometry();
   ContactPair by_load, by_path;
-  for (std::size_t k = 0; k < s.equilibrium->balls.size(); ++k) {
-    const bearing::BallEquilibrium& ball = s.equilibrium->balls[k];
+  const bearing::Balls& balls = s.equilibrium->balls;
+  for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
+    const bearing::BallEquilibrium& ball = balls.distinct()[k];
+    const double weight = balls.weight(k);
     if (!(ball.outer_load > 0.0)) continue;
     const double cage = s.equilibrium->speeds(k, *s.bearing, 1.0, s.race_control).cage_speed;
     const double outer_speed =
         cage * (g.pitch_diameter + g.ball_diameter * std::cos(ball.outer_contact_angle));
-    by_load.outer += ball.outer_load * outer_speed;
-    by_path.outer += outer_speed;
+    by_load.outer += weight * ball.outer_load * outer_speed;
+    by_path.outer += weight * outer_speed;
     if (!(ball.inner_load > 0.0)) continue;
     const double inner_speed =
         (1.0 - cage) * (g.pitch_diameter - g.ball_diameter * std::cos(ball.inner_contact_angle));
-    by_load.inner += ball.inner_load * inner_speed;
-    by_path.inner += inner_speed;
+    by_load.inner += weight * ball.inner_load * inner_speed;
+    by_path.inner += weight * inner_speed;
   }
   // Without a loaded ball there is nothing to weigh with; what turns in the lubricant is halved.
   const auto inner_share = [](const ContactPair& w) {

@@ -49,42 +49,24 @@ struct ContactPair {
                                                     const bearing::BearingEquilibrium& equilibrium,
                                                     bearing::RaceControl race_control) {
   if (!equilibrium.report.converged()) return {unset, unset};
-  const auto& balls = equilibrium.balls;
-  const auto alike = [](const bearing::BallEquilibrium& a, const bearing::BallEquilibrium& b) {
-    return a.inner_load == b.inner_load && a.outer_load == b.outer_load &&
-           a.inner_contact_angle == b.inner_contact_angle &&
-           a.outer_contact_angle == b.outer_contact_angle;
-  };
   const bearing::HertzContact& inner = bearing.contact(bearing::Race::inner);
   const bearing::HertzContact& outer = bearing.contact(bearing::Race::outer);
   // M_s = M_s(1 N) Q^(4/3), as a grows with the cube root of the load.
   const double inner_unit = unit_spin_moment(inner, 1.0), outer_unit = unit_spin_moment(outer, 1.0);
   const auto moment = [](double unit, double load) { return unit * load * std::cbrt(load); };
-  const std::size_t z = balls.size();
-  std::size_t last = z;  // the ball that `one` is of
-  ContactPair sum, one;
-  for (std::size_t k = 0; k < z; ++k) {
-    const bearing::BallEquilibrium& ball = balls[k];
+  const bearing::Balls& balls = equilibrium.balls;
+  ContactPair sum;
+  for (std::size_t i = 0; i < balls.distinct().size(); ++i) {
+    const bearing::BallEquilibrium& ball = balls.distinct()[i];
     // A ball off the inner race is under outer control: neither contact spins.
     if (!(ball.inner_load > 0.0)) continue;
-    // A mirrored load has two of most balls, counted where the first of them is.
-    const std::size_t twin = k == 0 ? 0 : z - k;
-    if (twin < k && alike(ball, balls[twin])) continue;
-    // Under pure thrust all balls are alike; their trigonometry is done once.
-    if (last == z || !alike(ball, balls[last])) {
-      const bearing::BallRotation r =
-          bearing::ball_rotation(race_control, ball.inner_contact_angle, ball.outer_contact_angle,
-                                 bearing.geometry().diameter_ratio(), 1.0);
-      one = {};
-      if (race_control == bearing::RaceControl::outer)
-        one.inner = moment(inner_unit, ball.inner_load) * r.inner_spin_speed;
-      else
-        one.outer = moment(outer_unit, ball.outer_load) * r.outer_spin_speed;
-      last = k;
-    }
-    const double times = twin > k && alike(ball, balls[twin]) ? 2.0 : 1.0;
-    sum.inner += times * one.inner;
-    sum.outer += times * one.outer;
+    const bearing::BallRotation r =
+        bearing::ball_rotation(race_control, ball.inner_contact_angle, ball.outer_contact_angle,
+                               bearing.geometry().diameter_ratio(), 1.0);
+    if (race_control == bearing::RaceControl::outer)
+      sum.inner += balls.weight(i) * moment(inner_unit, ball.inner_load) * r.inner_spin_speed;
+    else
+      sum.outer += balls.weight(i) * moment(outer_unit, ball.outer_load) * r.outer_spin_speed;
   }
   return sum;
 }

@@ -30,6 +30,14 @@ json parameters_json(const std::vector<fit::EffectSize>& sizes) {
   return parameters;
 }
 
+json base_json(const std::vector<fit::BaseShift>& shifts) {
+  json parameters = json::object();
+  for (const fit::BaseShift& b : shifts)
+    parameters[b.name] = {
+        {"before", b.before}, {"after", b.after}, {"std", b.std}, {"unit", b.unit}};
+  return parameters;
+}
+
 json hold_out_json(const std::vector<fit::HoldOut>& hold_out, double unit) {
   json list = json::array();
   for (const fit::HoldOut& h : hold_out)
@@ -56,6 +64,7 @@ std::string diagnosis_json(const std::string& model_file, const fit::DataSet& da
                        {"rmse", e.rmse / unit},
                        {"rmse_cross_validated", e.rmse_cross_validated / unit},
                        {"parameters", parameters_json(e.parameters)},
+                       {"base_parameters", base_json(e.base_shifts)},
                        {"indistinguishable_from", e.indistinguishable_from}});
   json detectable = json::array();
   for (const fit::DetectableSize& s : d.would_have_been_found)
@@ -80,9 +89,6 @@ std::string diagnosis_json(const std::string& model_file, const fit::DataSet& da
          {"repeats", m.repeats},
          {"separates", m.separates},
          {"difference_in_sigma", m.difference_in_sigma}});
-  json shifts = json::object();
-  for (const fit::BaseShift& b : d.base_shifts)
-    shifts[b.name] = {{"before", b.before}, {"after", b.after}, {"std", b.std}, {"unit", b.unit}};
   json document = {{"model", model_file},
                    {"data", data.source},
                    {"verdict", fit::name(d.verdict)},
@@ -104,7 +110,7 @@ std::string diagnosis_json(const std::string& model_file, const fit::DataSet& da
                    {"baseline", comparison(model_file, d.baseline, data)},
                    {"effects", effects},
                    {"explanations", d.sets},
-                   {"base_parameters", shifts},
+                   {"base_parameters", base_json(d.base_shifts)},
                    {"hold_out", hold_out_json(d.hold_out, unit)},
                    {"aliases", d.aliases},
                    {"would_have_been_found", detectable},

@@ -264,9 +264,6 @@ TEST_F(Displacement, WrongUseIsRefused) {
                            model_text + "\n[rig]\naxial_load_N = 0\n"),
                    "which needs a model with an [arrangement]");
   }
-  const std::string page = scratch_.file("page.html");
-  expect_refused(raceway("compare", scratch_.write("u.csv", curve_text) + " --report " + page),
-                 "--report shows friction torque alone");
   expect_refused(raceway("solve", "--speed 0 --radial-load 50"),
                  "a shaft takes --axial-load alone");
   expect_refused(raceway("table", "--speed 0 --radial-load 50"),

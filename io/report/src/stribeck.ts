@@ -137,7 +137,7 @@ export function tableFigures(report: TableReport): Figure[] {
       option: (l, width) => {
         const slice = slices()[chosen.axial] as Slice;
         const names = parts.map((name) => quantity(name).label);
-        const top = legend(names, width, l);
+        const top = legend(names, width, l, parts.map((_, k) => symbols[k % symbols.length]));
         return {
           legend: top.option,
           grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
@@ -148,8 +148,8 @@ export function tableFigures(report: TableReport): Figure[] {
             type: 'line',
             name: names[k],
             stack: 'torque',
-            symbol: 'circle',
-            symbolSize: 4,
+            symbol: symbols[k % symbols.length],
+            symbolSize: 6,
             color: l.kinds[k % l.kinds.length],
             lineStyle: { width: 1.5, type: dashes[k % dashes.length] },
             areaStyle: { opacity: 0.35 },
@@ -172,7 +172,7 @@ export function tableFigures(report: TableReport): Figure[] {
           const curves = shown();
           const names = curves.map((c) => `${plain(c.axial)} N`);
           const colours = ordered(curves.length, l);
-          const top = legend(names, width, l);
+          const top = legend(names, width, l, curves.map((_, k) => symbols[k % symbols.length]));
           return {
             legend: top.option,
             grid: { left: 56, right: 20, top: top.height + 28, bottom: 46 },
@@ -186,8 +186,8 @@ export function tableFigures(report: TableReport): Figure[] {
               angles.map((name) => ({
                 type: 'line',
                 name: names[k],
-                symbol: 'circle',
-                symbolSize: 3,
+                symbol: symbols[k % symbols.length],
+                symbolSize: 6,
                 color: colours[k],
                 lineStyle: { width: 1.6, type: name.startsWith('inner') ? 'solid' : 'dashed' },
                 data: c.rows.map((row) => [rows.at('speed_rpm', row), rows.at(name, row), row, name.startsWith('inner') ? 'inner' : 'outer']),
@@ -217,6 +217,7 @@ function around(states: BearingState[]): Figure {
     title: 'Around the bearing',
     note: `At ${withUnit((states[0] as BearingState).temperature_C, 'temperature_C')}. 0° is the direction of the radial load; a ball that has lost the inner race has no inner angle.`,
     height: 420,
+    onPaper: 1,
     controls: [
       choice('Show', ballColumns.map((c) => axisTitle(c)), 0, (k) => ((column = k), figure.draw())),
       choice('Load', loads, load, (k) => ((load = k), figure.draw())),

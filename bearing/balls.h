@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "bearing/units.h"
+
+namespace raceway::bearing {
+
+/// Which balls a load leaves alike, and so which ring coordinates it needs.
+enum class Symmetry {
+  thrust,  ///< all balls alike: one ball, x
+  mirror,  ///< load in the x-y plane, ball k like ball Z - k: half the balls, x, y (and θz)
+  none     ///< all balls, x, y, z (and θy, θz)
+};
+
+/// Balls of `count` that are not like another one: the first ones of the circle.
+[[nodiscard, gnu::always_inline]] constexpr int distinct_balls(Symmetry symmetry, int count) {
+  return symmetry == Symmetry::thrust ? 1 : symmetry == Symmetry::mirror ? count / 2 + 1 : count;
+}
+
+/// How many balls of the bearing distinct ball k stands for [1].
+[[nodiscard, gnu::always_inline]] constexpr double weight_of_ball(Symmetry symmetry, int count,
+                                                                  int k) {
+  if (symmetry == Symmetry::none) return 1.0;
+  if (symmetry == Symmetry::thrust) return count;
+  return k == 0 || 2 * k == count ? 1.0 : 2.0;
+}
+
+/// ψ of ball k from +y towards +z [rad].
+[[nodiscard]] constexpr double azimuth_of_ball(int k, int count) { return 2.0 * pi * k / count; }
+
+/// One ball in balance.
+struct BallEquilibrium {
+  double azimuth = unset;              ///< ψ from +y towards +z [rad]
+  double inner_contact_angle = unset;  ///< αi [rad]; NaN where the ball has lost the inner race
+  double outer_contact_angle = unset;  ///< αo [rad]; NaN where the ball is loose (only at rest)
+  double inner_load = unset;           ///< Qi [N]
+  double outer_load = unset;           ///< Qo [N]
+  double inner_friction = unset;       ///< Ti that carries the gyroscopic moment [N]
+  double outer_friction = unset;       ///< To [N]
+  double centrifugal_force = unset;    ///< Fc [N]
+  double gyroscopic_moment = unset;    ///< M_g [N m]
+};
+
+/// All balls of a bearing in balance, ball k at azimuth 2 π k/Z. Balls that the load leaves alike
+/// are kept once: `distinct()` with `weight()` are enough for a sum over all.
+class Balls {
+ public:
+  Balls() = default;
+
+  /// Room for the distinct balls of `count`, to be filled by the solver.
+  std::span<BallEquilibrium> reset(int count, Symmetry symmetry) {
+    count_ = count;
+    symmetry_ = symmetry;
+    distinct_.resize(static_cast<std::size_t>(distinct_balls(symmetry, count)));
+    return distinct_;
+  }
+
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(count_); }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+
+  [[nodiscard]] BallEquilibrium operator[](std::size_t k) const {
+    const std::size_t twin = symmetry_ == Symmetry::thrust                     ? 0
+                             : symmetry_ == Symmetry::mirror && 2 * k > size() ? size() - k
+                                                                               : k;
+    BallEquilibrium ball = distinct_[twin];
+    ball.azimuth = azimuth_of_ball(static_cast<int>(k), count_);
+    return ball;
+  }
+  [[nodiscard]] BallEquilibrium at(std::size_t k) const {
+    if (k >= size()) throw std::out_of_range("the bearing has no such ball");
+    return (*this)[k];
+  }
+
+  /// The first of those that are alike, by azimuth.
+  [[nodiscard]] std::span<const BallEquilibrium> distinct() const { return distinct_; }
+  /// How many balls of the bearing distinct ball i stands for [1].
+  [[nodiscard]] double weight(std::size_t i) const {
+    return weight_of_ball(symmetry_, count_, static_cast<int>(i));
+  }
+
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = BallEquilibrium;
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = BallEquilibrium;
+
+    Iterator(const Balls& balls, std::size_t k) : balls_(&balls), k_(k) {}
+    BallEquilibrium operator*() const { return (*balls_)[k_]; }
+    Iterator& operator++() {
+      ++k_;
+      return *this;
+    }
+    Iterator operator++(int) { return {*balls_, k_++}; }
+    bool operator==(const Iterator& other) const { return k_ == other.k_; }
+
+   private:
+    const Balls* balls_;
+    std::size_t k_;
+  };
+  [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+  [[nodiscard]] Iterator end() const { return {*this, size()}; }
+
+ private:
+  std::vector<BallEquilibrium> distinct_;
+  int count_ = 0;
+  Symmetry symmetry_ = Symmetry::none;
+};
+
+}  // namespace raceway::bearing
