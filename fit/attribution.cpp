@@ -14,6 +14,7 @@ constexpr std::size_t most_pairs = 40;     // refitted
 constexpr double pair_reach = 30.0;        // of -2 ln L below the best linearised pair
 constexpr double pair_reach_share = 0.15;  // of its gain, where that is more
 constexpr double exponent_limit = 0.2;
+constexpr double worse = 1e-3;      // than the base, in -2 ln L: a fit that went astray
 constexpr double same_gain = 1e-8;  // of the misfit without effects: less is rounding
 
 Eigen::Index total(const std::vector<Candidate>& candidates) {
@@ -102,6 +103,24 @@ Explanation Attribution::refit(const std::vector<std::size_t>& members,
   Explanation result{.members = members};
   result.parameters = response.parameters;
   result.fit = fit_response(response, noise_.whitening, problem_.measured, starts);
+  if (result.fit.converged && result.fit.misfit > base_.misfit + worse) {
+    // A hollow of its own: without the effect the misfit is less, so the search begins there.
+    Eigen::VectorXd without = response.start(), little = without;
+    const auto bases = static_cast<Eigen::Index>(problem_.base.size());
+    without.head(bases) = base_.values;
+    Eigen::Index at = bases;
+    for (const Candidate* c : on) {
+      without[at + static_cast<Eigen::Index>(c->size_index)] = c->neutral[c->size_index];
+      at += static_cast<Eigen::Index>(c->parameters.size());
+    }
+    little = without;
+    at = bases;
+    for (const Candidate* c : on) {
+      little[at + static_cast<Eigen::Index>(c->size_index)] += 0.01 * c->unit_size;
+      at += static_cast<Eigen::Index>(c->parameters.size());
+    }
+    result.fit = fit_response(response, noise_.whitening, problem_.measured, {without, little});
+  }
   result.response = std::move(response);
   if (!result.fit.converged) return result;
   result.gain = base_.misfit - result.fit.misfit;

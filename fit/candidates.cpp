@@ -169,6 +169,14 @@ void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values) {
         c.scores.col(count++) = column;
     }
     c.scores.conservativeResize(Eigen::NoChange, count);
+    c.most.resize(without.size(), 0);
+    if (problem.data.quantity == Quantity::axial_displacement) {
+      const effects::Parameter& p = c.description->parameters[c.size_index];
+      x[bases + static_cast<Eigen::Index>(c.size_index)] =
+          std::clamp(c.unit_size > 0.0 ? p.plausible_upper : p.plausible_lower, p.lower, p.upper);
+      const Eigen::VectorXd change = response.readings(x) - without;
+      if (change.allFinite()) c.most = change;
+    }
     if (!c.not_testable.empty() || count > 0) continue;
     c.not_testable = "a quantity on which it has any effect at these operating points";
   }

@@ -24,6 +24,9 @@ struct Candidate {
   /// Readings per unit of `unit_size`, at the neutral point: one column per trial value of the
   /// shapes, not whitened [N m].
   Eigen::MatrixXd scores{};
+  /// What the most of it that is met in practice changes, where that is no multiple of the scores:
+  /// rows x 1 for a displacement, which no effect changes in proportion; otherwise rows x 0.
+  Eigen::MatrixXd most{};
   double unit_size = 1.0;      ///< of the first parameter that has a neutral value
   std::size_t size_index = 0;  ///< of that parameter
   std::string not_testable{};  ///< what the data lack; empty where it can be tested

@@ -96,21 +96,28 @@ NoiseModel noise_of_saturated_regression(const Evidence& evidence,
                                          const NoiseOptions& options) {
   const Problem& problem = evidence.problem;
   const auto rows = static_cast<Eigen::Index>(problem.data.rows.size());
-  // In proportion to the torque.
+  // In proportion to the reading.
   const Eigen::VectorXd inverse = evidence.size.cwiseInverse();
-  const Eigen::MatrixXd base = inverse.asDiagonal() * evidence.response.jacobian(base_values);
+  Eigen::MatrixXd base = inverse.asDiagonal() * evidence.response.jacobian(base_values);
+  if (!evidence.response.affine) {
+    // The base model itself, which its own derivatives do not hold.
+    base.conservativeResize(rows, base.cols() + 1);
+    base.rightCols(1) = inverse.asDiagonal() * evidence.response.at(base_values);
+  }
   std::vector<Eigen::MatrixXd> blocks{
       base, inverse.asDiagonal() * surface_columns(problem.data, evidence.size),
       inverse.asDiagonal() * level_columns(problem.data, evidence.size)};
   Eigen::Index count = 0;
   for (const Candidate& c : problem.candidates)
-    count += c.not_testable.empty() ? c.scores.cols() : 0;
+    count += c.not_testable.empty() ? c.most.cols() + c.scores.cols() : 0;
   Eigen::MatrixXd scores(rows, count);
   count = 0;
   for (const Candidate& c : problem.candidates) {
     if (!c.not_testable.empty()) continue;
-    scores.middleCols(count, c.scores.cols()) = inverse.asDiagonal() * c.scores;
-    count += c.scores.cols();
+    for (const Eigen::MatrixXd* columns : {&c.most, &c.scores}) {
+      scores.middleCols(count, columns->cols()) = inverse.asDiagonal() * *columns;
+      count += columns->cols();
+    }
   }
   blocks.push_back(std::move(scores));
   const Eigen::MatrixXd saturated = independent_columns(blocks, {1e-6, 1e-3, 1e-2, invisible},

@@ -285,6 +285,7 @@ Eigen::VectorXd Response::at(const Eigen::VectorXd& x) const {
 Eigen::MatrixXd Response::jacobian(const Eigen::VectorXd& x) const {
   if (affine) return affine->slope;
   Eigen::MatrixXd result;
+  if (x.size() == 0) result.resize(readings(x).size(), 0);
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const FitParameter& p = parameters[static_cast<std::size_t>(k)];
     const double step = difference_step * p.scale;
