@@ -57,10 +57,8 @@ Rig measured_rig(std::size_t rows) {
   return rig;
 }
 
-void diagnose(benchmark::State& state, const Rig& rig, bool pairs) {
+void diagnose(benchmark::State& state, const Rig& rig, const fit::DiagnoseOptions& options) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
-  fit::DiagnoseOptions options;
-  options.pairs = pairs;
   for (auto _ : state) {
     const fit::Diagnosis d = fit::diagnose(rig.model, rig.data, options);
     benchmark::DoNotOptimize(&d);
@@ -101,10 +99,17 @@ const bool registered = [] {
   };
   for (const bool pairs : {true, false})
     add(pairs ? "diagnose/120_rows" : "diagnose/120_rows_singles",
-        [=](benchmark::State& state) { diagnose(state, read_rig(), pairs); });
+        [=](benchmark::State& state) { diagnose(state, read_rig(), {.pairs = pairs}); });
   for (const std::size_t rows : {1000, 10000, 100000})
     add("diagnose/" + rows_name(rows),
-        [=](benchmark::State& state) { diagnose(state, measured_rig(rows), true); });
+        [=](benchmark::State& state) { diagnose(state, measured_rig(rows), {}); });
+  for (const std::size_t count : {4, 8, 16})
+    add("grow/candidates_" + std::to_string(count), [=](benchmark::State& state) {
+      fit::DiagnoseOptions options;
+      for (const effects::Description& d : effects::catalogue().first(count))
+        options.candidates.push_back(&d);
+      diagnose(state, measured_rig(1000), options);
+    });
   for (const std::size_t rows : {120, 1000, 10000, 100000}) {
     const std::string name = "calibrate/" + rows_name(rows);
     add(name, [=](benchmark::State& state) { calibrate(state, rows, false, 1); });
