@@ -58,10 +58,8 @@ Rig measured_rig(std::size_t rows) {
   return rig;
 }
 
-void diagnose(benchmark::State& state, const Rig& rig, bool pairs) {
+void diagnose(benchmark::State& state, const Rig& rig, const fit::DiagnoseOptions& options) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
-  fit::DiagnoseOptions options;
-  options.pairs = pairs;
   for (auto _ : state) {
     const fit::Diagnosis d = fit::diagnose(rig.model, rig.data, options);
     benchmark::DoNotOptimize(&d);
@@ -124,7 +122,7 @@ const bool registered = [] {
     return benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
   };
   const auto of_rig = [&](const std::string& name, const char* rig, bool pairs) {
-    add(name, [=](benchmark::State& state) { diagnose(state, read_rig(rig), pairs); });
+    add(name, [=](benchmark::State& state) { diagnose(state, read_rig(rig), {.pairs = pairs}); });
   };
   // One hidden effect: no pair is asked for.
   of_rig("diagnose/120_rows", "dev-03", true);
@@ -134,7 +132,14 @@ const bool registered = [] {
   of_rig("diagnose/120_rows_unknown", "dev-07", true);
   for (const std::size_t rows : {1000, 10000, 100000})
     add("diagnose/" + rows_name(rows),
-        [=](benchmark::State& state) { diagnose(state, measured_rig(rows), true); });
+        [=](benchmark::State& state) { diagnose(state, measured_rig(rows), {}); });
+  for (const std::size_t count : {4, 8, 16})
+    add("grow/candidates_" + std::to_string(count), [=](benchmark::State& state) {
+      fit::DiagnoseOptions options;
+      for (const effects::Description& d : effects::catalogue().first(count))
+        options.candidates.push_back(&d);
+      diagnose(state, measured_rig(1000), options);
+    });
   for (const std::size_t rows : {120, 1000, 10000, 100000}) {
     const std::string name = "calibrate/" + rows_name(rows);
     add(name, [=](benchmark::State& state) { calibrate(state, rows, false, 1); });
