@@ -165,7 +165,10 @@ ArrangementEquilibrium solve(const Arrangement& arrangement, const ArrangementCo
   e.bearings.reserve(system.size());
   bool pulls = false;
   for (std::size_t i = 0; i < system.size(); ++i) {
-    e.bearings.push_back(bearing_in_set(system, *arrangement.bearings()[i].bearing, state, i));
+    if (i > 0 && system.alike(state, i))
+      e.bearings.push_back(e.bearings.back());
+    else
+      e.bearings.push_back(bearing_in_set(system, *arrangement.bearings()[i].bearing, state, i));
     pulls = pulls || e.bearings.back().axial_load < 0.0;
   }
   e.report.residual = system.solution().residual;

@@ -68,7 +68,8 @@ double HertzContact::semi_minor_axis(double load) const {
 
 double HertzContact::peak_pressure(double load) const {
   if (load <= 0.0) return 0.0;
-  return 1.5 * load / (pi * semi_major_axis(load) * semi_minor_axis(load));
+  const double a = semi_major_axis(load);
+  return 1.5 * load * ellipse_ratio / (pi * a * a);
 }
 
 HertzContact hertz_contact(const Curvature& curvature, const Material& first,

@@ -17,7 +17,7 @@ struct NewtonLimits {
 template <typename T>
 struct NewtonProgress {
   Mask<T> taken;      ///< has moved to its trial state, and goes on from there unless it is in:
-  Mask<T> converged;  ///< balance within the tolerance, at `ring` and `balls`
+  Mask<T> converged;  ///< balance within the tolerance, better still at the trial state
   Mask<T> not_finite, singular, exhausted;
 };
 
@@ -26,7 +26,8 @@ struct NewtonProgress {
 ///
 /// A step is shortened to half the free distance of ring and balls, then halved up to six times
 /// while it worsens the balance, and cut where it would lift a ball off the outer race. A ball that
-/// changes between contact and none may raise the residual once.
+/// changes between contact and none may raise the residual once. Where the balance is within the
+/// tolerance the step that this look gives is taken too, near rounding; it is not counted.
 template <typename T>
 class RingNewton {
  public:
@@ -180,7 +181,7 @@ NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimi
   progress.exhausted = open && steps >= T(limits.steps);
   progress.not_finite = open && !progress.exhausted && !finite(merit_);
   progress.singular = Mask<T>(false);
-  if (any(open)) {
+  if (any(progress.taken)) {
     T a[C::count][C::count], b[C::count];
     for (int i = 0; i < C::count; ++i) {
       b[i] = trial_force_[i];
@@ -188,16 +189,17 @@ NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimi
     }
     solve_linear<C::count>(a, b);
     T sum(0.0), longest(0.0);
+    for (int i = 0; i < C::count; ++i) sum = sum + b[i] - b[i];
+    const Mask<T> stays = progress.converged && !finite(sum);
     for (int i = 0; i < C::count; ++i) {
-      step_[C::at[i]] = select(open, b[i], step_[C::at[i]]);
-      sum = sum + b[i] - b[i];
+      step_[C::at[i]] = select(progress.taken, select(stays, T(0.0), b[i]), step_[C::at[i]]);
       if (C::at[i] < 3) longest = max(longest, abs(step_[C::at[i]]));
     }
     progress.singular = open && !progress.exhausted && !progress.not_finite && !finite(sum);
     const T allowed = 0.5 * (point.ball.inner_radius + point.ball.outer_radius);
     const T whole = select(longest > allowed, allowed / longest, T(1.0));
-    fraction_ = select(open, whole, 0.5 * fraction_);
-    halvings_ = select(open, T(0.0), halvings_ + 1.0);
+    fraction_ = select(progress.taken, whole, 0.5 * fraction_);
+    halvings_ = select(progress.taken, T(0.0), halvings_ + 1.0);
     steps = select(open, steps + 1.0, steps);
   } else {
     fraction_ = 0.5 * fraction_;

@@ -44,8 +44,9 @@ bool RingSystem::newton(RingState& state) {
     });
   });
   iterations_ += static_cast<int>(newton.steps) - (end.converged ? 0 : 1);
-  std::copy(newton.ring, newton.ring + 5, state.ring.begin());
-  newton.balls.swap(state.balls);
+  const double* const ring = end.converged ? newton.trial_ring : newton.ring;
+  std::copy(ring, ring + 5, state.ring.begin());
+  (end.converged ? newton.trial_balls : newton.balls).swap(state.balls);
   // At rest balls are no unknowns; a path in speed starts from where they lie.
   for (std::size_t k = 0; at_rest() && k < state.balls.size(); ++k)
     state.balls[k] =

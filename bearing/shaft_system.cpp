@@ -131,9 +131,7 @@ void ShaftSystem::assemble(const ShaftState& state, ShaftAssembly& a) const {
   a.front = a.rear = {};
   double worst = 0.0, merit = 0.0;
   for (std::size_t i = 0; i < members_.size(); ++i) {
-    a.bearings[i] = members_[i].like_last && (at_rest_ || state.balls[i] == state.balls[i - 1])
-                        ? a.bearings[i - 1]
-                        : share(state, i);
+    a.bearings[i] = i > 0 && alike(state, i) ? a.bearings[i - 1] : share(state, i);
     add(a.bearings[i], i < arrangement_.front_count() ? a.front : a.rear);
     worst = std::max(worst, a.bearings[i].imbalance);
     merit += a.bearings[i].imbalance;

@@ -58,6 +58,10 @@ class ShaftSystem {
   [[nodiscard]] Plane groove_centre(const ShaftState& state, std::size_t i) const;
   /// A ball that nothing but its centrifugal force presses on.
   [[nodiscard]] Plane thrown_ball(std::size_t i) const;
+  /// Bearing i > 0 is in the same condition and balance as the one before, on the same side.
+  [[nodiscard]] bool alike(const ShaftState& state, std::size_t i) const {
+    return members_[i].like_last && (at_rest_ || state.balls[i] == state.balls[i - 1]);
+  }
   /// External load per displacement of the shaft [N/m].
   [[nodiscard]] double stiffness() const;
   /// Force of the rear set or, in tandem, of the spring [N].

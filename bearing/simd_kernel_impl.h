@@ -119,11 +119,11 @@ class KernelRun {
     block.converged[j] = true;
     block.steps[j] = static_cast<int>(lane(newton.steps, i));
     for (Eight& q : block.ring) q.lanes[j] = 0.0;
-    for (const int c : C::at) block.ring[c].lanes[j] = lane(newton.ring[c], i);
+    for (const int c : C::at) block.ring[c].lanes[j] = lane(newton.trial_ring[c], i);
     PlaneOf<T>* const balls = &memory_.balls[n / width * used_];
     for (std::size_t k = 0; k < used_; ++k) {
-      set_lane(balls[k].axial, n % width, lane(newton.balls[k].axial, i));
-      set_lane(balls[k].radial, n % width, lane(newton.balls[k].radial, i));
+      set_lane(balls[k].axial, n % width, lane(newton.trial_balls[k].axial, i));
+      set_lane(balls[k].radial, n % width, lane(newton.trial_balls[k].radial, i));
     }
   }
 

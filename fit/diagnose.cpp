@@ -13,6 +13,7 @@
 #include "fit/needs.h"
 #include "fit/quantity.h"
 #include "fit/unknown_shape.h"
+#include "fit/verdict_model.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
@@ -720,7 +721,19 @@ std::string_view name(Verdict verdict) {
 
 Diagnosis diagnose(const Model& model, const DataSet& data, const DiagnoseOptions& options) {
   if (options.progress) options.progress(0.0, "estimating the noise");
-  return Investigation(model, data, options).run();
+  Diagnosis diagnosis = Investigation(model, data, options).run();
+  const std::size_t used =
+      static_cast<std::size_t>(diagnosis.rows) + diagnosis.rows_not_predicted.size();
+  if (used < data.rows.size())
+    if (const auto errors = errors_on_all_rows(model, data, diagnosis)) {
+      const QuantityText quantity = text_of(data.quantity);
+      diagnosis.messages.push_back(fmt::format(
+          "over all {} rows that can be predicted the error falls from {:.3g} to {:.3g} {} with "
+          "the numbers found on those that were used",
+          errors->rows, errors->before / quantity.factor, errors->after / quantity.factor,
+          quantity.unit));
+    }
+  return diagnosis;
 }
 
 }  // namespace raceway::fit

@@ -192,7 +192,8 @@ friction::BearingState<double> RowPredictor::state(const Model& model, const Way
 bool RowPredictor::find_condition(const Model& model, const Steps& steps,
                                   Condition& condition) const {
   if (!finite(point_)) return false;
-  const Way before{.film = {.kinematic_viscosity = entered_viscosity_}};
+  Way before;
+  before.film.kinematic_viscosity = entered_viscosity_;
   condition = condition_of(model, steps, state(model, before), point_, record_, given_);
   return condition.finite();
 }

@@ -145,9 +145,9 @@ Eigen::VectorXd scales(const Response& response) {
 
 /// A minimum of the misfit, and what is known there.
 struct Minimum {
-  Eigen::VectorXd values, prediction;
-  Eigen::MatrixXd slope;     ///< of the readings
-  Eigen::MatrixXd jacobian;  ///< the same whitened, in units of the scales
+  Eigen::VectorXd values{}, prediction{};
+  Eigen::MatrixXd slope{};     ///< of the readings
+  Eigen::MatrixXd jacobian{};  ///< the same whitened, in units of the scales
   double misfit = unset;
 
   /// Parameters that change nothing here, as the shape of an effect of size zero: with another

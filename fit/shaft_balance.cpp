@@ -131,6 +131,11 @@ double ShaftBalance::standstill(double external_load,
   return solve_arrangement(*arrangement_, {.external_load = external_load}, options).position;
 }
 
+bearing::Arrangement mounted_arrangement(const Model& model) {
+  ShaftBalance balance;
+  return balance.mount(model, Steps(model)) ? balance.arrangement() : model.shaft->arrangement;
+}
+
 std::optional<bearing::SetTemperatures> set_temperatures(const Shaft& shaft, double inner_ring,
                                                          double outer_ring) {
   const bool measured = !std::isnan(inner_ring) || !std::isnan(outer_ring);

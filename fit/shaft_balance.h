@@ -53,6 +53,10 @@ class ShaftBalance {
   int version_ = 0;
 };
 
+/// The arrangement of a model's shaft with the balls, fits and mounting that its effects put in; as
+/// entered where it cannot be mounted so.
+[[nodiscard]] bearing::Arrangement mounted_arrangement(const Model& model);
+
 /// Temperatures of a shaft's sets: rings that were measured in the place of the model's. Shaft and
 /// housing follow measured rings where the model leaves them open; what else is not given stays at
 /// the mounting temperature. Nothing where there is no temperature at all.

@@ -94,4 +94,26 @@ std::optional<EffectModel> model_with(const RankedEffect& effect, const Model& m
   return effect_model(model, data, diagnosis, {&effect}, effect.base_shifts, effect.rmse);
 }
 
+std::optional<AllRows> errors_on_all_rows(const Model& model, const DataSet& data,
+                                          const Diagnosis& diagnosis) {
+  const std::optional<EffectModel> found = verdict_model(model, data, diagnosis);
+  if (!found) return std::nullopt;
+  Model base = model;
+  (void)take_user_made(base);
+  for (const BaseShift& shift : diagnosis.base_shifts) set_by_name(base, shift.name, shift.before);
+  const std::vector<double> before = predict_readings(base, data);
+  AllRows result{.before = 0.0, .after = 0.0};
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    const double b = before[i] - data.rows[i].measured;
+    const double a = found->readings[i] - data.rows[i].measured;
+    if (!std::isfinite(a) || !std::isfinite(b)) continue;
+    ++result.rows;
+    result.before += b * b;
+    result.after += a * a;
+  }
+  result.before = std::sqrt(result.before / result.rows);
+  result.after = std::sqrt(result.after / result.rows);
+  return result;
+}
+
 }  // namespace raceway::fit

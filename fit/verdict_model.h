@@ -38,4 +38,15 @@ struct EffectModel {
                                                     const DataSet& data,
                                                     const Diagnosis& diagnosis);
 
+/// Root mean square errors over all rows of a data set of which a diagnosis used some [N m].
+struct AllRows {
+  int rows = 0;  ///< that can be predicted
+  double before = unset, after = unset;
+};
+
+/// The base model and the verdict's best set, with the numbers that the diagnosis found, held
+/// against every row. Nothing where verdict_model() has none.
+[[nodiscard]] std::optional<AllRows> errors_on_all_rows(const Model& model, const DataSet& data,
+                                                        const Diagnosis& diagnosis);
+
 }  // namespace raceway::fit

@@ -232,6 +232,8 @@ TEST(ShaftEffects, MountingGoesFromRigidToSpringAndBack) {
   expect_same(displacement(with_effect(on_spring(0.0), "mounting", {1.0}), plan), rigid, 1e-13);
   expect_same(displacement(with_effect(on_spring(50 * N_per_um), "mounting", {1.0}), plan), rigid,
               1e-13);
+  EXPECT_TRUE(std::isnan(lift_off(mounted_arrangement(with("mounting", 1.0))).rear))
+      << "a spring follows";
   // Half relieved is a spring as stiff as the rear set.
   const Arrangement half = changed(two_against_one(), [](ArrangementDesign& d) {
                              d.other_mounting = 0.5;
@@ -295,6 +297,8 @@ TEST(ShaftEffects, AFitIsPartOfTheMountedShaft) {
   const double closed = 2.0 * (axial(fitted.bearing) - axial(narrow.bearing));
   EXPECT_NEAR(at(of_gap(fitted, 10 * um), 0.0).equilibrium.front_force,
               of_gap(narrow, 10 * um + closed).shaft->arrangement.preload(), 1e-6);
+  EXPECT_NEAR(mounted_arrangement(of_gap(fitted, 10 * um)).preload(),
+              at(of_gap(fitted, 10 * um), 0.0).equilibrium.front_force, 1e-6);
   EXPECT_GT(at(of_gap(fitted, 10 * um), 0.0).equilibrium.front_force,
             1.2 * of_gap(two_against_one(), 10 * um).shaft->arrangement.preload());
 }

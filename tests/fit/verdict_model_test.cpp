@@ -17,7 +17,7 @@ struct Case {
   DataSet data =
       factorial_plan({600, 1500, 3500, 7000, 11000, 16000}, {250, 600, 1400, 3000}, {25, 40, 55});
   Diagnosis diagnosis;
-  explicit Case(double drag_size) {
+  explicit Case(double drag_size, int most_rows = most_rows_of_a_fit) {
     Model truth = synthetic_model();
     truth.effects.push_back(
         {.description = effects::find("lubricant-drag"), .values = {drag_size}});
@@ -26,6 +26,7 @@ struct Case {
     belief.law_values = {2.0, 0.0008, 0.33};
     DiagnoseOptions options;
     options.pairs = false;
+    options.most_rows = most_rows;
     diagnosis = diagnose(belief, data, options);
   }
 };
@@ -74,6 +75,19 @@ TEST(VerdictModel, EveryRankedEffectHasItsBaseParametersAndItsShare) {
     EXPECT_NEAR(std::sqrt(square / static_cast<double>(c.data.rows.size())), e.rmse, 1e-4 * e.rmse);
   }
   EXPECT_EQ(c.diagnosis.effects[0].base_shifts[0].after, c.diagnosis.base_shifts[0].after);
+}
+
+TEST(VerdictModel, OfSomeRowsIsHeldAgainstAll) {
+  const Case c(drag, 40);
+  ASSERT_EQ(c.diagnosis.rows, 36);
+  ASSERT_EQ(c.diagnosis.verdict, Verdict::effect) << c.diagnosis.sentence;
+  const auto errors = errors_on_all_rows(c.belief, c.data, c.diagnosis);
+  ASSERT_TRUE(errors);
+  EXPECT_EQ(errors->rows, 72);
+  EXPECT_NEAR(errors->after, 1.0 * N_mm, 0.3 * N_mm);  // the noise
+  EXPECT_NEAR(errors->before, c.diagnosis.rmse_before, 0.3 * c.diagnosis.rmse_before);
+  ASSERT_FALSE(c.diagnosis.messages.empty());
+  EXPECT_NE(c.diagnosis.messages.back().find("over all 72 rows"), std::string::npos);
 }
 
 TEST(VerdictModel, IsNothingWhereNothingIsMissing) {
