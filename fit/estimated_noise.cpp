@@ -4,16 +4,15 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "effects/catalogue.h"
 #include "fit/evidence.h"
+#include "fit/quantity.h"
 
 namespace raceway::fit {
 
 std::optional<EstimatedNoise> estimate_noise_as_diagnosis(const Model& model, const DataSet& data) {
-  std::vector<const effects::Description*> all;
-  for (const effects::Description& d : effects::catalogue()) all.push_back(&d);
   try {
-    const Evidence evidence = gather_evidence(model, data, all, most_rows_of_a_fit);
+    const Evidence evidence =
+        gather_evidence(model, data, catalogue_of(subject_of(data.quantity)), most_rows_of_a_fit);
     const Eigen::VectorXd& used = evidence.noise.whitening.std();
     std::unordered_map<int, double> by_line;
     for (std::size_t i = 0; i < evidence.problem.data.rows.size(); ++i)

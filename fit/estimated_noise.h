@@ -10,8 +10,8 @@ namespace raceway::fit {
 
 /// What a diagnosis would take for the noise of a data set.
 struct EstimatedNoise {
-  double rms = unset;       ///< over the rows used [N m]
-  std::vector<double> std;  ///< by row of the data [N m]; by the reading where a row was not used
+  double rms = unset;       ///< over the rows used [N m] or [m]
+  std::vector<double> std;  ///< by row of the data; by the reading where a row was not used
 };
 
 /// The noise of NoiseModel, for data that declare none and repeat no rows. It comes from what a

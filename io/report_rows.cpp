@@ -51,12 +51,17 @@ ReportRows::ReportRows(const fit::DataSet& data, std::vector<double> std)
   if (known(&fit::Row::time)) add("time_s", [](const fit::Row& r) { return r.time; });
   add_input("speed_rpm", [](const fit::Row& r) { return r.point.speed / rpm; });
   add_input("axial_load_N", [](const fit::Row& r) { return r.point.axial_load; });
-  // The displacement of a shaft is computed under thrust alone, without the lubricant.
-  if (data.quantity == fit::Quantity::friction_torque) {
+  // A shaft has thrust alone, and a lubricant only where it was measured.
+  const bool shaft = data.quantity == fit::Quantity::axial_displacement;
+  if (!shaft)
     add_input("radial_load_N",
               [](const fit::Row& r) { return value_of(fit::Variable::radial_load, r); });
+  const bool many_temperatures =
+      std::any_of(data.rows.begin(), data.rows.end(), [&](const fit::Row& r) {
+        return r.point.temperature != data.rows.front().point.temperature;
+      });
+  if (!shaft || many_temperatures)
     add_input("temperature_C", [](const fit::Row& r) { return celsius(r.point.temperature); });
-  }
   if (known(&fit::Row::inner_ring_temperature))
     add_input("inner_ring_temperature_C",
               [](const fit::Row& r) { return celsius(r.inner_ring_temperature); });

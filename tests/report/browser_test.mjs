@@ -33,14 +33,21 @@ function write(name, ...words) {
 /// Displacement of a spindle whose grooves the model does not know, at three preloads, as a
 /// transducer reads it.
 function measureShaft() {
+  const scatter = (k, preload) => 0.05 * (Math.sin(k * k + preload) + Math.sin(7.3 * k * k + 2 * preload));
   const text = readFileSync(spindle, 'utf8');
   writeFileSync(file('shaft.toml'), text.replace('[lubricant]', '[calibration]\nfree = ["outer_conformity"]\n\n[lubricant]'));
+  const rows = (truth) => JSON.parse(raceway('displacement', file(truth), '--speed', '500:16000:500', '--json')).rows;
+  const grown = ['speed_rpm,preload_N,axial_displacement_um'];
+  for (const preload of [300, 900]) {
+    writeFileSync(file('grown.toml'), text.replace('preload_N = 600', `preload_N = ${preload}`) + '\n[[effect]]\nid = "centrifugal-ring-growth"\ngrowth_at_10000_rpm_um = 2.0\n');
+    rows('grown.toml').forEach((row, k) => grown.push(`${row.speed_rpm},${preload},${(row.axial_displacement_um + scatter(k, preload)).toFixed(4)}`));
+  }
+  writeFileSync(file('grown.csv'), grown.join('\n') + '\n');
   const lines = ['run_id,speed_rpm,preload_N,axial_displacement_um,std_um'];
   for (const preload of [300, 600, 1200]) {
     writeFileSync(file('truth.toml'), text.replace('preload_N = 600', `preload_N = ${preload}`).replace('outer_conformity = 0.52', 'outer_conformity = 0.53'));
     JSON.parse(raceway('displacement', file('truth.toml'), '--speed', '1000:16000:1000', '--json')).rows.forEach((row, k) => {
-      const scatter = 0.05 * Math.sin(k * k + preload);
-      lines.push(`p${preload},${row.speed_rpm},${preload},${(row.axial_displacement_um + scatter).toFixed(4)},0.05`);
+      lines.push(`p${preload},${row.speed_rpm},${preload},${(row.axial_displacement_um + scatter(k, preload)).toFixed(4)},0.05`);
     });
   }
   writeFileSync(file('shaft.csv'), lines.join('\n') + '\n');
@@ -57,6 +64,8 @@ before(async () => {
   measureShaft();
   raceway('calibrate', file('shaft.toml'), file('shaft.csv'), '-o', file('fitted.toml'));
   write('comparedshaft', 'compare', file('shaft.toml'), file('fitted.toml'), file('shaft.csv'));
+  write('shaftdiagnosis', 'diagnose', file('shaft.toml'), file('grown.csv'));
+  write('shaftadded', 'add', file('shaft.toml'), 'centrifugal-ring-growth', '--data', file('grown.csv'));
   const fly = join(ROOT, 'data/measurements');
   raceway('calibrate', join(fly, 'flywheel.toml'), join(fly, 'flywheel_unloaded.csv'), '-o', file('fly.toml'));
   write('coastdown', 'diagnose', file('fly.toml'), join(fly, 'flywheel_unloaded.csv'));
@@ -292,6 +301,29 @@ test('compare of a shaft: everything is in µm, over the inputs that it has', as
   assert.deepEqual(faults, []);
   await close();
 });
+
+for (const name of ['shaftdiagnosis', 'shaftadded'])
+  test(`${name}: the loop on the displacement of a shaft is in µm as well`, async () => {
+    const { page, faults, close } = await open(name);
+    const { results: held } = await documentOf(page);
+    assert.deepEqual(held, results[name]);
+    assert.equal(held.unit, 'um');
+    const shown = await page.evaluate(() => document.body.innerText + [...document.querySelectorAll('svg text')].map((t) => t.textContent).join(' '));
+    assert.doesNotMatch(shown, /N mm|radial load/);
+    assert.match(shown, /µm/);
+    for (const id of await figures(page)) assert.ok((await marks(page, id)) >= 1, id);
+    assert.ok((await marks(page, 'parity')) >= 64);
+    if (name === 'shaftdiagnosis') {
+      assert.ok(held.effects.length > 1 && held.effects.some((e) => e.id === 'centrifugal-ring-growth'));
+      assert.match(shown, /share of the displacement/);
+      assert.ok((await page.locator('#effect option').count()) >= 2);
+      const options = await page.$$eval('#effect option', (all) => all.map((o) => o.textContent));
+      await page.locator('#effect select').selectOption({ index: options.findIndex((o) => o.startsWith('centrifugal-ring-growth')) });
+      assert.match(await page.textContent('#base-parameters'), /outer_conformity/);
+    }
+    assert.deepEqual(faults, []);
+    await close();
+  });
 
 test('any effect of the ranking can be chosen, to see its share and what the base parameters had been hiding of it', async () => {
   const { page, faults, close } = await open('diagnose');

@@ -263,6 +263,7 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
   const next = report.results.suggested_measurements;
   const first = next[0] ?? {};
   const inputs = view.inputs.filter((name) => next.length === 0 || name in first);
+  const asked = next.length ? Object.keys(first).filter((name) => quantity(name).unit !== '') : inputs;
   const at = (m: Suggested, name: string) => m[name] as number;
   // Beside speed, the input that the new points move, else the one that was moved.
   const moved = (name: string) => name !== 'speed_rpm' && (rows.varies(name) || next.some((m) => at(m, name) !== at(first as Suggested, name)));
@@ -291,7 +292,7 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
             if (!m) return null;
             return [
               'measure next',
-              ...inputs.map((name): [string, string] => [quantity(name).label, `${plain(at(m, name), 4)} ${quantity(name).unit}`]),
+              ...asked.map((name): [string, string] => [quantity(name).label, `${plain(at(m, name), 4)} ${quantity(name).unit}`]),
               ['repeats', String(m.repeats)],
               ['separates', m.separates],
               ['difference', m.difference_in_sigma === null ? '' : `${number(m.difference_in_sigma, 3)} σ`],
@@ -330,8 +331,8 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
     table: () =>
       next.length
         ? {
-            columns: [...inputs.map(axisTitle), 'repeats', 'separates', 'difference [σ]'],
-            rows: next.map((m) => [...inputs.map((name) => at(m, name)), m.repeats, m.separates, m.difference_in_sigma]),
+            columns: [...asked.map(axisTitle), 'repeats', 'separates', 'difference [σ]'],
+            rows: next.map((m) => [...asked.map((name) => at(m, name)), m.repeats, m.separates, m.difference_in_sigma]),
           }
         : {
             columns: ['line', ...inputs.map(axisTitle)],
