@@ -98,15 +98,15 @@ NoiseModel noise_of_saturated_regression(const Evidence& evidence,
   const auto rows = static_cast<Eigen::Index>(problem.data.rows.size());
   // In proportion to the reading.
   const Eigen::VectorXd inverse = evidence.size.cwiseInverse();
-  Eigen::MatrixXd base = inverse.asDiagonal() * evidence.response.jacobian(base_values);
-  if (!evidence.response.affine) {
-    // The base model itself, which its own derivatives do not hold.
-    base.conservativeResize(rows, base.cols() + 1);
-    base.rightCols(1) = inverse.asDiagonal() * evidence.response.at(base_values);
-  }
+  // With the base model itself, which its own derivatives need not hold.
+  Eigen::MatrixXd base = evidence.response.jacobian(base_values);
+  base.conservativeResize(rows, base.cols() + 1);
+  base.rightCols(1) = evidence.response.at(base_values);
+  base.applyOnTheLeft(inverse.asDiagonal());
+  const Eigen::MatrixXd levels = inverse.asDiagonal() * level_columns(problem.data, evidence.size);
   std::vector<Eigen::MatrixXd> blocks{
-      base, inverse.asDiagonal() * surface_columns(problem.data, evidence.size),
-      inverse.asDiagonal() * level_columns(problem.data, evidence.size)};
+      base, inverse.asDiagonal() * surface_columns(problem.data, evidence.size)};
+  std::vector<double> tolerance{1e-6, 1e-3};
   Eigen::Index count = 0;
   for (const Candidate& c : problem.candidates)
     count += c.not_testable.empty() ? c.most.cols() + c.scores.cols() : 0;
@@ -119,9 +119,15 @@ NoiseModel noise_of_saturated_regression(const Evidence& evidence,
       count += columns->cols();
     }
   }
-  blocks.push_back(std::move(scores));
-  const Eigen::MatrixXd saturated = independent_columns(blocks, {1e-6, 1e-3, 1e-2, invisible},
-                                                        std::min(rows / 2, rows - fewest_freedom));
+  // Few rows do not hold all columns. A displacement at many speeds bends where a candidate does,
+  // a torque may do so at any level.
+  const bool levels_first = problem.data.quantity == Quantity::friction_torque;
+  blocks.push_back(levels_first ? levels : scores);
+  tolerance.push_back(levels_first ? 1e-2 : invisible);
+  blocks.push_back(levels_first ? scores : levels);
+  tolerance.push_back(levels_first ? invisible : 1e-2);
+  const Eigen::MatrixXd saturated =
+      independent_columns(blocks, tolerance, std::min(rows / 2, rows - fewest_freedom));
   return estimate_noise_model(problem.data, evidence.size.asDiagonal() * saturated, evidence.size,
                               options);
 }
