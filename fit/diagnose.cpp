@@ -641,7 +641,8 @@ class Investigation {
     result_.records_needed = records_needed(set);
   }
 
-  /// What the file of a shaft should hold beside, so that what heat does is told from the rest.
+  /// What the file of a shaft should hold beside, so that what heat does is told from the rest:
+  /// heat may also be what these data cannot show.
   [[nodiscard]] std::vector<std::string> records_needed(
       const std::vector<const Explanation*>& set) const {
     if (subject_ != effects::Subject::shaft) return {};
@@ -651,7 +652,10 @@ class Investigation {
     const auto by_heat = [&](const Explanation* e) {
       return std::any_of(e->members.begin(), e->members.end(), warm);
     };
-    if (std::none_of(set.begin(), set.end(), by_heat) ||
+    const bool untested = std::any_of(
+        problem_.candidates.begin(), problem_.candidates.end(),
+        [](const Candidate& c) { return c.description->follows_heat && !c.not_testable.empty(); });
+    if ((!untested && std::none_of(set.begin(), set.end(), by_heat)) ||
         std::all_of(set.begin(), set.end(), by_heat))
       return {};
     std::vector<std::string> list;
