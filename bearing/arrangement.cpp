@@ -107,6 +107,9 @@ void check(const ArrangementDesign& d) {
     require_between("preload_force", std::get<PreloadForce>(d.preload).force, 0.0, 1e8, 1.0, "N");
   }
   require_between("spring_rate", d.spring_rate, 0.0, 1e12, N_per_um, "N/um");
+  require_between("other_mounting", d.other_mounting, 0.0, 1.0, 1.0, "");
+  if (tandem && d.other_mounting != 0.0)
+    throw std::invalid_argument("other_mounting: a tandem is held by its spring, nothing else");
   require_between("shaft_stiffness", d.shaft_stiffness, 1e3, infinite, N_per_um, "N/um");
   require_between("housing_stiffness", d.housing_stiffness, 1e3, infinite, N_per_um, "N/um");
   require_between("distance", d.distance, 0.0, 100.0, mm, "mm");
@@ -148,7 +151,17 @@ Arrangement::Arrangement(ArrangementDesign design) : design_(std::move(design)) 
         lower, std::max(offset, 1e-9));
     preload_ = at_rest(design_.front, front_displacement_).force;
   }
-  if (!design_.rear.empty()) rear_displacement_ = displacement_under(design_.rear, preload_);
+  if (design_.rear.empty()) return;
+  rear_displacement_ = displacement_under(design_.rear, preload_);
+  if (design_.other_mounting > 0.0) {
+    const double stiffness = at_rest(design_.rear, rear_displacement_).stiffness;
+    const Seat rigid{series * stiffness, stiffness};
+    const bool springs = design_.mounting == Mounting::spring;
+    const Seat from = springs ? seat_ : rigid, to = springs ? rigid : Seat{1.0, 0.0};
+    const double m = design_.other_mounting;
+    seat_ = {(1.0 - m) * from.softness + m * to.softness,
+             (1.0 - m) * from.hardness + m * to.hardness};
+  }
 }
 
 LiftOff lift_off(const Arrangement& a) {

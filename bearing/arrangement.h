@@ -12,9 +12,9 @@ namespace raceway::bearing {
 
 /// How the sets at the two ends of a shaft face each other. `front` is the tool side.
 ///
-///   back_to_back   O: bearings at the front push the shaft towards the tool, those at the rear
-///   away face_to_face   X: the other way round tandem         all bearings in one set that pushes
-///   towards the tool, against a spring
+///   back_to_back   O: bearings at the front push the shaft towards the tool, those behind away
+///   face_to_face   X: the other way round
+///   tandem         all bearings in one set, which pushes towards the tool, against a spring
 enum class Layout { back_to_back, face_to_face, tandem };
 
 /// What holds the outer rings of the rear set: the housing, or a spring that presses them on.
@@ -27,17 +27,20 @@ struct MountedBearing {
   std::shared_ptr<const Bearing> bearing;
   /// How much further than its set this bearing is pressed, from how its faces are ground [m].
   double offset = 0.0;
+  [[nodiscard]] bool operator==(const MountedBearing&) const = default;
 };
 
 /// Axial force on each side at standstill, the sum over its bearings [N], > 0.
 struct PreloadForce {
   double force = unset;
+  [[nodiscard]] bool operator==(const PreloadForce&) const = default;
 };
 
 /// How far clamping presses the two sides together, from where both just touch [m]: the gap ground
 /// into the faces.
 struct PreloadOffset {
   double offset = unset;
+  [[nodiscard]] bool operator==(const PreloadOffset&) const = default;
 };
 
 using Preload = std::variant<PreloadForce, PreloadOffset>;
@@ -50,6 +53,9 @@ struct ArrangementDesign {
   Mounting mounting = Mounting::rigid;
   Preload preload = {};
   double spring_rate = 0.0;  ///< of a spring mounting [N/m]; 0 keeps its force whatever happens
+  /// Share of the way from this mounting to the other one, rigid or a spring that keeps its force;
+  /// see Arrangement::Seat [1].
+  double other_mounting = 0.0;
   /// Axial stiffness between the sets, in series with them [N/m].
   double shaft_stiffness = std::numeric_limits<double>::infinity();
   double housing_stiffness = std::numeric_limits<double>::infinity();
@@ -57,6 +63,7 @@ struct ArrangementDesign {
   double shaft_expansion = 11.5 * per_million_K;    ///< [1/K]
   double housing_expansion = 11.5 * per_million_K;  ///< [1/K]
   double mounting_temperature = kelvin(20);         ///< at which the preload was set [K]
+  [[nodiscard]] bool operator==(const ArrangementDesign&) const = default;
 };
 
 /// Sets of bearings on a shaft, preloaded at standstill. Immutable; making one costs a solve at
@@ -96,7 +103,13 @@ class Arrangement {
     return side == Side::front ? front_displacement_ : rear_displacement_;
   }
   /// The seat of the rear set, `softness` (F_r - F_0) = `hardness` (d (x - e) - (δ_r - δ_r0)):
-  /// (c [m/N], 1) where it is rigid, (1, k [N/m]) on a spring.
+  /// (c [m/N], 1) where it is rigid, (1, k [N/m]) on a spring. A share m of the other mounting is
+  ///
+  ///   (1 - m) entered + m other   of   (c K_r, K_r) rigid, (1, k) entered spring, (1, 0) other one
+  ///
+  /// with K_r the stiffness of the rear set as mounted. Rear set and seat in series are then as
+  /// stiff as (1 - m) K_r for a rigid set with c = 0, and as m K_r for a spring with k = 0: what is
+  /// left of the preload's variation is linear in m.
   struct Seat {
     double softness, hardness;
   };

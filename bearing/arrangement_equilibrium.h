@@ -24,6 +24,7 @@ struct ArrangementCondition {
   double elongation = 0.0;     ///< e: of the shaft beyond the housing, between the sets [m]
   /// One for each bearing, the front set first; none means that nothing has moved.
   std::vector<RingShift> shifts = {};
+  [[nodiscard]] bool operator==(const ArrangementCondition&) const = default;
 };
 
 /// Temperatures of an arrangement [K].

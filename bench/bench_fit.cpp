@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -10,6 +11,7 @@
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
 #include "fit/prediction.h"
+#include "fit/response.h"
 #include "io/data_file.h"
 #include "io/model_file.h"
 
@@ -23,8 +25,8 @@ struct Rig {
   fit::DataSet data;
 };
 
-Rig read_rig() {
-  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/dev-03/";
+Rig read_rig(const std::string& name) {
+  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/" + name + "/";
   io::ModelFile file = io::read_model(folder + "model.toml");
   io::Measurement data = io::read_measurement(folder + "train.csv", file.model.rig);
   return {std::move(file.model), std::get<fit::DataSet>(std::move(data))};
@@ -37,7 +39,7 @@ void add_effect(fit::Model& model, std::string_view id, double size) {
 /// That rig measured at `rows` random points: what spin friction adds is not in the model, readings
 /// scatter by 1 %.
 Rig measured_rig(std::size_t rows) {
-  Rig rig = read_rig();
+  Rig rig = read_rig("dev-03");
   fit::Model truth = rig.model;
   add_effect(truth, "spin-friction", 0.06);
   std::mt19937_64 random(1);
@@ -97,9 +99,15 @@ const bool registered = [] {
   const auto add = [](const std::string& name, auto run) {
     return benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMillisecond);
   };
-  for (const bool pairs : {true, false})
-    add(pairs ? "diagnose/120_rows" : "diagnose/120_rows_singles",
-        [=](benchmark::State& state) { diagnose(state, read_rig(), {.pairs = pairs}); });
+  const auto of_rig = [&](const std::string& name, const char* rig, bool pairs) {
+    add(name, [=](benchmark::State& state) { diagnose(state, read_rig(rig), {.pairs = pairs}); });
+  };
+  // One hidden effect: no pair is asked for.
+  of_rig("diagnose/120_rows", "dev-03", true);
+  of_rig("diagnose/120_rows_singles", "dev-03", false);
+  // Two hidden effects, and one outside the catalogue: all pairs, then bent laws.
+  of_rig("diagnose/120_rows_pairs", "dev-06", true);
+  of_rig("diagnose/120_rows_unknown", "dev-07", true);
   for (const std::size_t rows : {1000, 10000, 100000})
     add("diagnose/" + rows_name(rows),
         [=](benchmark::State& state) { diagnose(state, measured_rig(rows), {}); });
@@ -121,5 +129,31 @@ const bool registered = [] {
   })->UseRealTime();
   return true;
 }();
+
+/// One evaluation of 120 rows of measured displacement, at four preloads, with a parameter that
+/// moves every balance: what a fit does some thirty times.
+void displacement_response(benchmark::State& state) {
+  const fit::Model model =
+      io::read_model(RACEWAY_SOURCE_DIR "/data/spindles/two_against_one.toml").model;
+  fit::DataSet data;
+  data.quantity = fit::Quantity::axial_displacement;
+  for (const double preload : {300.0, 600.0, 900.0, 1200.0})
+    for (int i = 1; i <= 30; ++i)
+      data.rows.push_back(
+          {.point = {.speed = 10000.0 / 30.0 * i * rpm, .axial_load = 0.0}, .preload = preload});
+  const fit::Response response = fit::model_response(model, data, {"contact_angle_deg"});
+  Eigen::VectorXd x = response.start();
+  double sum = 0.0;
+  for (auto _ : state) {
+    x[0] = x[0] < 25.0 ? 25.1 : 24.9;
+    sum += response.readings(x).sum();
+  }
+  benchmark::DoNotOptimize(sum);
+  if (!std::isfinite(sum)) state.SkipWithError("a row has no balance");
+  state.counters["rows"] = static_cast<double>(data.rows.size());
+}
+BENCHMARK(displacement_response)
+    ->Name("displacement_response/120_rows")
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
 #include "fit/free_parameters.h"
+#include "fit/quantity.h"
 #include "io/diagnosis_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
@@ -27,13 +28,15 @@ struct Flags {
 };
 
 void print(const fit::AddResult& r) {
+  const fit::QuantityText quantity = fit::text_of(r.before.quantity);
+  const std::string unit(quantity.unit);
   TextTable parameters(
       {{"parameter", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
   for (const fit::FittedParameter& p : r.calibration.parameters)
     parameters.add({p.name, number(p.value), number(p.std, 2), p.unit == "1" ? "-" : p.unit});
-  TextTable errors({{"RMS error", "", true}, {"before", "N mm"}, {"after", "N mm"}});
+  TextTable errors({{"RMS error", "", true}, {"before", unit}, {"after", unit}});
   const auto row = [&](const std::string& what, double before, double after) {
-    errors.add({what, number(before / N_mm), number(after / N_mm)});
+    errors.add({what, number(before / quantity.factor), number(after / quantity.factor)});
   };
   row("on the rows it was fitted to", r.before.rmse, r.after.rmse);
   for (const fit::HoldOut& h : r.hold_out)
@@ -69,8 +72,8 @@ int run(const Flags& flags) {
   const std::string& path = flags.model_and_effects.front();
   const std::vector<std::string> ids(flags.model_and_effects.begin() + 1,
                                      flags.model_and_effects.end());
-  const io::ModelFile file = open_model(path);
-  const fit::DataSet data = open_data(flags.data, file.model.rig);
+  const io::ModelFile file = open_model(path, Subject::bearing_or_shaft);
+  const fit::DataSet data = open_data(flags.data, file.model);
   const fit::AddResult result = [&] {
     try {
       return fit::add(file.model, ids, data);

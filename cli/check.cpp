@@ -75,13 +75,9 @@ io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) 
       for (const std::string& name : model.free) s.free_parameters.push_back({name, false});
     }
   }
-  for (const effects::Description& e : effects::catalogue())
-    s.effects.push_back(
-        torque
-            ? io::CheckSummary::Testable{std::string(e.id), fit::missing_need(e, model, data),
-                                         fit::missing_levels(e, model, data)}
-            : io::CheckSummary::Testable{
-                  std::string(e.id), "torque: the effect acts on it, and the data have none", ""});
+  for (const effects::Description& e : effects::catalogue(fit::subject_of(data.quantity)))
+    s.effects.push_back({std::string(e.id), fit::missing_need(e, model, data),
+                         fit::missing_levels(e, model, data)});
   return s;
 }
 

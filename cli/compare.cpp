@@ -173,16 +173,13 @@ int run(const Flags& flags) {
   std::vector<fit::Comparison> comparisons;
   note_other_rigs(files);
   const fit::DataSet data = open_data(data_file, files[0].model);
-  if (!flags.report.path.empty() && data.quantity != fit::Quantity::friction_torque)
-    throw io::InputError(data_file +
-                         ": holds axial displacement: --report shows friction torque alone");
+  std::vector<fit::Model> compared;
   for (std::size_t i = 0; i < models.size(); ++i) {
     try {
       const fit::Model& model = files[i].model;
-      comparisons.push_back(flags.refit.empty()
-                                ? fit::compare(model, data)
-                                : fit::compare(refitted(model, flags.refit, data), data,
-                                               static_cast<int>(flags.refit.size())));
+      compared.push_back(flags.refit.empty() ? model : refitted(model, flags.refit, data));
+      comparisons.push_back(
+          fit::compare(compared.back(), data, static_cast<int>(flags.refit.size())));
     } catch (const std::invalid_argument& e) {
       refuse_data(models[i], data, e);
     }
@@ -200,7 +197,8 @@ int run(const Flags& flags) {
   } else {
     print_ladder(models, comparisons);
   }
-  flags.report.write([&] { return io::comparison_report(models, comparisons, data); }, flags.force);
+  flags.report.write([&] { return io::comparison_report(models, compared, comparisons, data); },
+                     flags.force);
   return done;
 }
 

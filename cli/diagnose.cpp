@@ -12,6 +12,7 @@
 #include "cli/report_flag.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
+#include "fit/quantity.h"
 #include "io/diagnosis_results.h"
 #include "io/report.h"
 
@@ -34,7 +35,15 @@ void show_progress(double share, std::string_view step) {
   std::fflush(stderr);
 }
 
-std::string torque(double value, int digits = 3) { return number(value / N_mm, digits); }
+/// A measured quantity as people read it.
+struct Reading {
+  fit::QuantityText text;
+  explicit Reading(const fit::Diagnosis& d) : text(fit::text_of(d.baseline.quantity)) {}
+  [[nodiscard]] std::string unit() const { return std::string(text.unit); }
+  [[nodiscard]] std::string operator()(double value, int digits = 3) const {
+    return number(value / text.factor, digits);
+  }
+};
 
 std::string size_text(const std::vector<fit::EffectSize>& parameters) {
   std::string text;
@@ -50,11 +59,12 @@ std::string size_text(const std::vector<fit::EffectSize>& parameters) {
 }
 
 void print_effects(const fit::Diagnosis& d) {
+  const Reading reading(d);
   TextTable table({{"effect", "", true},
                    {"", "", true},
                    {"gain", ""},
-                   {"RMS", "N mm"},
-                   {"held out", "N mm"},
+                   {"RMS", reading.unit()},
+                   {"held out", reading.unit()},
                    {"size", "", true},
                    {"gain, | needed", "", true}});
   constexpr std::size_t bar_width = 16;
@@ -65,8 +75,8 @@ void print_effects(const fit::Diagnosis& d) {
     if (!e.in_verdict && shown >= 8) break;
     ++shown;
     const std::string gain_bar = bar(e.gain, best, bar_width, d.needed_gain);
-    table.add({e.id, e.in_verdict ? "<-" : "", number(e.gain, 3), torque(e.rmse),
-               torque(e.rmse_cross_validated), size_text(e.parameters),
+    table.add({e.id, e.in_verdict ? "<-" : "", number(e.gain, 3), reading(e.rmse),
+               reading(e.rmse_cross_validated), size_text(e.parameters),
                e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar});
   }
   if (shown == 0) return;
@@ -82,6 +92,7 @@ std::string range_text(double lower, double upper) {
 }
 
 void print_verdict_details(const fit::Diagnosis& d) {
+  const Reading reading(d);
   for (const fit::RankedEffect& e : d.effects)
     for (const fit::EffectSize& p : e.parameters)
       if (e.in_verdict && !std::isnan(p.interval.lower))
@@ -92,8 +103,8 @@ void print_verdict_details(const fit::Diagnosis& d) {
     fmt::print("{}: {} without, {} with what is missing{}\n", b.name, number(b.before),
                number(b.after), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
   for (const fit::HoldOut& h : d.hold_out)
-    fmt::print("held out by {}: {} N mm before, {} N mm after\n", h.variable, torque(h.rmse_before),
-               torque(h.rmse_after));
+    fmt::print("held out by {0}: {2} {1} before, {3} {1} after\n", h.variable, reading.unit(),
+               reading(h.rmse_before), reading(h.rmse_after));
   if (d.shape) {
     fmt::print("\nShape of what is missing: {}\n  torque_Nmm = \"{}\"\n", d.shape->statement,
                d.shape->formula);
@@ -101,27 +112,33 @@ void print_verdict_details(const fit::Diagnosis& d) {
       fmt::print("  {} = {}\n", c.name, number(c.value, 4));
   }
   if (!d.suggested_measurements.empty()) {
+    const bool shaft = d.baseline.quantity == fit::Quantity::axial_displacement;
     TextTable points({{"measure next: speed", "rpm"},
-                      {"axial load", "N"},
+                      {shaft ? "preload" : "axial load", "N"},
                       {"temperature", "C"},
                       {"repeats", ""},
                       {"separates", "", true}});
     for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
-      points.add({number(m.point.speed / rpm), number(m.point.axial_load),
+      points.add({number(m.point.speed / rpm),
+                  !shaft                     ? number(m.point.axial_load)
+                  : std::isfinite(m.preload) ? number(m.preload)
+                                             : "as it is",
                   number(celsius(m.point.temperature), 3), fmt::format("{}", m.repeats),
                   m.separates});
     fmt::print("\n{}", points.text(terminal_width()));
   }
+  for (const std::string& record : d.records_needed) fmt::print("record: {}\n", record);
 }
 
 void print_limits(const fit::Diagnosis& d) {
   TextTable found({{"would have been found: effect", "", true},
                    {"from", ""},
                    {"unit", "", true},
-                   {"% of torque", ""}});
+                   {d.baseline.quantity == fit::Quantity::friction_torque ? "% of torque" : "% of reading",
+                    ""}});
   for (const fit::DetectableSize& s : d.would_have_been_found)
     found.add({s.id, number(s.size, 2), s.unit == "1" ? "-" : s.unit,
-               number(100.0 * s.share_of_torque, 2)});
+               number(100.0 * s.share_of_reading, 2)});
   if (!d.would_have_been_found.empty()) fmt::print("\n{}", found.text(terminal_width()));
   if (!d.not_testable.empty()) fmt::print("\ncould not have been found:\n");
   for (const fit::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
@@ -130,13 +147,14 @@ void print_limits(const fit::Diagnosis& d) {
 /// The error before and after against the noise.
 void print_ladder(const fit::Diagnosis& d) {
   constexpr std::size_t bar_width = 40;
-  TextTable ladder({{"RMS error", "", true}, {"", "N mm"}, {"", "| noise", true}});
+  const Reading reading(d);
+  TextTable ladder({{"RMS error", "", true}, {"", reading.unit()}, {"", "| noise", true}});
   const auto rung = [&](const std::string& name, double error) {
-    ladder.add({name, torque(error), bar(error, d.rmse_before, bar_width, d.noise.rms)});
+    ladder.add({name, reading(error), bar(error, d.rmse_before, bar_width, d.noise.rms)});
   };
   rung("before", d.rmse_before);
   if (d.rmse_after < d.rmse_before) rung("after", d.rmse_after);
-  ladder.add({"noise", torque(d.noise.rms), ""});
+  ladder.add({"noise", reading(d.noise.rms), ""});
   fmt::print("{}", ladder.text(terminal_width()));
 }
 
@@ -153,8 +171,8 @@ void print(const fit::Diagnosis& d) {
 
 int run(const Flags& flags) {
   flags.report.check(flags.force);
-  const io::ModelFile file = open_model(flags.model);
-  const fit::DataSet data = open_data(flags.data, file.model.rig);
+  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
+  const fit::DataSet data = open_data(flags.data, file.model);
   fit::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
   options.tried_before = flags.tried_before;

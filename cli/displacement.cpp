@@ -9,6 +9,7 @@
 #include "cli/report_flag.h"
 #include "cli/shaft.h"
 #include "cli/text_table.h"
+#include "fit/shaft_balance.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/report.h"
@@ -41,7 +42,7 @@ std::vector<fit::ShaftPoint> points(const Flags& f, const fit::Model& model) {
 
 void print(const fit::Model& model, std::span<const fit::ShaftPoint> asked,
            std::span<const fit::ShaftPrediction> predictions) {
-  const bearing::Arrangement& a = model.shaft->arrangement;
+  const bearing::Arrangement a = fit::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
   fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
   fmt::print(

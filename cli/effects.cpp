@@ -14,6 +14,7 @@ namespace raceway::cli {
 namespace {
 
 using effects::Description;
+using effects::Subject;
 
 std::string unit_of(const effects::Parameter& p) {
   return p.unit == "1" ? "-" : std::string(p.unit);
@@ -43,11 +44,19 @@ void paragraph(const std::string& heading, std::string_view words) {
   fmt::print("{}\n", line);
 }
 
+/// What an effect changes of what is measured.
+std::string_view measured(bool torque, bool displacement) {
+  return torque ? displacement ? "both" : "torque" : "displacement";
+}
+
 std::string_view step_explained(const Description& d) {
-  if (d.condition) return "condition: what the bearing really sees, before its equilibrium";
+  if (d.condition)
+    return d.for_bearing ? "condition: what the bearing really sees, before its equilibrium"
+                         : "condition: what the sets on the shaft really see, before their balance";
   if (d.lubricant) return "lubricant: viscosity and film at the contacts, before the base law";
   if (d.has_moment()) return "moment: added to the moments of the base law";
-  return "reading: what the rig makes of the torque of its bearings";
+  return d.reading ? "reading: what the rig makes of the torque of its bearings"
+                   : "reading: what is read of the position of the shaft";
 }
 
 std::string needs_of(const Description& d) {
@@ -56,19 +65,34 @@ std::string needs_of(const Description& d) {
     if (!text.empty()) text += "; ";
     text += effects::text(need);
   }
-  return text.empty() ? "nothing beside the torque" : text;
+  if (!text.empty() && d.for_bearing && d.moves(Subject::shaft))
+    return "on a rig: " + text + "; on a shaft: nothing beside the displacement";
+  if (!text.empty()) return text;
+  return d.for_bearing ? "nothing beside the torque" : "nothing beside the displacement";
 }
 
 void print_list() {
-  TextTable table({{"effect", "", true}, {"acts at", "", true}, {"what it is", "", true}});
+  TextTable table({{"effect", "", true},
+                   {"acts at", "", true},
+                   {"changes", "", true},
+                   {"what it is", "", true}});
   for (const Description& d : effects::catalogue())
-    table.add({std::string(d.id), std::string(d.step()), std::string(d.title)});
-  fmt::print("{}", table.text(std::max<std::size_t>(terminal_width(), 110)));
+    table.add({std::string(d.id), std::string(d.step()),
+               std::string(measured(d.moves(Subject::bearing),
+                                    effects::find(d.id, Subject::shaft)->moves(Subject::shaft))),
+               std::string(d.title)});
+  fmt::print("{}", table.text(std::max<std::size_t>(terminal_width(), 120)));
   fmt::print("\nraceway effects ID explains one of them.\n");
 }
 
 void print_page(const Description& d) {
   fmt::print("{}: {}\n\n", d.id, d.title);
+  paragraph("changes", d.for_bearing && d.for_shaft
+                           ? d.moves(Subject::shaft)
+                                 ? "friction torque of a bearing on a rig, displacement of a shaft"
+                                 : "friction torque"
+                       : d.for_bearing ? "friction torque of a bearing on a rig"
+                                       : "displacement of a shaft with an [arrangement]");
   paragraph("mechanism", d.mechanism);
   paragraph("formula", d.formula);
   paragraph("source", d.source);
@@ -99,13 +123,15 @@ void print_page(const Description& d) {
 int run(const std::string& id, bool json) {
   if (id.empty()) {
     if (json)
-      fmt::print("{}", io::effects_json(effects::catalogue()));
+      fmt::print("{}", io::effects_json(effects::all_forms()));
     else
       print_list();
     return done;
   }
-  const Description* const d = effects::find(id);
-  if (d == nullptr) {
+  std::vector<Description> forms;
+  for (const Description& d : effects::all_forms())
+    if (d.id == id) forms.push_back(d);
+  if (forms.empty()) {
     std::vector<std::string> ids;
     for (const Description& known : effects::catalogue()) ids.emplace_back(known.id);
     throw io::InputError(fmt::format("raceway effects: {}: no such effect{}", id,
@@ -113,10 +139,14 @@ int run(const std::string& id, bool json) {
                                          ? "; raceway effects lists them"
                                          : io::suggestion(id, ids)));
   }
-  if (json)
-    fmt::print("{}", io::effect_json(*d));
-  else
-    print_page(*d);
+  if (json) {
+    fmt::print("{}", forms.size() == 1 ? io::effect_json(forms[0]) : io::effects_json(forms));
+    return done;
+  }
+  for (const Description& d : forms) {
+    if (&d != &forms.front()) fmt::print("\n");
+    print_page(d);
+  }
   return done;
 }
 

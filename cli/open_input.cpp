@@ -41,7 +41,8 @@ io::ModelFile open_model(const std::string& path, Subject subject) {
     throw io::InputError(
         path +
         ": has an [arrangement]: this command works on a single bearing on a rig; "
-        "displacement, solve, table, check, compare and calibrate work on a shaft");
+        "displacement, solve, table, check, compare, diagnose, add and calibrate with data work on "
+        "a shaft");
   if (!file.model.shaft && subject == Subject::shaft)
     throw io::InputError(path +
                          ": has no [arrangement]: a shaft position needs one, with layout, "

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/commands.h"
 #include "cli/open_input.h"
@@ -14,60 +15,79 @@ namespace {
 
 using Happens = bool (*)(const bearing::BearingInSet&);
 
-/// The speed at which it first happens to bearing i, between a point where it does not yet and
-/// `late`, where it does.
-fit::ShaftPoint first_point(const fit::Model& model, std::size_t i, Happens happens,
-                            const fit::ShaftPoint& early, fit::ShaftPoint late) {
+/// Where it begins or ends to happen to bearing i, to half an rpm: between `early`, where it does
+/// not yet, and `late`, where it does.
+fit::ShaftPoint change_between(const fit::Model& model, std::size_t i, Happens happens,
+                               const fit::ShaftPoint& early, fit::ShaftPoint late, bool begins) {
   double lower = early.speed;
   while (late.speed - lower > 0.5 * rpm) {
     fit::ShaftPoint middle = late;
     middle.speed = 0.5 * (lower + late.speed);
     const auto p = fit::predict_shaft(model, {&middle, 1});
-    if (p[0].equilibrium.report.converged() && happens(p[0].equilibrium.bearings[i])) {
+    const bool here = p[0].equilibrium.report.converged() && happens(p[0].equilibrium.bearings[i]);
+    if (here == begins)
       late = middle;
-    } else {
+    else
       lower = middle.speed;
-    }
   }
   return late;
 }
 
-/// The places of the bearings that share an event: "front_1, front_2".
+/// A range of speeds in which something happens to the bearings at `places`, "front_1, front_2".
 struct Event {
   std::string places;
-  fit::ShaftPoint point;
+  fit::ShaftPoint first;
+  double end;  ///< speed at which it is over, NaN where it lasts to the last point [rad/s]
   double load, minimum;
+
+  [[nodiscard]] std::string speeds() const {
+    return std::isnan(end) ? fmt::format("from {:.0f} rpm on", first.speed / rpm)
+                           : fmt::format("from {:.0f} to {:.0f} rpm", first.speed / rpm, end / rpm);
+  }
 };
 
+/// `points` rise in speed.
 std::vector<Event> events(const fit::Model& model, Happens happens,
                           std::span<const fit::ShaftPoint> points,
                           std::span<const fit::ShaftPrediction> predictions) {
   std::vector<Event> found;
   const bearing::Arrangement& a = model.shaft->arrangement;
+  const auto balanced = [&](std::size_t k) {
+    return predictions[k].equilibrium.report.converged();
+  };
   for (std::size_t i = 0; i < a.bearings().size(); ++i) {
-    std::size_t k = 0;
-    const auto here = [&](std::size_t point) {
-      const auto& e = predictions[point].equilibrium;
-      return e.report.converged() && happens(e.bearings[i]);
+    const auto here = [&](std::size_t k) {
+      return balanced(k) && happens(predictions[k].equilibrium.bearings[i]);
     };
-    while (k < points.size() && !here(k)) ++k;
-    if (k == points.size()) continue;
-    const bool between = k > 0 && predictions[k - 1].equilibrium.report.converged() &&
-                         points[k - 1].external_load == points[k].external_load;
-    const fit::ShaftPoint point =
-        between ? first_point(model, i, happens, points[k - 1], points[k]) : points[k];
-    const auto p = fit::predict_shaft(model, {&point, 1});
-    const std::string place = io::bearing_place(a, i);
-    if (!found.empty() && found.back().point.speed == point.speed) {
-      found.back().places += ", " + place;
-      continue;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (!here(k)) continue;
+      const fit::ShaftPoint first =
+          k > 0 && balanced(k - 1)
+              ? change_between(model, i, happens, points[k - 1], points[k], true)
+              : points[k];
+      while (k + 1 < points.size() && here(k + 1)) ++k;
+      double end = unset;
+      if (k + 1 < points.size())
+        end = balanced(k + 1)
+                  ? change_between(model, i, happens, points[k], points[k + 1], false).speed
+                  : points[k].speed;
+      const std::string place = io::bearing_place(a, i);
+      const auto alike = std::find_if(found.begin(), found.end(), [&](const Event& e) {
+        return e.first.speed == first.speed &&
+               (e.end == end || (std::isnan(e.end) && std::isnan(end)));
+      });
+      if (alike != found.end()) {
+        alike->places += ", " + place;
+        continue;
+      }
+      Event event{place, first, end, unset, unset};
+      const auto p = fit::predict_shaft(model, {&first, 1});
+      if (p[0].equilibrium.report.converged()) {
+        event.load = p[0].equilibrium.bearings[i].axial_load;
+        event.minimum = p[0].equilibrium.bearings[i].minimum_load;
+      }
+      found.push_back(event);
     }
-    Event event{place, point, unset, unset};
-    if (p[0].equilibrium.report.converged()) {
-      event.load = p[0].equilibrium.bearings[i].axial_load;
-      event.minimum = p[0].equilibrium.bearings[i].minimum_load;
-    }
-    found.push_back(event);
   }
   return found;
 }
@@ -80,15 +100,14 @@ std::vector<std::string> shaft_warnings(const fit::Model& model,
   std::vector<std::string> lines;
   for (const Event& e : events(
            model, [](const bearing::BearingInSet& b) { return b.lost(); }, points, predictions))
-    lines.push_back(fmt::format("{}: no contact with the inner ring from {:.0f} rpm on; no load",
-                                e.places, e.point.speed / rpm));
+    lines.push_back(
+        fmt::format("{}: no contact with the inner ring {}; no load", e.places, e.speeds()));
   for (const Event& e : events(
            model, [](const bearing::BearingInSet& b) { return !b.lost() && b.below_minimum(); },
            points, predictions))
     lines.push_back(
-        fmt::format("{}: below the minimum load from {:.0f} rpm on, {:.4g} N of {:.4g} N; balls "
-                    "may skid",
-                    e.places, e.point.speed / rpm, e.load, e.minimum));
+        fmt::format("{}: below the minimum load {}, there {:.4g} N of {:.4g} N; balls may skid",
+                    e.places, e.speeds(), e.load, e.minimum));
   return lines;
 }
 

@@ -9,7 +9,7 @@
 namespace raceway::cli {
 
 /// Where the bearings of a shaft lose their inner contacts or fall below their minimum load, each
-/// with the first speed at which it happens, found between the points.
+/// with the range of speeds in which it does, found between the points, which rise in speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
     const fit::Model& model, std::span<const fit::ShaftPoint> points,
     std::span<const fit::ShaftPrediction> predictions);

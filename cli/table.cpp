@@ -195,12 +195,14 @@ std::vector<double> spread(const std::vector<double>& values, std::size_t most) 
   return few;
 }
 
-/// Points whose balls a report draws around the bearing: few speeds at every pair of loads.
+/// Points whose balls a report draws: some speeds at some pairs of loads. None for a shaft, whose
+/// bearings do not carry the loads of the grid.
 io::BearingStates states_to_draw(const fit::Model& model, const friction::TableAxes& grid) {
+  if (model.shaft) return {};
   std::vector<bearing::OperatingPoint> points;
   for (const double radial : spread(grid.radial_load, 3))
     for (const double axial : spread(grid.axial_load, 4))
-      for (const double speed : spread(grid.speed, 5))
+      for (const double speed : spread(grid.speed, 25))
         points.push_back({.speed = speed,
                           .axial_load = axial,
                           .radial_load = radial,

@@ -16,6 +16,10 @@ namespace raceway::effects {
 /// Source:   definition; c = 1 is a wrong material card, values between serve the fit.
 /// Domain:   0 <= c <= 1. Reaches the torque through ball loads only: centrifugal force and
 ///           gyroscopic moment go with density, contact areas with the modulus.
+///
+/// In the sets of a shaft the other balls are those that were mounted: a preload entered as a force
+/// stays, since that is what was set; one entered as an offset or a class stays as the gap, and
+/// stiffer balls raise its force.
 struct BallMaterial {
   static constexpr std::string_view id = "ball-material";
   static constexpr std::string_view title = "balls of another material than entered";
@@ -25,8 +29,8 @@ struct BallMaterial {
   static constexpr std::string_view formula =
       "density, modulus and Poisson's ratio a share c of the way to the other material";
   static constexpr std::string_view source = "definition";
-  static constexpr std::array<std::string_view, 3> confused_with{
-      "elastic-hysteresis", "gyroscopic-slip", "spin-friction"};
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "elastic-hysteresis", "gyroscopic-slip", "spin-friction", "preload_N"};
   static constexpr std::array parameters{Parameter{.name = "share",
                                                    .unit = "1",
                                                    .initial = 0.5,

@@ -17,6 +17,7 @@ namespace raceway::effects {
 /// Domain:   every speed; no lag, unlike thermal-preload.
 struct CentrifugalRingGrowth {
   static constexpr std::string_view id = "centrifugal-ring-growth";
+  static constexpr Subject subject = Subject::bearing;
   static constexpr std::string_view title = "inner ring that widens at speed";
   static constexpr std::string_view mechanism =
       "Centrifugal force widens the inner ring. In a rigid set the balls are pressed harder, at "

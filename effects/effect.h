@@ -15,6 +15,10 @@ namespace raceway::effects {
 
 class Formula;
 
+/// What a model stands for, and with it what is measured: the friction torque of bearings on a rig,
+/// or the axial displacement of a shaft in its arrangement.
+enum class Subject { bearing, shaft };
+
 /// A number of an effect. Values are in the unit of the files, named by `unit` and by the ending of
 /// `name`; the effect converts.
 struct Parameter {
@@ -32,12 +36,14 @@ struct Parameter {
 enum class Need {
   speed_levels,       ///< more than one speed
   load_levels,        ///< more than one load
+  preload_levels,     ///< more than one preload of the sets
   viscosity_levels,   ///< more than one temperature
   time,               ///< a time of every row
   ring_temperatures,  ///< of inner and outer ring
   loads,              ///< loads above zero, so that the balls can be solved for
   ball_load_law,      ///< another effect that uses ball loads: base laws see the entered load only
   palmgren_law,       ///< the SKF law contains this already
+  opposed_sets,       ///< bearings at both ends of the shaft
   torque_standard     ///< something beside the torque itself that fixes its scale
 };
 
@@ -77,7 +83,10 @@ struct Condition {
   double tilt = 0.0;              ///< of the inner ring about z, held by the shaft [rad]
   double other_balls = 0.0;       ///< share of the way from the entered ball material to the other
                                   ///< one of steel and silicon nitride [1]
+  double other_mounting = 0.0;    ///< of the sets on a shaft: share of the way from the entered
+                                  ///< mounting to the other one of rigid and spring [1]
   [[nodiscard]] bool operator==(const Condition&) const = default;
+  [[nodiscard]] bool finite() const;
   [[nodiscard]] bool changes_bearing() const { return radial_growth != 0.0 || other_balls != 0.0; }
 };
 
@@ -108,10 +117,20 @@ struct ReadingInputs {
   const Record& record;
 };
 
+/// What an effect on the transducer at a shaft may look at.
+struct DisplacementInputs {
+  double displacement;                   ///< of the shaft, positive towards the tool [m]
+  const bearing::OperatingPoint& point;  ///< axial load: the external one
+  const Record& record;
+};
+
 /// What the catalogue knows of one physical effect. Each effect is a struct in a file of its own
 /// (see spin_friction.h); this is that struct with its types erased, for choice by name at run
-/// time. Of the four steps it takes those that are not null; `values` are in the order of
-/// `parameters`.
+/// time. Of the steps it takes those that are not null; `values` are in the order of `parameters`.
+///
+/// An effect that acts in another way in the sets of a shaft than in a bearing on a rig has two
+/// descriptions of one id, with parameters of their own. Which of them is meant follows from the
+/// model.
 struct Description {
   std::string_view id;
   std::string_view title;      ///< one line
@@ -124,6 +143,11 @@ struct Description {
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
   /// Whatever turns on the shaft adds to it: the plausible range is that of the bearing alone.
   bool grows_with_the_rotor = false;
+  /// Warms up and cools down with the machine: what tells it from the rest is temperature or lag.
+  bool follows_heat = false;
+  bool for_bearing = true;      ///< may stand in a model of a bearing on a rig
+  bool for_shaft = true;        ///< may stand in a model of a shaft
+  bool friction_alone = false;  ///< a condition that does not move the sets
 
   /// Adds to what the bearing sees.
   void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;
@@ -135,10 +159,22 @@ struct Description {
   double (*unit_moment)(const MomentInputs&) = nullptr;
   /// Added to the torque of all bearings [N m].
   double (*reading)(const ReadingInputs&, std::span<const double> values) = nullptr;
+  /// Added to what the transducer reads of a shaft [m].
+  double (*displacement)(const DisplacementInputs&, std::span<const double> values) = nullptr;
 
   const Formula* user_made = nullptr;  ///< the moment of an effect written as a formula
 
   [[nodiscard]] bool has_moment() const { return moment || unit_moment || user_made; }
+  /// Whether a model of that subject may have this form of the effect.
+  [[nodiscard]] constexpr bool belongs_to(Subject subject) const {
+    return subject == Subject::bearing ? for_bearing : for_shaft;
+  }
+  /// Whether it changes what is measured there. Friction of the bearings on a shaft is predicted,
+  /// with all its effects, but moves nothing.
+  [[nodiscard]] bool moves(Subject subject) const {
+    return belongs_to(subject) &&
+           (subject == Subject::bearing || displacement || (condition && !friction_alone));
+  }
   /// "condition", "lubricant", "moment" or "reading": the first step taken.
   [[nodiscard]] std::string_view step() const;
 };

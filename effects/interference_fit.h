@@ -20,6 +20,10 @@ namespace raceway::effects {
 ///           second term is by how much speed widens the bore more than the shaft. The growth by
 ///           speed itself is another effect.
 /// Domain:   speed >= 0; the slope in ω jumps where the ring comes loose.
+///
+/// In the sets of a shaft the fit is part of the mounted state: a preload entered as a force is
+/// that of the rings on their shaft, so that at speed only the loosening moves the sets; a preload
+/// entered as an offset or a class is ground into free bearings, and the fit adds to it.
 struct InterferenceFit {
   static constexpr std::string_view id = "interference-fit";
   static constexpr std::string_view title = "inner ring widened by its fit";
@@ -29,8 +33,8 @@ struct InterferenceFit {
   static constexpr std::string_view formula =
       "u = (d/d_i) I/2, I = I0 - (3 + nu) rho w^2 d d_i^2/(16 E), not below zero";
   static constexpr std::string_view source = "Lame's equations of thick rings, derived";
-  static constexpr std::array<std::string_view, 2> confused_with{"load-offset",
-                                                                 "thermal-ring-growth"};
+  static constexpr std::array<std::string_view, 3> confused_with{
+      "load-offset", "thermal-ring-growth", "centrifugal-ring-growth"};
   static constexpr std::array parameters{Parameter{.name = "interference_um",
                                                    .unit = "um",
                                                    .initial = 5.0,

@@ -34,6 +34,7 @@ struct Misalignment {
                                                    .plausible_lower = 0.1,
                                                    .plausible_upper = 1.5}};
   static constexpr std::array needs{Need::loads, Need::ball_load_law};
+  static constexpr bool friction_alone = true;  // the sets on a shaft are solved without tilt
 
   static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
     c.tilt += values[0] * mrad;

@@ -19,6 +19,7 @@ namespace raceway::effects {
 /// Domain:   speed >= 0. c = 0 with springs.
 struct ThermalPreload {
   static constexpr std::string_view id = "thermal-preload";
+  static constexpr Subject subject = Subject::bearing;
   static constexpr std::string_view title = "preload that grows with the bearing's own heat";
   static constexpr std::string_view mechanism =
       "Friction warms the inner ring and the balls more than the outer ring. In a rigid set they "
@@ -36,6 +37,7 @@ struct ThermalPreload {
                                                    .upper = 100.0,
                                                    .plausible_lower = 0.05,
                                                    .plausible_upper = 5.0}};
+  static constexpr bool follows_heat = true;
   static constexpr std::array needs{Need::speed_levels};
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {

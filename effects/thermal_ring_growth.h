@@ -17,6 +17,7 @@ namespace raceway::effects {
 /// Domain:   both ring temperatures measured. Balls at the temperature of the outer ring.
 struct ThermalRingGrowth {
   static constexpr std::string_view id = "thermal-ring-growth";
+  static constexpr Subject subject = Subject::bearing;
   static constexpr std::string_view title = "rings of different temperature";
   static constexpr std::string_view mechanism =
       "An inner ring that is warmer than the outer one grows into the clearance, and the balls run "
@@ -32,6 +33,7 @@ struct ThermalRingGrowth {
                                                    .upper = 2.0,
                                                    .plausible_lower = 0.3,
                                                    .plausible_upper = 1.5}};
+  static constexpr bool follows_heat = true;
   static constexpr std::array needs{Need::ring_temperatures, Need::loads, Need::ball_load_law};
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "effects/catalogue.h"
 #include "fit/attribution.h"
 #include "fit/evidence.h"
 #include "fit/nearest_names.h"
 #include "fit/needs.h"
+#include "fit/quantity.h"
 
 namespace raceway::fit {
 
@@ -23,7 +23,8 @@ constexpr double passed = 0.01;         // of the gate
 /// The effects to add, ready to be given to a model.
 std::vector<effects::Effect> find_effects(const Model& model,
                                           std::span<const effects::Effect> user_made,
-                                          std::span<const std::string> ids) {
+                                          std::span<const std::string> ids, Quantity measured) {
+  const effects::Subject subject = subject_of(measured);
   if (ids.empty()) throw std::invalid_argument("no effect to add");
   std::vector<effects::Effect> found;
   for (const std::string& id : ids) {
@@ -32,14 +33,17 @@ std::vector<effects::Effect> find_effects(const Model& model,
       throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
     if (std::any_of(found.begin(), found.end(), named))
       throw std::invalid_argument(fmt::format("{} is listed twice", id));
-    const std::optional<effects::Effect> effect = find_effect(id, user_made);
+    const std::optional<effects::Effect> effect = find_effect(id, user_made, subject);
     if (!effect) {
       std::vector<std::string> known;
       for (const effects::Effect& e : user_made) known.emplace_back(e.description->id);
-      for (const effects::Description& e : effects::catalogue()) known.emplace_back(e.id);
+      for (const effects::Description* e : catalogue_of(subject)) known.emplace_back(e->id);
       throw std::invalid_argument(
           fmt::format("unknown effect \"{}\"; nearest: {}", id, nearest_names(id, known, 3)));
     }
+    if (!effect->description->moves(subject))
+      throw std::invalid_argument(fmt::format("{}: does not change the {}, which is measured", id,
+                                              text_of(measured).in_words));
     found.push_back(*effect);
   }
   return found;
@@ -69,12 +73,12 @@ std::optional<Explanation> better_rival(const Attribution& attribution, Explanat
 AddResult add(const Model& model, std::span<const std::string> ids, const DataSet& data) {
   Model before = model;
   const std::vector<effects::Effect> user_made = take_user_made(before);
-  const std::vector<effects::Effect> wanted = find_effects(before, user_made, ids);
+  const std::vector<effects::Effect> wanted = find_effects(before, user_made, ids, data.quantity);
   std::vector<const effects::Description*> candidates;
   for (const effects::Effect& e : wanted) candidates.push_back(e.description);
-  for (const effects::Description& d : effects::catalogue())
-    if (std::find(candidates.begin(), candidates.end(), &d) == candidates.end())
-      candidates.push_back(&d);
+  for (const effects::Description* d : catalogue_of(subject_of(data.quantity)))
+    if (std::find(candidates.begin(), candidates.end(), d) == candidates.end())
+      candidates.push_back(d);
   const Evidence evidence = gather_evidence(before, data, candidates, most_rows_of_a_fit);
   const Problem& problem = evidence.problem;
   const Attribution attribution(problem, evidence.noise, evidence.base, evidence.size);
@@ -116,9 +120,10 @@ AddResult add(const Model& model, std::span<const std::string> ids, const DataSe
     }
   }
   if (found.fit.converged) {
-    const std::vector<ModelParameter> base = free_parameters(before);
-    for (std::size_t k = 0; k < base.size(); ++k)
-      base[k].set(extended, found.fit.values[static_cast<Eigen::Index>(k)]);
+    for (const ModelParameter& p : free_parameters(extended)) {
+      const auto at = std::find(problem.base.begin(), problem.base.end(), p.name);
+      if (at != problem.base.end()) p.set(extended, found.fit.values[at - problem.base.begin()]);
+    }
   }
   DataSet weighted = problem.data;
   const bool declared = std::all_of(weighted.rows.begin(), weighted.rows.end(),
@@ -155,11 +160,13 @@ AddResult add(const Model& model, std::span<const std::string> ids, const DataSe
       std::max(1.0, found.fit.misfit / (rows - static_cast<double>(found.fit.values.size())));
   const double needed = excess * std::log(rows) * static_cast<double>(members.size());
   if (!confirmed(result.hold_out) || found.gain < needed) {
+    const QuantityText quantity = text_of(data.quantity);
     result.refused = true;
     result.reason = fmt::format(
-        "no better than chance: {:.4g} -> {:.4g} N mm on rows that the fit did not see, fall of "
+        "no better than chance: {:.4g} -> {:.4g} {} on rows that the fit did not see, fall of "
         "-2 ln L by {:.1f} (needed {:.1f})",
-        result.rmse_held_out_before / N_mm, result.rmse_held_out_after / N_mm, found.gain, needed);
+        result.rmse_held_out_before / quantity.factor, result.rmse_held_out_after / quantity.factor,
+        quantity.unit, found.gain, needed);
   } else if (const auto rival = better_rival(attribution, found)) {
     result.refused = true;
     result.reason = fmt::format(

@@ -19,7 +19,7 @@ struct AddResult {
   NoiseModel noise{};               ///< by which rows were weighed, in the order of `before`
   std::vector<HoldOut> hold_out{};  ///< blocks of rows that neither fit saw
   double rmse_held_out_before = unset,
-         rmse_held_out_after = unset;  ///< rms over the blockings [N m]
+         rmse_held_out_after = unset;  ///< rms over the blockings [N m] or [m]
   bool refused = false;  ///< no better on rows it did not see, or the fit did not converge
   std::string reason{};  ///< why, in a sentence; empty where accepted
   std::vector<std::string> messages{};

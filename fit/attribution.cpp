@@ -14,6 +14,7 @@ constexpr std::size_t most_pairs = 40;     // refitted
 constexpr double pair_reach = 30.0;        // of -2 ln L below the best linearised pair
 constexpr double pair_reach_share = 0.15;  // of its gain, where that is more
 constexpr double exponent_limit = 0.2;
+constexpr double same_gain = 1e-8;  // of the misfit without effects: less is rounding
 
 Eigen::Index total(const std::vector<Candidate>& candidates) {
   Eigen::Index count = 0;
@@ -117,10 +118,11 @@ std::vector<Explanation> Attribution::singles() const {
   for (std::size_t k = 0; k < problem_.candidates.size(); ++k)
     if (problem_.candidates[k].not_testable.empty() && visibility(k) >= invisible)
       all.push_back(refit({k}));
-  // Not converged: last.
-  std::stable_sort(all.begin(), all.end(), [](const Explanation& a, const Explanation& b) {
+  // Not converged: last. Gains that differ by rounding alone keep the order of the candidates.
+  const double quantum = same_gain * std::max(1.0, base_.misfit);
+  std::stable_sort(all.begin(), all.end(), [&](const Explanation& a, const Explanation& b) {
     if (a.fit.converged != b.fit.converged) return a.fit.converged;
-    return a.fit.converged && a.gain > b.gain;
+    return a.fit.converged && std::round(a.gain / quantum) > std::round(b.gain / quantum);
   });
   return all;
 }
@@ -212,9 +214,13 @@ Explanation Attribution::elastic(const Explanation& single) const {
   const auto rows = problem_.measured.size();
   Eigen::MatrixXd logs(rows, 3);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const bearing::OperatingPoint& p = problem_.data.rows[static_cast<std::size_t>(i)].point;
+    const Row& row = problem_.data.rows[static_cast<std::size_t>(i)];
+    const bearing::OperatingPoint& p = row.point;
     logs(i, 0) = p.speed;
-    logs(i, 1) = std::hypot(p.axial_load, std::hypot(p.radial_load, p.radial_load_z));
+    if (problem_.data.quantity == Quantity::friction_torque)
+      logs(i, 1) = std::hypot(p.axial_load, std::hypot(p.radial_load, p.radial_load_z));
+    else
+      logs(i, 1) = std::isfinite(row.preload) ? row.preload : 0.0;
     logs(i, 2) = problem_.model.lubricant.kinematic_viscosity(p.temperature);
   }
   for (Eigen::Index k = 0; k < 3; ++k) {

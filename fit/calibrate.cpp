@@ -7,12 +7,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "fit/prediction.h"
 #include "fit/quantity.h"
 #include "fit/shaft_prediction.h"
+#include "fit/shaft_response.h"
 
 namespace raceway::fit {
 
@@ -40,6 +42,7 @@ class Residuals {
     weighted_ = !data.rows.empty();
     std::vector<FrictionPrediction> predictions;
     std::vector<double> displacements;
+    std::vector<Row> shaft_rows;
     if (model.shaft)
       displacements = predict_displacement(model, data.rows);
     else
@@ -52,15 +55,17 @@ class Residuals {
         continue;
       }
       if (model.shaft) {
-        shaft_rows_.push_back(row);
+        shaft_rows.push_back(row);
       } else {
-        predictors_.emplace_back(model, steps_, row.point, record_of(row));
-        (void)predictors_.back().predict(model, steps_, predictions[i].equilibrium.get());
+        const bool as_entered = predictions[i].condition == effects::Condition{};
+        predictors_.emplace_back(model, steps_, row.point, record_of(row),
+                                 as_entered ? predictions[i].equilibrium : nullptr);
       }
       measured_.push_back(row.measured);
       stds_.push_back(row.std);
       weighted_ = weighted_ && row.std > 0.0 && std::isfinite(row.std);
     }
+    if (model.shaft) shaft_.emplace(model, shaft_rows);
     if (!weighted_) {
       some_std_ = std::any_of(stds_.begin(), stds_.end(), [](double s) { return s > 0.0; });
       // Readings are scaled to order one.
@@ -142,7 +147,9 @@ class Residuals {
 
   [[nodiscard]] Eigen::VectorXd predicted(const Model& model) const {
     if (model.shaft) return displaced(model);
-    return of_rows([&](RowPredictor& row) { return row.predict(model, steps_); });
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
+    predict_all(model, steps_, predictors_, std::span(readings.data(), rows()));
+    return readings;
   }
 
   /// `reading` of each row, shared among threads; rows do not see each other.
@@ -157,8 +164,9 @@ class Residuals {
   }
 
   [[nodiscard]] Eigen::VectorXd displaced(const Model& model) const {
-    const std::vector<double> u = predict_displacement(model, shaft_rows_);
-    return Eigen::Map<const Eigen::VectorXd>(u.data(), static_cast<Eigen::Index>(u.size()));
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
+    shaft_->predict(model, {readings.data(), rows()});
+    return readings;
   }
 
   /// Of the readings by one parameter, at the values of `model`, whose parameter is left moved.
@@ -184,8 +192,8 @@ class Residuals {
   Model model_;
   Steps steps_;
   std::vector<ModelParameter> parameters_;
-  mutable std::vector<RowPredictor> predictors_;  // one per row that can be predicted
-  std::vector<Row> shaft_rows_;                   // the same, of a shaft
+  mutable std::vector<RowPredictor> predictors_;   // one per row that can be predicted
+  mutable std::optional<DisplacementRows> shaft_;  // the same, of a shaft
   std::vector<double> measured_;
   std::vector<double> own_stds_, stds_;  // of the rows; with the common scatter
   std::vector<int> lines_not_predicted_;

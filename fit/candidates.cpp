@@ -44,15 +44,23 @@ std::vector<effects::Effect> take_user_made(Model& model) {
 }
 
 std::optional<effects::Effect> find_effect(std::string_view id,
-                                           std::span<const effects::Effect> user_made) {
+                                           std::span<const effects::Effect> user_made,
+                                           effects::Subject subject) {
   for (const effects::Effect& e : user_made)
     if (e.description->id == id) return e;
-  const effects::Description* d = effects::find(id);
+  const effects::Description* d = effects::find(id, subject);
   if (d == nullptr) return std::nullopt;
   effects::Effect effect;
   effect.description = d;
   effect.values = effects::initial_values(*d);
   return effect;
+}
+
+std::vector<const effects::Description*> catalogue_of(effects::Subject subject) {
+  std::vector<const effects::Description*> list;
+  for (const effects::Description& d : effects::catalogue(subject))
+    if (d.moves(subject)) list.push_back(&d);
+  return list;
 }
 
 std::vector<Candidate> make_candidates(const Model& model,
@@ -103,7 +111,7 @@ Response response_with(const Problem& problem, std::span<const Candidate* const>
       scale.push_back(c->parameters[k].scale);
     }
   }
-  Response response = model_response(model, problem.data, names);
+  Response response = model_response(model, problem.data, names, problem.balances);
   for (std::size_t k = 0; k < scale.size(); ++k)
     response.parameters[problem.base.size() + k].scale = scale[k];
   return response;

@@ -39,6 +39,7 @@ struct Problem {
   std::vector<std::string> base{};        ///< free parameters of the model
   std::vector<Candidate> candidates{};    ///< by id, so that their order does not matter
   Eigen::VectorXd measured{};
+  std::vector<Balance> balances{};  ///< of the rows as entered; empty where nobody solved them
 };
 
 /// Readings of the problem's model with some candidates switched on: base parameters first, then
@@ -53,9 +54,14 @@ void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values);
 /// are candidates. One without such a parameter stays.
 [[nodiscard]] std::vector<effects::Effect> take_user_made(Model& model);
 
-/// An effect with its initial values: one of these, or one of the catalogue.
-[[nodiscard]] std::optional<effects::Effect> find_effect(
-    std::string_view id, std::span<const effects::Effect> user_made);
+/// An effect with its initial values: one of these, or one of the catalogue in the form for that
+/// subject.
+[[nodiscard]] std::optional<effects::Effect> find_effect(std::string_view id,
+                                                         std::span<const effects::Effect> user_made,
+                                                         effects::Subject subject);
+
+/// What may be missing where that subject is measured: those of the catalogue that move it.
+[[nodiscard]] std::vector<const effects::Description*> catalogue_of(effects::Subject subject);
 
 /// Candidates of a catalogue that the model does not have yet.
 [[nodiscard]] std::vector<Candidate> make_candidates(

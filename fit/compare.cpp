@@ -11,9 +11,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "fit/prediction.h"
 #include "fit/quantity.h"
 #include "fit/shaft_prediction.h"
+#include "fit/shaft_response.h"
 
 namespace raceway::fit {
 
@@ -365,12 +365,7 @@ Comparison compare(const std::vector<double>& predicted, const DataSet& data,
 }
 
 Comparison compare(const Model& model, const DataSet& data, int fitted_parameters) {
-  require_measured_subject(model, data);
-  if (model.shaft) return compare(predict_displacement(model, data.rows), data, fitted_parameters);
-  std::vector<double> predicted;
-  predicted.reserve(data.rows.size());
-  for (const FrictionPrediction& p : predict_rows(model, data)) predicted.push_back(p.reading);
-  return compare(predicted, data, fitted_parameters);
+  return compare(predict_readings(model, data), data, fitted_parameters);
 }
 
 }  // namespace raceway::fit

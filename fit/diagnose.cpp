@@ -7,12 +7,13 @@
 #include <cmath>
 #include <set>
 
-#include "effects/catalogue.h"
 #include "fit/attribution.h"
 #include "fit/evidence.h"
 #include "fit/hidden_input.h"
 #include "fit/needs.h"
+#include "fit/quantity.h"
 #include "fit/unknown_shape.h"
+#include "fit/verdict_model.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
@@ -38,6 +39,7 @@ class Investigation {
   Investigation(const Model& model, const DataSet& data, const DiagnoseOptions& options)
       : options_(options),
         model_(model),
+        subject_(subject_of(data.quantity)),
         user_made_(take_user_made(model_)),
         evidence_(gather_evidence(model_, data, candidates(), options.most_rows, options.noise)),
         problem_(evidence_.problem),
@@ -76,9 +78,9 @@ class Investigation {
  private:
   [[nodiscard]] std::vector<const effects::Description*> candidates() const {
     std::vector<const effects::Description*> all = options_.candidates;
-    if (all.empty())
-      for (const effects::Description& d : effects::catalogue()) all.push_back(&d);
+    if (all.empty()) all = catalogue_of(subject_);
     for (const effects::Effect& e : user_made_) all.push_back(e.description);
+    std::erase_if(all, [this](const effects::Description* d) { return !d->moves(subject_); });
     return all;
   }
 
@@ -101,6 +103,7 @@ class Investigation {
 
   [[nodiscard]] bool base_is_identifiable() const {
     Eigen::MatrixXd columns = evidence_.base.tangent;
+    if (columns.cols() == 0) return true;
     columns.colwise().normalize();
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
     qr.setThreshold(1e-4);
@@ -141,6 +144,9 @@ class Investigation {
       if (evidence_.base.at_bound[k])
         result_.messages.push_back(evidence_.response.parameters[k].name +
                                    " ends at a bound: the model lacks something, or is far off");
+    for (const std::string& name : evidence_.idle)
+      result_.messages.push_back("the readings do not depend on " + name +
+                                 ", which stays as it is");
     if (!base_is_identifiable())
       result_.messages.push_back(joined(problem_.base, "and") +
                                  " cannot all be told apart on these data: their values mean "
@@ -181,7 +187,7 @@ class Investigation {
         visible.push_back(k);
     }
     result_.candidates_tried = static_cast<int>(visible.size()) + options_.tried_before;
-    const double torque = rms(problem_.measured);
+    const double reading = rms(problem_.measured);
     std::vector<Eigen::VectorXd> unit;
     for (const std::size_t k : visible)
       unit.push_back(gate.projected.col(clearest_score(k)).normalized());
@@ -196,8 +202,8 @@ class Investigation {
                        .unit = c.parameters[c.size_index].unit};
       const double units = std::sqrt(detected) / length;
       d.size = c.neutral[c.size_index] + units * c.unit_size;
-      d.share_of_torque =
-          units * rms(c.scores.col(score - attribution_.score_range(k).first)) / torque;
+      d.share_of_reading =
+          units * rms(c.scores.col(score - attribution_.score_range(k).first)) / reading;
       double closest = 0.0;
       std::vector<std::string> group{c.id};
       for (std::size_t j = 0; j < visible.size(); ++j) {
@@ -436,10 +442,11 @@ class Investigation {
     fill(set, *set.front());
     result_.sentence = fmt::format(
         "Something is missing; it acts like {} but not with the catalogue's law (pure law "
-        "rejected, {}; exponents speed {:+.2f}, load {:+.2f}, viscosity {:+.2f}): either "
+        "rejected, {}; exponents speed {:+.2f}, {} {:+.2f}, viscosity {:+.2f}): either "
         "that effect with another law, or an effect outside the catalogue that acts alike.",
-        joined_sets(set), p_text(pure), set.front()->speed_exponent, set.front()->load_exponent,
-        set.front()->viscosity_exponent);
+        joined_sets(set), p_text(pure), set.front()->speed_exponent,
+        problem_.data.quantity == Quantity::friction_torque ? "load" : "preload",
+        set.front()->load_exponent, set.front()->viscosity_exponent);
   }
 
   /// Which single effects of believable size come nearest, and how far what they leave is from
@@ -456,10 +463,11 @@ class Investigation {
         near.push_back(&e);
     if (near.empty()) return "";
     const double left = rms(problem_.measured - near.front()->fit.prediction);
+    const QuantityText quantity = text_of(problem_.data.quantity);
     std::string text =
-        fmt::format(" Nearest: {}; {} {:.0f} % of the misfit away and leaves {:.3g} N mm",
+        fmt::format(" Nearest: {}; {} {:.0f} % of the misfit away and leaves {:.3g} {}",
                     joined_sets(near), near.size() > 1 ? "the first takes" : "it takes",
-                    100.0 * taken(*near.front()), left / N_mm);
+                    100.0 * taken(*near.front()), left / quantity.factor, quantity.unit);
     const double ratio = left / evidence_.noise.rms;
     if (ratio > 2.0)
       text += fmt::format(
@@ -537,18 +545,23 @@ class Investigation {
     return true;
   }
 
+  [[nodiscard]] std::vector<BaseShift> base_shifts(const Explanation& e) const {
+    std::vector<BaseShift> list;
+    for (std::size_t k = 0; k < problem_.base.size(); ++k)
+      list.push_back({.name = problem_.base[k],
+                      .unit = evidence_.response.parameters[k].unit,
+                      .before = evidence_.base.values[static_cast<Eigen::Index>(k)],
+                      .after = e.fit.values[static_cast<Eigen::Index>(k)],
+                      .std = e.fit.standard_errors[static_cast<Eigen::Index>(k)]});
+    return list;
+  }
+
   /// Effects of the verdict first, the best set leading, then the others by rank.
   void fill(const std::vector<const Explanation*>& set, const Explanation& best) {
     if (!set.empty()) {
       result_.rmse_after = rms(problem_.measured - best.fit.prediction);
       result_.remaining_p_value = best.rechecked ? best.recheck.p_value() : unset;
-      for (std::size_t k = 0; k < problem_.base.size(); ++k)
-        result_.base_shifts.push_back(
-            {.name = problem_.base[k],
-             .unit = evidence_.response.parameters[k].unit,
-             .before = evidence_.base.values[static_cast<Eigen::Index>(k)],
-             .after = best.fit.values[static_cast<Eigen::Index>(k)],
-             .std = best.fit.standard_errors[static_cast<Eigen::Index>(k)]});
+      result_.base_shifts = base_shifts(best);
       for (std::size_t k = 0; k < best.parameters.size(); ++k)
         if (best.fit.at_bound[k] && k < problem_.base.size())
           result_.messages.push_back(best.parameters[k].name + " ends at a bound");
@@ -607,6 +620,7 @@ class Investigation {
     effect.rmse = rms(problem_.measured - e.fit.prediction);
     if (validate) effect.rmse_cross_validated = cross_validated(e);
     effect.parameters = sizes(e, member);
+    effect.base_shifts = base_shifts(e);
     if (e.rechecked) effect.remaining_p_value = e.recheck.p_value();
     for (const auto& group : result_.aliases)
       if (std::find(group.begin(), group.end(), effect.id) != group.end())
@@ -624,6 +638,34 @@ class Investigation {
     result_.suggested_measurements = std::move(next.points);
     result_.predicted_separation = next.predicted_separation;
     result_.separation_by_repetition = next.separation_by_repetition;
+    result_.records_needed = records_needed(set);
+  }
+
+  /// What the file of a shaft should hold beside, so that what heat does is told from the rest.
+  [[nodiscard]] std::vector<std::string> records_needed(
+      const std::vector<const Explanation*>& set) const {
+    if (subject_ != effects::Subject::shaft) return {};
+    const auto warm = [this](std::size_t k) {
+      return problem_.candidates[k].description->follows_heat;
+    };
+    const auto by_heat = [&](const Explanation* e) {
+      return std::any_of(e->members.begin(), e->members.end(), warm);
+    };
+    if (std::none_of(set.begin(), set.end(), by_heat) ||
+        std::all_of(set.begin(), set.end(), by_heat))
+      return {};
+    std::vector<std::string> list;
+    const auto rings = [](const Row& r) {
+      return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
+    };
+    if (!std::all_of(problem_.data.rows.begin(), problem_.data.rows.end(), rings))
+      list.emplace_back(
+          "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), which say what "
+          "expands");
+    list.emplace_back(
+        "the same speeds up and down, each soon after a change and again when warm: heat lags "
+        "behind, speed does not");
+    return list;
   }
 
   [[nodiscard]] std::string joined_sets(const std::vector<const Explanation*>& set) const {
@@ -650,6 +692,7 @@ class Investigation {
 
   const DiagnoseOptions& options_;
   Model model_;
+  effects::Subject subject_;
   std::vector<effects::Effect> user_made_;
   Evidence evidence_;
   const Problem& problem_;
@@ -682,7 +725,19 @@ std::string_view name(Verdict verdict) {
 
 Diagnosis diagnose(const Model& model, const DataSet& data, const DiagnoseOptions& options) {
   if (options.progress) options.progress(0.0, "estimating the noise");
-  return Investigation(model, data, options).run();
+  Diagnosis diagnosis = Investigation(model, data, options).run();
+  const std::size_t used =
+      static_cast<std::size_t>(diagnosis.rows) + diagnosis.rows_not_predicted.size();
+  if (used < data.rows.size())
+    if (const auto errors = errors_on_all_rows(model, data, diagnosis)) {
+      const QuantityText quantity = text_of(data.quantity);
+      diagnosis.messages.push_back(fmt::format(
+          "over all {} rows that can be predicted the error falls from {:.3g} to {:.3g} {} with "
+          "the numbers found on those that were used",
+          errors->rows, errors->before / quantity.factor, errors->after / quantity.factor,
+          quantity.unit));
+    }
+  return diagnosis;
 }
 
 }  // namespace raceway::fit

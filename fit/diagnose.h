@@ -44,6 +44,13 @@ struct EffectSize {
   bool at_bound = false;
 };
 
+/// A base parameter before and after an effect, or those of the verdict, was on.
+struct BaseShift {
+  std::string name;
+  std::string unit;
+  double before = unset, after = unset, std = unset;
+};
+
 /// How one effect explains the data, all base parameters refitted with it.
 struct RankedEffect {
   std::string id;
@@ -51,9 +58,10 @@ struct RankedEffect {
   /// Fall of -2 ln L against the model without it, less ln N for each free shape; of the whole set
   /// where the verdict is `several_effects` and this effect is in it.
   double gain = unset;
-  double rmse = unset;                  ///< [N m]
-  double rmse_cross_validated = unset;  ///< over blocks that the fit did not see [N m]
+  double rmse = unset;                  ///< [N m] or [m]
+  double rmse_cross_validated = unset;  ///< over blocks that the fit did not see [N m] or [m]
   std::vector<EffectSize> parameters{};
+  std::vector<BaseShift> base_shifts{};  ///< what the base parameters had been hiding of it
   std::vector<std::string> indistinguishable_from{};  ///< ids; names of base parameters
   double remaining_p_value = unset;  ///< of the gate with this effect on; NaN where not asked
 };
@@ -63,10 +71,10 @@ struct DetectableSize {
   std::string id;
   std::string parameter;
   std::string unit;
-  double size = unset;             ///< of that parameter
-  double share_of_torque = unset;  ///< rms of the effect at that size over rms of the torque [1]
-  std::string most_alike{};        ///< the effect it is hardest told from, empty if none
-  double told_apart_from = unset;  ///< size from which it is told from that one
+  double size = unset;              ///< of that parameter
+  double share_of_reading = unset;  ///< rms of the effect at that size over rms of the readings [1]
+  std::string most_alike{};         ///< the effect it is hardest told from, empty if none
+  double told_apart_from = unset;   ///< size from which it is told from that one
 };
 
 struct NotTestable {
@@ -81,13 +89,6 @@ struct Shape {
   std::string statement;           ///< where it is strongest, and its sign
   double explained_share = unset;  ///< of the squared misfit beyond the noise [1]
   double gain = unset;             ///< fall of -2 ln L against the model without it
-};
-
-/// A base parameter before and after the effects of the verdict were on.
-struct BaseShift {
-  std::string name;
-  std::string unit;
-  double before = unset, after = unset, std = unset;
 };
 
 struct Diagnosis {
@@ -106,10 +107,11 @@ struct Diagnosis {
   std::vector<std::vector<std::string>> aliases;  ///< effects alike on these data (|cos| > 0.98)
   std::vector<SuggestedMeasurement> suggested_measurements;
   double predicted_separation = unset, separation_by_repetition = unset;
+  std::vector<std::string> records_needed;  ///< what to record beside it, to tell them apart
   std::optional<Shape> shape;
   std::vector<BaseShift> base_shifts;              ///< what the base parameters had been hiding
   std::vector<HoldOut> hold_out;                   ///< of the verdict's best set against the base
-  double rmse_before = unset, rmse_after = unset;  ///< in sample [N m]
+  double rmse_before = unset, rmse_after = unset;  ///< in sample [N m] or [m]
   double needed_gain = unset;                      ///< ln N + 2 ln m
   int candidates_tried = 0;                        ///< m, with those tried before
   int rows = 0;                                    ///< used

@@ -8,8 +8,9 @@
 #include <stdexcept>
 
 #include "fit/free_parameters.h"
-#include "fit/prediction.h"
+#include "fit/quantity.h"
 #include "fit/screening.h"
+#include "fit/shaft_prediction.h"
 
 namespace raceway::fit {
 
@@ -18,7 +19,10 @@ namespace {
 constexpr std::size_t fewest_rows = 15;
 constexpr Eigen::Index fewest_freedom = 8;  // of the noise
 constexpr double first_relative = 0.02;     // noise assumed before it is known
-constexpr double least_noise = 1e-8;        // of the torque: less is rounding of a computer
+constexpr double least_noise = 1e-8;        // of the readings: less is rounding of a computer
+// Below this share of the rms, errors no longer shrink with the reading. Most of the noise of a
+// displacement is that of the sensor whatever it reads.
+constexpr double torque_floor = 0.05, displacement_floor = 1.0;
 
 int distinct(const DataSet& data, double relative, double absolute, double (*value)(const Row&)) {
   std::vector<double> values;
@@ -42,7 +46,10 @@ void require_enough(const DataSet& data, std::size_t parameters) {
         "several speeds, loads and temperatures",
         data.source, data.rows.size(), needed));
   const int speeds = distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.speed; });
-  const int loads = distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; });
+  const int loads =
+      std::max(distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; }),
+               distinct(data, 5e-3, 0.0,
+                        [](const Row& r) { return std::isnan(r.preload) ? 0.0 : r.preload; }));
   const int temperatures =
       distinct(data, 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
   if (speeds * loads * temperatures < 2)
@@ -55,6 +62,32 @@ void require_enough(const DataSet& data, std::size_t parameters) {
         "{}: {} speed(s), {} load(s), {} temperature(s): a verdict needs three levels of at least "
         "one of them",
         data.source, speeds, loads, temperatures));
+}
+
+/// Takes the free parameters out that change no reading, near the start nor away from it: what was
+/// measured with each row stands in their place, or nothing here depends on them.
+std::vector<std::string> take_idle(Problem& problem, const Response& response) {
+  const Eigen::VectorXd start = response.start();
+  const Eigen::VectorXd there = response.readings(start);
+  std::vector<std::string> idle;
+  if (!there.allFinite()) return idle;
+  for (std::size_t k = 0; k < response.parameters.size(); ++k) {
+    const FitParameter& p = response.parameters[k];
+    bool moves = false;
+    for (const double step : {0.1, -0.1, 1e-3, -1e-3}) {
+      if (moves) break;
+      Eigen::VectorXd x = start;
+      const auto at = static_cast<Eigen::Index>(k);
+      x[at] = std::clamp(x[at] + step * p.scale, p.lower, p.upper);
+      const Eigen::VectorXd change = response.readings(x) - there;
+      moves = !(change.norm() <= least_noise * there.norm());
+    }
+    if (!moves) idle.push_back(p.name);
+  }
+  std::erase_if(problem.base, [&](const std::string& name) {
+    return std::find(idle.begin(), idle.end(), name) != idle.end();
+  });
+  return idle;
 }
 
 /// Noise from what base law, smooth surfaces, levels and all candidates together leave.
@@ -91,8 +124,8 @@ NoiseModel noise_of_saturated_regression(const Evidence& evidence,
 Evidence gather_evidence(const Model& model, const DataSet& data,
                          std::span<const effects::Description* const> candidates, int most_rows,
                          const NoiseOptions& options) {
-  if (data.quantity != Quantity::friction_torque)
-    throw std::invalid_argument(data.source + ": diagnosis needs measured friction torque");
+  require_measured_subject(model, data);
+  const QuantityText quantity = text_of(data.quantity);
   Evidence evidence{.problem = {.model = model}};
   Problem& problem = evidence.problem;
   for (const ModelParameter& p : free_parameters(model)) problem.base.push_back(p.name);
@@ -108,9 +141,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   thinned.rows.clear();
   for (std::size_t i = every / 2; i < sorted.rows.size(); i += every)
     thinned.rows.push_back(sorted.rows[i]);
-  const std::vector<FrictionPrediction> predictions = predict_rows(model, thinned);
-  for (std::size_t i = 0; i < predictions.size(); ++i) {
-    if (predictions[i].predicted() && std::isfinite(thinned.rows[i].measured))
+  const std::vector<double> predicted = predict_readings(model, thinned);
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    if (std::isfinite(predicted[i]) && std::isfinite(thinned.rows[i].measured))
       problem.data.rows.push_back(thinned.rows[i]);
     else
       problem.rows_not_predicted.push_back(thinned.rows[i].line);
@@ -121,17 +154,25 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   for (Eigen::Index i = 0; i < rows; ++i)
     problem.measured[i] = problem.data.rows[static_cast<std::size_t>(i)].measured;
   problem.candidates = make_candidates(model, candidates);
+  if (std::any_of(problem.candidates.begin(), problem.candidates.end(),
+                  [](const Candidate& c) { return c.description->needs_equilibrium; }))
+    problem.balances = entered_balances(model, problem.data);
 
-  // A first fit with the noise that rigs have, for a smooth size of each torque.
+  // A first fit with the noise that rigs have, for a smooth size of each reading.
   evidence.response = response_with(problem, {});
+  evidence.idle = take_idle(problem, evidence.response);
+  if (!evidence.idle.empty()) evidence.response = response_with(problem, {});
   evidence.response.find_affine_form();
   const double rms = problem.measured.norm() / std::sqrt(static_cast<double>(rows));
   if (!(rms > 0.0)) throw std::invalid_argument(data.source + ": all readings are zero");
   if (problem.measured.maxCoeff() - problem.measured.minCoeff() <= least_noise * rms)
     throw std::invalid_argument(
-        fmt::format("{}: all readings are {:.4g} N mm: a verdict needs readings that vary",
-                    data.source, problem.measured[0] / N_mm));
-  const Eigen::VectorXd guess = first_relative * problem.measured.cwiseAbs().cwiseMax(0.1 * rms);
+        fmt::format("{}: all readings are {:.4g} {}: a verdict needs readings that vary",
+                    data.source, problem.measured[0] / quantity.factor, quantity.unit));
+  const double floor =
+      data.quantity == Quantity::friction_torque ? torque_floor : displacement_floor;
+  const Eigen::VectorXd guess =
+      first_relative * problem.measured.cwiseAbs().cwiseMax(2.0 * floor * rms);
   const auto starts_of = [&](const Eigen::VectorXd& x) {
     return std::vector<Eigen::VectorXd>{x, 0.8 * x, 1.25 * x, 0.5 * x};
   };
@@ -142,7 +183,7 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
         data.source +
         ": the fit of the model's own parameters does not converge; free fewer of "
         "them, or check units of model and data");
-  evidence.size = first.prediction.cwiseAbs().cwiseMax(0.05 * rms);
+  evidence.size = first.prediction.cwiseAbs().cwiseMax(floor * rms);
   screen_candidates(problem, first.values);
 
   evidence.noise = problem.data.noise == NoiseSource::regression
@@ -152,8 +193,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
       !evidence.noise.whitening.std().allFinite())
     throw std::invalid_argument(
         data.source +
-        ": the readings have no scatter at all, so nothing can be held against it; give std_Nmm "
-        "where they are exact");
+        fmt::format(": the readings have no scatter at all, so nothing can be held against it; "
+                    "give std_{} where they are exact",
+                    quantity.key_unit));
   evidence.base = fit_response(evidence.response, evidence.noise.whitening, problem.measured,
                                starts_of(first.values));
   if (!evidence.base.converged)

@@ -12,7 +12,8 @@ constexpr int most_rows_of_a_fit = 4000;  ///< of larger data sets every k-th ro
 /// Model, data, candidates and noise, made ready to be asked what is missing.
 struct Evidence {
   Problem problem;
-  Eigen::VectorXd size{};  ///< typical torque of each row, by the base model [N m]
+  std::vector<std::string> idle{};  ///< free parameters that change no reading: not in the base
+  Eigen::VectorXd size{};           ///< typical size of each reading, by the base model
   NoiseModel noise{};
   Response response{};  ///< of the base model
   ResponseFit base{};   ///< refitted under that noise

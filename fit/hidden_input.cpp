@@ -49,7 +49,9 @@ std::optional<HiddenInput> find_hidden_input(const DataSet& data) {
   const auto unfit = [](const Row& row) {
     return std::isfinite(row.time) || !(row.measured > 0.0);
   };
-  if (std::any_of(data.rows.begin(), data.rows.end(), unfit)) return std::nullopt;
+  if (data.quantity != Quantity::friction_torque ||
+      std::any_of(data.rows.begin(), data.rows.end(), unfit))
+    return std::nullopt;
   HiddenInput found;
   std::vector<double> sizes;
   std::map<int, std::vector<double>> runs;

@@ -53,6 +53,7 @@ std::vector<Blocking> blockings(const DataSet& data) {
   add("speed", 5e-3, 0.0, [](const Row& r) { return r.point.speed; });
   add("axial_load", 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; });
   add("temperature", 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
+  add("preload", 5e-3, 0.0, [](const Row& r) { return std::isnan(r.preload) ? 0.0 : r.preload; });
   if (result.size() < 3) add("run", 0.0, 0.5, [](const Row& r) { return 1.0 * r.run; });
   return result;
 }
@@ -61,11 +62,10 @@ Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit
                                 const Eigen::VectorXd& measured, const Eigen::VectorXd& std,
                                 const Blocking& blocking) {
   const Eigen::VectorXd weight = std.cwiseInverse();
-  Eigen::MatrixXd jacobian = response.jacobian(fit.values);
   std::vector<Eigen::Index> free;
   for (std::size_t k = 0; k < fit.at_bound.size(); ++k)
     if (!fit.at_bound[k]) free.push_back(static_cast<Eigen::Index>(k));
-  const Eigen::MatrixXd tangent = jacobian(Eigen::all, free);
+  const Eigen::MatrixXd tangent = fit.slope(Eigen::all, free);
   const Eigen::VectorXd rest = measured - fit.prediction;
   Eigen::VectorXd errors = rest;
   for (int b = 0; b < blocking.blocks; ++b) {

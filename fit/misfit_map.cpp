@@ -50,8 +50,8 @@ MisfitMap misfit_map(const Comparison& comparison, const DataSet& data,
   MisfitMap map;
   map.across = ranges_of(comparison, Variable::speed);
   if (map.across.empty()) map.across = {all_rows(comparison, data, Variable::speed)};
-  for (const Variable variable :
-       {Variable::axial_load, Variable::radial_load, Variable::temperature, Variable::run}) {
+  for (const Variable variable : {Variable::axial_load, Variable::radial_load, Variable::preload,
+                                  Variable::temperature, Variable::run}) {
     map.up = ranges_of(comparison, variable);
     map.up_variable = variable;
     if (!map.up.empty()) break;

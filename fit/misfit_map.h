@@ -12,7 +12,7 @@ namespace raceway::fit {
 struct MisfitCell {
   std::size_t across = 0, up = 0;  ///< indices into the axes of the map
   int rows = 0;
-  double bias = unset;       ///< mean of prediction minus reading [N m]
+  double bias = unset;       ///< mean of prediction minus reading [N m] or [m]
   double sigmas = unset;     ///< bias over its standard error; NaN where the noise is not known
   bool significant = false;  ///< beyond chance at 5 % over the whole map (Bonferroni)
 };
@@ -20,8 +20,8 @@ struct MisfitCell {
 /// Where on the plan a model errs, and by how much more than chance.
 ///
 /// The ranges are those of Comparison::where: levels where the data have few, bins of about equally
-/// many rows otherwise. `up` is the first of axial load, radial load, temperature and run that
-/// varies; with none, and likewise with one speed, that axis has a single range of all rows.
+/// many rows otherwise. `up` is the first of axial load, radial load, preload, temperature and run
+/// that varies; with none, and likewise with one speed, that axis has a single range of all rows.
 ///
 ///   standard error of the mean of m rows = sqrt(Σ s_i²) / m
 ///
@@ -35,8 +35,8 @@ struct MisfitMap {
   double needed_sigmas = unset;    ///< from which a cell is significant
 };
 
-/// `std` of each of `comparison.errors` [N m], NaN where not known. `data` are the rows that the
-/// errors point into.
+/// `std` of each of `comparison.errors` [N m] or [m], NaN where not known. `data` are the rows that
+/// the errors point into.
 [[nodiscard]] MisfitMap misfit_map(const Comparison& comparison, const DataSet& data,
                                    std::span<const double> std);
 

@@ -46,6 +46,11 @@ struct Model {
   std::vector<std::string> free;  ///< names of what may be re-fitted; see free_parameters()
   /// The first bearing of its front set is `bearing`.
   std::optional<Shaft> shaft = {};
+
+  /// What it stands for; effects have a form for each.
+  [[nodiscard]] effects::Subject subject() const {
+    return shaft ? effects::Subject::shaft : effects::Subject::bearing;
+  }
 };
 
 }  // namespace raceway::fit

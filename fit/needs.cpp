@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fit/prediction.h"
+#include "fit/quantity.h"
 
 namespace raceway::fit {
 
@@ -23,7 +24,8 @@ bool varies(const DataSet& data, double relative, double absolute, Value value) 
 }
 
 bool is_for_levels(Need need) {
-  return need == Need::speed_levels || need == Need::load_levels || need == Need::viscosity_levels;
+  return need == Need::speed_levels || need == Need::load_levels || need == Need::preload_levels ||
+         need == Need::viscosity_levels;
 }
 
 bool is_met(Need need, const Model& model, const DataSet& data) {
@@ -39,6 +41,8 @@ bool is_met(Need need, const Model& model, const DataSet& data) {
     case Need::load_levels:
       return varies(data, 0.01, 0.0, [](const Row& r) { return r.point.axial_load; }) ||
              varies(data, 0.01, 0.0, radial);
+    case Need::preload_levels:
+      return varies(data, 0.01, 0.0, [](const Row& r) { return r.preload; });
     case Need::viscosity_levels:
       return varies(data, 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
     case Need::time:
@@ -48,9 +52,12 @@ bool is_met(Need need, const Model& model, const DataSet& data) {
         return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
       });
     case Need::loads:
-      return every_row([&](const Row& r) { return r.point.axial_load > 0.0 || radial(r) > 0.0; });
+      return model.shaft ||  // the sets load each other
+             every_row([&](const Row& r) { return r.point.axial_load > 0.0 || radial(r) > 0.0; });
     case Need::ball_load_law:
-      return needs_equilibrium(model);
+      return model.shaft || needs_equilibrium(model);
+    case Need::opposed_sets:
+      return model.shaft && !model.shaft->arrangement.design().rear.empty();
     case Need::palmgren_law:
       return model.law == friction::FrictionLaw::palmgren;
     case Need::torque_standard:
@@ -71,6 +78,12 @@ std::string first_unmet(const effects::Description& effect, const Model& model, 
 
 std::string missing_need(const effects::Description& effect, const Model& model,
                          const DataSet& data) {
+  const effects::Subject measured = subject_of(data.quantity);
+  if (!effect.moves(measured))
+    return measured == effects::Subject::bearing
+               ? "axial displacement of a shaft, on which alone it acts"
+               : "friction torque, on which alone it acts";
+  if (measured != model.subject()) return "a model of what was measured";
   return first_unmet(effect, model, data, false);
 }
 

@@ -24,6 +24,16 @@ std::vector<double> grid(double low, double high, int count) {
   return levels;
 }
 
+/// Preloads of the sets that may be tried: those of the data, or the one there is and others that a
+/// spindle of that preload stands. NaN, "as it is", for a bearing on a rig.
+std::vector<double> preload_levels(const Problem& problem, double low, double high) {
+  if (problem.data.quantity != Quantity::axial_displacement) return {unset};
+  if (high > 1.05 * low) return grid(low, high, 3);
+  const double one = std::isfinite(low) ? low : problem.model.shaft->arrangement.preload();
+  if (!(one > 0.0)) return {unset};
+  return {std::isfinite(low) ? one : unset, 0.5 * one, 2.0 * one};
+}
+
 /// What one explanation, if true, would leave of another: quadratic forms to which points add.
 struct Contest {
   std::size_t truth, wrong;
@@ -64,28 +74,33 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
       low = std::min(low, v);
       high = std::max(high, v);
     }
-  } speed, axial, radial, temperature;
+  } speed, axial, radial, temperature, preload;
   double time = 0.0;
   for (const Row& row : problem.data.rows) {
     speed.take(row.point.speed);
     axial.take(row.point.axial_load);
     radial.take(row.point.radial_load);
     temperature.take(row.point.temperature);
+    preload.take(row.preload);  // NaN changes nothing
     if (std::isfinite(row.time)) time = std::max(time, row.time);
   }
   mean.time = time;
   planned.data.rows.clear();
+  planned.balances.clear();
+  const std::vector<double> preloads = preload_levels(problem, preload.low, preload.high);
   for (const double n : grid(speed.low, speed.high, 7))
     for (const double f : grid(axial.low, axial.high, 5))
       for (const double r : grid(radial.low, radial.high, 3))
-        for (const double t : grid(temperature.low, temperature.high, 4)) {
-          Row row = mean;
-          row.point.speed = n;
-          row.point.axial_load = f;
-          row.point.radial_load = r;
-          row.point.temperature = t;
-          planned.data.rows.push_back(row);
-        }
+        for (const double t : grid(temperature.low, temperature.high, 4))
+          for (const double p : preloads) {
+            Row row = mean;
+            row.point.speed = n;
+            row.point.axial_load = f;
+            row.point.radial_load = r;
+            row.point.temperature = t;
+            row.preload = p;
+            planned.data.rows.push_back(row);
+          }
   const auto points = static_cast<Eigen::Index>(planned.data.rows.size());
   for (const Row& row : problem.data.rows) planned.data.rows.push_back(row);
   const Eigen::Index old = problem.measured.size();
@@ -117,7 +132,7 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
           (noise.relative * noise.relative * prediction[i].head(points).array().square() +
            noise.absolute * noise.absolute)
               .sqrt()
-              .max(1e-9);
+              .max(1e-6 * noise.rms);
       const Eigen::MatrixXd seen = noise.whitening(Eigen::MatrixXd(slope[j].bottomRows(old)));
       const Eigen::VectorXd apart = noise.whitening(Eigen::VectorXd(gap.tail(old)));
       c.information = seen.transpose() * seen;
@@ -185,8 +200,8 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
     return text;
   };
   for (const Eigen::Index p : chosen) {
-    SuggestedMeasurement m{.point = planned.data.rows[static_cast<std::size_t>(p)].point,
-                           .repeats = repeats};
+    const Row& row = planned.data.rows[static_cast<std::size_t>(p)];
+    SuggestedMeasurement m{.point = row.point, .preload = row.preload, .repeats = repeats};
     double largest = 0.0;
     for (const Contest& c : measured)
       if (std::abs(c.gap[p]) > largest) {
@@ -198,7 +213,8 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
     const auto same = [&](const SuggestedMeasurement& s) {
       return s.point.speed == m.point.speed && s.point.axial_load == m.point.axial_load &&
              s.point.radial_load == m.point.radial_load &&
-             s.point.temperature == m.point.temperature;
+             s.point.temperature == m.point.temperature &&
+             (s.preload == m.preload || std::isnan(m.preload));
     };
     const auto known = std::find_if(result.points.begin(), result.points.end(), same);
     if (known != result.points.end())

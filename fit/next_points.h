@@ -11,6 +11,7 @@ namespace raceway::fit {
 /// A measurement that would tell apart what the data cannot.
 struct SuggestedMeasurement {
   bearing::OperatingPoint point;
+  double preload = unset;  ///< of the sets of a shaft [N]; NaN: as it is
   int repeats = 2;
   std::string separates{};             ///< ids, e.g. "seal-friction / load-offset"
   double difference_in_sigma = unset;  ///< of that pair at this point, before any refit [1]
@@ -23,7 +24,8 @@ struct NextPoints {
   double predicted_separation = unset, separation_by_repetition = unset;
 };
 
-/// Points within the ranges of the data that best separate rival explanations: T-optimal, the
+/// Points within the ranges of the data, on a shaft also half and twice the only preload that was
+/// measured, that best separate rival explanations: T-optimal, the
 /// worst pair counts, by greedy choice and exchange until the predicted separation reaches 20 or
 /// `most` points (with their repeats) are used.
 [[nodiscard]] NextPoints next_points(const Problem& problem, const NoiseModel& noise,

@@ -49,16 +49,18 @@ Regression regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
 }
 
 /// -2 ln of the restricted likelihood, with the common factor of the variance at its best.
+/// `deviation`: readings less any fit of the columns, which changes nothing but the rounding.
 double restricted(const Whitening& whitening, const Eigen::MatrixXd& columns,
-                  const Eigen::VectorXd& measured) {
+                  const Eigen::VectorXd& deviation) {
   const Eigen::MatrixXd x = whitening(columns);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(x);
-  Eigen::VectorXd rotated = whitening(measured);
-  rotated.applyOnTheLeft(qr.householderQ().transpose());
+  const Eigen::VectorXd y = whitening(deviation);
   const auto freedom = static_cast<double>(x.rows() - x.cols());
-  const double rest = rotated.tail(x.rows() - x.cols()).squaredNorm();
-  return freedom * std::log(rest) + whitening.log_determinant() +
-         2.0 * qr.matrixQR().diagonal().head(x.cols()).array().abs().log().sum();
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(x.cols(), x.cols());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
+  const Eigen::LLT<Eigen::MatrixXd> root(gram);
+  const double fitted = root.matrixL().solve(x.transpose() * y).squaredNorm();
+  return freedom * std::log(y.squaredNorm() - fitted) + whitening.log_determinant() +
+         2.0 * root.matrixLLT().diagonal().array().log().sum();
 }
 
 /// Shape of the standard deviations: share of the relative part in [0, 1].
@@ -180,6 +182,7 @@ NoiseModel estimate_noise_model(const DataSet& data, const Eigen::MatrixXd& colu
   }
   const Eigen::MatrixXd some_columns = pick(columns, some);
   const Eigen::VectorXd some_measured = measured(some);
+  const Eigen::VectorXd some_deviation = regress(some_columns, some_measured).residual;
 
   NoiseModel noise;
   noise.degrees_of_freedom = static_cast<double>(rows - columns.cols());
@@ -195,7 +198,7 @@ NoiseModel estimate_noise_model(const DataSet& data, const Eigen::MatrixXd& colu
       double best = infinity;
       for (const double s : {1.0, 0.998, 0.99, 0.97, 0.93, 0.85, 0.7, 0.5, 0.25, 0.1, 0.0}) {
         // The pure forms are preferred unless a mixture is clearly better.
-        const double value = restricted(whitening_of(0.0, 0.0, s), some_columns, some_measured) +
+        const double value = restricted(whitening_of(0.0, 0.0, s), some_columns, some_deviation) +
                              (s < 1.0 && s > 0.0 ? 1.0 : 0.0);
         if (value < best) {
           best = value;
@@ -227,7 +230,7 @@ NoiseModel estimate_noise_model(const DataSet& data, const Eigen::MatrixXd& colu
   const bool timed = options.correlation && order.has_time, runs = options.runs && order.has_runs;
   if (timed || runs) {
     const auto value = [&](double p, double q) {
-      return restricted(whitening_of(p, q, share), some_columns, some_measured) +
+      return restricted(whitening_of(p, q, share), some_columns, some_deviation) +
              worth_a_parameter * ((p > 0.0 ? 1.0 : 0.0) + (q > 0.0 ? 1.0 : 0.0));
     };
     double best = value(0.0, 0.0);

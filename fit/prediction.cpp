@@ -25,11 +25,6 @@ bool finite(const bearing::OperatingPoint& p) {
          std::isfinite(p.temperature);
 }
 
-bool finite(const Condition& c) {
-  return std::isfinite(c.extra_axial_load) && std::isfinite(c.radial_growth) &&
-         std::isfinite(c.tilt) && std::isfinite(c.other_balls);
-}
-
 /// An angular contact bearing cannot be pulled: the extra load ends where the entered one is gone.
 double with_extra(double axial_load, double extra) {
   return std::copysign(std::max(std::abs(axial_load) + extra, 0.0), axial_load);
@@ -75,6 +70,12 @@ bearing::BearingEquilibrium solve_tilted(const bearing::Bearing& bearing,
   }
   if (e.report.converged()) e.report.status = bearing::SolveStatus::iteration_limit;
   return e;
+}
+
+/// True if somebody has tried to solve it.
+bool known(const bearing::SolveReport& report) {
+  return report.status != bearing::SolveStatus::not_run &&
+         report.status != bearing::SolveStatus::not_finite;
 }
 
 }  // namespace
@@ -126,11 +127,29 @@ Steps::Steps(const Model& model, bool with_equilibrium)
     if (d.lubricant) lubricant.push_back(k);
     if (d.has_moment()) moment.push_back(k);
     if (d.reading) reading.push_back(k);
+    if (d.displacement) displacement.push_back(k);
   }
   // Descriptions of the catalogue stand in one array, in its order.
   std::stable_sort(lubricant.begin(), lubricant.end(), [&](std::size_t a, std::size_t b) {
     return std::less<>()(model.effects[a].description, model.effects[b].description);
   });
+}
+
+Condition condition_of(const Model& model, const Steps& steps,
+                       const friction::BearingState<double>& entered,
+                       const bearing::OperatingPoint& point, const effects::Record& record,
+                       const Condition& given) {
+  Condition condition = given;
+  if (steps.condition.empty()) return condition;
+  const effects::BaseLaw law{model.law, model.law_values};
+  const friction::BaseMoments<double> base = law.moments(entered);
+  const effects::ConditionInputs inputs{.bearing = *entered.bearing,
+                                        .point = point,
+                                        .record = record,
+                                        .power = (base.load + base.viscous) * point.speed};
+  for (const std::size_t k : steps.condition)
+    model.effects[k].description->condition(inputs, model.effects[k].values, condition);
+  return condition;
 }
 
 Stage first_stage(const Model& model, const Steps& steps, int effect) {
@@ -146,34 +165,37 @@ Stage first_stage(const Model& model, const Steps& steps, int effect) {
 }
 
 RowPredictor::RowPredictor(const Model& model, const Steps& steps,
-                           const bearing::OperatingPoint& point, const effects::Record& record)
+                           const bearing::OperatingPoint& point, const effects::Record& record,
+                           Balance entered, const Condition& given)
     : point_(point),
       record_(record),
-      entered_viscosity_(model.lubricant.kinematic_viscosity(point.temperature)) {
+      given_(given),
+      entered_viscosity_(model.lubricant.kinematic_viscosity(point.temperature)),
+      radial_load_(std::hypot(point.radial_load, point.radial_load_z)) {
   now_.units.assign(steps.moment.size(), unset);
+  if (!entered) return;
+  now_.report = entered->report;
+  now_.equilibrium = std::move(entered);
 }
 
 friction::BearingState<double> RowPredictor::state(const Model& model, const Way& way) const {
-  friction::BearingState<double> s = bearing_state(model, point_, way.equilibrium.get());
-  s.axial_load = with_extra(point_.axial_load, way.condition.extra_axial_load);
-  s.kinematic_viscosity = way.film.kinematic_viscosity;
-  return s;
+  return {.bearing = &model.bearing,
+          .equilibrium = way.equilibrium.get(),
+          .race_control = model.solver.race_control,
+          .speed = point_.speed,
+          .axial_load = with_extra(point_.axial_load, way.condition.extra_axial_load),
+          .radial_load = radial_load_,
+          .temperature = point_.temperature,
+          .kinematic_viscosity = way.film.kinematic_viscosity};
 }
 
 bool RowPredictor::find_condition(const Model& model, const Steps& steps,
                                   Condition& condition) const {
   if (!finite(point_)) return false;
-  if (steps.condition.empty()) return true;
-  const effects::BaseLaw law{model.law, model.law_values};
-  const friction::BearingState<double> entered = bearing_state(model, point_, nullptr);
-  const friction::BaseMoments<double> base = law.moments(entered);
-  const effects::ConditionInputs inputs{.bearing = model.bearing,
-                                        .point = point_,
-                                        .record = record_,
-                                        .power = (base.load + base.viscous) * point_.speed};
-  for (const std::size_t k : steps.condition)
-    model.effects[k].description->condition(inputs, model.effects[k].values, condition);
-  return finite(condition);
+  Way before;
+  before.film.kinematic_viscosity = entered_viscosity_;
+  condition = condition_of(model, steps, state(model, before), point_, record_, given_);
+  return condition.finite();
 }
 
 std::optional<bearing::BearingCase> RowPredictor::question(const Model& model, Way& way) const {
@@ -192,16 +214,17 @@ std::optional<bearing::BearingCase> RowPredictor::question(const Model& model, W
   return asked;
 }
 
-void RowPredictor::solve(const Model& model, Way& way,
-                         const bearing::BearingEquilibrium* neighbour) const {
-  // The neighbour may be the way's own last equilibrium.
-  const std::shared_ptr<const bearing::BearingEquilibrium> last = std::move(way.equilibrium);
+void RowPredictor::solve(const Model& model, Way& way) const {
+  // Started from the way's own last balance.
+  const Balance last = way.equilibrium;
+  const bearing::BearingEquilibrium* start =
+      last && last->report.converged() ? last.get() : nullptr;
   const auto asked = question(model, way);
   if (!asked) return;
   way.equilibrium = std::make_shared<const bearing::BearingEquilibrium>(
       way.condition.tilt != 0.0
-          ? solve_tilted(*asked->bearing, asked->point, model.solver, way.condition.tilt, neighbour)
-          : solve_from(*asked->bearing, asked->point, model.solver, neighbour));
+          ? solve_tilted(*asked->bearing, asked->point, model.solver, way.condition.tilt, start)
+          : solve_from(*asked->bearing, asked->point, model.solver, start));
   way.report = way.equilibrium->report;
 }
 
@@ -209,6 +232,7 @@ std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const 
   Condition condition;
   if (!steps.equilibrium || !find_condition(model, steps, condition) || condition.tilt != 0.0)
     return {};
+  if (condition == now_.condition && known(now_.report)) return {};
   now_.condition = condition;
   return question(model, now_);
 }
@@ -218,8 +242,7 @@ void RowPredictor::answer(bearing::BearingEquilibrium&& equilibrium) {
   now_.equilibrium = std::make_shared<const bearing::BearingEquilibrium>(std::move(equilibrium));
 }
 
-void RowPredictor::run(const Model& model, const Steps& steps, Stage stage, Way& way,
-                       const bearing::BearingEquilibrium* neighbour) const {
+void RowPredictor::run(const Model& model, const Steps& steps, Stage stage, Way& way) const {
   const effects::BaseLaw law{model.law, model.law_values};
   if (stage <= Stage::moment) way.torque = unset;
   way.reading = unset;
@@ -229,13 +252,9 @@ void RowPredictor::run(const Model& model, const Steps& steps, Stage stage, Way&
       way.report.status = bearing::SolveStatus::not_finite;
       return;
     }
-    const bool moved = !(condition == way.condition);
+    const bool solved = condition == way.condition && known(way.report);
     way.condition = condition;
-    if (steps.equilibrium && (moved || way.report.status == bearing::SolveStatus::not_run))
-      solve(model, way,
-            neighbour                                                ? neighbour
-            : way.equilibrium && way.equilibrium->report.converged() ? way.equilibrium.get()
-                                                                     : nullptr);
+    if (steps.equilibrium && !solved) solve(model, way);
   }
   if (steps.needs_balls && !way.report.converged()) return;
 
@@ -277,15 +296,15 @@ void RowPredictor::run(const Model& model, const Steps& steps, Stage stage, Way&
     way.reading += model.effects[k].description->reading(inputs, model.effects[k].values);
 }
 
-double RowPredictor::predict(const Model& model, const Steps& steps,
-                             const bearing::BearingEquilibrium* neighbour) {
-  run(model, steps, Stage::condition, now_, neighbour);
+double RowPredictor::predict(const Model& model, const Steps& steps, Stage from) {
+  // Where there was no prediction, nothing is known to start from.
+  run(model, steps, std::isfinite(now_.reading) ? from : Stage::condition, now_);
   return now_.reading;
 }
 
 double RowPredictor::vary(const Model& model, const Steps& steps, Stage stage) const {
   varied_ = now_;
-  run(model, steps, stage, varied_, nullptr);
+  run(model, steps, stage, varied_);
   return varied_.reading;
 }
 
@@ -323,6 +342,45 @@ FrictionPrediction predict_friction(const Model& model, const bearing::Operating
   return row.prediction(model);
 }
 
+namespace {
+
+/// Solves the balances that the rows ask for side by side.
+void answer_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows) {
+  if (!steps.equilibrium) return;
+  std::vector<bearing::BearingCase> asked;
+  std::vector<std::size_t> asking;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (const auto question = rows[i].ask(model, steps)) {
+      asked.push_back(*question);
+      asking.push_back(i);
+    }
+  if (asked.empty()) return;
+  std::vector<bearing::BearingEquilibrium> solved(asked.size());
+  bearing::solve_many(asked, solved, model.solver);
+  for (std::size_t n = 0; n < asked.size(); ++n) rows[asking[n]].answer(std::move(solved[n]));
+}
+
+}  // namespace
+
+void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
+                 std::span<double> readings, Stage from) {
+  if (from == Stage::condition) answer_all(model, steps, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) readings[i] = rows[i].predict(model, steps, from);
+}
+
+std::vector<Balance> entered_balances(const Model& model, const DataSet& data) {
+  Model plain = model;
+  plain.effects.clear();
+  const Steps steps(plain, true);
+  std::vector<RowPredictor> rows;
+  rows.reserve(data.rows.size());
+  for (const Row& row : data.rows) rows.emplace_back(plain, steps, row.point, record_of(row));
+  answer_all(plain, steps, rows);
+  std::vector<Balance> balances;
+  for (const RowPredictor& row : rows) balances.push_back(row.equilibrium());
+  return balances;
+}
+
 void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> points,
                    std::span<FrictionPrediction> predictions, bool with_equilibrium,
                    std::span<const effects::Record> records) {
@@ -336,19 +394,10 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
     const std::size_t first = k * chunk, count = std::min(chunk, points.size() - first);
     std::vector<RowPredictor> rows;
     rows.reserve(count);
-    std::vector<bearing::BearingCase> asked;
-    std::vector<std::size_t> asking;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i)
       rows.emplace_back(model, steps, points[first + i],
                         records.empty() ? effects::Record{} : records[first + i]);
-      if (const auto question = rows[i].ask(model, steps)) {
-        asked.push_back(*question);
-        asking.push_back(i);
-      }
-    }
-    std::vector<bearing::BearingEquilibrium> solved(asked.size());
-    bearing::solve_many(asked, solved, model.solver);
-    for (std::size_t n = 0; n < asked.size(); ++n) rows[asking[n]].answer(std::move(solved[n]));
+    answer_all(model, steps, rows);
     for (std::size_t i = 0; i < count; ++i) {
       (void)rows[i].predict(model, steps);
       predictions[first + i] = rows[i].prediction(model);

@@ -88,11 +88,21 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
 
 /// Which effects of a model act where; found once for many predictions.
 struct Steps {
-  std::vector<std::size_t> condition, lubricant, moment, reading;  ///< indices into Model::effects
-  bool equilibrium = false;                                        ///< to be solved
+  /// Indices into Model::effects.
+  std::vector<std::size_t> condition, lubricant, moment, reading, displacement;
+  bool equilibrium = false;  ///< to be solved
   bool needs_balls = false;  ///< without it there is no prediction
   explicit Steps(const Model& model, bool with_equilibrium = false);
 };
+
+/// What the effects of a model change of the condition of a bearing in the state `entered`, beside
+/// what is `given`; not finite where an input is not known. The bearing may be another one than the
+/// model's.
+[[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
+                                              const friction::BearingState<double>& entered,
+                                              const bearing::OperatingPoint& point,
+                                              const effects::Record& record,
+                                              const effects::Condition& given = {});
 
 /// The first thing that a changed parameter can change.
 enum class Stage { condition, lubricant, base, moment, reading };
@@ -100,55 +110,66 @@ enum class Stage { condition, lubricant, base, moment, reading };
 /// The stage that a parameter of the base law (`effect` < 0) or of an effect acts on first.
 [[nodiscard]] Stage first_stage(const Model& model, const Steps& steps, int effect);
 
+/// Balls in balance, shared by all that look at them.
+using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
+
 /// One row that is predicted again and again with other parameter values of the same model. It
 /// remembers the equilibrium, solved again only when the condition moved, and what else a parameter
 /// leaves alone.
 class RowPredictor {
  public:
+  /// `entered`: the balance under the condition as entered, where it is known already. `given` is a
+  /// condition beside that of the effects in `steps`: what a shaft makes of it.
   RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
-               const effects::Record& record);
+               const effects::Record& record, Balance entered = nullptr,
+               const effects::Condition& given = {});
 
-  /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered.
-  double predict(const Model& model, const Steps& steps,
-                 const bearing::BearingEquilibrium* neighbour = nullptr);
+  /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered; values of
+  /// the model that act before `from` must be those of the last call.
+  double predict(const Model& model, const Steps& steps, Stage from = Stage::condition);
   /// The same for values that differ from the remembered ones from `stage` on; remembers nothing.
   [[nodiscard]] double vary(const Model& model, const Steps& steps, Stage stage) const;
 
   /// The balance that predict() will need, for callers that solve many at once and answer() before
-  /// they call it; nothing where it needs none, or one at an imposed tilt.
+  /// they call it; nothing where it needs none, remembers it, or needs one at an imposed tilt.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
 
   /// All that the last predict() found.
   [[nodiscard]] FrictionPrediction prediction(const Model& model) const;
-  [[nodiscard]] const bearing::BearingEquilibrium* equilibrium() const {
-    return now_.equilibrium.get();
-  }
+  [[nodiscard]] const Balance& equilibrium() const { return now_.equilibrium; }
 
  private:
   /// Everything on the way of one prediction.
   struct Way {
     effects::Condition condition;
     std::shared_ptr<const bearing::Bearing> bearing;  // null: as entered
-    std::shared_ptr<const bearing::BearingEquilibrium> equilibrium;
+    Balance equilibrium;
     bearing::SolveReport report;
     effects::Film film;
     friction::BaseMoments<double> base{unset, unset};
     std::vector<double> units;  // unit moments of Steps::moment, NaN where it has none
     double torque = unset, reading = unset;
   };
-  void run(const Model& model, const Steps& steps, Stage stage, Way& way,
-           const bearing::BearingEquilibrium* neighbour) const;
+  void run(const Model& model, const Steps& steps, Stage stage, Way& way) const;
   bool find_condition(const Model& model, const Steps& steps, effects::Condition& condition) const;
   std::optional<bearing::BearingCase> question(const Model& model, Way& way) const;
-  void solve(const Model& model, Way& way, const bearing::BearingEquilibrium* neighbour) const;
+  void solve(const Model& model, Way& way) const;
   [[nodiscard]] friction::BearingState<double> state(const Model& model, const Way& way) const;
 
   bearing::OperatingPoint point_;
   effects::Record record_;
-  double entered_viscosity_;
+  effects::Condition given_;
+  double entered_viscosity_, radial_load_;
   Way now_;
   mutable Way varied_;  // memory kept between calls of vary()
 };
+
+/// predict() for all rows, the balances they need solved side by side.
+void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
+                 std::span<double> readings, Stage from = Stage::condition);
+
+/// Balances of all rows under the condition as entered.
+[[nodiscard]] std::vector<Balance> entered_balances(const Model& model, const DataSet& data);
 
 }  // namespace raceway::fit

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "bearing/units.h"
+#include "effects/effect.h"
 #include "fit/data_set.h"
 
 namespace raceway::fit {
@@ -20,6 +21,12 @@ struct QuantityText {
   return quantity == Quantity::friction_torque
              ? QuantityText{"friction_torque", "friction torque", "N mm", "Nmm", N_mm}
              : QuantityText{"axial_displacement", "axial displacement", "um", "um", um};
+}
+
+/// What the quantity is measured on.
+[[nodiscard]] constexpr effects::Subject subject_of(Quantity quantity) {
+  return quantity == Quantity::friction_torque ? effects::Subject::bearing
+                                               : effects::Subject::shaft;
 }
 
 }  // namespace raceway::fit

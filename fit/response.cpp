@@ -1,16 +1,15 @@
 #include "fit/response.h"
 
-#include <ceres/ceres.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "fit/free_parameters.h"
-#include "fit/prediction.h"
+#include "fit/shaft_response.h"
 
 namespace raceway::fit {
 
@@ -20,6 +19,13 @@ constexpr double affine_tolerance = 1e-9;  // of the largest reading
 constexpr double difference_step = 1e-4;   // of the scale of a parameter
 constexpr double same_optimum = 1e-6;      // of the misfit
 constexpr double bound_tolerance = 1e-7;   // of the scale of a parameter
+constexpr double least_fall = 1e-10;       // of the misfit: a step that promises less is not taken
+constexpr double least_reading = 1e-10;    // of the readings: less is rounding
+constexpr double first_damping = 1e-4;     // of the square of a column
+constexpr double most_damping = 1e12;
+constexpr double kept_promise = 1e-3;  // share of the promised fall that accepts a step
+constexpr double no_influence = 1e-9;  // of a parameter against another
+constexpr int most_iterations = 100;
 
 /// A point within the bounds, `amount` scales away from the start in a direction of its own for
 /// each parameter.
@@ -34,11 +40,46 @@ Eigen::VectorXd away(const std::vector<FitParameter>& parameters, double amount)
   return x;
 }
 
-/// Minimises |r - A d|² for d within [lower, upper] by an active set; returns whether it settled.
-bool bounded_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& r,
-                           const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                           Eigen::VectorXd& d, std::vector<int>& side) {
-  const Eigen::Index count = a.cols();
+/// The problem min |r - A d|², reduced to as many rows as it has columns.
+class LeastSquares {
+ public:
+  LeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& r) {
+    const Eigen::Index count = a.cols();
+    Eigen::MatrixXd joined(a.rows(), count + 1);
+    joined << a, r;
+    const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(joined);
+    const Eigen::Index rows = std::min(count, a.rows());
+    a_ = joined.topLeftCorner(rows, count).triangularView<Eigen::Upper>();
+    r_ = joined.col(count).head(rows);
+  }
+
+  /// |r|² less what `d` leaves of it.
+  [[nodiscard]] double fall(const Eigen::VectorXd& d) const {
+    const Eigen::VectorXd image = a_ * d;
+    return image.dot(2.0 * r_ - image);
+  }
+
+  /// The minimum for d within [lower, upper], or of |r - A d|² + damping Σ |A_k|² d_k², by an
+  /// active set; returns whether it settled. `side` says which are held at which bound.
+  bool solve(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, double damping,
+             Eigen::VectorXd& d, std::vector<int>& side) const;
+
+ private:
+  Eigen::MatrixXd a_;
+  Eigen::VectorXd r_;
+};
+
+bool LeastSquares::solve(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, double damping,
+                         Eigen::VectorXd& d, std::vector<int>& side) const {
+  const Eigen::Index count = a_.cols();
+  Eigen::MatrixXd a = a_;
+  Eigen::VectorXd r = r_;
+  if (damping > 0.0) {
+    a.conservativeResize(a_.rows() + count, Eigen::NoChange);
+    a.bottomRows(count) = Eigen::MatrixXd((std::sqrt(damping) * a_.colwise().norm()).asDiagonal());
+    r.conservativeResize(r_.size() + count);
+    r.tail(count).setZero();
+  }
   side.assign(static_cast<std::size_t>(count), 0);
   d = Eigen::VectorXd::Zero(count);
   const Eigen::MatrixXd gram = a.transpose() * a;
@@ -95,39 +136,6 @@ bool bounded_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& r,
   return false;
 }
 
-/// The response as Ceres sees it: whitened, parameters in units of their scale.
-class WhitenedResiduals : public ceres::CostFunction {
- public:
-  WhitenedResiduals(const Response& response, const Whitening& whitening,
-                    const Eigen::VectorXd& measured, const Eigen::VectorXd& scale)
-      : response_(response), whitening_(whitening), measured_(measured), scale_(scale) {
-    set_num_residuals(static_cast<int>(measured.size()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(scale.size()));
-  }
-
-  bool Evaluate(double const* const* x, double* residual, double** jacobians) const override {
-    const Eigen::VectorXd values =
-        Eigen::Map<const Eigen::VectorXd>(x[0], scale_.size()).cwiseProduct(scale_);
-    const Eigen::VectorXd prediction = response_.at(values);
-    if (!prediction.allFinite()) return false;
-    Eigen::Map<Eigen::VectorXd>(residual, measured_.size()) =
-        whitening_(Eigen::VectorXd(measured_ - prediction));
-    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    const Eigen::MatrixXd derivatives =
-        whitening_(Eigen::MatrixXd(-response_.jacobian(values) * scale_.asDiagonal()));
-    if (!derivatives.allFinite()) return false;
-    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-        jacobians[0], measured_.size(), scale_.size()) = derivatives;
-    return true;
-  }
-
- private:
-  const Response& response_;
-  const Whitening& whitening_;
-  const Eigen::VectorXd& measured_;
-  const Eigen::VectorXd& scale_;
-};
-
 Eigen::VectorXd scales(const Response& response) {
   Eigen::VectorXd scale(static_cast<Eigen::Index>(response.parameters.size()));
   for (Eigen::Index k = 0; k < scale.size(); ++k)
@@ -135,44 +143,105 @@ Eigen::VectorXd scales(const Response& response) {
   return scale;
 }
 
-/// One minimum from one start; nothing where the optimiser gave up.
-std::optional<Eigen::VectorXd> minimum_from(const Response& response, const Whitening& whitening,
-                                            const Eigen::VectorXd& measured,
-                                            const Eigen::VectorXd& start, double& misfit) {
-  const Eigen::VectorXd scale = scales(response);
-  Eigen::VectorXd x = start.cwiseQuotient(scale);
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const FitParameter& p = response.parameters[static_cast<std::size_t>(k)];
-    x[k] = std::clamp(x[k], p.lower / p.scale, p.upper / p.scale);
+/// A minimum of the misfit, and what is known there.
+struct Minimum {
+  Eigen::VectorXd values{}, prediction{};
+  Eigen::MatrixXd slope{};     ///< of the readings
+  Eigen::MatrixXd jacobian{};  ///< the same whitened, in units of the scales
+  double misfit = unset;
+
+  /// Parameters that change nothing here, as the shape of an effect of size zero: with another
+  /// value of theirs the minimum may be elsewhere.
+  [[nodiscard]] std::vector<Eigen::Index> without_influence() const {
+    const Eigen::VectorXd norm = jacobian.colwise().norm();
+    std::vector<Eigen::Index> found;
+    for (Eigen::Index k = 0; k < norm.size(); ++k)
+      if (norm[k] <= no_influence * norm.maxCoeff()) found.push_back(k);
+    return found;
   }
-  if (!response.at(x.cwiseProduct(scale)).allFinite()) return std::nullopt;
-  ceres::Problem problem;
-  problem.AddResidualBlock(new WhitenedResiduals(response, whitening, measured, scale), nullptr,
-                           x.data());
-  for (int k = 0; k < x.size(); ++k) {
-    const FitParameter& p = response.parameters[static_cast<std::size_t>(k)];
-    if (std::isfinite(p.lower)) problem.SetParameterLowerBound(x.data(), k, p.lower / p.scale);
-    if (std::isfinite(p.upper)) problem.SetParameterUpperBound(x.data(), k, p.upper / p.scale);
+};
+
+/// A minimum with other values of the parameters that have no influence there: both ends of their
+/// range and its middle, in ratio where the range is wide.
+std::vector<Eigen::VectorXd> around(const Minimum& minimum,
+                                    const std::vector<FitParameter>& parameters) {
+  std::vector<Eigen::VectorXd> points;
+  for (const Eigen::Index k : minimum.without_influence()) {
+    const auto& [low, high] = std::pair(parameters[static_cast<std::size_t>(k)].lower,
+                                        parameters[static_cast<std::size_t>(k)].upper);
+    if (!std::isfinite(high - low)) continue;
+    const double middle =
+        low > 0.0 && high > 10.0 * low ? std::sqrt(low * high) : 0.5 * (low + high);
+    for (const double value : {low, middle, high}) {
+      points.push_back(minimum.values);
+      points.back()[k] = value;
+    }
   }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  options.max_num_iterations = 100;
-  options.function_tolerance = 1e-9;
-  options.gradient_tolerance = 1e-10;
-  options.parameter_tolerance = 1e-9;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  if (summary.termination_type != ceres::CONVERGENCE) return std::nullopt;
-  misfit = 2.0 * summary.final_cost;
-  return Eigen::VectorXd(x.cwiseProduct(scale));
+  return points;
 }
 
-/// What follows from the values: prediction, residual, tangent, standard errors.
+/// One minimum from one start by the method of Levenberg and Marquardt, the bounds kept inside each
+/// step: the linearised problem is solved under them, so that a parameter at a bound slows nothing
+/// down. Nothing where no step goes down although the linearised problem promises one.
+std::optional<Minimum> minimum_from(const Response& response, const Whitening& whitening,
+                                    const Eigen::VectorXd& measured, const Eigen::VectorXd& start) {
+  const Eigen::VectorXd scale = scales(response);
+  const Eigen::Index count = scale.size();
+  Eigen::VectorXd lower(count), upper(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const FitParameter& p = response.parameters[static_cast<std::size_t>(k)];
+    lower[k] = p.lower / p.scale;
+    upper[k] = p.upper / p.scale;
+  }
+  Eigen::VectorXd x = start.cwiseQuotient(scale).cwiseMax(lower).cwiseMin(upper);
+  Minimum at{.values = x.cwiseProduct(scale)};
+  at.prediction = response.at(at.values);
+  if (!at.prediction.allFinite()) return std::nullopt;
+  Eigen::VectorXd residual = whitening(Eigen::VectorXd(measured - at.prediction));
+  at.misfit = residual.squaredNorm();
+  const double rounding = std::pow(least_reading, 2) * whitening(measured).squaredNorm();
+  double damping = first_damping, harder = 4.0;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    at.slope = response.jacobian(at.values);
+    at.jacobian = whitening(Eigen::MatrixXd(at.slope * scale.asDiagonal()));
+    if (!at.jacobian.allFinite()) return std::nullopt;
+    const LeastSquares linearised(at.jacobian, residual);
+    const double least = std::max(least_fall * at.misfit, rounding);
+    Eigen::VectorXd step;
+    std::vector<int> side;
+    if (!linearised.solve(lower - x, upper - x, 0.0, step, side)) return std::nullopt;
+    if (linearised.fall(step) <= least) return at;
+    for (;; damping *= harder, harder *= 2.0) {
+      if (damping > most_damping || !linearised.solve(lower - x, upper - x, damping, step, side))
+        return std::nullopt;
+      const double promised = linearised.fall(step);
+      if (promised <= least) return at;  // what is left is below the rounding of the readings
+      const Eigen::VectorXd moved = (x + step).cwiseMax(lower).cwiseMin(upper);
+      const Eigen::VectorXd values = moved.cwiseProduct(scale);
+      Eigen::VectorXd prediction = response.at(values);
+      if (!prediction.allFinite()) continue;
+      Eigen::VectorXd left = whitening(Eigen::VectorXd(measured - prediction));
+      const double misfit = left.squaredNorm();
+      const double kept = (at.misfit - misfit) / promised;
+      if (!(kept > kept_promise)) continue;
+      x = moved;
+      at.values = values;
+      at.prediction = std::move(prediction);
+      residual = std::move(left);
+      at.misfit = misfit;
+      damping *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * kept - 1.0, 3));
+      harder = 4.0;
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
+/// What follows from the values and what is known there; `jacobian` as in Minimum.
 void complete(const Response& response, const Whitening& whitening, const Eigen::VectorXd& measured,
+              const Eigen::VectorXd& prediction, const Eigen::MatrixXd& jacobian,
               ResponseFit& fit) {
-  fit.prediction = response.at(fit.values);
+  fit.prediction = prediction;
   fit.residual = whitening(Eigen::VectorXd(measured - fit.prediction));
   fit.misfit = fit.residual.squaredNorm();
   const Eigen::Index count = fit.values.size();
@@ -185,11 +254,7 @@ void complete(const Response& response, const Whitening& whitening, const Eigen:
     fit.at_bound[static_cast<std::size_t>(k)] = bound;
     if (!bound) free.push_back(k);
   }
-  const Eigen::MatrixXd full = whitening(response.jacobian(fit.values));
-  fit.tangent.resize(full.rows(), static_cast<Eigen::Index>(free.size()));
-  for (std::size_t j = 0; j < free.size(); ++j)
-    fit.tangent.col(static_cast<Eigen::Index>(j)) =
-        full.col(free[j]) * response.parameters[static_cast<std::size_t>(free[j])].scale;
+  fit.tangent = jacobian(Eigen::all, free);
   fit.standard_errors = Eigen::VectorXd::Constant(count, unset);
   if (!free.empty() && fit.tangent.allFinite()) {
     const Eigen::MatrixXd covariance =
@@ -266,11 +331,12 @@ void Response::find_affine_form() {
 }
 
 Response model_response(const Model& model, const DataSet& data,
-                        const std::vector<std::string>& names) {
+                        const std::vector<std::string>& names, std::span<const Balance> entered) {
   Response response;
   Model wanted = model;
   wanted.free = names;
-  const std::vector<ModelParameter> chosen = free_parameters(wanted);
+  const std::vector<ModelParameter> chosen =
+      names.empty() ? std::vector<ModelParameter>() : free_parameters(wanted);
   for (const ModelParameter& p : chosen) {
     FitParameter parameter{
         .name = p.name, .unit = p.unit, .start = p.get(model), .lower = p.lower, .upper = p.upper};
@@ -279,27 +345,37 @@ Response model_response(const Model& model, const DataSet& data,
     parameter.scale = size > 0.0 ? size : std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
     response.parameters.push_back(parameter);
   }
-  // Rows remember their balance, which most parameters leave alone.
+  if (model.shaft) {
+    response.readings = displacement_readings(model, data.rows, chosen);
+    return response;
+  }
+  // Rows remember what a parameter leaves alone: all before the stage at which it acts first.
   struct Rows {
     Model model;
     Steps steps;
-    std::vector<RowPredictor> predictors;
+    std::vector<RowPredictor> predictors{};
+    std::vector<Stage> stage{};  // of each parameter
+    Eigen::VectorXd last{};
   };
-  const auto rows = std::make_shared<Rows>(Rows{model, Steps(model), {}});
+  const auto rows = std::make_shared<Rows>(Rows{model, Steps(model)});
   rows->predictors.reserve(data.rows.size());
-  for (const Row& row : data.rows)
-    rows->predictors.emplace_back(rows->model, rows->steps, row.point, record_of(row));
+  for (std::size_t i = 0; i < data.rows.size(); ++i)
+    rows->predictors.emplace_back(rows->model, rows->steps, data.rows[i].point,
+                                  record_of(data.rows[i]), entered.empty() ? nullptr : entered[i]);
+  for (const ModelParameter& p : chosen)
+    rows->stage.push_back(first_stage(rows->model, rows->steps, p.effect));
   response.readings = [rows, chosen](const Eigen::VectorXd& x) {
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-      chosen[k].set(rows->model, x[static_cast<Eigen::Index>(k)]);
-    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows->predictors.size()));
-    const bearing::BearingEquilibrium* neighbour = nullptr;
-    for (std::size_t i = 0; i < rows->predictors.size(); ++i) {
-      RowPredictor& row = rows->predictors[i];
-      readings[static_cast<Eigen::Index>(i)] =
-          row.predict(rows->model, rows->steps, row.equilibrium() ? nullptr : neighbour);
-      if (row.equilibrium()) neighbour = row.equilibrium();
+    Stage from = rows->last.size() == x.size() ? Stage::reading : Stage::condition;
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(k);
+      if (from != Stage::condition && x[at] == rows->last[at]) continue;
+      chosen[k].set(rows->model, x[at]);
+      from = std::min(from, rows->stage[k]);
     }
+    rows->last = x;
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows->predictors.size()));
+    predict_all(rows->model, rows->steps, rows->predictors,
+                std::span(readings.data(), rows->predictors.size()), from);
     return readings;
   };
   return response;
@@ -315,6 +391,7 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
     fit.prediction = response.at(fit.values);
     fit.residual = whitening(Eigen::VectorXd(measured - fit.prediction));
     fit.tangent.resize(measured.size(), 0);
+    fit.slope = fit.tangent;
     fit.misfit = fit.residual.squaredNorm();
     return fit;
   }
@@ -330,28 +407,39 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
       upper[k] = p.upper / p.scale;
     }
     std::vector<int> side;
-    fit.converged = bounded_least_squares(a, r, lower, upper, x, side);
+    fit.converged = LeastSquares(a, r).solve(lower, upper, 0.0, x, side);
     fit.values = x.cwiseProduct(scale);
-    if (fit.converged) complete(response, whitening, measured, fit);
+    if (fit.converged) {
+      fit.slope = response.affine->slope;
+      complete(response, whitening, measured, response.at(fit.values), a, fit);
+    }
     return fit;
   }
-  double best = std::numeric_limits<double>::infinity();
-  for (const Eigen::VectorXd& start : starts) {
-    double misfit = unset;
-    const auto found = minimum_from(response, whitening, measured, start, misfit);
+  Minimum best{.misfit = std::numeric_limits<double>::infinity()};
+  std::deque<Eigen::VectorXd> next(starts.begin(), starts.end());
+  bool looked_around = false;
+  while (!next.empty()) {
+    std::optional<Minimum> found = minimum_from(response, whitening, measured, next.front());
+    next.pop_front();
     if (!found) continue;
-    const bool again = std::abs(misfit - best) <= same_optimum * std::max(1.0, best);
-    if (misfit < best) {
-      best = misfit;
-      fit.values = *found;
+    const double tolerance = same_optimum * std::max(1.0, best.misfit);
+    const bool again = std::abs(found->misfit - best.misfit) <= tolerance;
+    fit.converged = again || (fit.converged && found->misfit > best.misfit);
+    if (found->misfit < best.misfit) {
+      best = *std::move(found);
+      if (looked_around && !fit.converged)  // to be reached once more
+        for (const double factor : {0.8, 1.25}) next.push_back(factor * best.values);
     }
-    if (again) {
-      fit.converged = true;
-      break;
-    }
-    fit.converged = false;
+    if (!fit.converged || (looked_around && !next.empty())) continue;
+    if (looked_around) break;
+    looked_around = true;
+    const std::vector<Eigen::VectorXd> others = around(best, response.parameters);
+    if (others.empty()) break;
+    next.assign(others.begin(), others.end());
   }
-  if (fit.converged) complete(response, whitening, measured, fit);
+  fit.values = best.values;
+  fit.slope = std::move(best.slope);
+  if (fit.converged) complete(response, whitening, measured, best.prediction, best.jacobian, fit);
   return fit;
 }
 

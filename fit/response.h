@@ -3,11 +3,13 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "fit/data_set.h"
 #include "fit/model.h"
+#include "fit/prediction.h"
 #include "fit/whitening.h"
 
 namespace raceway::fit {
@@ -27,7 +29,7 @@ struct FitParameter {
 /// at points spread within the bounds, `constant + slope x` is kept and no fit needs an iteration.
 struct Response {
   std::vector<FitParameter> parameters{};
-  /// [N m] by row; NaN where there is no balance.
+  /// [N m] or [m] by row; NaN where there is no balance.
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> readings{};
 
   struct Affine {
@@ -46,9 +48,11 @@ struct Response {
 };
 
 /// Readings of a model by its free parameters `names` (base law first), at every row of `data`,
-/// which must outlive the response. Names as in model_parameters().
+/// which must outlive the response. Names as in model_parameters(). `entered`: entered_balances()
+/// of the rows, where somebody has them already.
 [[nodiscard]] Response model_response(const Model& model, const DataSet& data,
-                                      const std::vector<std::string>& names);
+                                      const std::vector<std::string>& names,
+                                      std::span<const Balance> entered = {});
 
 /// A response fitted to whitened readings.
 struct ResponseFit {
@@ -57,15 +61,16 @@ struct ResponseFit {
   Eigen::VectorXd standard_errors;  ///< of the linearised problem; NaN at a bound
   std::vector<bool> at_bound;
   Eigen::VectorXd prediction;  ///< [N m]
+  Eigen::MatrixXd slope;       ///< derivatives of the readings (rows x parameters)
   Eigen::VectorXd residual;    ///< reading minus prediction, whitened [1]
   /// Whitened derivatives of the parameters that are not at a bound, in units of their scale.
   Eigen::MatrixXd tangent;
   double misfit = unset;  ///< |residual|², -2 ln L but for a constant [1]
 };
 
-/// Minimises |W (y - f(x))|² within the bounds. Affine responses are solved directly; others by
-/// Ceres from each start until the best optimum is reached twice (misfit within 1e-6), otherwise
-/// the fit counts as not converged.
+/// Minimises |W (y - f(x))|² within the bounds. Affine responses are solved directly; others by the
+/// method of Levenberg and Marquardt from each start until the best optimum is reached twice
+/// (misfit within 1e-6), otherwise the fit counts as not converged.
 [[nodiscard]] ResponseFit fit_response(const Response& response, const Whitening& whitening,
                                        const Eigen::VectorXd& measured,
                                        const std::vector<Eigen::VectorXd>& starts);

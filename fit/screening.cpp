@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
@@ -11,6 +11,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <mutex>
+#include <type_traits>
 
 namespace raceway::fit {
 
@@ -19,6 +22,8 @@ namespace {
 constexpr double rank_tolerance = 1e-7;
 constexpr std::size_t most_levels = 12;
 constexpr double tail_resolved = 20.0;  // draws beyond the observed score
+constexpr float single_error = 1e-3F;   // of a score in single precision, with a wide margin
+constexpr Eigen::Index together = 500;  // draws whose scores stay in the cache
 
 /// A variable centred and scaled to [-1, 1]; zero where it does not vary by more than `least`.
 Eigen::VectorXd standardised(Eigen::VectorXd values, double least) {
@@ -52,9 +57,8 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
 }
 
-}  // namespace
-
-Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size) {
+/// 15 terms that a torque may be multiplied by.
+Eigen::MatrixXd torque_surface(const DataSet& data) {
   const Eigen::ArrayXd n =
       standardised(logarithm(column_of(data, [](const Row& r) { return r.point.speed; })), 1e-3)
           .array();
@@ -64,10 +68,44 @@ Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size
           .array();
   const Eigen::ArrayXd t =
       standardised(column_of(data, [](const Row& r) { return r.point.temperature; }), 0.5).array();
-  Eigen::MatrixXd columns(size.size(), 15);
-  columns << Eigen::VectorXd::Ones(size.size()), n, f, t, n * n, f * f, t * t, n * f, n * t, f * t,
+  Eigen::MatrixXd columns(n.size(), 15);
+  columns << Eigen::VectorXd::Ones(n.size()), n, f, t, n * n, f * f, t * t, n * f, n * t, f * t,
       n * n * n, f * f * f, t * t * t, n * n * f, n * n * t;
-  return size.asDiagonal() * columns;
+  return columns;
+}
+
+/// Terms that lie in what may be added to a displacement.
+Eigen::MatrixXd displacement_surface(const DataSet& data) {
+  const auto rows = static_cast<Eigen::Index>(data.rows.size());
+  const Eigen::ArrayXd n =
+      standardised(column_of(data, [](const Row& r) { return r.point.speed; }), 0.0).array();
+  std::vector<Eigen::ArrayXd> terms{Eigen::ArrayXd::Ones(rows), n, n * n, n * n * n, n * n * n * n};
+  const auto add = [&](double least, const std::function<double(const Row&)>& value) {
+    Eigen::VectorXd values = column_of(data, value);
+    if (!values.allFinite()) return;
+    const Eigen::ArrayXd v = standardised(std::move(values), least).array();
+    if (v.isZero()) return;
+    for (const Eigen::ArrayXd& term : {Eigen::ArrayXd(v), Eigen::ArrayXd(v * v),
+                                       Eigen::ArrayXd(v * n), Eigen::ArrayXd(v * n * n)})
+      terms.push_back(term);
+  };
+  add(1.0, [](const Row& r) { return r.point.axial_load; });
+  add(1.0, [](const Row& r) { return r.preload; });
+  add(0.5, [](const Row& r) { return r.point.temperature; });
+  add(0.5, [](const Row& r) { return r.inner_ring_temperature; });
+  add(0.5, [](const Row& r) { return r.outer_ring_temperature; });
+  Eigen::MatrixXd columns(rows, static_cast<Eigen::Index>(terms.size()));
+  for (std::size_t k = 0; k < terms.size(); ++k)
+    columns.col(static_cast<Eigen::Index>(k)) = terms[k].matrix();
+  return columns;
+}
+
+}  // namespace
+
+Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size) {
+  return size.asDiagonal() * (data.quantity == Quantity::friction_torque
+                                  ? torque_surface(data)
+                                  : displacement_surface(data));
 }
 
 Eigen::MatrixXd level_columns(const DataSet& data, const Eigen::VectorXd& size) {
@@ -90,6 +128,8 @@ Eigen::MatrixXd level_columns(const DataSet& data, const Eigen::VectorXd& size) 
   const Eigen::VectorXd load = column_of(data, [](const Row& r) { return r.point.axial_load; });
   add(speed, 5e-3 * speed.cwiseAbs().maxCoeff());
   add(load, 5e-3 * load.cwiseAbs().maxCoeff());
+  const Eigen::VectorXd preload = column_of(data, [](const Row& r) { return r.preload; });
+  if (preload.allFinite()) add(preload, 5e-3 * preload.cwiseAbs().maxCoeff());
   Eigen::MatrixXd result(size.size(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k)
     result.col(static_cast<Eigen::Index>(k)) = columns[k];
@@ -132,13 +172,32 @@ Eigen::MatrixXd project_off(const Eigen::MatrixXd& tangent, const Eigen::MatrixX
   return result;
 }
 
-NullDraws::NullDraws(Eigen::Index scores, int draws) : normal_(draws, scores), uniform_(draws) {
-  boost::random::mt19937 engine(20210305);
-  boost::random::normal_distribution<double> normal;
-  boost::random::uniform_01<double> uniform;
-  for (Eigen::Index k = 0; k < scores; ++k)
-    for (Eigen::Index d = 0; d < draws; ++d) normal_(d, k) = normal(engine);
-  for (Eigen::Index d = 0; d < draws; ++d) uniform_[d] = uniform(engine);
+struct NullDraws::Normals {
+  Eigen::MatrixXd scores;  // draws x scores
+  Eigen::MatrixXf single;  // the same
+  Eigen::ArrayXd scale;    // one more for each draw
+
+  Normals(Eigen::Index count, int draws) : scores(draws, count), scale(draws) {
+    boost::random::mt19937 engine(20210305);
+    boost::random::normal_distribution<double> normal;
+    boost::random::uniform_01<double> uniform;
+    for (Eigen::Index k = 0; k < count; ++k)
+      for (Eigen::Index d = 0; d < draws; ++d) scores(d, k) = normal(engine);
+    const boost::math::normal_distribution<double> standard;
+    for (Eigen::Index d = 0; d < draws; ++d)
+      scale[d] = boost::math::quantile(standard, uniform(engine));
+    single = scores.cast<float>();
+  }
+};
+
+/// The last set is kept for the next diagnosis.
+std::shared_ptr<const NullDraws::Normals> NullDraws::draw(Eigen::Index scores, int draws) {
+  static std::mutex mutex;
+  static std::shared_ptr<const Normals> last;
+  const std::scoped_lock lock(mutex);
+  if (!last || last->scores.cols() != scores || last->scores.rows() != draws)
+    last = std::make_shared<const Normals>(scores, draws);
+  return last;
 }
 
 double NullDraws::p_value(const Eigen::MatrixXd& correlation, const std::vector<bool>& one_sided,
@@ -150,7 +209,7 @@ double NullDraws::p_value(const Eigen::MatrixXd& correlation, const std::vector<
   double bonferroni = 0.0;
   for (Eigen::Index k = 0; k < count; ++k)
     bonferroni += one_sided[static_cast<std::size_t>(k)] ? tail : 2.0 * tail;
-  const auto draws = static_cast<double>(normal_.rows());
+  const auto draws = static_cast<double>(draws_);
   // Too rare to be counted, or too common to matter: the bounds say enough.
   if (bonferroni * draws < tail_resolved) return std::min(1.0, bonferroni);
   if (tail > 0.2) return tail;
@@ -159,22 +218,41 @@ double NullDraws::p_value(const Eigen::MatrixXd& correlation, const std::vector<
   const Eigen::MatrixXd root = eigen.eigenvectors() *
                                eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
                                eigen.eigenvectors().transpose();
-  const Eigen::MatrixXd scores = normal_.leftCols(count) * root;
-  const boost::math::chi_squared chi(degrees_of_freedom);
+  if (!normals_) normals_ = draw(scores_, draws_);
   // Wilson and Hilferty: χ² quantiles to three digits, where the exact ones cost ten thousand
   // inversions.
   const double c = 2.0 / (9.0 * degrees_of_freedom);
-  static const boost::math::normal_distribution<double> standard;
-  int beyond = 0;
-  for (Eigen::Index d = 0; d < scores.rows(); ++d) {
-    double largest = 0.0;
+  const Eigen::ArrayXd limit =
+      observed *
+      (1.0 - c + normals_->scale * std::sqrt(c)).cwiseMax(0.0).cube().sqrt().cwiseMax(0.5);
+  const auto largest = [&](const auto& scores) {
+    using Scores = std::decay_t<decltype(scores)>;
+    using Scalar = typename Scores::Scalar;
+    Eigen::Array<Scalar, Eigen::Dynamic, 1> most =
+        Eigen::Array<Scalar, Eigen::Dynamic, 1>::Zero(scores.rows());
     for (Eigen::Index k = 0; k < count; ++k)
-      largest = std::max(
-          largest, one_sided[static_cast<std::size_t>(k)] ? scores(d, k) : std::abs(scores(d, k)));
-    if (largest < 0.5 * observed) continue;
-    const double deviate = boost::math::quantile(standard, uniform_[d]);
-    const double cube = 1.0 - c + deviate * std::sqrt(c);
-    if (largest >= observed * std::sqrt(cube * cube * cube)) ++beyond;
+      if (one_sided[static_cast<std::size_t>(k)])
+        most = most.max(scores.col(k).array());
+      else
+        most = most.max(scores.col(k).array().abs());
+    return most;
+  };
+  // Single precision decides but for the few draws too near to their limit.
+  const Eigen::MatrixXf single_root = root.cast<float>();
+  int beyond = 0;
+  Eigen::MatrixXf scores;
+  for (Eigen::Index first = 0; first < draws_; first += together) {
+    const Eigen::Index rows = std::min<Eigen::Index>(together, draws_ - first);
+    scores.noalias() = normals_->single.block(first, 0, rows, count) * single_root;
+    const Eigen::ArrayXf most = largest(scores);
+    for (Eigen::Index d = 0; d < rows; ++d) {
+      const double above = most[d] - limit[first + d];
+      if (std::abs(above) > single_error)
+        beyond += above > 0.0 ? 1 : 0;
+      else if (largest((normals_->scores.row(first + d).head(count) * root).eval())[0] >=
+               limit[first + d])
+        ++beyond;
+    }
   }
   return (1.0 + beyond) / (1.0 + draws);
 }

@@ -1,17 +1,23 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "fit/data_set.h"
 
 namespace raceway::fit {
 
-/// Columns that a smooth misfit of unknown origin lies in: the torque `size` times a polynomial of
-/// 15 terms, cubic in ln speed, ln axial load and temperature with interactions (rows x 15).
+/// Columns that a smooth misfit of unknown origin lies in, of the size `size` of the readings.
+///
+///   friction torque   times a polynomial of 15 terms, cubic in ln speed, ln axial load and
+///                     temperature with interactions
+///   displacement      times a polynomial of fourth degree in speed; for each other input that
+///                     varies (external load, preload, temperatures) its square and its products
+///                     with speed and speed squared
 [[nodiscard]] Eigen::MatrixXd surface_columns(const DataSet& data, const Eigen::VectorXd& size);
 
-/// The torque times an indicator of each level, for variables measured at few levels: what a
+/// `size` times an indicator of each level, for variables measured at few levels: what a
 /// cubic is too smooth for.
 [[nodiscard]] Eigen::MatrixXd level_columns(const DataSet& data, const Eigen::VectorXd& size);
 
@@ -26,19 +32,22 @@ namespace raceway::fit {
 [[nodiscard]] Eigen::MatrixXd project_off(const Eigen::MatrixXd& tangent,
                                           const Eigen::MatrixXd& columns);
 
-/// Standard normal numbers for the null distribution of the largest score: drawn once, so that all
-/// gates of a diagnosis are held against the same draws.
+/// Standard normal numbers for the null distribution of the largest score, drawn when first needed:
+/// the same for all gates of a diagnosis, and for all diagnoses with as many scores.
 class NullDraws {
  public:
-  explicit NullDraws(Eigen::Index scores, int draws = 10000);
+  explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}
   /// Share of draws of N(0, C) whose largest score (over a χ scale) reaches `observed`.
   [[nodiscard]] double p_value(const Eigen::MatrixXd& correlation,
                                const std::vector<bool>& one_sided, double degrees_of_freedom,
                                double observed) const;
 
  private:
-  Eigen::MatrixXd normal_;  // draws x scores
-  Eigen::VectorXd uniform_;
+  struct Normals;
+  [[nodiscard]] static std::shared_ptr<const Normals> draw(Eigen::Index scores, int draws);
+  Eigen::Index scores_;
+  int draws_;
+  mutable std::shared_ptr<const Normals> normals_;
 };
 
 /// Is anything missing? A surface F test and the largest score of a catalogue.

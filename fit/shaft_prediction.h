@@ -30,32 +30,20 @@ struct ShaftPrediction {
 
 /// Position, forces and friction of the model's shaft, each point from the one before it.
 ///
-/// Effects of the model act on every bearing as they do on a single one. What they change of the
-/// condition enters the balance of the sets: ring growth shifts the grooves, other balls replace
-/// the bearing (the preload at standstill stays). An extra load of theirs is seen by the friction
-/// alone, and a tilt not at all by the balance; both are entered at the preload.
-/// Throws std::invalid_argument for a model without shaft and for points that are not finite.
+/// What effects change of the condition of a bearing enters the balance of the sets, as
+/// ShaftBalance says, and the friction of each bearing in it; a tilt is seen by the friction alone.
+/// All other steps act on every bearing as on a single one. What effects make of the reading of a
+/// transducer is no part of the position: predict_displacement() adds it. Throws
+/// std::invalid_argument for a model without shaft and for points that are not finite.
 [[nodiscard]] std::vector<ShaftPrediction> predict_shaft(const Model& model,
                                                          std::span<const ShaftPoint> points);
 
-/// Displacement of the model's shaft at rows of measured displacement [m], as
-/// ShaftPrediction::displacement; NaN where the sets do not balance. The axial load of a row is the
-/// external load.
-///
-/// What was recorded with a row stands in the place of what the model says: the preload as force at
-/// standstill, ring temperatures. Balls, shaft and housing keep the temperatures of the model where
-/// it has any; otherwise they follow the rings: balls their mean, the shaft the inner, the housing
-/// the outer.
-/// Throws std::invalid_argument for a model without shaft, and as add_expansion() does.
-[[nodiscard]] std::vector<double> predict_displacement(const Model& model,
-                                                       std::span<const Row> rows);
+/// What is measured, at every row of the data: friction torque of the rig [N m] or displacement of
+/// the shaft [m]; NaN where there is no balance. Throws as require_measured_subject().
+[[nodiscard]] std::vector<double> predict_readings(const Model& model, const DataSet& data);
 
 /// Throws std::invalid_argument unless the data are of what the model stands for: displacement of a
 /// shaft, friction torque of a bearing on a rig.
 void require_measured_subject(const Model& model, const DataSet& data);
-
-/// The condition of the model's arrangement at a point, its temperatures included.
-[[nodiscard]] bearing::ArrangementCondition shaft_condition(const Model& model,
-                                                            const ShaftPoint& point);
 
 }  // namespace raceway::fit

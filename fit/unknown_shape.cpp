@@ -31,6 +31,7 @@ double round_number(double value) {
 
 std::optional<Shape> find_unknown_shape(const Problem& problem, const NoiseModel& noise,
                                         const ResponseFit& base) {
+  if (problem.data.quantity != Quantity::friction_torque) return std::nullopt;
   const auto rows = problem.measured.size();
   std::array<Input, 3> inputs{{{"speed_rpm", "a", 1.0, Eigen::VectorXd(rows), false},
                                {"axial_load_N", "b", 1.0, Eigen::VectorXd(rows), false},

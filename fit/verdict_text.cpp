@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/quantity.h"
+
 namespace raceway::fit {
 
 namespace {
@@ -27,9 +29,9 @@ std::string p_text(double p) { return p < 1e-300 ? "p < 1e-300" : fmt::format("p
 
 std::string nothing_missing_text(const Diagnosis& d) {
   std::vector<DetectableSize> easy = d.would_have_been_found;
-  std::erase_if(easy, [](const DetectableSize& e) { return !(e.share_of_torque < 0.2); });
+  std::erase_if(easy, [](const DetectableSize& e) { return !(e.share_of_reading < 0.2); });
   std::stable_sort(easy.begin(), easy.end(), [](const DetectableSize& a, const DetectableSize& b) {
-    return a.share_of_torque < b.share_of_torque;
+    return a.share_of_reading < b.share_of_reading;
   });
   std::vector<std::string> found, hidden;
   for (std::size_t k = 0; k < easy.size() && k < 3; ++k)
@@ -43,8 +45,9 @@ std::string nothing_missing_text(const Diagnosis& d) {
 }
 
 std::string error_text(const Diagnosis& d) {
-  std::string text =
-      fmt::format("{:.3g} -> {:.3g} N mm", d.rmse_before / N_mm, d.rmse_after / N_mm);
+  const QuantityText quantity = text_of(d.baseline.quantity);
+  std::string text = fmt::format("{:.3g} -> {:.3g} {}", d.rmse_before / quantity.factor,
+                                 d.rmse_after / quantity.factor, quantity.unit);
   if (!d.hold_out.empty()) {
     double before = 0.0, after = 0.0;
     for (const HoldOut& h : d.hold_out) {
@@ -52,8 +55,9 @@ std::string error_text(const Diagnosis& d) {
       after += h.rmse_after * h.rmse_after;
     }
     const double count = static_cast<double>(d.hold_out.size());
-    text += fmt::format(", on held-out blocks {:.3g} -> {:.3g}", std::sqrt(before / count) / N_mm,
-                        std::sqrt(after / count) / N_mm);
+    text += fmt::format(", on held-out blocks {:.3g} -> {:.3g}",
+                        std::sqrt(before / count) / quantity.factor,
+                        std::sqrt(after / count) / quantity.factor);
   }
   return text;
 }
@@ -71,13 +75,25 @@ std::string shift_text(const Diagnosis& d) {
 
 std::string measure_text(const Diagnosis& d) {
   std::vector<std::string> texts;
+  const bool shaft = d.baseline.quantity == Quantity::axial_displacement;
   for (const SuggestedMeasurement& m : d.suggested_measurements)
     if (texts.size() < 3)
-      texts.push_back(fmt::format("{:.0f} rpm, {:.0f} N, {:.0f} C ({} times)", m.point.speed / rpm,
-                                  m.point.axial_load, m.point.temperature - kelvin(0), m.repeats));
-  if (texts.empty()) return "";
-  return fmt::format(" Measure: {}; predicted difference {:.0f}, by repeating what exists {:.0f}.",
-                     fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
+      texts.push_back(shaft ? fmt::format("{:.0f} rpm{} ({} times)", m.point.speed / rpm,
+                                          std::isfinite(m.preload)
+                                              ? fmt::format(" at a preload of {:.0f} N", m.preload)
+                                              : "",
+                                          m.repeats)
+                            : fmt::format("{:.0f} rpm, {:.0f} N, {:.0f} C ({} times)",
+                                          m.point.speed / rpm, m.point.axial_load,
+                                          m.point.temperature - kelvin(0), m.repeats));
+  std::string text;
+  if (!texts.empty())
+    text =
+        fmt::format(" Measure: {}; predicted difference {:.0f}, by repeating what exists {:.0f}.",
+                    fmt::join(texts, "; "), d.predicted_separation, d.separation_by_repetition);
+  if (!d.records_needed.empty())
+    text += " Record: " + fmt::format("{}.", fmt::join(d.records_needed, "; "));
+  return text;
 }
 
 std::string difference_text(const DataSet& data, const HiddenInput& hidden) {

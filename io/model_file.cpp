@@ -66,7 +66,7 @@ class Reader {
     read_friction();
     require_data(bearing.bearing, section("bearing"));
     std::optional<fit::Shaft> shaft = read_arrangement(bearing);
-    read_effects();
+    read_effects(shaft ? &*shaft : nullptr);
     const auto solver = read_solver();
     const fit::Rig rig = read_rig();
     fit::Model model{
@@ -354,24 +354,37 @@ class Reader {
     }
   }
 
-  void read_effects() {
+  void read_effects(const fit::Shaft* shaft) {
+    const effects::Subject subject = shaft ? effects::Subject::shaft : effects::Subject::bearing;
     const toml::array* const list = root_["effect"].as_array();
     if (!list) return;
     Names ids;
-    for (const effects::Description& d : effects::catalogue()) ids.emplace_back(d.id);
+    for (const effects::Description& d : effects::catalogue(subject))
+      if (d.belongs_to(subject)) ids.emplace_back(d.id);
     for (const toml::node& node : *list) {
       const Section s(source_, "effect", node.as_table());
       const auto id = s.text("id");
       if (!id)
         throw InputError(
             fmt::format("{}: [[effect]] has no id; the catalogue has {}", s.place(), listed(ids)));
-      const effects::Description* const found = effects::find(*id);
+      const effects::Description* const found = effects::find(*id, subject);
+      if (found && !found->belongs_to(subject))
+        s.fail("id", fmt::format("id = \"{}\": acts {}", *id,
+                                 subject == effects::Subject::shaft
+                                     ? "on a bearing on a rig, but this model is of a shaft, with "
+                                       "an [arrangement]"
+                                     : "on the displacement of a shaft, but this model has no "
+                                       "[arrangement]"));
       if (!found && !s.find("torque_Nmm")) {
         const std::string near = suggestion(*id, ids);
         s.fail("id", fmt::format(
                          "id = \"{}\": unknown effect{}; one of your own has a formula, torque_Nmm",
                          *id, near.empty() ? "; the catalogue has " + listed(ids) : near));
       }
+      if (found && shaft && shaft->arrangement.design().rear.empty())
+        for (const effects::Need need : found->needs)
+          if (need == effects::Need::opposed_sets)
+            s.fail("id", fmt::format("id = \"{}\": needs {}", *id, effects::text(need)));
       for (const effects::Effect& before : effects_)
         if (before.description->id == *id)
           s.fail("id", fmt::format("id = \"{}\": this effect is listed twice", *id));

@@ -25,7 +25,9 @@ namespace raceway::io {
 /// False in a program built with -DRACEWAY_REPORT=OFF; the functions below then throw InputError.
 [[nodiscard]] bool report_available();
 
+/// The models in the order in which they were made, as they were compared.
 [[nodiscard]] std::string comparison_report(const std::vector<std::string>& model_files,
+                                            const std::vector<fit::Model>& models,
                                             const std::vector<fit::Comparison>& comparisons,
                                             const fit::DataSet& data);
 

@@ -22,9 +22,14 @@ json effect_page(const effects::Description& d) {
                                        {"usual_lower", p.plausible_lower},
                                        {"usual_upper", p.plausible_upper},
                                        {"no_effect_at", p.neutral}};
+  json measured = json::array();
+  for (const fit::Quantity quantity :
+       {fit::Quantity::friction_torque, fit::Quantity::axial_displacement})
+    if (d.moves(fit::subject_of(quantity))) measured.push_back(fit::text_of(quantity).name);
   return {{"id", d.id},
           {"title", d.title},
           {"acts_at", d.step()},
+          {"acts_on", measured},
           {"mechanism", d.mechanism},
           {"formula", d.formula},
           {"source", d.source},

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "bearing/units.h"
+#include "fit/shaft_balance.h"
 #include "io/column_unit.h"
 #include "io/csv_text.h"
 #include "io/json_text.h"
@@ -65,7 +66,7 @@ constexpr ShaftColumn shaft_columns[] = {
 double in_unit(double value, std::string_view name) { return value / column_unit(name); }
 
 json arrangement_json(const fit::Model& model) {
-  const Arrangement& a = model.shaft->arrangement;
+  const Arrangement a = fit::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
   return {{"preload_N", a.preload()},
           {"front_displacement_um", a.displacement(Side::front) / um},

@@ -19,8 +19,12 @@ class Report : public testing::Test {
   ScratchFolder scratch_;
   std::string model_ = scratch_.write("my.toml", model_text);
   std::string data_ = scratch_.write("rig.csv", data_text);
+  std::string shaft_ = std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/two_against_one.toml";
   std::string page_ = scratch_.file("page.html");
 };
+
+constexpr const char* moved =
+    "speed_rpm,axial_displacement_um\n2000,0.2\n5000,1.9\n8000,4.1\n10000,5.4\n";
 
 TEST_F(Report, IsWrittenBesideWhatTheCommandPrints) {
   const Result plain = run("compare " + model_ + " " + data_);
@@ -35,12 +39,27 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
   for (const std::string& command :
        {"compare " + model_ + " " + data_, "diagnose " + model_ + " " + data_,
         "add " + model_ + " lubricant-drag --data " + data_,
-        "table " + model_ + " --speed 0:1000:500 --axial-load 100"}) {
+        "table " + model_ + " --speed 0:1000:500 --axial-load 100",
+        "displacement " + shaft_ + " --speed 0:1000:500",
+        "compare " + shaft_ + " " + scratch_.write("u.csv", moved)}) {
     expect_refused(run(command + " --report " + scratch_.file("no/such/page.html")),
                    "there is no folder");
     expect_refused(run(command + " --report " + model_), "exists already; --force replaces it");
   }
   EXPECT_EQ(file_text(model_), model_text);
+}
+
+TEST_F(Report, OfADisplacementIsWrittenAndReplacedByForceAlone) {
+  const std::string command =
+      "compare " + shaft_ + " " + scratch_.write("u.csv", moved) + " --report " + page_;
+  EXPECT_EQ(run(command).status, 0);
+  const std::string first = file_text(page_);
+  EXPECT_NE(first.find("{\"name\":\"measured_um\""), first.npos);
+  EXPECT_EQ(first.find("{\"name\":\"measured_Nmm\""), first.npos);
+  expect_refused(run(command), "exists already; --force replaces it");
+  scratch_.write("page.html", "of another day");
+  EXPECT_EQ(run(command + " --force").status, 0);
+  EXPECT_TRUE(file_text(page_) == first) << "other bytes";
 }
 
 TEST_F(Report, OfARefusedEffectShowsWhy) {

@@ -15,6 +15,15 @@ namespace {
 
 using effects::Description;
 using effects::Need;
+using effects::Subject;
+
+/// Forms that change the torque of a bearing on a rig.
+std::vector<Description> torque_effects() {
+  std::vector<Description> list;
+  for (const Description& d : effects::catalogue())
+    if (d.moves(Subject::bearing)) list.push_back(d);
+  return list;
+}
 
 bool has_need(const Description& d, Need need) {
   return std::find(d.needs.begin(), d.needs.end(), need) != d.needs.end();
@@ -58,46 +67,50 @@ std::pair<double, double> usual_range(const effects::Parameter& p) {
 }
 
 TEST(Catalogue, IsComplete) {
-  const std::set<std::string_view> torque_effects{"viscous-exponent",
-                                                  "load-exponent",
-                                                  "spin-friction",
-                                                  "differential-slip",
-                                                  "elastic-hysteresis",
-                                                  "gyroscopic-slip",
-                                                  "inlet-shear-heating",
-                                                  "replenishment-starvation",
-                                                  "shear-thinning",
-                                                  "film-self-heating",
-                                                  "mixed-lubrication",
-                                                  "seal-friction",
-                                                  "load-offset",
-                                                  "lubricant-drag",
-                                                  "churning",
-                                                  "windage",
-                                                  "cage-friction",
-                                                  "thermal-preload",
-                                                  "thermal-ring-growth",
-                                                  "centrifugal-ring-growth",
-                                                  "interference-fit",
-                                                  "misalignment",
-                                                  "ball-material",
-                                                  "grease-churning",
-                                                  "torque-gain",
-                                                  "torque-offset",
-                                                  "torque-temperature-drift",
-                                                  "torque-time-drift",
-                                                  "rig-viscous-drag"};
+  const std::set<std::string_view> wanted{"viscous-exponent",
+                                          "load-exponent",
+                                          "spin-friction",
+                                          "differential-slip",
+                                          "elastic-hysteresis",
+                                          "gyroscopic-slip",
+                                          "inlet-shear-heating",
+                                          "replenishment-starvation",
+                                          "shear-thinning",
+                                          "film-self-heating",
+                                          "mixed-lubrication",
+                                          "seal-friction",
+                                          "load-offset",
+                                          "lubricant-drag",
+                                          "churning",
+                                          "windage",
+                                          "cage-friction",
+                                          "thermal-preload",
+                                          "thermal-ring-growth",
+                                          "centrifugal-ring-growth",
+                                          "interference-fit",
+                                          "misalignment",
+                                          "ball-material",
+                                          "grease-churning",
+                                          "torque-gain",
+                                          "torque-offset",
+                                          "torque-temperature-drift",
+                                          "torque-time-drift",
+                                          "rig-viscous-drag",
+                                          "mounting",
+                                          "shaft-contraction",
+                                          "displacement-offset",
+                                          "displacement-temperature-drift"};
   std::set<std::string_view> ids;
   for (const Description& d : effects::catalogue()) EXPECT_TRUE(ids.insert(d.id).second) << d.id;
-  EXPECT_EQ(ids, torque_effects);
+  EXPECT_EQ(ids, wanted);
   EXPECT_EQ(effects::find("no-such-effect"), nullptr);
 
   std::set<std::string_view> names = ids;
   for (const auto law : {friction::FrictionLaw::palmgren, friction::FrictionLaw::skf})
     for (const auto& p : friction::parameters(law)) names.insert(p.name);
-  for (const Description& d : effects::catalogue()) {
+  names.insert({"preload_N", "contact_angle_deg", "conformity"});
+  for (const Description& d : effects::all_forms()) {
     SCOPED_TRACE(std::string(d.id));
-    EXPECT_EQ(effects::find(d.id), &d);
     for (const auto text : {d.id, d.title, d.mechanism, d.formula, d.source})
       EXPECT_FALSE(text.empty());
     EXPECT_EQ(d.title.find('\n'), std::string_view::npos);
@@ -105,8 +118,9 @@ TEST(Catalogue, IsComplete) {
     for (const auto other : d.confused_with) EXPECT_EQ(names.count(other), 1U) << other;
     for (const Need need : d.needs) EXPECT_FALSE(effects::text(need).empty());
     EXPECT_EQ((d.condition != nullptr) + (d.lubricant != nullptr) + d.has_moment() +
-                  (d.reading != nullptr),
+                  (d.reading != nullptr) + (d.displacement != nullptr),
               1);
+    EXPECT_TRUE(d.moves(Subject::bearing) || d.moves(Subject::shaft));
     ASSERT_FALSE(d.parameters.empty());
     EXPECT_FALSE(std::isnan(d.parameters[0].neutral)) << "the first parameter is the size";
     for (const auto& p : d.parameters) {
@@ -125,8 +139,48 @@ TEST(Catalogue, IsComplete) {
   }
 }
 
+TEST(Catalogue, HasEveryIdOnceForEachSubjectInTheFormForIt) {
+  std::set<std::string_view> two_forms;
+  for (const Subject subject : {Subject::bearing, Subject::shaft}) {
+    std::set<std::string_view> ids;
+    for (const Description& d : effects::catalogue(subject)) {
+      SCOPED_TRACE(std::string(d.id));
+      EXPECT_TRUE(ids.insert(d.id).second);
+      EXPECT_EQ(effects::find(d.id, subject), &d);
+      const Description* const other =
+          effects::find(d.id, subject == Subject::shaft ? Subject::bearing : Subject::shaft);
+      ASSERT_NE(other, nullptr);
+      if (d.parameters.data() == other->parameters.data()) continue;
+      EXPECT_TRUE(d.moves(subject));
+      EXPECT_FALSE(other->belongs_to(subject));
+      two_forms.insert(d.id);
+    }
+  }
+  EXPECT_EQ(two_forms, (std::set<std::string_view>{"centrifugal-ring-growth", "thermal-preload",
+                                                   "thermal-ring-growth"}));
+}
+
+TEST(Catalogue, SaysWhatMovesAShaft) {
+  std::set<std::string_view> moving, friction;
+  for (const Description& d : effects::catalogue(Subject::shaft)) {
+    if (d.moves(Subject::shaft)) moving.insert(d.id);
+    if (!d.moves(Subject::shaft) && d.belongs_to(Subject::shaft)) friction.insert(d.id);
+  }
+  EXPECT_EQ(moving, (std::set<std::string_view>{
+                        "centrifugal-ring-growth", "thermal-ring-growth", "thermal-preload",
+                        "shaft-contraction", "interference-fit", "mounting", "ball-material",
+                        "displacement-offset", "displacement-temperature-drift"}));
+  for (const auto* id : {"spin-friction", "viscous-exponent", "film-self-heating", "misalignment"})
+    EXPECT_EQ(friction.count(id), 1u) << id;
+  for (const auto* id : {"torque-offset", "load-offset", "torque-gain"}) {
+    EXPECT_FALSE(effects::find(id, Subject::shaft)->belongs_to(Subject::shaft)) << id;
+    EXPECT_TRUE(effects::find(id)->moves(Subject::bearing)) << id;
+  }
+  EXPECT_FALSE(effects::find("shaft-contraction")->belongs_to(Subject::bearing));
+}
+
 TEST(Catalogue, NeutralValuesChangeNothing) {
-  for (const Description& d : effects::catalogue()) {
+  for (const Description& d : torque_effects()) {
     SCOPED_TRACE(std::string(d.id));
     const fit::Model with = model_with(d, effects::neutral_values(d));
     fit::Model without = with;
@@ -140,7 +194,7 @@ TEST(Catalogue, NeutralValuesChangeNothing) {
 
 TEST(Catalogue, IsFiniteWithinBoundsAndTakesPowerWhereItIsFriction) {
   const fit::DataSet plan = full_plan();
-  for (const Description& d : effects::catalogue()) {
+  for (const Description& d : torque_effects()) {
     SCOPED_TRACE(std::string(d.id));
     for (std::size_t k = 0; k < d.parameters.size(); ++k) {
       const effects::Parameter& p = d.parameters[k];
@@ -169,7 +223,7 @@ TEST(Catalogue, IsFiniteWithinBoundsAndTakesPowerWhereItIsFriction) {
 TEST(Catalogue, IsSmooth) {
   // A kink would show as a difference quotient that changes with its step.
   const fit::DataSet plan = full_plan();
-  for (const Description& d : effects::catalogue())
+  for (const Description& d : torque_effects())
     for (std::size_t k = 0; k < d.parameters.size(); ++k) {
       if (d.id == "interference-fit") continue;  // comes loose at a speed: a kink by its source
       const effects::Parameter& p = d.parameters[k];
@@ -201,7 +255,7 @@ TEST(Catalogue, SizeMovesTheTorqueOneWay) {
       "thermal-ring-growth",     "viscous-exponent", "load-exponent",
       "torque-temperature-drift"};
   const fit::DataSet plan = full_plan();
-  for (const Description& d : effects::catalogue()) {
+  for (const Description& d : torque_effects()) {
     if (either.count(d.id) > 0) continue;
     SCOPED_TRACE(std::string(d.id));
     const auto [lower, upper] = usual_range(d.parameters[0]);
@@ -344,7 +398,8 @@ TEST(Catalogue, OrderInTheModelChangesNothing) {
   const fit::DataSet plan = full_plan();
   fit::Model model = fit::synthetic_model();
   for (const Description& d : effects::catalogue())
-    if (d.id != "misalignment") model.effects.push_back({&d, effects::initial_values(d), nullptr});
+    if (d.moves(Subject::bearing) && d.id != "misalignment")
+      model.effects.push_back({&d, effects::initial_values(d), nullptr});
   fit::Model reversed = model;
   std::reverse(reversed.effects.begin(), reversed.effects.end());
   for (std::size_t i = 0; i < plan.rows.size(); i += 5) {
@@ -356,7 +411,7 @@ TEST(Catalogue, OrderInTheModelChangesNothing) {
 TEST(Catalogue, IsRecoveredFromItsOwnData) {
   const std::map<std::string_view, std::string_view> skipped{
       {"torque-gain", "acts like a common factor on f0 and z"}};
-  for (const Description& d : effects::catalogue()) {
+  for (const Description& d : torque_effects()) {
     if (skipped.count(d.id) > 0) continue;
     SCOPED_TRACE(std::string(d.id));
     std::vector<double> truth;
@@ -385,7 +440,7 @@ TEST(Catalogue, IsRecoveredFromItsOwnData) {
 
 TEST(Catalogue, WithoutWhatItNeedsThereIsNoNumber) {
   const bearing::OperatingPoint p{.speed = 8000 * rpm, .axial_load = 600};
-  for (const Description& d : effects::catalogue()) {
+  for (const Description& d : torque_effects()) {
     const bool asks = has_need(d, Need::time) || has_need(d, Need::ring_temperatures);
     const auto f = fit::predict_friction(model_with(d, effects::initial_values(d)), p);
     EXPECT_EQ(std::isfinite(f.reading), !asks) << d.id;

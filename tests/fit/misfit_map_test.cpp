@@ -36,6 +36,20 @@ TEST(MisfitMap, HasTheMeanErrorOfEveryPartOfThePlan) {
   }
 }
 
+TEST(MisfitMap, OfADisplacementLiesOverItsPreloads) {
+  DataSet data = factorial_plan(speeds, {0}, {40}, 3);
+  data.quantity = Quantity::axial_displacement;
+  for (std::size_t i = 0; i < data.rows.size(); ++i)
+    data.rows[i].preload = i < speeds.size() ? 300.0 : 600.0;
+  const MisfitMap map = map_of(data, [](double n, double) { return n * 1e-9; });
+  EXPECT_EQ(map.up_variable, Variable::preload);
+  ASSERT_EQ(map.up.size(), 2U);
+  EXPECT_EQ(map.up[0].from, 300.0);
+  EXPECT_EQ(map.cells[0].rows, 1);
+  EXPECT_EQ(map.cells.back().rows, 2);
+  EXPECT_NEAR(map.cells.back().bias, 8e-6, 1e-12);
+}
+
 TEST(MisfitMap, CallsOnlyTheCellsThatStandOutOfTheNoiseSignificant) {
   const MisfitMap map = map_of(factorial_plan(speeds, loads, {40}, 4), [](double n, double load) {
     return (n > 7000 && load > 800 ? -3.0 : 0.2) * N_mm;

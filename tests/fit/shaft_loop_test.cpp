@@ -11,6 +11,7 @@
 #include "fit/compare.h"
 #include "fit/quantity.h"
 #include "fit/shaft_prediction.h"
+#include "fit/shaft_response.h"
 #include "tests/fit/synthetic.h"
 
 namespace raceway::fit {

@@ -441,15 +441,27 @@ TEST(ModelEdit, AnAddedEffectReadsBackAsItIs) {
 
 TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
   // torque-offset has a parameter torque_Nmm, which elsewhere is the formula of a user's effect.
-  const std::string bare = complete.substr(0, complete.find("[calibration]"));
-  for (const effects::Description& d : effects::catalogue()) {
-    SCOPED_TRACE(d.id);
-    const effects::Effect effect{.description = &d, .values = effects::initial_values(d)};
-    const fit::Model m = parse_model(with_effect(bare, effect), "m.toml").model;
-    ASSERT_EQ(m.effects.size(), 1u);
-    EXPECT_EQ(m.effects[0].description, &d);
-    EXPECT_EQ(m.effects[0].values, effect.values);
-  }
+  const std::string bearing = complete.substr(0, complete.find("[calibration]"));
+  const std::string shaft =
+      bearing + "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n";
+  for (const effects::Subject subject : {effects::Subject::bearing, effects::Subject::shaft})
+    for (const effects::Description& d : effects::catalogue(subject)) {
+      SCOPED_TRACE(d.id);
+      const effects::Effect effect{.description = &d, .values = effects::initial_values(d)};
+      const std::string text =
+          with_effect(subject == effects::Subject::shaft ? shaft : bearing, effect);
+      if (!d.belongs_to(subject)) {
+        EXPECT_THAT(error_of(text),
+                    HasSubstr(subject == effects::Subject::shaft
+                                  ? "acts on a bearing on a rig, but this model is of a shaft"
+                                  : "but this model has no [arrangement]"));
+        continue;
+      }
+      const fit::Model m = parse_model(text, "m.toml").model;
+      ASSERT_EQ(m.effects.size(), 1u);
+      EXPECT_EQ(m.effects[0].description, &d);
+      EXPECT_EQ(m.effects[0].values, effect.values);
+    }
 }
 
 TEST(ModelEdit, EveryParameterOfAModelHasItsPlaceInTheFile) {

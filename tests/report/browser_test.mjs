@@ -30,12 +30,33 @@ function write(name, ...words) {
   results[name] = JSON.parse(raceway(...words, '--json', '--report', file(`${name}.html`)));
 }
 
+/// Displacement of a spindle whose grooves the model does not know, at three preloads, as a
+/// transducer reads it.
+function measureShaft() {
+  const text = readFileSync(spindle, 'utf8');
+  writeFileSync(file('shaft.toml'), text.replace('[lubricant]', '[calibration]\nfree = ["outer_conformity"]\n\n[lubricant]'));
+  const lines = ['run_id,speed_rpm,preload_N,axial_displacement_um,std_um'];
+  for (const preload of [300, 600, 1200]) {
+    writeFileSync(file('truth.toml'), text.replace('preload_N = 600', `preload_N = ${preload}`).replace('outer_conformity = 0.52', 'outer_conformity = 0.53'));
+    JSON.parse(raceway('displacement', file('truth.toml'), '--speed', '1000:16000:1000', '--json')).rows.forEach((row, k) => {
+      const scatter = 0.05 * Math.sin(k * k + preload);
+      lines.push(`p${preload},${row.speed_rpm},${preload},${(row.axial_displacement_um + scatter).toFixed(4)},0.05`);
+    });
+  }
+  writeFileSync(file('shaft.csv'), lines.join('\n') + '\n');
+}
+
 before(async () => {
   write('diagnose', 'diagnose', model, train);
   write('add', 'add', model, 'lubricant-drag', '--data', train, '-o', file('better.toml'));
-  write('compare', 'compare', model, file('better.toml'), join(rig, 'test.csv'));
+  raceway('calibrate', model, train, '-o', file('calibrated.toml'));
+  write('compare', 'compare', model, file('calibrated.toml'), file('better.toml'), join(rig, 'test.csv'));
   write('table', 'table', file('better.toml'), '--speed', '0:16000:1000', '--axial-load', '600,3000', '--radial-load', '0,400', '--temperature', '25', '--data', train);
+  write('shafttable', 'table', spindle, '--speed', '0:16000:1000', '--axial-load', '0,500');
   write('displacement', 'displacement', spindle, '--speed', '0:16000:250', '-o', file('kinematic.csv'));
+  measureShaft();
+  raceway('calibrate', file('shaft.toml'), file('shaft.csv'), '-o', file('fitted.toml'));
+  write('comparedshaft', 'compare', file('shaft.toml'), file('fitted.toml'), file('shaft.csv'));
   const fly = join(ROOT, 'data/measurements');
   raceway('calibrate', join(fly, 'flywheel.toml'), join(fly, 'flywheel_unloaded.csv'), '-o', file('fly.toml'));
   write('coastdown', 'diagnose', file('fly.toml'), join(fly, 'flywheel_unloaded.csv'));
@@ -54,7 +75,7 @@ after(async () => {
 
 /// Opens a page and waits until all is drawn. Anything on the console, any error and any request
 /// beside the page itself is a fault.
-async function open(name, options = {}) {
+async function open(name, options = {}, prepare = async () => {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
   const faults = [];
@@ -68,6 +89,7 @@ async function open(name, options = {}) {
   page.on('request', (request) => {
     if (request.url() !== url && !request.url().startsWith('blob:')) faults.push(`request: ${request.url()}`);
   });
+  await prepare(page);
   await page.goto(url);
   await page.waitForFunction(() => document.documentElement.dataset.drawn === 'yes');
   return { page, faults, close: () => context.close() };
@@ -115,31 +137,40 @@ async function legendEntry(page, id) {
 const expected = {
   diagnose: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 120, detectable: 24 },
   add: { ladder: 8, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24 },
-  compare: { ladder: 2, parity: 60, 'residual-speed': 60, 'residual-axial-load': 60, 'residual-temperature': 60, 'residual-order-of-the-rows': 60, map: 15 },
-  table: { stribeck: 34, parts: 51, angles: 136, around: 100 },
+  compare: { ladder: 3, parity: 60, 'residual-speed': 60, 'residual-axial-load': 60, 'residual-temperature': 60, 'residual-order-of-the-rows': 60, map: 15 },
+  comparedshaft: { ladder: 2, parity: 48, 'residual-speed': 48, 'residual-preload': 48, 'residual-order-of-the-rows': 48, map: 24 },
+  table: { stribeck: 34, parts: 51, angles: 136, balls: 68, around: 100 },
+  shafttable: { stribeck: 33, parts: 51 },
   displacement: { displacement: 11, 'law-residual': 11, forces: 22, stiffness: 11, 'contact-angles': 44, 'ball-loads': 44, pressures: 44, torque: 33, power: 33, heat: 44 },
-  coastdown: { ladder: 1, ranking: 12, parity: 41, 'residual-speed': 41, 'residual-order-of-the-rows': 41, map: 8, plan: 41, detectable: 14 },
+  coastdown: { ladder: 1, ranking: 12, share: 41, hidden: 27, parity: 41, 'residual-speed': 41, 'residual-order-of-the-rows': 41, map: 8, plan: 41, detectable: 14 },
   several: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 123, detectable: 20 },
   nothing: { ladder: 1, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 120, detectable: 20 },
 };
 
 for (const [name, least] of Object.entries(expected))
-  test(`${name}: opens without a message or a request, and every picture has its marks`, async () => {
+  test(`${name}: opens without a message or a request, every picture has its marks, on a phone as well`, async () => {
     const { page, faults, close } = await open(name);
     assert.deepEqual(await figures(page), Object.keys(least));
-    for (const [id, count] of Object.entries(least)) assert.ok((await marks(page, id)) >= count, `${id}: ${await marks(page, id)} of ${count}`);
+    const drawn = async () => {
+      for (const [id, count] of Object.entries(least)) assert.ok((await marks(page, id)) >= count, `${id}: ${await marks(page, id)} of ${count}`);
+    };
+    await drawn();
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.waitForFunction(() => [...document.querySelectorAll('.chart > div')].every((chart) => chart.clientWidth < 390));
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390, name);
+    await drawn();
     assert.deepEqual(faults, []);
     await close();
   });
 
-for (const name of ['diagnose', 'add', 'compare', 'coastdown'])
+for (const name of ['diagnose', 'add', 'compare', 'comparedshaft', 'coastdown'])
   test(`${name}: holds the document that --json prints, and shows its numbers`, async () => {
     const { page, faults, close } = await open(name);
     const { results: held, models } = await documentOf(page);
     const printed = results[name];
     assert.deepEqual(held, printed);
     const ladder = await tableOf(page, 'ladder');
-    if (name === 'compare') {
+    if (name.startsWith('compare')) {
       assert.deepEqual(ladder.map((row) => row.slice(1, 4)), printed.models.map((m) => [m.rmse, m.bias, m.fit_percent]));
     } else if (name === 'add') {
       assert.deepEqual(ladder.map((row) => row.slice(1)), [[printed.before.rmse, printed.after.rmse], ...printed.hold_out.map((h) => [h.rmse_before, h.rmse_after])]);
@@ -153,7 +184,7 @@ for (const name of ['diagnose', 'add', 'compare', 'coastdown'])
     // The rows behind the pictures give the error that the document names.
     const { columns, rows } = await csvOf(page, 'parity');
     const last = models.length - 1;
-    const residual = columns.findIndex((c) => c.startsWith('residual_Nmm')) + last;
+    const residual = columns.findIndex((c) => c.startsWith(`residual_${name === 'comparedshaft' ? 'um' : 'Nmm'}`)) + last;
     const rms = Math.sqrt(rows.reduce((sum, row) => sum + Number(row[residual]) ** 2, 0) / rows.length);
     // Seven digits of torques that are up to a hundred times their residual.
     assert.ok(Math.abs(rms / models[last].rmse - 1) < 1e-5, `${rms} ${models[last].rmse}`);
@@ -225,6 +256,77 @@ test('displacement: warnings stand on the page as the command says them, and wit
   await close();
 });
 
+test('compare: the ladder shows every model in its order against the noise, and what each has that the last had not', async () => {
+  const { page, faults, close } = await open('compare');
+  const { estimated_noise: noise, steps } = await documentOf(page);
+  const { models } = results.compare;
+  assert.equal(models[0].noise.rms, null);
+  // The rows have 2 % of noise; a diagnosis of other rows of the same rig finds 10.1 N mm.
+  assert.ok(Math.abs(noise / results.diagnose.noise.rms - 1) < 0.3, `${noise}`);
+  assert.deepEqual((await tableOf(page, 'ladder')).map((row) => [row[1], row[4]]), models.map((m) => [m.rmse, m.rmse / noise]));
+  assert.ok(models[0].rmse > models[1].rmse && models[1].rmse > models[2].rmse);
+  assert.deepEqual(steps.map((s) => s.added), [[], ['lubricant-drag']]);
+  const told = await page.$$eval('#steps tbody tr', (rows) => rows.map((r) => r.lastChild.textContent));
+  assert.match(told[0], /^f0 2 → 1\.7\d+, z 0\.0008 → 0\.0009\d+$/);
+  assert.match(told[1], /^\+ lubricant-drag, f0 1\.7\d+ → 1\.498, z .*, lubricant-drag\.torque_at_10000_rpm_Nmm = 65\.25 N mm$/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('compare of a shaft: everything is in µm, over the inputs that it has', async () => {
+  const { page, faults, close } = await open('comparedshaft');
+  const text = await page.evaluate(() => document.body.innerText + [...document.querySelectorAll('svg text')].map((t) => t.textContent).join(' '));
+  assert.doesNotMatch(text, /N mm|radial|torque/);
+  assert.match(text, /measured \[µm\]/);
+  assert.match(text, /preload \[N\]/);
+  const { models } = results.comparedshaft;
+  assert.equal(models[0].unit, 'um');
+  assert.match(await page.textContent('#steps'), /outer_conformity 0\.52 → 0\.53/);
+  // Rows as the file has them.
+  const { columns, rows } = await csvOf(page, 'parity');
+  const file_rows = readFileSync(file('shaft.csv'), 'utf8').trim().split('\n').slice(1).map((line) => line.split(','));
+  assert.equal(rows.length, file_rows.length);
+  rows.forEach((row, k) => {
+    assert.deepEqual(['run', 'speed_rpm', 'preload_N', 'measured_um', 'std_um'].map((c) => row[columns.indexOf(c)]), file_rows[k].map((v) => (v.startsWith('p') ? v : String(Number(v)))));
+  });
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('any effect of the ranking can be chosen, to see its share and what the base parameters had been hiding of it', async () => {
+  const { page, faults, close } = await open('diagnose');
+  const { explanations, rows } = await documentOf(page);
+  const { effects } = results.diagnose;
+  const options = await page.$$eval('#effect option', (all) => all.map((o) => o.textContent.split(' ')[0]));
+  assert.deepEqual(options, effects.map((e) => e.id));
+  const column = (name) => rows.columns.find((c) => c.name === name).values;
+  const measured = column('measured_Nmm');
+  for (const [k, effect] of [[1, effects[1]], [5, effects[5]]]) {
+    const before = await page.$eval('#share svg', (svg) => svg.outerHTML);
+    await page.locator('#effect select').selectOption(String(k));
+    assert.notEqual(await page.$eval('#share svg', (svg) => svg.outerHTML), before);
+    const [total, base, one] = [explanations[k].total, explanations[k].base, explanations[k].effects[0].column].map(column);
+    const rms = Math.sqrt(measured.reduce((sum, m, i) => sum + (total[i] - m) ** 2, 0) / measured.length);
+    assert.ok(Math.abs(rms / effect.rmse - 1) < 1e-4, `${effect.id}: ${rms} ${effect.rmse}`);
+    const table = await tableOf(page, 'share');
+    table.forEach((row, i) => {
+      const [torque, of, share] = row.slice(-3);
+      assert.ok(Math.abs(torque - one[i]) < 1e-9 && Math.abs(of - total[i]) < 1e-9 && Math.abs(share - (100 * one[i]) / total[i]) < 1e-9);
+      assert.ok(Math.abs(total[i] - base[i] - one[i]) < 1e-6 * total[i]);
+    });
+    const shown = await page.$$eval('#base-parameters tbody tr', (all) => all.map((r) => [...r.children].slice(0, 3).map((c) => c.textContent)));
+    assert.deepEqual(shown.map((r) => r[0]), Object.keys(effect.base_parameters));
+    const near = (text, value) => assert.ok(Math.abs(Number(text.replace(/−/g, '-')) - value) <= 6e-4 * Math.abs(value), `${effect.id}: ${text} ${value}`);
+    for (const [name, without, with_it] of shown) {
+      near(without, effect.base_parameters[name].before);
+      near(with_it, effect.base_parameters[name].after);
+    }
+    assert.ok((await page.textContent('#hidden .note')).startsWith(`Of ${effect.id}.`));
+  }
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test('a click on a legend entry takes its marks away, another brings them back', async () => {
   const { page, faults, close } = await open('diagnose');
   for (const id of ['parity', 'residual-speed', 'ranking', 'share']) {
@@ -243,10 +345,9 @@ test('a click on a legend entry takes its marks away, another brings them back',
   await close();
 });
 
-test('hovering over a mark shows its row as it stands in the file', async () => {
-  const { page, faults, close } = await open('diagnose');
-  await page.locator('#residual-temperature').scrollIntoViewIfNeeded();
-  const places = await page.$$eval('#residual-temperature svg path', (paths) =>
+/// Centres of some of the marks of a picture in the window.
+const markPlaces = (page, id) =>
+  page.$$eval(`#${id} svg path`, (paths) =>
     paths
       .filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill')))
       .map((p) => p.getBoundingClientRect())
@@ -254,6 +355,11 @@ test('hovering over a mark shows its row as it stands in the file', async () => 
       .filter((_, k) => k > 8 && k % 5 === 0)
       .map((box) => [box.x + box.width / 2, box.y + box.height / 2]),
   );
+
+test('hovering over a mark shows its row as it stands in the file', async () => {
+  const { page, faults, close } = await open('diagnose');
+  await page.locator('#residual-temperature').scrollIntoViewIfNeeded();
+  const places = await markPlaces(page, 'residual-temperature');
   const lines = readFileSync(train, 'utf8').split('\n');
   const column = lines[0].split(',');
   const seen = [];
@@ -280,6 +386,48 @@ test('hovering over a mark shows its row as it stands in the file', async () => 
   await close();
 });
 
+/// Filled shapes of a picture below its legend, evenly picked.
+const shapes = (page, id) =>
+  page.$$eval(`#${id} svg path`, (paths) => {
+    const top = paths[0].ownerSVGElement.getBoundingClientRect().top;
+    const all = paths
+      .filter((p) => !['none', 'transparent', null].includes(p.getAttribute('fill')) && p.getAttribute('fill-opacity') !== '0')
+      .map((p) => p.getBoundingClientRect())
+      .filter((box) => box.width > 2 && box.height > 2 && box.top > top + 46)
+      .map((box) => [box.x + box.width / 2, box.y + box.height / 2]);
+    return all.filter((_, k) => k % Math.ceil(all.length / 10) === 0);
+  });
+
+for (const name of ['add', 'comparedshaft', 'table', 'displacement', 'several'])
+  test(`${name}: every picture tells numbers under the pointer, and its legend takes marks away`, async () => {
+    const { page, faults, close } = await open(name);
+    for (const id of await figures(page)) {
+      await page.locator(`#${id} .chart`).scrollIntoViewIfNeeded();
+      const told = new Set();
+      for (const [x, y] of await shapes(page, id)) {
+        await page.mouse.move(x, y);
+        await page.waitForTimeout(20);
+        for (const text of await page.$$eval(`#${id} .tip`, (tips) => tips.map((t) => t.textContent))) told.add(text);
+      }
+      assert.ok(told.size >= 1, `${id}: nothing told`);
+      for (const text of told) {
+        assert.match(text, /\d/, id);
+        assert.doesNotMatch(text, /NaN|undefined|null/, id);
+      }
+      if (['map', 'detectable'].includes(id) || (id === 'ladder' && name === 'comparedshaft')) continue; // without legend
+      await page.mouse.move(2, 2);
+      const before = await marks(page, id);
+      await (await legendEntry(page, id)).click();
+      await page.waitForTimeout(50);
+      assert.ok((await marks(page, id)) < before, `${id}: the legend`);
+      await (await legendEntry(page, id)).click();
+      await page.waitForTimeout(50);
+      assert.equal(await marks(page, id), before, id);
+    }
+    assert.deepEqual(faults, []);
+    await close();
+  });
+
 test('the points to measure next are drawn into the plan', async () => {
   const { page, faults, close } = await open('several');
   const next = results.several.suggested_measurements;
@@ -295,52 +443,79 @@ test('another model and another colour change the pictures', async () => {
   const { page, faults, close } = await open('diagnose');
   const picture = () => page.$eval('#residual-speed svg', (svg) => svg.outerHTML);
   const first = await picture();
-  await page.locator('.choices select').first().selectOption('1');
+  await page.locator('#of-rows select').first().selectOption('1');
   const second = await picture();
   assert.notEqual(second, first);
-  await page.locator('.choices select').nth(1).selectOption('1');
+  await page.locator('#of-rows select').nth(1).selectOption('1');
   assert.notEqual(await picture(), second);
   assert.deepEqual(faults, []);
   await close();
 });
 
-test('names with markup in them stay text', async () => {
+test('names with markup in them stay text on every kind of page', async () => {
   const evil = '<img src=x onerror=alert(1)>';
   const end = '</script><script>alert(2)</script>';
-  const toml = file(`m"${evil}.toml`);
+  const other = '${x}<svg onload=alert(3)>';
   const effect = '<b>mine</b>';
+  const bearing = '<h1>7014</h1>';
+  const toml = file(`m"${evil}.toml`);
   writeFileSync(
     toml,
-    readFileSync(model, 'utf8').replace('name = "7014"', 'name = "<h1>7014</h1>"') +
-      `\n[[effect]]\nid = "${effect}"\ntorque_Nmm = "c * (speed_rpm < 9000)"\nc = { value = 20.0, unit = "N mm" }\n`,
+    readFileSync(model, 'utf8').replace('name = "7014"', `name = "${bearing}"`) +
+      `\n[[effect]]\nid = "${effect}"\ntorque_Nmm = "c * (speed_rpm < 9000)"\nc = { value = 0.0, unit = "${evil}" }\n`,
   );
-  // Two runs with names that would end the data early, and be markup after that.
+  // Two runs with names that would end the data early, and be markup after that; a column that is not known.
   const [head, ...rows] = readFileSync(train, 'utf8').trim().split('\n');
   const csv = file(`d${evil}.csv`);
-  writeFileSync(csv, [head, ...rows.map((row, k) => row.replace(/^[^,]*/, k < 60 ? `${end}${evil}` : '${x}<svg onload=alert(3)>'))].join('\n') + '\n');
-  raceway('compare', toml, csv, '--report', file('hostile.html'));
-  raceway('diagnose', toml, csv, '--no-pairs', '--report', file('hostile2.html'));
-  raceway('table', toml, '--speed', '0:9000:1000', '--axial-load', '100,900', '--report', file('hostile3.html'));
-  const added = await open('hostile2');
-  const clean = await open('diagnose');
-  for (const name of ['hostile', 'hostile2', 'hostile3']) {
-    const { page, faults, close } = name === 'hostile2' ? added : await open(name);
-    for (const tag of ['img', 'b.evil', 'script[src]', 'iframe', 'object']) assert.equal(await page.locator(tag).count(), 0, `${name}: ${tag}`);
-    assert.equal(await page.locator('script').count(), 2);
-    assert.equal(await page.locator('h1').count(), 1);
-    if (name !== 'hostile3') {
-      assert.ok((await page.textContent('header')).includes(evil));
-      await page.locator('.choices select').last().selectOption({ label: 'run' });
-      const text = await page.$$eval('#residual-speed svg text', (all) => all.map((t) => t.textContent).join('\n'));
-      assert.ok(text.includes('<svg onload=alert(3)>'), text);
-    } else {
-      assert.equal(await page.textContent('#sentence'), 'Friction torque of <h1>7014</h1>');
-      assert.ok((await page.$$eval('#parts svg text', (all) => all.map((t) => t.textContent))).includes(effect));
+  writeFileSync(csv, [`${head},${end}`, ...rows.map((row, k) => row.replace(/^[^,]*/, k < 60 ? `${end}${evil}` : other) + ',1')].join('\n') + '\n');
+  const shaft = file(`s"${evil}.toml`);
+  writeFileSync(shaft, readFileSync(file('shaft.toml'), 'utf8').replace(/name = ".*"/, `name = "${bearing}"`));
+  const moved = file(`u${evil}.csv`);
+  writeFileSync(moved, readFileSync(file('shaft.csv'), 'utf8').replace(/^p300/gm, `${end}${evil}`).replace(/^p\d+/gm, other));
+  const pages = {
+    hostile_compare: ['compare', toml, csv],
+    hostile_diagnose: ['diagnose', toml, csv, '--no-pairs'],
+    hostile_add: ['add', toml, effect, '--data', csv, '--force'],
+    hostile_table: ['table', toml, '--speed', '0:9000:1000', '--axial-load', '100,900', '--data', csv],
+    hostile_displacement: ['displacement', shaft, '--speed', '0:9000:1000'],
+    hostile_shaft: ['compare', shaft, moved],
+  };
+  for (const [name, words] of Object.entries(pages)) {
+    raceway(...words, '--report', file(`${name}.html`));
+    const { page, faults, close } = await open(name);
+    const whole = async () => {
+      for (const tag of ['img', 'main b:not(.tip b)', 'script[src]', 'iframe', 'object', 'svg[onload]', 'h1 h1']) assert.equal(await page.locator(tag).count(), 0, `${name}: ${tag}`);
+      assert.equal(await page.locator('script').count(), 2);
+      assert.equal(await page.locator('h1').count(), 1);
+      assert.deepEqual(faults, [], name);
+    };
+    await whole();
+    assert.ok((await page.textContent('header')).includes(evil), name);
+    for (const id of await figures(page)) await page.$eval(`#${id} details`, (d) => (d.open = true));
+    const svg = (id) => page.$$eval(`#${id} svg text`, (all) => all.map((t) => t.textContent).join('\n'));
+    if (['hostile_table', 'hostile_displacement'].includes(name)) assert.ok((await page.textContent('#sentence')).includes(bearing), name);
+    else {
+      await page.locator('#of-rows select').last().selectOption({ label: 'run' });
+      assert.ok((await svg('residual-speed')).includes(other), name);
+      await page.locator('#residual-speed svg').scrollIntoViewIfNeeded();
+      const told = [];
+      for (const [x, y] of await markPlaces(page, 'residual-speed')) {
+        await page.mouse.move(x, y);
+        await page.waitForTimeout(20);
+        told.push(...(await page.$$eval('#residual-speed .tip', (tips) => tips.map((t) => t.textContent))));
+      }
+      assert.ok(told.length > 0 && told.every((t) => t.includes(other) || t.includes(end)), `${name}: ${told}`);
     }
-    assert.deepEqual(faults, []);
+    if (name === 'hostile_diagnose') {
+      await page.locator('#effect select').selectOption({ label: (await page.$$eval('#effect option', (all) => all.map((o) => o.textContent))).find((t) => t.startsWith(effect)) });
+      assert.ok((await page.textContent('#base-parameters')).includes(effect));
+      assert.ok((await page.textContent('#ranking table')).includes(effect));
+    }
+    if (name === 'hostile_add') assert.ok((await page.textContent('#sentence')).includes(effect));
+    if (name === 'hostile_table') assert.ok((await svg('parts')).includes(effect));
+    await whole();
     await close();
   }
-  await clean.close();
 });
 
 test('the policy of the page lets nothing else run, load or be sent', async () => {
@@ -362,21 +537,34 @@ test('the policy of the page lets nothing else run, load or be sent', async () =
   await close();
 });
 
-test('fits a phone, follows a dark screen, and prints in two columns on white', async () => {
-  for (const name of Object.keys(expected)) {
-    const phone = await open(name, { viewport: { width: 390, height: 844 } });
-    assert.ok((await phone.page.evaluate(() => document.documentElement.scrollWidth)) <= 390, name);
-    for (const [id, count] of Object.entries(expected[name])) assert.ok((await marks(phone.page, id)) >= count, `${name} ${id}`);
-    assert.deepEqual(phone.faults, []);
-    await phone.close();
-  }
+test('prints without empty halves of pages, and lines differ by more than their colour', async () => {
+  const { page, faults, close } = await open('diagnose');
+  await page.emulateMedia({ media: 'print' });
+  await page.waitForFunction(() => document.querySelector('#parity svg').getAttribute('width') === '312');
+  const paper = await page.evaluate(() => {
+    const lines = [...document.querySelectorAll('#hidden svg path')].filter((p) => p.getAttribute('fill') === 'none' && p.getBBox().width > 100 && p.getBBox().height > 5);
+    return { dashes: lines.map((p) => p.getAttribute('stroke-dasharray')), symbols: new Set([...document.querySelectorAll('#parity svg path')].map((p) => p.getAttribute('d'))).size };
+  });
+  assert.equal(new Set(paper.dashes).size, 3, `${paper.dashes}`);
+  assert.ok(paper.symbols >= 5, `${paper.symbols}`);
+  const pdf = (await page.pdf({ preferCSSPageSize: true, format: 'A4' })).toString('latin1');
+  const pages = [...pdf.matchAll(/\/Type\s*\/Page\b/g)].length;
+  // All that is on the page, one below the other on sheets of 190 mm by 275 mm.
+  await page.setViewportSize({ width: 718, height: 1039 });
+  const sheets = (await page.evaluate(() => document.querySelector('main').getBoundingClientRect().height)) / 1039;
+  assert.ok(pages >= sheets && pages < 1.35 * sheets + 0.5, `${pages} pages of ${sheets.toFixed(1)}`);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('follows a dark screen, and prints in two columns on white', async () => {
   const dark = await open('diagnose', { colorScheme: 'dark' });
   const paper = () => dark.page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const ink = async () => (await legendEntry(dark.page, 'parity')).getAttribute('fill');
   assert.equal(await paper(), 'rgb(15, 20, 25)');
   assert.equal(await ink(), '#e8edf2');
   await dark.page.emulateMedia({ media: 'print', colorScheme: 'dark' });
-  await dark.page.waitForFunction(() => document.querySelector('#parity svg').getAttribute('width') === '292');
+  await dark.page.waitForFunction(() => document.querySelector('#parity svg').getAttribute('width') === '312');
   assert.equal(await paper(), 'rgb(255, 255, 255)');
   assert.equal(await ink(), '#1b2430');
   assert.ok((await marks(dark.page, 'parity')) >= 120);
@@ -396,11 +584,18 @@ test('120 000 rows: under 15 MB, soon open, and the page says what it draws', as
   writeFileSync(file('big.csv'), rows.join('\n') + '\n');
   raceway('compare', model, file('big.csv'), '--report', file('big.html'));
   assert.ok(statSync(file('big.html')).size < 15e6);
+  // The time that the page's own thread works, which others at work on the machine do not stretch.
+  let devtools;
   const start = performance.now();
-  const { page, faults, close } = await open('big');
+  const { page, faults, close } = await open('big', {}, async (of) => {
+    devtools = await of.context().newCDPSession(of);
+    await devtools.send('Performance.enable', { timeDomain: 'threadTicks' });
+  });
   const seconds = (performance.now() - start) / 1000;
-  console.log(`120 000 rows: ${(statSync(file('big.html')).size / 1e6).toFixed(1)} MB, all drawn after ${seconds.toFixed(1)} s`);
-  assert.ok(seconds < 10, `${seconds} s`); // 3 s on an idle machine; here others may be at work
+  const { metrics } = await devtools.send('Performance.getMetrics');
+  const worked = metrics.find((m) => m.name === 'TaskDuration').value;
+  console.log(`120 000 rows: ${(statSync(file('big.html')).size / 1e6).toFixed(1)} MB, all drawn after ${seconds.toFixed(1)} s, of which its thread worked ${worked.toFixed(1)} s`);
+  assert.ok(worked > 0.1 && worked < 3, `${worked} s`);
   const note = await page.textContent('#thinned');
   assert.match(note, /holds 10\d{4} of 120000 rows/);
   assert.match(note, /draw about 3000 of 10\d{4}/);
@@ -412,11 +607,26 @@ test('120 000 rows: under 15 MB, soon open, and the page says what it draws', as
 });
 
 test('the same inputs give the same bytes, and a page is replaced only by --force', () => {
-  const command = ['diagnose', model, train, '--report'];
-  raceway(...command, file('again.html'));
-  assert.ok(readFileSync(file('again.html')).equals(readFileSync(file('diagnose.html'))));
-  const refused = spawnSync(RACEWAY, [...command, file('again.html')], { encoding: 'utf8' });
-  assert.equal(refused.status, 1);
-  assert.match(refused.stderr, /exists already; --force replaces it/);
-  raceway(...command, file('again.html'), '--force');
+  const commands = {
+    diagnose: ['diagnose', model, train],
+    add: ['add', model, 'lubricant-drag', '--data', train],
+    compare: ['compare', model, file('calibrated.toml'), file('better.toml'), join(rig, 'test.csv')],
+    comparedshaft: ['compare', file('shaft.toml'), file('fitted.toml'), file('shaft.csv')],
+    table: ['table', file('better.toml'), '--speed', '0:16000:1000', '--axial-load', '600,3000', '--radial-load', '0,400', '--temperature', '25', '--data', train],
+    displacement: ['displacement', spindle, '--speed', '0:16000:250'],
+  };
+  for (const [name, command] of Object.entries(commands)) {
+    const page = file(`${name}-again.html`);
+    raceway(...command, '--report', page);
+    const bytes = readFileSync(page);
+    assert.ok(bytes.equals(readFileSync(file(`${name}.html`))), name);
+    const refused = spawnSync(RACEWAY, [...command, '--report', page], { encoding: 'utf8' });
+    assert.equal(refused.status, 1, name);
+    assert.match(refused.stderr, /exists already; --force replaces it/);
+    writeFileSync(page, 'of another day');
+    assert.equal(spawnSync(RACEWAY, [...command, '--report', page]).status, 1);
+    assert.equal(readFileSync(page, 'utf8'), 'of another day', name);
+    raceway(...command, '--report', page, '--force');
+    assert.ok(readFileSync(page).equals(bytes), name);
+  }
 });

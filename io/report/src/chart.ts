@@ -18,10 +18,11 @@ function textWidth(text: string): number {
 
 /// A legend on top, and the height it takes at this width.
 export function legend(names: string[], width: number, l: Look, icons: (string | undefined)[] = []): { option: Option; height: number } {
+  const size = l.print ? 10.5 : 12;
   let lines = 1;
   let used = 0;
   for (const name of names) {
-    const item = 14 + 5 + textWidth(name) + gap;
+    const item = 14 + 5 + (textWidth(name) * size) / 12 + gap;
     if (used > 0 && used + item > width - 10) {
       ++lines;
       used = 0;
@@ -36,7 +37,7 @@ export function legend(names: string[], width: number, l: Look, icons: (string |
       itemWidth: 14,
       itemHeight: 9,
       itemGap: gap,
-      textStyle: { color: l.ink, fontSize: 12 },
+      textStyle: { color: l.ink, fontSize: size },
       inactiveColor: l.dark ? '#4a5664' : '#b9c1ca',
       selectedMode: 'multiple',
     },

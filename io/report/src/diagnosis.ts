@@ -1,14 +1,15 @@
 // What a diagnosis adds: ranking, the chosen effect, what could have been found, where to measure next.
 import { legend, sideAxis, threshold, valueAxis } from './chart';
-import type { DiagnoseReport, RankedEffect, Size } from './document';
+import type { BaseShifts, DiagnoseReport, Explanation, RankedEffect, Size, Suggested } from './document';
 import type { Cell } from './figure';
 import { choice, Figure, tooltip } from './figure';
 import type { FitView } from './fit_rows';
 import { groups, mean, thinned } from './groups';
 import { dashes, ordered, symbols } from './look';
-import { axisTitle, number, plain, quantity, signed, unitText } from './text';
+import { axisTitle, el, number, plain, quantity, signed, unitText, valueList } from './text';
 
 const mostBars = 12;
+const planSymbols = symbols.filter((s) => s !== 'diamond'); // which are the points to come
 
 /// A difference of -2 ln L: tenths are enough.
 function gainText(gain: number): string {
@@ -25,7 +26,7 @@ function sizeText(parameters: Record<string, Size>): string {
     .join(', ');
 }
 
-export function ranking(report: DiagnoseReport): Figure {
+export function ranking(report: DiagnoseReport, { unit }: FitView): Figure {
   const { effects, needed_gain: needed, candidates_tried: tried } = report.results;
   const shown = effects.filter((e, k) => e.in_verdict || k < mostBars);
   const best = Math.max(...effects.map((e) => e.gain));
@@ -40,6 +41,7 @@ export function ranking(report: DiagnoseReport): Figure {
     note: `Gain: fall of −2 ln L when the effect is added and everything is refitted; ${number(needed, 3)} needed, ${tried} explanations tried.${shown.length < effects.length ? ` The best ${shown.length} of ${effects.length}; the table has all.` : ''}`,
     wide: true,
     height: 84 + shown.length * 30,
+    onPaper: 0.6,
     option: (l, width) => {
       const present = kinds.filter(([, is]) => shown.some(is));
       const top = legend(present.map(([name]) => name), width, l);
@@ -56,8 +58,8 @@ export function ranking(report: DiagnoseReport): Figure {
             e.id,
             ['gain', gainText(e.gain)],
             ['behind the best', gainText(best - e.gain)],
-            ['RMS error', `${number(e.rmse)} N mm`],
-            ...(e.rmse_cross_validated === null ? [] : ([['on rows left out', `${number(e.rmse_cross_validated)} N mm`]] as [string, string][])),
+            ['RMS error', `${number(e.rmse)} ${unit}`],
+            ...(e.rmse_cross_validated === null ? [] : ([['on rows left out', `${number(e.rmse_cross_validated)} ${unit}`]] as [string, string][])),
             ['size', sizeText(e.parameters)],
             ...(e.indistinguishable_from.length ? ([['not told from', e.indistinguishable_from.join(', ')]] as [string, string][]) : []),
           ];
@@ -81,118 +83,144 @@ export function ranking(report: DiagnoseReport): Figure {
       };
     },
     table: () => ({
-      columns: ['effect', 'in the verdict', 'gain', 'RMS [N mm]', 'RMS on rows left out [N mm]', 'size', 'not told from'],
+      columns: ['effect', 'in the verdict', 'gain', `RMS [${unit}]`, `RMS on rows left out [${unit}]`, 'size', 'not told from'],
       rows: effects.map((e) => [e.id, e.in_verdict ? 'yes' : 'no', e.gain, e.rmse, e.rmse_cross_validated, sizeText(e.parameters), e.indistinguishable_from.join(', ')]),
     }),
   });
 }
 
-/// Share of the effect in the torque over the plan, and what the base parameters had been hiding.
-export function effectFigures(report: DiagnoseReport, view: FitView): Figure[] {
-  const effects = report.effects_of_verdict ?? [];
-  if (effects.length === 0) return [];
-  let chosen = 0;
-  const rows = view.rows;
-  const all = Array.from({ length: rows.count }, (_, k) => k);
-  const torque = (k: number) => rows.at((effects[chosen] as { column: string }).column, k);
-  const total = (k: number) => view.predicted(1)[k] as number;
-  const share = (k: number) => (100 * torque(k)) / total(k);
-  const column = ['axial_load_N', 'temperature_C', 'radial_load_N'].find((name) => rows.varies(name)) ?? 'speed_rpm';
-  const figures: Figure[] = [];
-  const pick = effects.length > 1 ? [choice('Effect', effects.map((e) => e.id), 0, (index) => {
-    chosen = index;
-    for (const figure of figures) figure.draw();
-  })] : [];
-  figures.push(
-    new Figure({
-      id: 'share',
-      title: `Share of ${effects.length > 1 ? 'the effect' : (effects[0] as { id: string }).id} in the torque`,
-      note: 'Of what the model with the effect predicts, at every measured point.',
-      marks: view.marks,
-      controls: pick,
-      option: (l, width) => {
-        const parts = groups(rows.get(column), column, 5);
-        const colours = ordered(parts.length, l);
-        const top = legend(parts.map((g) => g.label), width, l, parts.map((_, k) => symbols[k % symbols.length]));
-        return {
-          legend: top.option,
-          grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
-          tooltip: tooltip(l, (hit) => {
-            const k = (hit.value as number[])[2] as number;
-            return [...view.tell(k).slice(0, -3), [(effects[chosen] as { id: string }).id, `${signed(torque(k))} N mm`], ['share of the torque', `${number(share(k), 3)} %`]];
-          }),
-          xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x'),
-          yAxis: valueAxis('share of the torque [%]', l, 'y', { scale: false }),
-          series: parts.map((g, k) => ({
-            type: 'scatter',
-            name: g.label,
-            symbol: symbols[k % symbols.length],
-            symbolSize: 7,
-            itemStyle: { color: colours[k], opacity: 0.85 },
-            data: thinned(g.rows, 600).map((row) => [rows.at('speed_rpm', row), share(row), row]),
-          })),
-        };
-      },
-      table: () => ({
-        columns: [axisTitle('speed_rpm'), axisTitle(column), axisTitle('temperature_C'), `${(effects[chosen] as { id: string }).id} [N mm]`, 'torque [N mm]', 'share [%]'],
-        rows: all.map((k) => [rows.at('speed_rpm', k), rows.at(column, k), rows.at('temperature_C', k), torque(k), total(k), share(k)]),
-      }),
+interface Chosen {
+  id: string;
+  column: string;
+  with: Explanation;
+  shifts: BaseShifts;
+  of: RankedEffect | undefined;
+}
+
+/// What one effect of the ranking does: its share of the reading over the plan, and what the base
+/// parameters had been hiding of it. The reader chooses which.
+export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
+  const { effects: ranked, base_parameters: ofVerdict, explanations: sets } = report.results;
+  const best = sets[0] ?? [];
+  const list = report.explanations.flatMap((e): Chosen[] =>
+    e.effects.map(({ id, column }) => {
+      const of = ranked.find((r) => r.id === id);
+      return { id, column, with: e, of, shifts: best.includes(id) ? ofVerdict : (of?.base_parameters ?? {}) };
     }),
   );
-  const parameters = Object.entries(report.results.base_parameters);
-  const shifts = parameters.map(([name, p]) => `${name} ${number(p.before)} → ${number(p.after)}`).join(', ');
-  const everything = (k: number) => total(k) - rows.at('base_with_effects_Nmm', k);
-  const hidden = (k: number) => (view.predicted(0)[k] as number) - rows.at('base_with_effects_Nmm', k);
+  if (list.length === 0) return [];
+  let chosen = list[0] as Chosen;
+  const { rows, unit, what } = view;
+  const all = Array.from({ length: rows.count }, (_, k) => k);
+  const effect = (k: number) => rows.at(chosen.column, k);
+  const total = (k: number) => rows.at(chosen.with.total, k);
+  const share = (k: number) => (100 * effect(k)) / total(k);
+  const inputs = view.inputs.filter((name) => rows.varies(name));
+  const column = inputs.find((name) => name !== 'speed_rpm');
+  const others = () => chosen.with.effects.map((e) => e.id).join(' and ');
+  const shareOf = new Figure({
+    id: 'share',
+    title: `Share of the effect in the ${what}`,
+    note: () => `${chosen.id}, of what the model with ${others()} predicts, at every measured point.`,
+    marks: view.marks,
+    option: (l, width) => {
+      const parts = column ? groups(rows.get(column), column, 5) : [{ label: 'rows', rows: all, from: 0, to: 0 }];
+      const colours = ordered(parts.length, l);
+      const top = legend(parts.map((g) => g.label), width, l, parts.map((_, k) => symbols[k % symbols.length]));
+      return {
+        legend: top.option,
+        grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
+        tooltip: tooltip(l, (hit) => {
+          const k = (hit.value as number[])[2] as number;
+          return [...view.tell(k).slice(0, -3), [chosen.id, `${signed(effect(k))} ${unit}`], [`share of the ${what}`, `${number(share(k), 3)} %`]];
+        }),
+        xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x'),
+        yAxis: valueAxis(`share of the ${what} [%]`, l, 'y', { scale: false }),
+        series: parts.map((g, k) => ({
+          type: 'scatter',
+          name: g.label,
+          symbol: symbols[k % symbols.length],
+          symbolSize: 7,
+          itemStyle: { color: colours[k], opacity: 0.85 },
+          data: thinned(g.rows, 600).map((row) => [rows.at('speed_rpm', row), share(row), row]),
+        })),
+      };
+    },
+    table: () => ({
+      columns: [...inputs.map(axisTitle), `${chosen.id} [${unit}]`, `${what} [${unit}]`, 'share [%]'],
+      rows: all.map((k) => [...inputs.map((name) => rows.at(name, k)), effect(k), total(k), share(k)]),
+    }),
+  });
+  const everything = (k: number) => total(k) - rows.at(chosen.with.base, k);
+  const hidden = (k: number) => (view.predicted(0)[k] as number) - rows.at(chosen.with.base, k);
+  const names = Object.keys(list.find((c) => Object.keys(c.shifts).length)?.shifts ?? {});
   const lines: [string, (k: number) => number][] = [
-    ['what is missing', everything],
-    [`hidden by ${parameters.map(([name]) => name).join(', ')}`, hidden],
+    ['what it adds', everything],
+    [`hidden by ${names.join(', ')}`, hidden],
     ['left over as misfit', (k) => everything(k) - hidden(k)],
   ];
   const parts = () => groups(rows.get('speed_rpm'), 'speed_rpm', 10);
-  figures.push(
-    new Figure({
-      id: 'hidden',
-      title: 'What the base parameters had been hiding',
-      note: `Refitted without the effect: ${shifts}. What the wrong values took over did not show as misfit. Means over the rows of a speed.`,
-      option: (l, width) => {
-        const top = legend(lines.map(([name]) => name), width, l);
-        return {
-          legend: top.option,
-          grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
-          tooltip: tooltip(l, (hit) => [hit.seriesName, ['speed', `${plain((hit.value as number[])[0], 5)} rpm`], ['mean torque', `${signed((hit.value as number[])[1] as number)} N mm`]]),
-          xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x'),
-          yAxis: valueAxis('torque [N mm]', l, 'y', { scale: false }),
-          series: lines.map(([name, value], k) => ({
-            type: 'line',
-            name,
-            symbol: symbols[k],
-            symbolSize: 7,
-            color: [l.kinds[1], l.kinds[0], l.muted][k],
-            lineStyle: { type: dashes[k], width: 2 },
-            data: parts().map((g) => [mean(g.rows.map((row) => rows.at('speed_rpm', row))), mean(g.rows.map(value))]),
-          })),
-        };
-      },
-      table: () => ({
-        columns: [axisTitle('speed_rpm'), 'rows', ...lines.map(([name]) => `${name} [N mm]`)],
-        rows: parts().map((g): Cell[] => [g.label, g.rows.length, ...lines.map(([, value]) => mean(g.rows.map(value)))]),
-      }),
+  const shifts = () => Object.entries(chosen.shifts);
+  const hiding = new Figure({
+    id: 'hidden',
+    title: 'What the base parameters had been hiding',
+    note: () => `Of ${others()}. Refitted without: ${shifts().map(([name, p]) => `${name} ${number(p.before)}, with ${number(p.after)}`).join('; ')}. What the wrong values took over did not show as misfit. Means over the rows of a speed.`,
+    option: (l, width) => {
+      const top = legend(lines.map(([name]) => name), width, l, symbols.slice(0, lines.length));
+      return {
+        legend: top.option,
+        grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
+        tooltip: tooltip(l, (hit) => [hit.seriesName, ['speed', `${plain((hit.value as number[])[0], 5)} rpm`], [`mean ${what}`, `${signed((hit.value as number[])[1] as number)} ${unit}`]]),
+        xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x'),
+        yAxis: valueAxis(`${what} [${unit}]`, l, 'y', { scale: false }),
+        series: lines.map(([name, value], k) => ({
+          type: 'line',
+          name,
+          symbol: symbols[k],
+          symbolSize: 7,
+          color: [l.kinds[1], l.kinds[0], l.muted][k],
+          lineStyle: { type: dashes[k], width: 2 },
+          data: parts().map((g) => [mean(g.rows.map((row) => rows.at('speed_rpm', row))), mean(g.rows.map(value))]),
+        })),
+      };
+    },
+    table: () => ({
+      columns: [axisTitle('speed_rpm'), 'rows', ...lines.map(([name]) => `${name} [${unit}]`)],
+      rows: parts().map((g): Cell[] => [g.label, g.rows.length, ...lines.map(([, value]) => mean(g.rows.map(value)))]),
     }),
-  );
-  return figures;
+  });
+  const base = el('div', { id: 'base-parameters' });
+  const tellBase = () =>
+    base.replaceChildren(
+      valueList(`Base parameters, without and with ${others()}`, ['parameter', 'without', 'with', 'std error', 'unit'], shifts().map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)])),
+    );
+  tellBase();
+  const label = ({ id, of }: Chosen) => `${id} (${of?.in_verdict ? 'verdict, ' : ''}gain ${gainText(of?.gain ?? NaN)})`;
+  const bar = el('div', { class: 'choices', id: 'effect' });
+  if (list.length > 1)
+    bar.append(
+      choice('Effect', list.map(label), 0, (k) => {
+        chosen = list[k] as Chosen;
+        shareOf.draw();
+        hiding.draw();
+        tellBase();
+      }),
+    );
+  return [bar, el('div', { class: 'grid' }, shareOf.element, hiding.element), base];
 }
 
-export function detectable(report: DiagnoseReport): Figure | undefined {
-  const list = report.results.would_have_been_found.slice().sort((a, b) => a.share_of_torque - b.share_of_torque);
+export function detectable(report: DiagnoseReport, { what }: FitView): Figure | undefined {
+  const list = report.results.would_have_been_found.slice().sort((a, b) => a.share_of_reading - b.share_of_reading);
   if (list.length === 0) return undefined;
-  const percent = list.map((d) => 100 * d.share_of_torque);
+  const percent = list.map((d) => 100 * d.share_of_reading);
   const floor = 10 ** Math.floor(Math.log10(Math.min(...percent) * 0.999));
   return new Figure({
     id: 'detectable',
     title: 'What would have been found, and from which size',
-    note: 'Smallest share of the torque (RMS over the rows) at which an effect would have been found in 99 of 100 cases.',
+    note: `Smallest share of the ${what} (RMS over the rows) at which an effect would have been found in 99 of 100 cases.`,
     wide: true,
     height: 76 + list.length * 22,
+    onPaper: 0.8,
     option: (l, width) => {
       const side = sideAxis(list.map((d) => d.id), l, width);
       return {
@@ -204,11 +232,11 @@ export function detectable(report: DiagnoseReport): Figure | undefined {
           return [
             d.id,
             ['found from', `${d.parameter} = ${number(d.size, 2)}${unit ? ` ${unit}` : ''}`],
-            ['share of the torque', `${number(100 * d.share_of_torque, 2)} %`],
+            [`share of the ${what}`, `${number(100 * d.share_of_reading, 2)} %`],
             ...(d.most_alike ? ([['most alike', d.most_alike], ['told from it from', `${number(d.told_apart_from, 2)}${unit ? ` ${unit}` : ''}`]] as [string, string][]) : []),
           ];
         }),
-        xAxis: valueAxis('share of the torque [%], logarithmic', l, 'x', { type: 'log', scale: false, min: floor, startValue: floor }),
+        xAxis: valueAxis(`share of the ${what} [%], logarithmic`, l, 'x', { type: 'log', scale: false, min: floor, startValue: floor }),
         yAxis: side.option,
         series: [
           {
@@ -223,8 +251,8 @@ export function detectable(report: DiagnoseReport): Figure | undefined {
       };
     },
     table: () => ({
-      columns: ['effect', 'parameter', 'found from', 'unit', 'share of the torque [%]', 'most alike', 'told from it from'],
-      rows: list.map((d) => [d.id, d.parameter, d.size, unitText(d.unit), 100 * d.share_of_torque, d.most_alike, d.told_apart_from]),
+      columns: ['effect', 'parameter', 'found from', 'unit', `share of the ${what} [%]`, 'most alike', 'told from it from'],
+      rows: list.map((d) => [d.id, d.parameter, d.size, unitText(d.unit), 100 * d.share_of_reading, d.most_alike, d.told_apart_from]),
     }),
   });
 }
@@ -233,8 +261,13 @@ export function detectable(report: DiagnoseReport): Figure | undefined {
 export function plan(report: DiagnoseReport, view: FitView): Figure {
   const { rows } = view;
   const next = report.results.suggested_measurements;
-  const up = ['axial_load_N', 'temperature_C', 'radial_load_N'].find((name) => rows.varies(name)) ?? 'axial_load_N';
-  const colour = up === 'temperature_C' ? 'speed_rpm' : 'temperature_C';
+  const first = next[0] ?? {};
+  const inputs = view.inputs.filter((name) => next.length === 0 || name in first);
+  const at = (m: Suggested, name: string) => m[name] as number;
+  // Beside speed, the input that the new points move, else the one that was moved.
+  const moved = (name: string) => name !== 'speed_rpm' && (rows.varies(name) || next.some((m) => at(m, name) !== at(first as Suggested, name)));
+  const up = inputs.find(moved) ?? inputs.find((name) => name !== 'speed_rpm') ?? 'speed_rpm';
+  const colour = inputs.find((name) => name !== up && rows.varies(name) && moved(name));
   return new Figure({
     id: 'plan',
     title: next.length ? 'Where to measure next' : 'Where was measured',
@@ -244,10 +277,11 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
     marks: view.marks,
     wide: next.length > 0,
     option: (l, width) => {
-      const parts = rows.varies(colour) ? groups(rows.get(colour), colour, 5) : [{ label: 'measured', rows: Array.from({ length: rows.count }, (_, k) => k), from: 0, to: 0 }];
+      const parts = colour ? groups(rows.get(colour), colour, 5) : [{ label: 'measured', rows: Array.from({ length: rows.count }, (_, k) => k), from: 0, to: 0 }];
       const colours = parts.length > 1 ? ordered(parts.length, l) : [l.muted];
       const names = [...parts.map((g) => g.label), ...(next.length ? ['measure next'] : [])];
-      const top = legend(names, width, l, [...parts.map(() => 'circle'), 'diamond']);
+      const icons = parts.map((_, k) => planSymbols[k % planSymbols.length]);
+      const top = legend(names, width, l, [...icons, 'diamond']);
       return {
         legend: top.option,
         grid: { left: 56, right: 30, top: top.height + 26, bottom: 46 },
@@ -257,7 +291,7 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
             if (!m) return null;
             return [
               'measure next',
-              ...(['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C'] as const).map((name): [string, string] => [quantity(name).label, `${plain(m[name], 4)} ${quantity(name).unit}`]),
+              ...inputs.map((name): [string, string] => [quantity(name).label, `${plain(at(m, name), 4)} ${quantity(name).unit}`]),
               ['repeats', String(m.repeats)],
               ['separates', m.separates],
               ['difference', m.difference_in_sigma === null ? '' : `${number(m.difference_in_sigma, 3)} σ`],
@@ -271,7 +305,8 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
           ...parts.map((g, k) => ({
             type: 'scatter',
             name: g.label,
-            symbolSize: 6,
+            symbol: icons[k],
+            symbolSize: 7,
             itemStyle: { color: colours[k], opacity: 0.6 },
             data: thinned(g.rows, 600).map((row) => [rows.at('speed_rpm', row), rows.at(up, row), row]),
           })),
@@ -285,7 +320,7 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
                   z: 8,
                   itemStyle: { color: l.kinds[1], borderColor: l.ink, borderWidth: 1.2 },
                   label: { show: true, position: 'top', color: l.ink, fontSize: 11, formatter: (hit: { dataIndex: number }) => `${next[hit.dataIndex]?.repeats ?? ''}×` },
-                  data: next.map((m) => [m.speed_rpm, m[up as 'axial_load_N']]),
+                  data: next.map((m) => [at(m, 'speed_rpm'), at(m, up)]),
                 },
               ]
             : []),
@@ -295,12 +330,12 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
     table: () =>
       next.length
         ? {
-            columns: [...['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C'].map(axisTitle), 'repeats', 'separates', 'difference [σ]'],
-            rows: next.map((m) => [m.speed_rpm, m.axial_load_N, m.radial_load_N, m.temperature_C, m.repeats, m.separates, m.difference_in_sigma]),
+            columns: [...inputs.map(axisTitle), 'repeats', 'separates', 'difference [σ]'],
+            rows: next.map((m) => [...inputs.map((name) => at(m, name)), m.repeats, m.separates, m.difference_in_sigma]),
           }
         : {
-            columns: ['line', ...['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C'].map(axisTitle)],
-            rows: Array.from({ length: rows.count }, (_, k) => [rows.at('line', k), rows.at('speed_rpm', k), rows.at('axial_load_N', k), rows.at('radial_load_N', k), rows.at('temperature_C', k)]),
+            columns: ['line', ...inputs.map(axisTitle)],
+            rows: Array.from({ length: rows.count }, (_, k) => [rows.at('line', k), ...inputs.map((name) => rows.at(name, k))]),
           },
   });
 }

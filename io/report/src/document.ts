@@ -84,6 +84,9 @@ export interface HoldOut {
   rmse_after: number;
 }
 
+/// Base parameters without an effect and with it.
+export type BaseShifts = Record<string, { before: number; after: number; std: number | null; unit: string }>;
+
 export interface RankedEffect {
   id: string;
   in_verdict: boolean;
@@ -91,6 +94,7 @@ export interface RankedEffect {
   rmse: number;
   rmse_cross_validated: number | null;
   parameters: Record<string, Size>;
+  base_parameters: BaseShifts;
   indistinguishable_from: string[];
 }
 
@@ -99,16 +103,14 @@ export interface Detectable {
   parameter: string;
   unit: string;
   size: number;
-  share_of_torque: number;
+  share_of_reading: number;
   most_alike: string;
   told_apart_from: number | null;
 }
 
+/// A point to measure: inputs by the names of their columns, and why.
 export interface Suggested {
-  speed_rpm: number;
-  axial_load_N: number;
-  radial_load_N: number;
-  temperature_C: number;
+  [input: string]: number | string | null;
   repeats: number;
   separates: string;
   difference_in_sigma: number | null;
@@ -130,14 +132,14 @@ export interface Diagnosis {
   baseline: Comparison;
   effects: RankedEffect[];
   explanations: string[][];
-  base_parameters: Record<string, { before: number; after: number; std: number | null; unit: string }>;
+  base_parameters: BaseShifts;
   hold_out: HoldOut[];
   would_have_been_found: Detectable[];
   not_testable: { id: string; missing: string }[];
   suggested_measurements: Suggested[];
   messages: string[];
+  /// With the formula under the name of the reading, torque_Nmm.
   shape?: {
-    torque_Nmm: string;
     coefficients: Record<string, Size>;
     statement: string;
     explained_share: number | null;
@@ -186,20 +188,45 @@ interface Common {
   rows: ColumnData;
 }
 
+/// What was measured; columns of readings end with the unit.
+export interface MeasuredQuantity {
+  in_words: string; // "friction torque"
+  unit: string; // as names have it: "Nmm"
+}
+
 interface WithRows extends Common {
+  quantity: MeasuredQuantity;
+  inputs: string[]; // columns of what was set
   models: Predicted[];
   runs: string[];
+}
+
+/// What changed from one model to the next.
+export interface Step {
+  added: string[];
+  removed: string[];
+  numbers: { name: string; unit: string; before: number | null; after: number }[];
+}
+
+/// Effects with the base parameters refitted: columns of the readings, of the part without these
+/// effects, and of what each effect adds.
+export interface Explanation {
+  effects: { id: string; column: string }[];
+  base: string;
+  total: string;
 }
 
 export interface CompareReport extends WithRows {
   kind: 'compare';
   results: Comparison | { models: Comparison[] };
+  steps: Step[]; // between the models
+  estimated_noise?: number; // where the data do not tell it
 }
 
 export interface DiagnoseReport extends WithRows {
   kind: 'diagnose';
   results: Diagnosis;
-  effects_of_verdict?: { id: string; column: string }[];
+  explanations: Explanation[]; // that of the verdict first
 }
 
 export interface AddReport extends WithRows {

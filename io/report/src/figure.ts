@@ -46,9 +46,11 @@ export interface Table {
 export interface FigureSpec {
   id: string;
   title: string;
-  note?: string;
+  note?: string | (() => string);
   wide?: boolean;
   height?: number | ((width: number) => number);
+  /// Of the height, on paper.
+  onPaper?: number;
   /// How many marks there will be: many are drawn on a canvas, few as vectors.
   marks?: number;
   controls?: HTMLElement[];
@@ -62,12 +64,13 @@ export interface FigureSpec {
 const mostTableRows = 200;
 const manyMarks = 1200;
 // On paper the page is two columns of this width.
-const printColumn = 292;
-const printWide = 640;
+const printColumn = 312;
+const printWide = 676;
 
 export class Figure {
   readonly element: HTMLElement;
   private readonly canvas = el('div', { class: 'chart' });
+  private readonly note = el('p', { class: 'note' });
   private readonly numbers: HTMLDetailsElement;
   private chart: ECharts | undefined;
 
@@ -79,11 +82,17 @@ export class Figure {
     const head = el('div', { class: 'head' }, el('h3', {}, spec.title));
     if (spec.controls?.length) head.append(el('div', { class: 'controls' }, ...spec.controls));
     this.element = el('figure', { class: spec.wide ? 'wide' : '', id: spec.id }, head);
-    if (spec.note) this.element.append(el('p', { class: 'note' }, spec.note));
+    if (spec.note) this.element.append(this.note);
     this.element.append(this.canvas, el('div', { class: 'foot' }, this.numbers, button));
     this.canvas.setAttribute('role', 'img');
-    this.canvas.setAttribute('aria-label', `${spec.title}. ${spec.note ?? ''}`.trim());
+    this.tell();
     all.push(this);
+  }
+
+  private tell(): void {
+    const { note = '', title } = this.spec;
+    this.note.textContent = typeof note === 'string' ? note : note();
+    this.canvas.setAttribute('aria-label', `${title}. ${this.note.textContent}`.trim());
   }
 
   /// Draws with the look of the moment; anew where a choice has changed.
@@ -91,8 +100,10 @@ export class Figure {
     const l = look();
     const width = l.print ? (this.element.classList.contains('wide') ? printWide : printColumn) : this.canvas.clientWidth;
     if (width === 0) return;
-    const { height = 320 } = this.spec;
-    const tall = typeof height === 'number' ? height : height(width);
+    this.tell();
+    const { height = 320, onPaper = 0.73 } = this.spec;
+    const onScreen = typeof height === 'number' ? height : height(width);
+    const tall = l.print ? Math.round(onScreen * onPaper) : onScreen;
     this.canvas.style.height = `${tall}px`;
     if (!this.chart)
       this.chart = echarts.init(this.canvas, null, {

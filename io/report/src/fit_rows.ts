@@ -8,15 +8,18 @@ import type { Group } from './groups';
 import { groups, mean, rms, thinned } from './groups';
 import type { Look } from './look';
 import { diverging, inkOn, ordered, symbols } from './look';
-import { axisTitle, el, number, plain, quantity, signed } from './text';
+import { axisTitle, el, fixed, number, plain, quantity, signed, unitOfKey } from './text';
 
 const mostDrawn = 3000;
 const mostRuns = 8;
-const inputs = ['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C', 'inner_ring_temperature_C', 'outer_ring_temperature_C', 'preload_N'];
 
 /// Rows with what is shown of them, and what the reader has chosen.
 export class FitView {
   readonly rows: Rows;
+  readonly inputs: string[];
+  readonly key: string; // unit of the readings as names have it: Nmm
+  readonly unit: string; // N mm
+  readonly what: string; // torque
   /// Columns that points may be coloured by.
   readonly colours: string[];
   model: number;
@@ -27,8 +30,12 @@ export class FitView {
 
   constructor(readonly report: ReportOfRows, chosen: number) {
     this.rows = new Rows(report.rows);
+    this.inputs = report.inputs;
+    this.key = report.quantity.unit;
+    this.unit = unitOfKey(this.key);
+    this.what = report.quantity.in_words.split(' ').pop() ?? '';
     this.model = chosen;
-    this.colours = inputs.filter((name) => this.rows.varies(name));
+    this.colours = this.inputs.filter((name) => this.rows.varies(name));
     if (report.runs.length > 1 && report.runs.length <= mostRuns) this.colours.push('run');
     this.colour = this.colours.find((name) => name === 'temperature_C') ?? this.colours.find((name) => name !== 'speed_rpm') ?? this.colours[0] ?? '';
     this.worst = new Set(this.largest(20));
@@ -38,7 +45,11 @@ export class FitView {
     return this.rows.get((this.report.models[model] as Predicted).column);
   }
   measured(): Float64Array {
-    return this.rows.get('measured_Nmm');
+    return this.rows.get(`measured_${this.key}`);
+  }
+  /// Standard deviation of every row; NaN where not known.
+  std(): Float64Array {
+    return this.rows.get(`std_${this.key}`);
   }
   residual(row: number): number {
     return (this.predicted()[row] as number) - (this.measured()[row] as number);
@@ -94,18 +105,18 @@ export class FitView {
   tell(row: number): (string | [string, string])[] {
     const lines: (string | [string, string])[] = [`line ${plain(this.rows.at('line', row))}`];
     if (this.rows.has('run')) lines.push(['run', this.report.runs[this.rows.at('run', row)] ?? '']);
-    for (const name of ['time_s', ...inputs])
+    for (const name of ['time_s', ...this.inputs])
       if (this.rows.has(name)) lines.push([quantity(name).label, `${plain(this.rows.at(name, row), 5)} ${quantity(name).unit}`]);
-    lines.push(['measured', `${number(this.measured()[row])} N mm`], ['predicted', `${number(this.predicted()[row])} N mm`]);
-    const std = this.rows.at('std_Nmm', row);
+    lines.push(['measured', `${number(this.measured()[row])} ${this.unit}`], ['predicted', `${number(this.predicted()[row])} ${this.unit}`]);
+    const std = this.std()[row] as number;
     const residual = this.residual(row);
-    lines.push(['predicted − measured', `${signed(residual)} N mm${std > 0 ? ` (${signed(residual / std, 2)} σ)` : ''}`]);
+    lines.push(['predicted − measured', `${signed(residual)} ${this.unit}${std > 0 ? ` (${signed(residual / std, 2)} σ)` : ''}`]);
     return lines;
   }
 
   /// All rows with what this model says of them.
   csv = (): Table => {
-    const names = this.rows.names.filter((name) => !/^(predicted|effect|base)_/.test(name));
+    const names = this.rows.names.filter((name) => !/^(predicted|effect|base|with)_/.test(name));
     const models = this.report.models.map((m) => m.column);
     const rows: Cell[][] = [];
     for (let k = 0; k < this.rows.count; ++k)
@@ -115,7 +126,7 @@ export class FitView {
         ...models.map((column) => finite(this.rows.at(column, k) - (this.measured()[k] as number))),
       ]);
     return {
-      columns: [...names, ...this.report.models.map((m) => `predicted_Nmm: ${m.name}`), ...this.report.models.map((m) => `residual_Nmm: ${m.name}`)],
+      columns: [...names, ...this.report.models.map((m) => `predicted_${this.key}: ${m.name}`), ...this.report.models.map((m) => `residual_${this.key}: ${m.name}`)],
       rows,
     };
   };
@@ -127,7 +138,7 @@ function finite(value: number): number | null {
 
 /// A choice of the model and of the colour for all pictures of rows at once.
 export function choices(view: FitView): HTMLElement {
-  const bar = el('div', { class: 'choices' });
+  const bar = el('div', { class: 'choices', id: 'of-rows' });
   if (view.report.models.length > 1)
     bar.append(
       choice('Model', view.report.models.map((m) => m.name), view.model, (index) => {
@@ -207,8 +218,8 @@ export function parity(view: FitView): HTMLElement {
           legend: top.option,
           grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
           tooltip: rowTooltip(view, l),
-          xAxis: valueAxis('predicted [N mm]', l, 'x', { min: low, max: high }),
-          yAxis: valueAxis('measured [N mm]', l, 'y', { min: low, max: high }),
+          xAxis: valueAxis(`predicted [${view.unit}]`, l, 'x', { min: low, max: high }),
+          yAxis: valueAxis(`measured [${view.unit}]`, l, 'y', { min: low, max: high }),
           series,
         };
       },
@@ -237,26 +248,26 @@ function worstTable(view: FitView): Table {
   const rows = Array.from({ length: view.rows.count }, (_, k) => k)
     .filter((k) => Number.isFinite(view.residual(k)))
     .sort((a, b) => Math.abs(view.residual(b)) - Math.abs(view.residual(a)) || a - b);
-  const names = inputs.filter((name) => view.rows.varies(name));
-  const noise = view.rows.get('std_Nmm').some((s) => s > 0);
+  const names = view.inputs.filter((name) => view.rows.varies(name));
+  const noise = view.std().some((s) => s > 0);
   return {
-    columns: ['line', ...names.map(axisTitle), 'measured [N mm]', 'predicted [N mm]', 'predicted − measured [N mm]', ...(noise ? ['in σ'] : [])],
+    columns: ['line', ...names.map(axisTitle), `measured [${view.unit}]`, `predicted [${view.unit}]`, `predicted − measured [${view.unit}]`, ...(noise ? ['in σ'] : [])],
     rows: rows.map((k) => [
       view.rows.at('line', k),
       ...names.map((name) => finite(view.rows.at(name, k))),
       finite(view.measured()[k] as number),
       finite(view.predicted()[k] as number),
       finite(view.residual(k)),
-      ...(noise ? [finite(view.residual(k) / view.rows.at('std_Nmm', k))] : []),
+      ...(noise ? [finite(view.residual(k) / (view.std()[k] as number))] : []),
     ]),
   };
 }
 
 /// [x, rms of σ] along x, over parts of equally many rows; empty where the noise is not known.
 function noiseBand(view: FitView, x: (row: number) => number): [number, number][] {
-  const std = view.rows.get('std_Nmm');
+  const std = view.std();
   const at = Float64Array.from({ length: view.rows.count }, (_, k) => ((std[k] as number) > 0 ? x(k) : NaN));
-  const most = view.rows.varies('std_Nmm') ? Math.max(1, Math.min(16, Math.floor(view.rows.count / 8))) : 1;
+  const most = view.rows.varies(`std_${view.key}`) ? Math.max(1, Math.min(16, Math.floor(view.rows.count / 8))) : 1;
   const list = groups(at, '', most);
   if (list.length === 0) return [];
   const points = list.map((g): [number, number] => [mean(g.rows.map((k) => at[k] as number)), rms(g.rows.map((k) => std[k] as number))]);
@@ -287,7 +298,7 @@ function parts(view: FitView, name: string): Part[] {
 }
 
 export function residuals(view: FitView): HTMLElement[] {
-  const names = ['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C'].filter((name) => view.rows.varies(name));
+  const names = view.inputs.filter((name) => view.rows.varies(name));
   return [...names, 'order'].map((name) => {
     const label = name === 'order' ? 'order of the rows' : quantity(name).label;
     const x = (k: number) => (name === 'order' ? k + 1 : view.rows.at(name, k));
@@ -322,13 +333,13 @@ export function residuals(view: FitView): HTMLElement[] {
             grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
             tooltip: rowTooltip(view, l),
             xAxis: valueAxis(unit, l, 'x', { ...(name === 'order' ? { min: 0, max: view.rows.count } : {}) }),
-            yAxis: valueAxis('predicted − measured [N mm]', l, 'y'),
+            yAxis: valueAxis(`predicted − measured [${view.unit}]`, l, 'y'),
             series,
           };
         },
         height: (width) => (width < 480 ? 360 : 340),
         table: () => ({
-          columns: [name === 'order' ? 'rows' : axisTitle(name), 'number of rows', 'RMS [N mm]', 'mean of predicted − measured [N mm]', 'standard error [N mm]'],
+          columns: [name === 'order' ? 'rows' : axisTitle(name), 'number of rows', `RMS [${view.unit}]`, `mean of predicted − measured [${view.unit}]`, `standard error [${view.unit}]`],
           rows: parts(view, name).map((s) => [s.label, s.rows, s.rmse, s.bias, finite(s.error)]),
         }),
         csv: view.csv,
@@ -343,11 +354,22 @@ function rangeText(range: AxisRange): string {
   return from === to ? from : `${plain(range.from, 3)}…${plain(range.to, 3)}`;
 }
 
+/// Values of cells with as many decimals as tell them apart, fewer where cells are narrow; nothing
+/// where none would fit.
+function cellLabels(values: number[], most: number, width: number): { texts: string[]; size: number } | undefined {
+  const decimals = 1 - Math.floor(Math.log10(most));
+  for (const [digits, size] of [[decimals, 12], [decimals, 10], [decimals - 1, 10]] as [number, number][]) {
+    const texts = values.map((v) => fixed(v, Math.max(0, digits)));
+    if (Math.max(...texts.map((t) => t.length)) * size * 0.56 < width - 2) return { texts, size };
+  }
+  return undefined;
+}
+
 export function misfitMap(view: FitView): HTMLElement {
   const map = () => (view.report.models[view.model] as Predicted).map;
   const known = map().cells.some((c) => c.sigmas !== null);
   const up = () => map().up_variable.replace('_', ' ');
-  const unit = () => ({ axial_load: ' [N]', radial_load: ' [N]', temperature: ' [°C]' })[map().up_variable] ?? '';
+  const unit = () => ({ axial_load: ' [N]', radial_load: ' [N]', preload: ' [N]', temperature: ' [°C]' })[map().up_variable] ?? '';
   return view.add(
     new Figure({
       id: 'map',
@@ -357,6 +379,7 @@ export function misfitMap(view: FitView): HTMLElement {
         : 'Mean of predicted − measured in each part of the plan. The noise of these data is not known, so that no cell can be called significant.',
       wide: true,
       height: () => 130 + Math.max(3, map().up.length) * 38,
+      onPaper: 0.85,
       option: (l, width) => {
         const { across, up: rows } = map();
         // Frames are drawn over their neighbours.
@@ -364,6 +387,7 @@ export function misfitMap(view: FitView): HTMLElement {
         const most = Math.max(...cells.map((c) => Math.abs(c.bias)), 1e-12);
         const left = Math.min(110, 20 + Math.max(...rows.map((r) => rangeText(r).length)) * 6.6);
         const cellWidth = (width - left - 18) / across.length;
+        const label = cellLabels(cells.map((c) => c.bias), most, cellWidth);
         const slanted = Math.max(...across.map((r) => rangeText(r).length)) * 6.6 > cellWidth;
         return {
           grid: { left, right: 18, top: 30, bottom: slanted ? 112 : 92 },
@@ -372,7 +396,7 @@ export function misfitMap(view: FitView): HTMLElement {
             if (!c) return null;
             return [
               `${rangeText(across[c.across] as AxisRange)} rpm, ${up()} ${rangeText(rows[c.up] as AxisRange)}${unit().replace(/[[\]]/g, '')}`,
-              ['mean of predicted − measured', `${signed(c.bias)} N mm`],
+              ['mean of predicted − measured', `${signed(c.bias)} ${view.unit}`],
               ['rows', String(c.rows)],
               ...(c.sigmas === null ? [] : ([['in standard errors', signed(c.sigmas, 3)], ['needed', number(map().needed_sigmas, 3)]] as [string, string][])),
             ];
@@ -401,7 +425,7 @@ export function misfitMap(view: FitView): HTMLElement {
             bottom: 0,
             itemWidth: 12,
             itemHeight: Math.min(220, width * 0.4),
-            text: [`+${number(most, 3)} N mm`, `${number(-most, 3)} N mm`],
+            text: [`+${number(most, 3)} ${view.unit}`, `${number(-most, 3)} ${view.unit}`],
             textStyle: { color: l.muted, fontSize: 11 },
             inRange: { color: [-1, -0.5, 0, 0.5, 1].map((v) => diverging(v, l)) },
             calculable: false,
@@ -416,12 +440,9 @@ export function misfitMap(view: FitView): HTMLElement {
                 label: { fontWeight: c.significant ? 'bold' : 'normal', color: inkOn(diverging(c.bias / most, l)) },
               })),
               label: {
-                show: cellWidth > 34,
-                fontSize: cellWidth > 48 ? 12 : 10,
-                formatter: (hit: { dataIndex: number }) => {
-                  const c = cells[hit.dataIndex];
-                  return c ? signed(c.bias, Math.abs(c.bias) < 9.95 ? 2 : 3).replace(/\.0$/, '') : '';
-                },
+                show: label !== undefined,
+                fontSize: label?.size ?? 10,
+                formatter: (hit: { dataIndex: number }) => label?.texts[hit.dataIndex] ?? '',
               },
               emphasis: { itemStyle: { borderColor: l.ink, borderWidth: 3 } },
             },
@@ -429,7 +450,7 @@ export function misfitMap(view: FitView): HTMLElement {
         };
       },
       table: () => ({
-        columns: ['speed [rpm]', up() + unit(), 'rows', 'mean of predicted − measured [N mm]', 'in standard errors', 'beyond chance'],
+        columns: ['speed [rpm]', up() + unit(), 'rows', `mean of predicted − measured [${view.unit}]`, 'in standard errors', 'beyond chance'],
         rows: map().cells.map((c) => [
           rangeText(map().across[c.across] as AxisRange),
           rangeText(map().up[c.up] as AxisRange),

@@ -1,9 +1,9 @@
 // The ladder: the error of each model against the noise floor.
 import { legend, sideAxis, threshold, valueAxis } from './chart';
-import type { HoldOut } from './document';
+import type { HoldOut, Step } from './document';
 import type { Table } from './figure';
 import { Figure, tooltip } from './figure';
-import { number } from './text';
+import { number, plain, unitText } from './text';
 
 /// Where the noise of a data set comes from, in the words of the JSON.
 export const noiseSources: Record<string, string> = {
@@ -13,18 +13,27 @@ export const noiseSources: Record<string, string> = {
   estimated: 'estimated from what a regression without physics leaves',
 };
 
-function noiseNote(noise: number | null, source: string): string {
+/// The floor of a ladder, in the unit of the errors.
+export interface Floor {
+  noise: number | null;
+  source: string;
+  unit: string; // for people
+  key: string; // as names of columns have it
+}
+
+function noiseNote({ noise, source, unit, key }: Floor): string {
   return noise === null
-    ? 'The noise of these data is not known (no column std_Nmm, no repeated rows): there is no floor to hold it against.'
-    : `Dashed: the noise of the data, ${number(noise, 3)} N mm, ${source}.`;
+    ? `The noise of these data is not known (no column std_${key}, no repeated rows): there is no floor to hold it against.`
+    : `Dashed: the noise of the data, ${number(noise, 3)} ${unit}, ${source}.`;
 }
 
 /// RMS error of models one after the other.
-export function ladder(names: string[], errors: number[], bias: number[], fit: (number | null)[], noise: number | null, source: string): Figure {
+export function ladder(names: string[], errors: number[], bias: number[], fit: (number | null)[], floor: Floor): Figure {
+  const { noise, unit } = floor;
   return new Figure({
     id: 'ladder',
     title: 'Error of each model',
-    note: noiseNote(noise, source),
+    note: noiseNote(floor),
     wide: true,
     height: 80 + names.length * 42,
     option: (l, width) => {
@@ -34,11 +43,11 @@ export function ladder(names: string[], errors: number[], bias: number[], fit: (
         grid: { left: side.left, right: 64, top: 26, bottom: 42 },
         tooltip: tooltip(l, (hit) => [
           names[hit.dataIndex] ?? '',
-          ['RMS error', `${number(errors[hit.dataIndex])} N mm`],
-          ['mean error', `${number(bias[hit.dataIndex], 3)} N mm`],
-          ...(noise === null ? [] : ([['noise', `${number(noise, 3)} N mm`]] as [string, string][])),
+          ['RMS error', `${number(errors[hit.dataIndex])} ${unit}`],
+          ['mean error', `${number(bias[hit.dataIndex], 3)} ${unit}`],
+          ...(noise === null ? [] : ([['noise', `${number(noise, 3)} ${unit}`]] as [string, string][])),
         ]),
-        xAxis: valueAxis('RMS error [N mm]', l, 'x', { scale: false, min: 0 }),
+        xAxis: valueAxis(`RMS error [${unit}]`, l, 'x', { scale: false, min: 0 }),
         yAxis: side.option,
         series: [
           {
@@ -54,37 +63,39 @@ export function ladder(names: string[], errors: number[], bias: number[], fit: (
       };
     },
     table: () => ({
-      columns: ['model', 'RMS error [N mm]', 'mean error [N mm]', 'fit [%]', 'RMS error over noise'],
+      columns: ['model', `RMS error [${unit}]`, `mean error [${unit}]`, 'fit [%]', 'RMS error over noise'],
       rows: names.map((name, k) => [name, errors[k] ?? null, bias[k] ?? null, fit[k] ?? null, noise === null ? null : (errors[k] as number) / noise]),
     }),
   });
 }
 
 /// Before and after, on the rows of the fit and on rows it did not see.
-export function beforeAfter(before: number, after: number, held: HoldOut[], noise: number | null, names: [string, string]): Figure {
+export function beforeAfter(before: number, after: number, held: HoldOut[], floor: Floor, names: [string, string]): Figure {
+  const { noise, unit } = floor;
   const rows = ['rows of the fit', ...held.map((h) => `left out: ${h.left_out.replace('_', ' ')}`)];
   const values = [
     [before, ...held.map((h) => h.rmse_before)],
     [after, ...held.map((h) => h.rmse_after)],
   ];
   const table = (): Table => ({
-    columns: ['RMS error [N mm] on', names[0], names[1]],
+    columns: [`RMS error [${unit}] on`, names[0], names[1]],
     rows: rows.map((row, k) => [row, values[0]?.[k] ?? null, values[1]?.[k] ?? null]),
   });
   return new Figure({
     id: 'ladder',
     title: 'Error before and after, against the noise',
-    note: `${noiseNote(noise, noiseSources.estimated as string)} “Left out”: predicted for blocks of rows that the fit did not see.`,
+    note: `${noiseNote(floor)} “Left out”: predicted for blocks of rows that the fit did not see.`,
     wide: true,
     height: 100 + rows.length * 54,
+    onPaper: 0.62,
     option: (l, width) => {
       const top = legend(names, width, l);
       const side = sideAxis(rows, l, width);
       return {
         legend: top.option,
         grid: { left: side.left, right: 56, top: top.height + 24, bottom: 42 },
-        tooltip: tooltip(l, (hit) => [rows[hit.dataIndex] ?? '', [hit.seriesName, `${number(hit.value as number)} N mm`]]),
-        xAxis: valueAxis('RMS error [N mm]', l, 'x', { scale: false, min: 0 }),
+        tooltip: tooltip(l, (hit) => [rows[hit.dataIndex] ?? '', [hit.seriesName, `${number(hit.value as number)} ${unit}`]]),
+        xAxis: valueAxis(`RMS error [${unit}]`, l, 'x', { scale: false, min: 0 }),
         yAxis: side.option,
         series: names.map((name, k) => ({
           type: 'bar',
@@ -99,4 +110,17 @@ export function beforeAfter(before: number, after: number, held: HoldOut[], nois
     },
     table,
   });
+}
+
+/// What each model has that the one before it had not.
+export function changes(step: Step): string {
+  const texts = [
+    ...step.added.map((id) => `+ ${id}`),
+    ...step.removed.map((id) => `− ${id}`),
+    ...step.numbers.map((n) => {
+      const unit = unitText(n.unit);
+      return `${n.name} ${n.before === null ? '=' : `${plain(n.before, 4)} →`} ${plain(n.after, 4)}${unit ? ` ${unit}` : ''}`;
+    }),
+  ];
+  return texts.length ? texts.join(', ') : 'no effect and no number that is fitted';
 }

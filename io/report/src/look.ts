@@ -77,7 +77,8 @@ function mix(a: string, b: string, share: number): string {
 
 /// Colours of ordered levels that stand out from the page.
 export function ordered(count: number, l: Look): string[] {
-  const [from, to] = l.dark ? [0.34, 1.0] : [0.0, 0.8];
+  // On paper nothing is as light as to get lost.
+  const [from, to] = l.dark ? [0.34, 1.0] : [0.0, l.print ? 0.62 : 0.8];
   return Array.from({ length: count }, (_, k) => {
     const at = (from + ((to - from) * (count === 1 ? 0.4 : k / (count - 1)))) * (viridis.length - 1);
     const index = Math.min(viridis.length - 2, Math.floor(at));

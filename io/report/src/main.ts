@@ -1,20 +1,21 @@
 // Builds the page from the document inside it: one function for each command that writes reports.
-import { detectable, effectFigures, plan, ranking } from './diagnosis';
+import { detectable, effectNodes, plan, ranking } from './diagnosis';
 import { readDocument, Rows } from './document';
 import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, DisplacementReport, Report, TableReport } from './document';
 import { drawAll } from './figure';
 import type { Figure } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
-import { beforeAfter, ladder, noiseSources } from './ladder';
+import { beforeAfter, changes, ladder, noiseSources } from './ladder';
+import type { Floor } from './ladder';
 import { drawnSpeeds, lawFigures, shaftFigures } from './shaft';
 import { tableFigures } from './stribeck';
-import { dash, el, number, plain, probability, shortPaths, signed, unitText, withUnit } from './text';
+import { dash, el, number, plain, probability, shortPaths, signed, unitText, valueList, withUnit } from './text';
 
 const page = document.getElementById('page') as HTMLElement;
 
 function header(words: { command: string; files: string[]; badge?: [string, string]; sentence: string; more?: string }, facts: [string, string][]): HTMLElement {
   document.title = `${words.command}: ${words.files.join(', ')}`;
-  const head = el('header', {}, el('p', { class: 'eyebrow' }, `raceway ${words.command}`));
+  const head = el('header', {}, el('p', { class: 'eyebrow' }, `raceway\u00a0${words.command}`));
   for (const file of words.files) (head.firstChild as HTMLElement).append(el('code', {}, file));
   if (words.badge) head.append(el('span', { class: `badge ${words.badge[1]}`, id: 'verdict' }, words.badge[0]));
   head.append(el('h1', { id: 'sentence' }, words.sentence));
@@ -46,16 +47,6 @@ function grid(...figures: (HTMLElement | Figure | undefined)[]): HTMLElement {
   return box;
 }
 
-function list(title: string, columns: string[], rows: string[][]): HTMLElement {
-  const body = el('tbody', {}, ...rows.map((row) => el('tr', {}, ...row.map((cell) => el('td', {}, cell)))));
-  return el(
-    'div',
-    { class: 'list' },
-    el('h3', {}, title),
-    el('div', { class: 'scroll' }, el('table', {}, el('thead', {}, el('tr', {}, ...columns.map((c) => el('th', { scope: 'col' }, c)))), body)),
-  );
-}
-
 function notes(messages: string[]): HTMLElement | undefined {
   if (messages.length === 0) return undefined;
   return section('Notes', el('ul', { class: 'notes' }, ...messages.map((m) => el('li', {}, m))));
@@ -72,6 +63,15 @@ function fitSection(view: FitView): HTMLElement {
   );
 }
 
+/// A diagnosis estimates the noise, unless the torques of a coast-down brought theirs.
+function sourceIn(baseline: Comparison): string {
+  return baseline.noise.source === 'regression' ? 'regression' : 'estimated';
+}
+
+function floorOf({ unit, key }: FitView, noise: number | null, source: string): Floor {
+  return { noise, source: noiseSources[source] ?? source, unit, key };
+}
+
 function lackOfFit(c: Comparison): [string, string][] {
   return c.lack_of_fit.p_value === null ? [] : [['misfit by chance', probability(c.lack_of_fit.p_value)]];
 }
@@ -83,25 +83,41 @@ function compare(report: CompareReport): Node[] {
   const files = shortPaths([...comparisons.map((c) => c.model), last.data]);
   report.models.forEach((m, k) => (m.name = files[k] as string));
   const several = comparisons.length > 1;
-  const noise = first.noise.rms;
   const view = new FitView(report, comparisons.length - 1);
+  const { unit } = view;
+  const estimated = first.noise.rms === null && report.estimated_noise !== undefined;
+  const noise = first.noise.rms ?? report.estimated_noise ?? null;
+  const source = estimated ? 'estimated' : first.noise.source;
+  const floor = noise === null ? '' : `; noise ${number(noise, 3)} ${unit}${estimated ? ', estimated' : ''}`;
+  const steps = report.steps.map((step, k) => [
+    files[k + 1] as string,
+    number(comparisons[k + 1]?.rmse),
+    signed((comparisons[k + 1]?.rmse as number) - (comparisons[k]?.rmse as number)),
+    changes(step),
+  ]);
   return [
     header(
       {
         command: 'compare',
         files,
-        sentence: several ? `RMS error ${number(first.rmse)} → ${number(last.rmse)} N mm over ${comparisons.length} models.` : last.statement,
+        sentence: several ? `RMS error ${number(first.rmse)} → ${number(last.rmse)} ${unit} over ${comparisons.length} models${floor}.` : last.statement,
         ...(several ? { more: `${files[comparisons.length - 1]}: ${last.statement}` } : {}),
       },
       [
-        ['RMS error', `${number(last.rmse)} N mm`],
-        ['mean error', `${number(last.bias, 3)} N mm`],
-        [noise === null ? 'noise' : `noise, ${first.noise.source}`, noise === null ? 'not known' : `${number(noise, 3)} N mm`],
+        ['RMS error', `${number(last.rmse)} ${unit}`],
+        ['mean error', `${number(last.bias, 3)} ${unit}`],
+        [noise === null ? 'noise' : `noise, ${source}`, noise === null ? 'not known' : `${number(noise, 3)} ${unit}`],
         ['rows', String(last.rows)],
         ...lackOfFit(last),
       ],
     ),
-    section(several ? 'The ladder' : 'The error', grid(ladder(files.slice(0, -1), comparisons.map((c) => c.rmse), comparisons.map((c) => c.bias), comparisons.map((c) => c.fit_percent), noise, noiseSources[first.noise.source] ?? ''))),
+    section(
+      several ? 'The ladder' : 'The error',
+      grid(ladder(files.slice(0, -1), comparisons.map((c) => c.rmse), comparisons.map((c) => c.bias), comparisons.map((c) => c.fit_percent), floorOf(view, noise, source))),
+      several
+        ? el('div', { id: 'steps' }, valueList('From model to model: effects and fitted numbers', ['model', `RMS error [${unit}]`, `change [${unit}]`, 'what changed'], steps))
+        : undefined,
+    ),
     fitSection(view),
   ];
 }
@@ -118,12 +134,15 @@ const verdicts: Record<string, [string, string]> = {
 function diagnose(report: DiagnoseReport): (Node | undefined)[] {
   const d = report.results;
   const view = new FitView(report, 0);
-  const effects = (report.effects_of_verdict ?? []).map((e) => e.id);
-  const base = Object.entries(d.base_parameters);
+  const { unit } = view;
+  const effects = d.explanations.length && report.models.length > 1 ? (d.explanations[0] as string[]) : [];
+  const floor = floorOf(view, d.noise.rms, sourceIn(d.baseline));
+  const formula = Object.entries(d.shape ?? {}).find(([name]) => name.endsWith(`_${view.key}`));
+  const nodes = effectNodes(report, view);
   return [
     header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.sentence }, [
-      ['RMS error', d.rmse_after < d.rmse_before ? `${number(d.rmse_before, 3)} → ${number(d.rmse_after, 3)} N mm` : `${number(d.rmse_before, 3)} N mm`],
-      ['noise, estimated', `${number(d.noise.rms, 3)} N mm`],
+      ['RMS error', d.rmse_after < d.rmse_before ? `${number(d.rmse_before, 3)} → ${number(d.rmse_after, 3)} ${unit}` : `${number(d.rmse_before, 3)} ${unit}`],
+      [`noise, ${sourceIn(d.baseline)}`, `${number(d.noise.rms, 3)} ${unit}`],
       ['rows', String(d.rows)],
       ['misfit by chance', probability(d.p_value)],
       ...(effects.length ? ([['the rest by chance', probability(d.remaining_p_value)]] as [string, string][]) : []),
@@ -132,33 +151,25 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
       'The verdict',
       grid(
         effects.length || d.hold_out.length
-          ? beforeAfter(d.rmse_before, d.rmse_after, d.hold_out, d.noise.rms, ['refitted, nothing added', effects.length ? `with ${effects.join(' and ')}` : 'with the nearest effect'])
-          : ladder(['refitted, nothing added'], [d.rmse_before], [d.baseline.bias], [d.baseline.fit_percent], d.noise.rms, noiseSources.estimated as string),
-        d.effects.length ? ranking(report) : undefined,
+          ? beforeAfter(d.rmse_before, d.rmse_after, d.hold_out, floor, ['refitted, nothing added', effects.length ? `with ${effects.join(' and ')}` : 'with the nearest effect'])
+          : ladder(['refitted, nothing added'], [d.rmse_before], [d.baseline.bias], [d.baseline.fit_percent], floor),
+        d.effects.length ? ranking(report, view) : undefined,
       ),
     ),
     d.shape
       ? section(
           'The shape of what is missing',
           el('p', {}, d.shape.statement),
-          el('pre', {}, `torque_Nmm = "${d.shape.torque_Nmm}"`),
-          list('Coefficients', ['name', 'value', 'std error', 'unit'], Object.entries(d.shape.coefficients).map(([name, c]) => [name, number(c.value), number(c.std, 2), unitText(c.unit)])),
+          formula ? el('pre', {}, `${formula[0]} = "${formula[1]}"`) : undefined,
+          valueList('Coefficients', ['name', 'value', 'std error', 'unit'], Object.entries(d.shape.coefficients).map(([name, c]) => [name, number(c.value), number(c.std, 2), unitText(c.unit)])),
         )
       : undefined,
-    effects.length
-      ? section(
-          effects.length > 1 ? 'The effects' : 'The effect',
-          grid(...effectFigures(report, view)),
-          base.length
-            ? list('Base parameters', ['parameter', 'without the effect', 'with it', 'std error', 'unit'], base.map(([name, b]) => [name, number(b.before), number(b.after), number(b.std, 2), unitText(b.unit)]))
-            : undefined,
-        )
-      : undefined,
+    nodes.length ? section('What an effect does', ...nodes) : undefined,
     fitSection(view),
     section(
       'What these data can show',
-      grid(plan(report, view), detectable(report)),
-      d.not_testable.length ? list('Could not have been found', ['effect', 'why'], d.not_testable.map((n) => [n.id, n.missing])) : undefined,
+      grid(plan(report, view), detectable(report, view)),
+      d.not_testable.length ? valueList('Could not have been found', ['effect', 'why'], d.not_testable.map((n) => [n.id, n.missing])) : undefined,
     ),
     notes(d.messages),
   ];
@@ -171,7 +182,7 @@ function add(report: AddReport): (Node | undefined)[] {
   const files = shortPaths([r.model, r.data]);
   const view = new FitView(report, 1);
   const held = r.rmse_held_out_after === null ? '' : `; on rows left out ${number(r.rmse_held_out_before, 3)} → ${number(r.rmse_held_out_after, 3)}`;
-  const change = `error ${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} N mm${held}`;
+  const change = `error ${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} ${view.unit}${held}`;
   return [
     header(
       {
@@ -182,15 +193,15 @@ function add(report: AddReport): (Node | undefined)[] {
         more: r.after.statement,
       },
       [
-        ['RMS error', `${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} N mm`],
-        ['noise, estimated', report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} N mm`],
+        ['RMS error', `${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} ${view.unit}`],
+        [`noise, ${sourceIn(r.before)}`, report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} ${view.unit}`],
         ['rows', String(r.after.rows)],
       ],
     ),
     section(
       'What it bought',
-      grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, report.noise_rms, ['before, refitted', 'after'])),
-      list('Parameters', ['parameter', 'value', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)])),
+      grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, floorOf(view, report.noise_rms, sourceIn(r.before)), ['before, refitted', 'after'])),
+      valueList('Parameters', ['parameter', 'value', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)])),
     ),
     fitSection(view),
     notes(r.messages),
@@ -243,7 +254,7 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
       grid(...lawFigures(report, rows)),
       el('p', { class: 'note', id: 'law-statement' }, report.law_statement),
       law
-        ? list('The law: u = A n^(1 − B exp(−C n)), u in µm, n in rpm', ['parameter', 'value', 'std error', 'unit'], Object.entries(law.parameters).map(([name, p]) => [name, number(p.value, 5), number(p.std, 2), unitText(p.unit)]))
+        ? valueList('The law: u = A n^(1 − B exp(−C n)), u in µm, n in rpm', ['parameter', 'value', 'std error', 'unit'], Object.entries(law.parameters).map(([name, p]) => [name, number(p.value, 5), number(p.std, 2), unitText(p.unit)]))
         : undefined,
     ),
     section('The bearings against speed', grid(...shaftFigures(report, rows))),
@@ -277,7 +288,7 @@ function build(report: Report): (Node | undefined)[] {
 
 function show(report: Report): void {
   const parts = build(report).filter((node): node is Node => node !== undefined);
-  page.append(...parts, el('footer', {}, `${report.program}. Torque in N mm, residuals are predicted − measured. This page needs no network.`));
+  page.append(...parts, el('footer', {}, `${report.program}. ${'models' in report ? 'Residuals are predicted − measured. ' : ''}This page needs no network.`));
   drawAll();
 }
 

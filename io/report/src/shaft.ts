@@ -118,6 +118,7 @@ export function lawFigures(report: DisplacementReport, rows: Rows): Figure[] {
               {
                 type: 'line',
                 name: 'fitted law',
+                silent: true, // or it would lie over the points that answer the pointer
                 symbol: 'none',
                 z: 4,
                 color: l.kinds[1],

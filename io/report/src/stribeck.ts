@@ -9,6 +9,12 @@ import { dashes, ordered, symbols } from './look';
 import { axisTitle, number, plain, quantity, withUnit } from './text';
 
 const mostCurves = 8; // that stay readable
+const mostSpeeds = 5; // around the bearing
+
+/// So many places of a list, its ends among them.
+function spread(count: number, most: number): number[] {
+  return count <= most ? Array.from({ length: count }, (_, k) => k) : Array.from({ length: most }, (_, k) => Math.round((k * (count - 1)) / (most - 1)));
+}
 
 function distinct(values: Iterable<number>): number[] {
   return [...new Set(values)].filter(Number.isFinite).sort((a, b) => a - b);
@@ -137,7 +143,7 @@ export function tableFigures(report: TableReport): Figure[] {
       option: (l, width) => {
         const slice = slices()[chosen.axial] as Slice;
         const names = parts.map((name) => quantity(name).label);
-        const top = legend(names, width, l);
+        const top = legend(names, width, l, parts.map((_, k) => symbols[k % symbols.length]));
         return {
           legend: top.option,
           grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
@@ -148,8 +154,8 @@ export function tableFigures(report: TableReport): Figure[] {
             type: 'line',
             name: names[k],
             stack: 'torque',
-            symbol: 'circle',
-            symbolSize: 4,
+            symbol: symbols[k % symbols.length],
+            symbolSize: 6,
             color: l.kinds[k % l.kinds.length],
             lineStyle: { width: 1.5, type: dashes[k % dashes.length] },
             areaStyle: { opacity: 0.35 },
@@ -172,7 +178,7 @@ export function tableFigures(report: TableReport): Figure[] {
           const curves = shown();
           const names = curves.map((c) => `${plain(c.axial)} N`);
           const colours = ordered(curves.length, l);
-          const top = legend(names, width, l);
+          const top = legend(names, width, l, curves.map((_, k) => symbols[k % symbols.length]));
           return {
             legend: top.option,
             grid: { left: 56, right: 20, top: top.height + 28, bottom: 46 },
@@ -186,8 +192,8 @@ export function tableFigures(report: TableReport): Figure[] {
               angles.map((name) => ({
                 type: 'line',
                 name: names[k],
-                symbol: 'circle',
-                symbolSize: 3,
+                symbol: symbols[k % symbols.length],
+                symbolSize: 6,
                 color: colours[k],
                 lineStyle: { width: 1.6, type: name.startsWith('inner') ? 'solid' : 'dashed' },
                 data: c.rows.map((row) => [rows.at('speed_rpm', row), rows.at(name, row), row, name.startsWith('inner') ? 'inner' : 'outer']),
@@ -198,8 +204,64 @@ export function tableFigures(report: TableReport): Figure[] {
         table: columns(angles),
       }),
     );
-  if (report.states.length) figures.push(around(report.states));
+  if (report.states.length) figures.push(balls(report.states), around(report.states));
   return figures;
+}
+
+/// The ball that carries most and the one that carries least, against speed.
+function balls(states: BearingState[]): Figure {
+  const shown: BallColumn[] = ['inner_load_N', 'outer_load_N', 'inner_pressure_MPa', 'outer_pressure_MPa'];
+  const axials = distinct(states.map((s) => s.axial_load_N));
+  const radials = distinct(states.map((s) => s.radial_load_N));
+  let radial = radials.length - 1;
+  let name = shown[0] as BallColumn;
+  const ends = (s: BearingState, column: BallColumn): [number | null, number | null] => {
+    const values = s[column].filter((v): v is number => v !== null);
+    return values.length ? [Math.max(...values), Math.min(...values)] : [null, null];
+  };
+  const figure: Figure = new Figure({
+    id: 'balls',
+    title: 'Ball loads and pressures against speed',
+    note: 'Solid: the ball that has most, dashed: the one that has least; one line where all balls are alike.',
+    height: 420,
+    onPaper: 1,
+    controls: [
+      choice('Show', shown.map((c) => axisTitle(c)), 0, (k) => ((name = shown[k] as BallColumn), figure.draw())),
+      ...(radials.length > 1 ? [choice('Radial load', radials.map((v) => withUnit(v, 'radial_load_N')), radial, (k) => ((radial = k), figure.draw()))] : []),
+    ],
+    option: (l, width) => {
+      const names = axials.map((a) => `${plain(a)} N`);
+      const colours = ordered(axials.length, l);
+      const top = legend(names, width, l, axials.map((_, k) => symbols[k % symbols.length]));
+      const of = (axial: number) => states.filter((s) => s.axial_load_N === axial && s.radial_load_N === radials[radial]);
+      return {
+        legend: top.option,
+        grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
+        tooltip: tooltip(l, (hit) => {
+          const [speed, value, end] = hit.value as [number, number, string];
+          return [`${hit.seriesName} axial`, ['speed', `${plain(speed)} rpm`], [`${quantity(name).label}, ${end}`, withUnit(value, name)]];
+        }),
+        xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x'),
+        yAxis: valueAxis(axisTitle(name), l, 'y', { scale: false }),
+        series: axials.flatMap((axial, k) =>
+          ['largest', 'smallest'].map((end, at) => ({
+            type: 'line',
+            name: names[k],
+            symbol: symbols[k % symbols.length],
+            symbolSize: 6,
+            color: colours[k],
+            lineStyle: { width: 1.8, type: at === 0 ? 'solid' : 'dashed' },
+            data: of(axial).map((s) => [s.speed_rpm, ends(s, name)[at], end]),
+          })),
+        ),
+      };
+    },
+    table: () => ({
+      columns: ['speed [rpm]', 'axial load [N]', 'radial load [N]', ...shown.flatMap((c) => [`${axisTitle(c)}, largest`, `${axisTitle(c)}, smallest`])],
+      rows: states.map((s) => [s.speed_rpm, s.axial_load_N, s.radial_load_N, ...shown.flatMap((c) => ends(s, c))]),
+    }),
+  });
+  return figure;
 }
 
 type BallColumn = 'inner_load_N' | 'outer_load_N' | 'inner_pressure_MPa' | 'outer_pressure_MPa' | 'inner_contact_angle_deg' | 'outer_contact_angle_deg';
@@ -212,17 +274,22 @@ function around(states: BearingState[]): Figure {
   let load = loads.length - 1;
   let column = 0;
   const name = () => ballColumns[column] as BallColumn;
+  const drawn = () => {
+    const list = states.filter((s) => key(s) === loads[load]);
+    return spread(list.length, mostSpeeds).map((k) => list[k] as BearingState);
+  };
   const figure: Figure = new Figure({
     id: 'around',
     title: 'Around the bearing',
     note: `At ${withUnit((states[0] as BearingState).temperature_C, 'temperature_C')}. 0° is the direction of the radial load; a ball that has lost the inner race has no inner angle.`,
     height: 420,
+    onPaper: 1,
     controls: [
       choice('Show', ballColumns.map((c) => axisTitle(c)), 0, (k) => ((column = k), figure.draw())),
       choice('Load', loads, load, (k) => ((load = k), figure.draw())),
     ],
     option: (l, width) => {
-      const list = states.filter((s) => key(s) === loads[load]);
+      const list = drawn();
       const names = list.map((s) => `${plain(s.speed_rpm)} rpm`);
       const colours = ordered(list.length, l);
       const top = legend(names, width, l, list.map((_, k) => symbols[k % symbols.length]));

@@ -33,6 +33,12 @@ export function plain(value: number | null | undefined, digits = 6): string {
   return String(Number(value.toPrecision(digits))).replace('-', '−');
 }
 
+/// With a sign, and so many decimals.
+export function fixed(value: number, decimals: number): string {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? '0' : (value > 0 ? '+' : '') + text.replace('-', '−');
+}
+
 export function signed(value: number, digits = 3): string {
   return (value > 0 ? '+' : '') + number(value, digits);
 }
@@ -55,6 +61,11 @@ const units: [string, string][] = [
   ['_W', 'W'],
   ['_s', 's'],
 ];
+
+/// "Nmm" -> "N mm"
+export function unitOfKey(key: string): string {
+  return units.find(([suffix]) => suffix === `_${key}`)?.[1] ?? key;
+}
 
 /// "axial_load_N" -> { label: "axial load", unit: "N" }
 export function quantity(name: string): { label: string; unit: string } {
@@ -79,11 +90,24 @@ export function unitText(unit: string): string {
   return unit === '1' ? '' : unit;
 }
 
-/// Paths without the folders that all of them share; the file alone where there is one.
+/// Paths by their file names, with as many of their folders as tell them apart.
 export function shortPaths(paths: string[]): string[] {
   const parts = paths.map((p) => p.split('/'));
-  const first = parts[0] ?? [];
-  let shared = 0;
-  while (parts.every((p) => shared < p.length - 1 && p[shared] === first[shared])) ++shared;
-  return parts.map((p) => p.slice(shared).join('/'));
+  const end = (p: string[], count: number) => p.slice(-count).join('/');
+  return parts.map((p, k) => {
+    let count = 1;
+    while (count < p.length && parts.some((q, j) => paths[j] !== paths[k] && end(q, count) === end(p, count))) ++count;
+    return end(p, count);
+  });
+}
+
+/// A small table of text under a title.
+export function valueList(title: string, columns: string[], rows: string[][]): HTMLElement {
+  const body = el('tbody', {}, ...rows.map((row) => el('tr', {}, ...row.map((cell) => el('td', {}, cell)))));
+  return el(
+    'div',
+    { class: rows.length > 8 ? 'list' : 'list short' },
+    el('h3', {}, title),
+    el('div', { class: 'scroll' }, el('table', {}, el('thead', {}, el('tr', {}, ...columns.map((c) => el('th', { scope: 'col' }, c)))), body)),
+  );
 }

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Sets that are held in another way than entered: on springs where rigid was entered, rigid where
+/// springs were.
+///
+///   s (F_r - F_0) = h K_r (d (x - e) - (δ_r - δ_r0))      seat of the rear set
+///   s = (1 - c) s_entered + c s_other,   h = (1 - c) h_entered + c h_other
+///
+/// with K_r the stiffness of the rear set as mounted; (s, h) is (K_r c_series, 1) where it is rigid
+/// and (1, 0) on a spring of constant force (see ArrangementDesign::other_mounting). In a rigid set
+/// c is the share of the preload's variation that a spring in series relieves, since rear set and
+/// seat together are as stiff as (1 - c) K_r; 0 is the set as entered, 1 a constant force. The
+/// force as mounted is that of the model throughout. Source:   springs in series, derived. Domain:
+/// 0 <= c <= 1, sets at both ends. Values between are soft housings and springs with a
+///           rate; 1 is a wrong mounting card.
+struct Mounting {
+  static constexpr std::string_view id = "mounting";
+  static constexpr Subject subject = Subject::shaft;
+  static constexpr std::string_view title = "spring where rigid was entered, or the reverse";
+  static constexpr std::string_view mechanism =
+      "A spring, or a housing that yields, keeps the preload more nearly constant than rigid sets "
+      "do, so that the shaft moves by another amount as the contact angles open.";
+  static constexpr std::string_view formula =
+      "a share c of the preload's variation is relieved; spring entered: a share c of the way to "
+      "rigid";
+  static constexpr std::string_view source = "springs in series, derived";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "preload_N", "shaft-contraction", "centrifugal-ring-growth", "thermal-preload"};
+  static constexpr std::array parameters{Parameter{.name = "share",
+                                                   .unit = "1",
+                                                   .initial = 0.5,
+                                                   .lower = 0.0,
+                                                   .upper = 1.0,
+                                                   .plausible_lower = 0.05,
+                                                   .plausible_upper = 1.0}};
+  static constexpr std::array needs{Need::opposed_sets, Need::preload_levels};
+
+  static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {
+    c.other_mounting += values[0];
+  }
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "bearing/units.h"
+#include "io/column_unit.h"
+#include "io/report.h"
+#include "io/report_columns.h"
+#include "io/report_document.h"
+#include "io/report_rows.h"
+#include "io/shaft_results.h"
+
+namespace raceway::io {
+namespace {
+
+/// Seven digits, which is what rows of a report have.
+double short_number(double value) {
+  return std::isfinite(value) ? std::strtod(fmt::format("{:.7g}", value).c_str(), nullptr) : unset;
+}
+
+json state_json(const fit::Model& model, const bearing::OperatingPoint& point,
+                const fit::FrictionPrediction& prediction) {
+  const bearing::Bearing& bearing = prediction.bearing ? *prediction.bearing : model.bearing;
+  json azimuth = json::array(), inner_angle = json::array(), outer_angle = json::array(),
+       inner_load = json::array(), outer_load = json::array(), inner_pressure = json::array(),
+       outer_pressure = json::array();
+  for (const bearing::BallEquilibrium& b : prediction.equilibrium->balls) {
+    azimuth.push_back(short_number(b.azimuth / degree));
+    inner_angle.push_back(short_number(b.inner_contact_angle / degree));
+    outer_angle.push_back(short_number(b.outer_contact_angle / degree));
+    inner_load.push_back(short_number(b.inner_load));
+    outer_load.push_back(short_number(b.outer_load));
+    inner_pressure.push_back(
+        short_number(bearing.contact(bearing::Race::inner).peak_pressure(b.inner_load) / MPa));
+    outer_pressure.push_back(
+        short_number(bearing.contact(bearing::Race::outer).peak_pressure(b.outer_load) / MPa));
+  }
+  return {{"speed_rpm", short_number(point.speed / rpm)},
+          {"axial_load_N", point.axial_load},
+          {"radial_load_N", point.radial_load},
+          {"temperature_C", celsius(point.temperature)},
+          {"azimuth_deg", azimuth},
+          {"inner_contact_angle_deg", inner_angle},
+          {"outer_contact_angle_deg", outer_angle},
+          {"inner_load_N", inner_load},
+          {"outer_load_N", outer_load},
+          {"inner_pressure_MPa", inner_pressure},
+          {"outer_pressure_MPa", outer_pressure}};
+}
+
+}  // namespace
+
+std::string table_report(const std::string& model_file, const fit::Model& model,
+                         const friction::StribeckTable& table, const BearingStates& states,
+                         const fit::DataSet* measured) {
+  Document document("table");
+  json parts = json::array();
+  if (model.shaft) {
+    const bearing::Arrangement& arrangement = model.shaft->arrangement;
+    for (std::size_t i = 0; i < arrangement.bearings().size(); ++i)
+      parts.push_back(bearing_place(arrangement, i) + "_friction_torque_Nmm");
+  } else {
+    parts = {"load_Nmm", "viscous_Nmm"};
+    for (const effects::Effect& e : model.effects)
+      parts.push_back(std::string(e.description->id) + "_Nmm");
+  }
+  document.add("results",
+               dump({{"model", model_file},
+                     {"bearing", model.name},
+                     {"parts", parts},
+                     {"contact_angle_deg", model.bearing.geometry().contact_angle / degree}}));
+  ReportColumns rows(table.friction_moment.size());
+  const auto add = [&](const std::string& name, auto value) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < table.friction_moment.size(); ++i) values.push_back(value(i));
+    rows.add(name, std::move(values));
+  };
+  add("speed_rpm", [&](std::size_t i) { return table.point(i).speed / rpm; });
+  add("axial_load_N", [&](std::size_t i) { return table.point(i).axial_load; });
+  add("radial_load_N", [&](std::size_t i) { return table.point(i).radial_load; });
+  add("temperature_C", [&](std::size_t i) { return celsius(table.point(i).temperature); });
+  add("friction_torque_Nmm", [&](std::size_t i) { return table.friction_moment[i] / N_mm; });
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    add(table.columns[c],
+        [&](std::size_t i) { return table.row(i)[c] / column_unit(table.columns[c]); });
+  document.add("rows", rows.json());
+  json list = json::array();
+  for (const auto& [point, prediction] : states)
+    list.push_back(state_json(model, point, prediction));
+  document.add("states", dump(list));
+  if (measured != nullptr) {
+    fit::DataSet of_one_bearing = *measured;
+    for (fit::Row& row : of_one_bearing.rows) row.measured /= model.rig.bearings;
+    Document part("measured");
+    const ReportRows measured_rows(of_one_bearing,
+                                   std::vector<double>(measured->rows.size(), unset));
+    measured_rows.finish(part);
+    document.add("measured", part.text());
+    document.add("data", dump(measured->source));
+  }
+  return report_page(document.text());
+}
+
+}  // namespace raceway::io

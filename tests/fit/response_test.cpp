@@ -1,0 +1,95 @@
+#include "fit/response.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "effects/catalogue.h"
+#include "tests/fit/synthetic.h"
+
+namespace raceway::fit {
+namespace {
+
+constexpr int rows = 60;
+
+FitParameter parameter(const char* name, double start, double lower, double upper, double scale) {
+  return {
+      .name = name, .unit = "1", .start = start, .lower = lower, .upper = upper, .scale = scale};
+}
+
+/// y = a + b exp(-t / τ) at t = 0, 1, 2 ...
+Response decay(const FitParameter& amplitude, const FitParameter& time) {
+  Response response;
+  response.parameters = {parameter("a", 1.0, -10.0, 10.0, 1.0), amplitude, time};
+  response.readings = [](const Eigen::VectorXd& x) {
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(rows, 0.0, rows - 1.0);
+    return Eigen::VectorXd((x[0] + x[1] * (-t / x[2]).exp()).matrix());
+  };
+  return response;
+}
+
+Whitening unit_noise() { return {Eigen::VectorXd::Constant(rows, 0.01), {}, 0.0, 0.0}; }
+
+TEST(FitResponse, ReachesTheMinimumAtABound) {
+  const Response response =
+      decay(parameter("b", 1.0, -10.0, 10.0, 1.0), parameter("tau", 30.0, 20.0, 60.0, 10.0));
+  const Eigen::VectorXd measured = response.readings(Eigen::Vector3d(1.0, 2.0, 8.0));
+  const ResponseFit fit =
+      fit_response(response, unit_noise(), measured,
+                   {Eigen::Vector3d(1.0, 1.0, 30.0), Eigen::Vector3d(0.5, 3.0, 50.0)});
+  ASSERT_TRUE(fit.converged);
+  EXPECT_EQ(fit.at_bound, (std::vector{false, false, true}));
+  // With τ held there the rest is a straight line.
+  Eigen::MatrixXd columns(rows, 2);
+  columns << Eigen::VectorXd::Ones(rows), response.readings(Eigen::Vector3d(0.0, 1.0, 20.0));
+  const Eigen::VectorXd line = columns.colPivHouseholderQr().solve(measured);
+  const double least = (measured - columns * line).squaredNorm() / (0.01 * 0.01);
+  EXPECT_NEAR(fit.misfit, least, 1e-9 * least);
+}
+
+// An amplitude that may not be negative ends at zero where its time is far off, and nothing then
+// says that another time would do better.
+TEST(FitResponse, AsksForOtherShapesWhereAnAmplitudeIsZero) {
+  const Response response =
+      decay(parameter("b", 0.5, 0.0, 10.0, 0.5), parameter("tau", 30.0, 0.1, 100.0, 10.0));
+  Eigen::VectorXd measured = response.readings(Eigen::Vector3d(1.0, 0.3, 0.5));
+  measured += Eigen::VectorXd::LinSpaced(rows, 0.0, 0.2);
+  const ResponseFit fit =
+      fit_response(response, unit_noise(), measured,
+                   {Eigen::Vector3d(1.0, 0.5, 30.0), Eigen::Vector3d(1.0, 0.2, 25.0)});
+  ASSERT_TRUE(fit.converged);
+  EXPECT_NEAR(fit.values[1], 0.2, 0.1);
+  EXPECT_LT(fit.values[2], 2.0);
+}
+
+TEST(ModelResponse, IsThatOfANewOneWhateverWasAskedBefore) {
+  Model model = synthetic_model();
+  for (const char* id : {"thermal-preload", "inlet-shear-heating", "spin-friction", "seal-friction",
+                         "torque-offset"}) {
+    effects::Effect effect;
+    effect.description = effects::find(id);
+    ASSERT_TRUE(effect.description) << id;
+    effect.values = effects::initial_values(*effect.description);
+    model.effects.push_back(effect);
+  }
+  const DataSet data = factorial_plan({1000.0, 8000.0, 16000.0}, {300.0, 1500.0}, {25.0, 60.0});
+  std::vector<std::string> names{"f0", "z"};
+  for (const effects::Effect& e : model.effects)
+    for (const effects::Parameter& p : e.description->parameters)
+      names.push_back(std::string(e.description->id) + "." + std::string(p.name));
+  const Response walked = model_response(model, data, names);
+  Eigen::VectorXd x = walked.start();
+  (void)walked.readings(x);
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    x[k] += 0.01 * walked.parameters[static_cast<std::size_t>(k)].scale;
+    const Eigen::VectorXd fresh =
+        model_response(model, data, names, entered_balances(model, data)).readings(x);
+    const Eigen::VectorXd again = walked.readings(x);
+    EXPECT_LE((again - fresh).cwiseAbs().maxCoeff(), 1e-12 * fresh.cwiseAbs().maxCoeff())
+        << names[static_cast<std::size_t>(k)];
+  }
+}
+
+}  // namespace
+}  // namespace raceway::fit
