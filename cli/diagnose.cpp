@@ -75,7 +75,9 @@ void print_effects(const fit::Diagnosis& d) {
     if (!e.in_verdict && shown >= 8) break;
     ++shown;
     const std::string gain_bar = bar(e.gain, best, bar_width, d.needed_gain);
-    table.add({e.id, e.in_verdict ? "<-" : "", number(e.gain, 3), reading(e.rmse),
+    // Rounding of a gain is no gain.
+    const double gain = std::abs(e.gain) < 0.005 ? 0.0 : e.gain;
+    table.add({e.id, e.in_verdict ? "<-" : "", number(gain, 3), reading(e.rmse),
                reading(e.rmse_cross_validated), size_text(e.parameters),
                e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar});
   }
@@ -131,11 +133,12 @@ void print_verdict_details(const fit::Diagnosis& d) {
 }
 
 void print_limits(const fit::Diagnosis& d) {
-  TextTable found({{"would have been found: effect", "", true},
-                   {"from", ""},
-                   {"unit", "", true},
-                   {d.baseline.quantity == fit::Quantity::friction_torque ? "% of torque" : "% of reading",
-                    ""}});
+  TextTable found(
+      {{"would have been found: effect", "", true},
+       {"from", ""},
+       {"unit", "", true},
+       {d.baseline.quantity == fit::Quantity::friction_torque ? "% of torque" : "% of reading",
+        ""}});
   for (const fit::DetectableSize& s : d.would_have_been_found)
     found.add({s.id, number(s.size, 2), s.unit == "1" ? "-" : s.unit,
                number(100.0 * s.share_of_reading, 2)});
