@@ -24,28 +24,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// Readings whose noise nobody declares: a transducer of 0.05 um, and 1 % of what it reads.
-DataSet measured(const Model& truth, ShaftPlan plan, std::uint64_t seed, double absolute = 0.05) {
-  DataSet data = shaft_records(truth, plan, absolute * um, 0.01, seed);
-  for (Row& row : data.rows) row.std = unset;
-  data.noise = NoiseSource::none;
-  return data;
-}
-
-Model with_balls(const bearing::Material& material) {
-  Model model = synthetic_model();
-  model.bearing = bearing::Bearing(model.bearing.geometry(), material, model.bearing.rings());
-  return two_against_one(model);
-}
-
-Model on_springs() {
-  Model model = two_against_one();
-  bearing::ArrangementDesign design = model.shaft->arrangement.design();
-  design.mounting = bearing::Mounting::spring;
-  model.shaft->arrangement = bearing::Arrangement(std::move(design));
-  return model;
-}
-
 Model with_ring_growth(double um_at_10000) {
   return with_effect(two_against_one(), "centrifugal-ring-growth", {um_at_10000});
 }
@@ -65,13 +43,14 @@ struct Hidden {
 
 /// Another preload tells them apart: each is named, alone and in its size.
 TEST(DiagnoseDisplacement, NamesWhatIsHiddenAtTwoPreloads) {
-  const Hidden all[] = {{"centrifugal-ring-growth", with_ring_growth(3.0), 3.0, 0.5},
-                        {"mounting", on_springs(), 1.0, 0.02},
-                        {"ball-material", with_balls(bearing::silicon_nitride()), 1.0, 0.03}};
+  const Hidden all[] = {
+      {"centrifugal-ring-growth", with_ring_growth(3.0), 3.0, 0.5},
+      {"mounting", two_against_one_on_springs(), 1.0, 0.02},
+      {"ball-material", two_against_one_with(bearing::silicon_nitride()), 1.0, 0.03}};
   for (const Hidden& hidden : all)
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      const Diagnosis d =
-          diagnose(two_against_one(), measured(hidden.truth, ShaftPlan::two_preloads, seed));
+      const Diagnosis d = diagnose(two_against_one(),
+                                   undeclared_records(hidden.truth, ShaftPlan::two_preloads, seed));
       EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
       EXPECT_THAT(in_verdict(d), ElementsAre(hidden.id)) << d.sentence;
       ASSERT_FALSE(d.effects.empty());
@@ -86,7 +65,8 @@ TEST(DiagnoseDisplacement, FindsNothingWhereNothingIsHidden) {
   int alarms = 0;
   for (const ShaftPlan plan : {ShaftPlan::sweep, ShaftPlan::two_preloads, ShaftPlan::up_and_down})
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-      const Diagnosis d = diagnose(two_against_one(), measured(two_against_one(), plan, seed));
+      const Diagnosis d =
+          diagnose(two_against_one(), undeclared_records(two_against_one(), plan, seed));
       if (d.verdict == Verdict::nothing_missing) {
         EXPECT_THAT(d.effects, IsEmpty());
         EXPECT_FALSE(d.would_have_been_found.empty());
@@ -103,7 +83,8 @@ TEST(DiagnoseDisplacement, FindsNothingWhereNothingIsHidden) {
 TEST(DiagnoseDisplacement, SaysWhatToMeasureAfterAPlainSweep) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Diagnosis d =
-        diagnose(two_against_one(), measured(with_ring_growth(3.0), ShaftPlan::sweep, seed, 0.1));
+        diagnose(two_against_one(),
+                 undeclared_records(with_ring_growth(3.0), ShaftPlan::sweep, seed, 0.1 * um));
     EXPECT_EQ(d.verdict, Verdict::ambiguous) << d.sentence;
     EXPECT_THAT(in_verdict(d), Contains("centrifugal-ring-growth"));
     ASSERT_FALSE(d.suggested_measurements.empty());
@@ -121,13 +102,15 @@ TEST(DiagnoseDisplacement, SaysWhatToMeasureAfterAPlainSweep) {
 /// down during which they warm.
 TEST(DiagnoseDisplacement, TellsHeatFromSpeedByRunsUpAndDown) {
   const Model truth = with_effect(two_against_one(), "thermal-ring-growth", {0.4});
-  const Diagnosis d = diagnose(two_against_one(), measured(truth, ShaftPlan::up_and_down, 1));
+  const Diagnosis d =
+      diagnose(two_against_one(), undeclared_records(truth, ShaftPlan::up_and_down, 1));
   EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
   EXPECT_THAT(in_verdict(d), ElementsAre("thermal-ring-growth"));
 }
 
 TEST(DiagnoseDisplacement, TriesOnlyWhatMovesAShaft) {
-  const Diagnosis d = diagnose(two_against_one(), measured(two_against_one(), ShaftPlan::sweep, 1));
+  const Diagnosis d =
+      diagnose(two_against_one(), undeclared_records(two_against_one(), ShaftPlan::sweep, 1));
   std::vector<std::string> ids;
   for (const NotTestable& n : d.not_testable) ids.push_back(n.id);
   for (const DetectableSize& s : d.would_have_been_found) ids.push_back(s.id);
@@ -137,8 +120,8 @@ TEST(DiagnoseDisplacement, TriesOnlyWhatMovesAShaft) {
 }
 
 TEST(DiagnoseDisplacement, LeavesAPreloadAloneThatEveryRowHas) {
-  const Diagnosis d =
-      diagnose(two_against_one(), measured(with_ring_growth(3.0), ShaftPlan::two_preloads, 1));
+  const Diagnosis d = diagnose(
+      two_against_one(), undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1));
   EXPECT_THAT(d.messages, Contains(HasSubstr("do not depend on preload_N")));
   EXPECT_THAT(d.base_shifts, IsEmpty());
 }
@@ -146,17 +129,18 @@ TEST(DiagnoseDisplacement, LeavesAPreloadAloneThatEveryRowHas) {
 TEST(AddToAShaft, FitsTheEffectAndLowersTheErrorOnOtherRecords) {
   const Model truth = with_ring_growth(3.0);
   const std::vector<std::string> id{"centrifugal-ring-growth"};
-  const AddResult added = add(two_against_one(), id, measured(truth, ShaftPlan::two_preloads, 1));
+  const AddResult added =
+      add(two_against_one(), id, undeclared_records(truth, ShaftPlan::two_preloads, 1));
   EXPECT_FALSE(added.refused) << added.reason;
   ASSERT_EQ(added.calibration.model.effects.size(), 1U);
   EXPECT_NEAR(added.calibration.model.effects[0].values[0], 3.0, 0.5);
-  const DataSet other = measured(truth, ShaftPlan::up_and_down, 2);
+  const DataSet other = undeclared_records(truth, ShaftPlan::up_and_down, 2);
   EXPECT_LT(compare(added.calibration.model, other).rmse,
             0.5 * compare(two_against_one(), other).rmse);
 }
 
 TEST(AddToAShaft, RefusesWhatDoesNotHelpAndWhatMovesNothing) {
-  const DataSet data = measured(on_springs(), ShaftPlan::two_preloads, 1);
+  const DataSet data = undeclared_records(two_against_one_on_springs(), ShaftPlan::two_preloads, 1);
   const std::vector<std::string> wrong{"shaft-contraction"}, friction{"seal-friction"};
   const AddResult refused = add(two_against_one(), wrong, data);
   EXPECT_TRUE(refused.refused);

@@ -31,6 +31,22 @@ inline Model two_against_one(Model model = synthetic_model()) {
   return model;
 }
 
+/// The same with balls of another material.
+inline Model two_against_one_with(const bearing::Material& balls) {
+  Model model = synthetic_model();
+  model.bearing = bearing::Bearing(model.bearing.geometry(), balls, model.bearing.rings());
+  return two_against_one(std::move(model));
+}
+
+/// The same on springs that keep their force.
+inline Model two_against_one_on_springs() {
+  Model model = two_against_one();
+  bearing::ArrangementDesign design = model.shaft->arrangement.design();
+  design.mounting = bearing::Mounting::spring;
+  model.shaft->arrangement = bearing::Arrangement(std::move(design));
+  return model;
+}
+
 /// The model with an effect beside those it has.
 inline Model with_effect(Model model, std::string_view id, std::vector<double> values) {
   model.effects.push_back({.description = effects::find(id, model.subject()),
@@ -96,6 +112,15 @@ inline DataSet shaft_records(const Model& truth, ShaftPlan plan, double absolute
     if (sigma > 0.0) data.rows[i].std = sigma;
   }
   if (absolute > 0.0) data.noise = NoiseSource::declared;
+  return data;
+}
+
+/// The same with noise of `absolute` and 1 % of the reading, which nobody declares.
+inline DataSet undeclared_records(const Model& truth, ShaftPlan plan, std::uint64_t seed,
+                                  double absolute = 0.05 * um) {
+  DataSet data = shaft_records(truth, plan, absolute, 0.01, seed);
+  for (Row& row : data.rows) row.std = unset;
+  data.noise = NoiseSource::none;
   return data;
 }
 
