@@ -8,13 +8,14 @@
 #include <set>
 
 #include "fit/attribution.h"
+#include "fit/effect_sizes.h"
 #include "fit/evidence.h"
 #include "fit/hidden_input.h"
-#include "fit/needs.h"
 #include "fit/quantity.h"
 #include "fit/unknown_shape.h"
 #include "fit/verdict_model.h"
 #include "fit/verdict_text.h"
+#include "fit/visibility.h"
 
 namespace raceway::fit {
 
@@ -23,13 +24,9 @@ namespace {
 constexpr double within_reach = 6.0;       // of the best, in -2 ln L
 constexpr double beaten = 3.84;            // in -2 ln L: 95 % of one degree of freedom
 constexpr double loss_of_a_member = 60.0;  // of a pair, in -2 ln L
-constexpr double detected = 25.0;          // squared misfit over variance: found in 99 of 100
-constexpr double told_apart = 20.0;        // the same, left by the best wrong effect
-constexpr double alike = 0.98;             // cosine of scores
 constexpr double passed = 0.01;            // of the gate
-constexpr double plausible_factor = 3.0;
-constexpr std::size_t ranked = 6;     // effects with a hold-out of their own
-constexpr std::size_t most_near = 3;  // named where nothing explains the misfit
+constexpr std::size_t ranked = 6;          // effects with a hold-out of their own
+constexpr std::size_t most_near = 3;       // named where nothing explains the misfit
 
 double rms(const Eigen::VectorXd& v) { return v.norm() / std::sqrt(static_cast<double>(v.size())); }
 
@@ -48,7 +45,12 @@ class Investigation {
 
   Diagnosis run() {
     describe_base();
-    what_can_be_seen();
+    Visibility seen = what_can_be_seen(problem_, attribution_);
+    result_.candidates_tried =
+        static_cast<int>(seen.would_have_been_found.size()) + options_.tried_before;
+    result_.would_have_been_found = std::move(seen.would_have_been_found);
+    result_.not_testable = std::move(seen.not_testable);
+    result_.aliases = std::move(seen.aliases);
     const double rows = static_cast<double>(problem_.measured.size());
     result_.needed_gain = std::log(rows) + 2.0 * std::log(std::max(1, result_.candidates_tried));
     result_.p_value = attribution_.gate().p_value();
@@ -157,76 +159,6 @@ class Investigation {
           std::sqrt(evidence_.noise.repeats_statistic), evidence_.noise.repeats_p_value));
   }
 
-  /// The most visible score of a candidate.
-  [[nodiscard]] Eigen::Index clearest_score(std::size_t candidate) const {
-    const auto [first, count] = attribution_.score_range(candidate);
-    Eigen::Index best = first;
-    for (Eigen::Index j = first; j < first + count; ++j)
-      if (attribution_.gate().visibility[j] > attribution_.gate().visibility[best]) best = j;
-    return best;
-  }
-
-  /// Why the data cannot tell an effect from the base parameters.
-  [[nodiscard]] std::string same_as_base(const effects::Description& effect) const {
-    const std::string levels = missing_levels(effect, problem_.model, problem_.data);
-    if (!levels.empty()) return "the data lack " + levels;
-    return "on these data " + joined(problem_.base, "and") +
-           (problem_.base.size() == 1 ? " does" : " together do") + " the same";
-  }
-
-  void what_can_be_seen() {
-    const Gate& gate = attribution_.gate();
-    std::vector<std::size_t> visible;
-    for (std::size_t k = 0; k < problem_.candidates.size(); ++k) {
-      const Candidate& c = problem_.candidates[k];
-      if (!c.not_testable.empty())
-        result_.not_testable.push_back({c.id, "the data lack " + c.not_testable});
-      else if (attribution_.visibility(k) < invisible)
-        result_.not_testable.push_back({c.id, same_as_base(*c.description)});
-      else
-        visible.push_back(k);
-    }
-    result_.candidates_tried = static_cast<int>(visible.size()) + options_.tried_before;
-    const double reading = rms(problem_.measured);
-    std::vector<Eigen::VectorXd> unit;
-    for (const std::size_t k : visible)
-      unit.push_back(gate.projected.col(clearest_score(k)).normalized());
-    std::vector<bool> grouped(visible.size(), false);
-    for (std::size_t i = 0; i < visible.size(); ++i) {
-      const std::size_t k = visible[i];
-      const Candidate& c = problem_.candidates[k];
-      const Eigen::Index score = clearest_score(k);
-      const double length = gate.projected.col(score).norm();
-      DetectableSize d{.id = c.id,
-                       .parameter = c.parameters[c.size_index].name,
-                       .unit = c.parameters[c.size_index].unit};
-      const double units = std::sqrt(detected) / length;
-      d.size = c.neutral[c.size_index] + units * c.unit_size;
-      d.share_of_reading =
-          units * rms(c.scores.col(score - attribution_.score_range(k).first)) / reading;
-      double closest = 0.0;
-      std::vector<std::string> group{c.id};
-      for (std::size_t j = 0; j < visible.size(); ++j) {
-        if (j == i) continue;
-        const double cosine = std::abs(unit[i].dot(unit[j]));
-        if (cosine > closest) {
-          closest = cosine;
-          d.most_alike = id(visible[j]);
-        }
-        if (cosine > alike && j > i && !grouped[i]) {
-          group.push_back(id(visible[j]));
-          grouped[j] = true;
-        }
-      }
-      const double apart = std::sqrt(std::max(0.0, 1.0 - closest * closest)) * length;
-      d.told_apart_from = apart > 1e-6 * length ? c.neutral[c.size_index] +
-                                                      std::sqrt(told_apart) / apart * c.unit_size
-                                                : unset;
-      result_.would_have_been_found.push_back(d);
-      if (group.size() > 1) result_.aliases.push_back(group);
-    }
-  }
-
   /// A warning beside a verdict: scatter of that size may be no scatter.
   void warn_of(const HiddenInput& hidden) {
     result_.sentence += fmt::format(
@@ -331,10 +263,11 @@ class Investigation {
 
   void one_effect(std::vector<const Explanation*> set) {
     // A size that nobody would believe is no rival of one that can be.
-    const bool plausible = std::any_of(
-        set.begin(), set.end(), [this](const Explanation* e) { return sizes_plausible(*e); });
+    const bool plausible = std::any_of(set.begin(), set.end(), [this](const Explanation* e) {
+      return sizes_plausible(problem_, *e);
+    });
     if (plausible)
-      std::erase_if(set, [this](const Explanation* e) { return !sizes_plausible(*e); });
+      std::erase_if(set, [this](const Explanation* e) { return !sizes_plausible(problem_, *e); });
     const Explanation& best = *set.front();
     hold_out(best);
     fill(set, best);
@@ -346,7 +279,7 @@ class Investigation {
           "Something is missing ({}); it acts like {}, {}: {}.", p_text(result_.p_value),
           joined_sets(set),
           !plausible ? "but of an implausible size" : "but the hold-out does not confirm it",
-          size_text(best));
+          size_text(problem_, best));
       return;
     }
     if (set.size() == 1) {
@@ -362,7 +295,7 @@ class Investigation {
       result_.sentence = fmt::format(
           "Consistent with {}, {}; gain {:.0f} (needed {:.1f}), what remains is {} (p = {:.2g})"
           "{}. Error {}{}.",
-          id_of(best), size_text(best), best.gain, result_.needed_gain, "at noise level",
+          id_of(best), size_text(problem_, best), best.gain, result_.needed_gain, "at noise level",
           result_.remaining_p_value,
           next_id.empty() ? ""
                           : fmt::format(", next best {} {:.0f} behind", next_id, best.gain - next),
@@ -395,7 +328,8 @@ class Investigation {
     result_.sentence = fmt::format(
         "Consistent with {} at once, {}; gain {:.0f}, the lesser alone {:.0f}; what remains is at "
         "noise level (p = {:.2g}).{} Error {}{}.{}",
-        id_of(best), size_text(best), best.gain, best.least_loss, result_.remaining_p_value,
+        id_of(best), size_text(problem_, best), best.gain, best.least_loss,
+        result_.remaining_p_value,
         set.size() > 1 ? fmt::format(" {} other pair(s) do as well.", set.size() - 1) : "",
         error_text(result_), shifts(), measure_text(result_));
   }
@@ -458,7 +392,7 @@ class Investigation {
     };
     std::vector<const Explanation*> near;
     for (const Explanation& e : singles_)
-      if (e.fit.converged && e.gain > result_.needed_gain && sizes_plausible(e) &&
+      if (e.fit.converged && e.gain > result_.needed_gain && sizes_plausible(problem_, e) &&
           near.size() < most_near && (near.empty() || taken(e) > taken(*near.front()) - 0.1))
         near.push_back(&e);
     if (near.empty()) return "";
@@ -497,71 +431,12 @@ class Investigation {
           held_out_errors(best.response, best.fit, problem_.measured, std, b), std, b));
   }
 
-  [[nodiscard]] double cross_validated(const Explanation& e) const {
-    if (e.elastic || blockings_.empty()) return unset;
-    double sum = 0.0;
-    for (const Blocking& b : blockings_)
-      sum +=
-          held_out_errors(e.response, e.fit, problem_.measured, evidence_.noise.whitening.std(), b)
-              .squaredNorm() /
-          static_cast<double>(problem_.measured.size());
-    return std::sqrt(sum / static_cast<double>(blockings_.size()));
-  }
-
-  /// Numbers of one member of an explanation.
-  [[nodiscard]] std::vector<EffectSize> sizes(const Explanation& e, std::size_t member) const {
-    std::vector<EffectSize> list;
-    std::size_t at = problem_.base.size();
-    for (const std::size_t k : e.members) {
-      const Candidate& c = problem_.candidates[k];
-      for (std::size_t j = 0; j < c.parameters.size(); ++j, ++at) {
-        if (k != member) continue;
-        const effects::Parameter& p = c.description->parameters[j];
-        EffectSize s{.name = c.parameters[j].name, .unit = c.parameters[j].unit};
-        s.value = e.fit.values[static_cast<Eigen::Index>(at)];
-        s.std = e.fit.standard_errors[static_cast<Eigen::Index>(at)];
-        s.plausible_lower = p.plausible_lower;
-        // What else turns on the shaft of a coast-down has no published size.
-        const bool rotor =
-            c.description->grows_with_the_rotor && std::isfinite(problem_.model.rig.inertia);
-        s.plausible_upper = rotor ? p.upper : p.plausible_upper;
-        s.at_bound = e.fit.at_bound[at];
-        const double margin = std::isfinite(s.std) ? 2.0 * s.std : 0.0;
-        const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
-        const double low = s.plausible_lower - neutral, high = s.plausible_upper - neutral;
-        const double value = s.value - neutral;
-        s.plausible =
-            value - margin <= (high > 0.0 ? high * plausible_factor : high / plausible_factor) &&
-            value + margin >= (low > 0.0 ? low / plausible_factor : low * plausible_factor);
-        list.push_back(s);
-      }
-    }
-    return list;
-  }
-
-  [[nodiscard]] bool sizes_plausible(const Explanation& e) const {
-    for (const std::size_t k : e.members)
-      if (!sizes(e, k)[problem_.candidates[k].size_index].plausible) return false;
-    return true;
-  }
-
-  [[nodiscard]] std::vector<BaseShift> base_shifts(const Explanation& e) const {
-    std::vector<BaseShift> list;
-    for (std::size_t k = 0; k < problem_.base.size(); ++k)
-      list.push_back({.name = problem_.base[k],
-                      .unit = evidence_.response.parameters[k].unit,
-                      .before = evidence_.base.values[static_cast<Eigen::Index>(k)],
-                      .after = e.fit.values[static_cast<Eigen::Index>(k)],
-                      .std = e.fit.standard_errors[static_cast<Eigen::Index>(k)]});
-    return list;
-  }
-
   /// Effects of the verdict first, the best set leading, then the others by rank.
   void fill(const std::vector<const Explanation*>& set, const Explanation& best) {
     if (!set.empty()) {
       result_.rmse_after = rms(problem_.measured - best.fit.prediction);
       result_.remaining_p_value = best.rechecked ? best.recheck.p_value() : unset;
-      result_.base_shifts = base_shifts(best);
+      result_.base_shifts = base_shifts(evidence_, best);
       for (std::size_t k = 0; k < best.parameters.size(); ++k)
         if (best.fit.at_bound[k] && k < problem_.base.size())
           result_.messages.push_back(best.parameters[k].name + " ends at a bound");
@@ -575,7 +450,8 @@ class Investigation {
         if (!listed.insert(k).second) continue;
         RankedEffect effect = rank(*e, k);
         effect.in_verdict = true;
-        set_interval(*e, k, effect);
+        effect.parameters[problem_.candidates[k].size_index].interval =
+            size_interval(evidence_, *e, k);
         // Whatever stands in its place in another set of the verdict.
         for (const Explanation* other : set) {
           if (std::find(other->members.begin(), other->members.end(), k) != other->members.end())
@@ -596,19 +472,6 @@ class Investigation {
     }
   }
 
-  /// Interval of the size of one member. A bent law has none: its exponents are no physics.
-  void set_interval(const Explanation& e, std::size_t member, RankedEffect& effect) const {
-    if (e.elastic) return;
-    std::size_t at = problem_.base.size();
-    for (const std::size_t k : e.members) {
-      const Candidate& c = problem_.candidates[k];
-      if (k == member)
-        effect.parameters[c.size_index].interval = profile_interval(
-            e.response, e.fit, evidence_.noise.whitening, problem_.measured, at + c.size_index);
-      at += c.parameters.size();
-    }
-  }
-
   static void add(std::vector<std::string>& list, const std::string& word) {
     if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
   }
@@ -618,9 +481,9 @@ class Investigation {
     RankedEffect effect{.id = id(member)};
     effect.gain = e.gain;
     effect.rmse = rms(problem_.measured - e.fit.prediction);
-    if (validate) effect.rmse_cross_validated = cross_validated(e);
-    effect.parameters = sizes(e, member);
-    effect.base_shifts = base_shifts(e);
+    if (validate) effect.rmse_cross_validated = cross_validated(evidence_, e, blockings_);
+    effect.parameters = sizes_of(problem_, e, member);
+    effect.base_shifts = base_shifts(evidence_, e);
     if (e.rechecked) effect.remaining_p_value = e.recheck.p_value();
     for (const auto& group : result_.aliases)
       if (std::find(group.begin(), group.end(), effect.id) != group.end())
@@ -638,38 +501,7 @@ class Investigation {
     result_.suggested_measurements = std::move(next.points);
     result_.predicted_separation = next.predicted_separation;
     result_.separation_by_repetition = next.separation_by_repetition;
-    result_.records_needed = records_needed(set);
-  }
-
-  /// What the file of a shaft should hold beside, so that what heat does is told from the rest:
-  /// heat may also be what these data cannot show.
-  [[nodiscard]] std::vector<std::string> records_needed(
-      const std::vector<const Explanation*>& set) const {
-    if (subject_ != effects::Subject::shaft) return {};
-    const auto warm = [this](std::size_t k) {
-      return problem_.candidates[k].description->follows_heat;
-    };
-    const auto by_heat = [&](const Explanation* e) {
-      return std::any_of(e->members.begin(), e->members.end(), warm);
-    };
-    const bool untested = std::any_of(
-        problem_.candidates.begin(), problem_.candidates.end(),
-        [](const Candidate& c) { return c.description->follows_heat && !c.not_testable.empty(); });
-    if ((!untested && std::none_of(set.begin(), set.end(), by_heat)) ||
-        std::all_of(set.begin(), set.end(), by_heat))
-      return {};
-    std::vector<std::string> list;
-    const auto rings = [](const Row& r) {
-      return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
-    };
-    if (!std::all_of(problem_.data.rows.begin(), problem_.data.rows.end(), rings))
-      list.emplace_back(
-          "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), which say what "
-          "expands");
-    list.emplace_back(
-        "the same speeds up and down, each soon after a change and again when warm: heat lags "
-        "behind, speed does not");
-    return list;
+    result_.records_needed = records_needed(problem_, set);
   }
 
   [[nodiscard]] std::string joined_sets(const std::vector<const Explanation*>& set) const {
@@ -680,18 +512,6 @@ class Investigation {
 
   [[nodiscard]] std::string shifts() const {
     return base_is_identifiable() ? shift_text(result_) : "";
-  }
-
-  [[nodiscard]] std::string size_text(const Explanation& e) const {
-    std::vector<std::string> texts;
-    for (const std::size_t k : e.members) {
-      const EffectSize s = sizes(e, k)[problem_.candidates[k].size_index];
-      std::string text = fmt::format("{} = {:.3g}", s.name, s.value);
-      if (std::isfinite(s.std)) text += fmt::format(" +- {:.2g}", s.std);
-      if (s.unit != "1") text += " " + s.unit;
-      texts.push_back(std::move(text));
-    }
-    return joined(texts, "and");
   }
 
   const DiagnoseOptions& options_;

@@ -225,4 +225,31 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
   return result;
 }
 
+std::vector<std::string> records_needed(const Problem& problem,
+                                        const std::vector<const Explanation*>& rivals) {
+  if (problem.data.quantity != Quantity::axial_displacement) return {};
+  const auto warm = [&](std::size_t k) { return problem.candidates[k].description->follows_heat; };
+  const auto by_heat = [&](const Explanation* e) {
+    return std::any_of(e->members.begin(), e->members.end(), warm);
+  };
+  const bool untested = std::any_of(
+      problem.candidates.begin(), problem.candidates.end(),
+      [](const Candidate& c) { return c.description->follows_heat && !c.not_testable.empty(); });
+  if ((!untested && std::none_of(rivals.begin(), rivals.end(), by_heat)) ||
+      std::all_of(rivals.begin(), rivals.end(), by_heat))
+    return {};
+  std::vector<std::string> list;
+  const auto rings = [](const Row& r) {
+    return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
+  };
+  if (!std::all_of(problem.data.rows.begin(), problem.data.rows.end(), rings))
+    list.emplace_back(
+        "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), which say what "
+        "expands");
+  list.emplace_back(
+      "the same speeds up and down, each soon after a change and again when warm: heat lags "
+      "behind, speed does not");
+  return list;
+}
+
 }  // namespace raceway::fit

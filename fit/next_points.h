@@ -31,4 +31,9 @@ struct NextPoints {
 [[nodiscard]] NextPoints next_points(const Problem& problem, const NoiseModel& noise,
                                      const std::vector<const Explanation*>& rivals, int most = 12);
 
+/// What the file of a shaft should hold beside, so that what heat does is told from the rest: heat
+/// may also be what these data cannot show. Nothing for a bearing on a rig.
+[[nodiscard]] std::vector<std::string> records_needed(
+    const Problem& problem, const std::vector<const Explanation*>& rivals);
+
 }  // namespace raceway::fit

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/attribution.h"
+#include "fit/diagnose.h"
+
+namespace raceway::fit {
+
+/// What these data can show at all, whatever is missing.
+struct Visibility {
+  std::vector<DetectableSize> would_have_been_found;  ///< every effect that can be tested
+  std::vector<NotTestable> not_testable;
+  std::vector<std::vector<std::string>> aliases;  ///< effects alike on these data
+};
+
+/// From the scores of the candidates with the base parameters projected off: the size at which
+/// -2 ln L would fall by 25, and that at which the most alike other effect would leave 20.
+[[nodiscard]] Visibility what_can_be_seen(const Problem& problem, const Attribution& attribution);
+
+}  // namespace raceway::fit
