@@ -77,7 +77,7 @@ Explanation Attribution::refit(const std::vector<std::size_t>& members,
     Eigen::VectorXd first = response.start();
     first.head(bases) = base_.values;
     starts.push_back(first);
-    for (const double part : {0.25, 0.75, 0.5}) {
+    for (const double part : {0.5, 0.25, 0.75}) {
       Eigen::VectorXd x = first;
       Eigen::Index at = bases;
       for (const Candidate* c : on) {

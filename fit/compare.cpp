@@ -87,6 +87,8 @@ void add_ranges(Variable variable, const DataSet& data, Comparison& result) {
   };
   std::vector<std::size_t> order(result.errors.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t m) { return std::isnan(value(m)); });
+  if (order.empty()) return;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return value(a) < value(b); });
   const double lowest = value(order.front()), highest = value(order.back());

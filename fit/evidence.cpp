@@ -67,21 +67,30 @@ void require_enough(const DataSet& data, std::size_t parameters) {
 /// Takes the free parameters out that change no reading, near the start nor away from it: what was
 /// measured with each row stands in their place, or nothing here depends on them.
 std::vector<std::string> take_idle(Problem& problem, const Response& response) {
+  // Away from the start all others have moved: a shape shows only where its size is not zero.
   const Eigen::VectorXd start = response.start();
-  const Eigen::VectorXd there = response.readings(start);
+  Eigen::VectorXd moved = start;
+  for (std::size_t k = 0; k < response.parameters.size(); ++k) {
+    const FitParameter& p = response.parameters[k];
+    const auto at = static_cast<Eigen::Index>(k);
+    const double step = (0.2 + 0.03 * static_cast<double>(k)) * p.scale;
+    moved[at] =
+        start[at] + step <= p.upper ? start[at] + step : std::max(start[at] - step, p.lower);
+  }
   std::vector<std::string> idle;
-  if (!there.allFinite()) return idle;
   for (std::size_t k = 0; k < response.parameters.size(); ++k) {
     const FitParameter& p = response.parameters[k];
     bool moves = false;
-    for (const double step : {0.1, -0.1, 1e-3, -1e-3}) {
-      if (moves) break;
-      Eigen::VectorXd x = start;
-      const auto at = static_cast<Eigen::Index>(k);
-      x[at] = std::clamp(x[at] + step * p.scale, p.lower, p.upper);
-      const Eigen::VectorXd change = response.readings(x) - there;
-      moves = !(change.norm() <= least_noise * there.norm());
-    }
+    for (const Eigen::VectorXd& from : {start, moved})
+      for (const double step : {0.1, -0.1, 1e-3, -1e-3}) {
+        if (moves) break;
+        const Eigen::VectorXd there = response.readings(from);
+        Eigen::VectorXd x = from;
+        const auto at = static_cast<Eigen::Index>(k);
+        x[at] = std::clamp(x[at] + step * p.scale, p.lower, p.upper);
+        const Eigen::VectorXd change = response.readings(x) - there;
+        moves = !(change.norm() <= least_noise * there.norm());  // also where there is no balance
+      }
     if (!moves) idle.push_back(p.name);
   }
   std::erase_if(problem.base, [&](const std::string& name) {

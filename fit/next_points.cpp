@@ -214,7 +214,7 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
       return s.point.speed == m.point.speed && s.point.axial_load == m.point.axial_load &&
              s.point.radial_load == m.point.radial_load &&
              s.point.temperature == m.point.temperature &&
-             (s.preload == m.preload || std::isnan(m.preload));
+             (s.preload == m.preload || (std::isnan(s.preload) && std::isnan(m.preload)));
     };
     const auto known = std::find_if(result.points.begin(), result.points.end(), same);
     if (known != result.points.end())

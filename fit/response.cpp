@@ -180,11 +180,17 @@ std::vector<Eigen::VectorXd> around(const Minimum& minimum,
   return points;
 }
 
+bool same_misfit(double found, double known) {
+  return std::isfinite(known) && std::abs(found - known) <= same_optimum * std::max(1.0, known);
+}
+
 /// One minimum from one start by the method of Levenberg and Marquardt, the bounds kept inside each
 /// step: the linearised problem is solved under them, so that a parameter at a bound slows nothing
-/// down. Nothing where no step goes down although the linearised problem promises one.
+/// down. Nothing where no step goes down although the linearised problem promises one. A search
+/// that comes to the misfit of `known` ends there: it has no more to tell than that.
 std::optional<Minimum> minimum_from(const Response& response, const Whitening& whitening,
-                                    const Eigen::VectorXd& measured, const Eigen::VectorXd& start) {
+                                    const Eigen::VectorXd& measured, const Eigen::VectorXd& start,
+                                    double known) {
   const Eigen::VectorXd scale = scales(response);
   const Eigen::Index count = scale.size();
   Eigen::VectorXd lower(count), upper(count);
@@ -202,6 +208,7 @@ std::optional<Minimum> minimum_from(const Response& response, const Whitening& w
   const double rounding = std::pow(least_reading, 2) * whitening(measured).squaredNorm();
   double damping = first_damping, harder = 4.0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    if (same_misfit(at.misfit, known)) return at;
     at.slope = response.jacobian(at.values);
     at.jacobian = whitening(Eigen::MatrixXd(at.slope * scale.asDiagonal()));
     if (!at.jacobian.allFinite()) return std::nullopt;
@@ -210,12 +217,17 @@ std::optional<Minimum> minimum_from(const Response& response, const Whitening& w
     Eigen::VectorXd step;
     std::vector<int> side;
     if (!linearised.solve(lower - x, upper - x, 0.0, step, side)) return std::nullopt;
-    if (linearised.fall(step) <= least) return at;
+    const double undamped = linearised.fall(step);
+    if (undamped <= least) return at;
     for (;; damping *= harder, harder *= 2.0) {
       if (damping > most_damping || !linearised.solve(lower - x, upper - x, damping, step, side))
         return std::nullopt;
       const double promised = linearised.fall(step);
-      if (promised <= least) return at;  // what is left is below the rounding of the readings
+      if (promised <= least) {
+        // Stuck: at a minimum but for the rounding of the readings, or in front of a wall.
+        if (undamped > same_optimum * std::max(1.0, at.misfit)) return std::nullopt;
+        return at;
+      }
       const Eigen::VectorXd moved = (x + step).cwiseMax(lower).cwiseMin(upper);
       const Eigen::VectorXd values = moved.cwiseProduct(scale);
       Eigen::VectorXd prediction = response.at(values);
@@ -373,10 +385,11 @@ Response model_response(const Model& model, const DataSet& data,
       chosen[k].set(rows->model, x[at]);
       from = std::min(from, rows->stage[k]);
     }
-    rows->last = x;
+    rows->last.resize(0);  // until all rows have it
     Eigen::VectorXd readings(static_cast<Eigen::Index>(rows->predictors.size()));
     predict_all(rows->model, rows->steps, rows->predictors,
                 std::span(readings.data(), rows->predictors.size()), from);
+    rows->last = x;
     return readings;
   };
   return response;
@@ -418,18 +431,22 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
   }
   Minimum best{.misfit = std::numeric_limits<double>::infinity()};
   std::deque<Eigen::VectorXd> next(starts.begin(), starts.end());
-  bool looked_around = false;
+  bool looked_around = false, once_more = false;
   while (!next.empty()) {
-    std::optional<Minimum> found = minimum_from(response, whitening, measured, next.front());
+    std::optional<Minimum> found =
+        minimum_from(response, whitening, measured, next.front(), best.misfit);
     next.pop_front();
-    if (!found) continue;
-    const double tolerance = same_optimum * std::max(1.0, best.misfit);
-    const bool again = std::abs(found->misfit - best.misfit) <= tolerance;
-    fit.converged = again || (fit.converged && found->misfit > best.misfit);
-    if (found->misfit < best.misfit) {
-      best = *std::move(found);
-      if (looked_around && !fit.converged)  // to be reached once more
-        for (const double factor : {0.8, 1.25}) next.push_back(factor * best.values);
+    if (found) {
+      const bool again = same_misfit(found->misfit, best.misfit);
+      fit.converged = again || (fit.converged && found->misfit > best.misfit);
+      if (!again && found->misfit < best.misfit) {
+        best = *std::move(found);
+        once_more = false;
+      }
+    }
+    if (next.empty() && !fit.converged && !once_more && std::isfinite(best.misfit)) {
+      once_more = true;  // the best of all starts, to be reached again
+      for (const double factor : {0.8, 1.25}) next.push_back(factor * best.values);
     }
     if (!fit.converged || (looked_around && !next.empty())) continue;
     if (looked_around) break;

@@ -95,10 +95,10 @@ std::function<Eigen::VectorXd(const Eigen::VectorXd&)> displacement_readings(
     try {
       for (std::size_t k = 0; k < parameters.size(); ++k)
         parameters[k].set(known->model, x[static_cast<Eigen::Index>(k)]);
+      known->rows.predict(known->model, {readings.data(), known->rows.size()});
     } catch (const std::invalid_argument&) {
-      return readings;
+      readings.setConstant(unset);
     }
-    known->rows.predict(known->model, {readings.data(), known->rows.size()});
     return readings;
   };
 }
