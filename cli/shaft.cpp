@@ -117,6 +117,8 @@ std::string shaft_problem(bearing::SolveStatus status) {
       return "no_equilibrium: the sets balance at no position of the shaft";
     case bearing::SolveStatus::singular:
       return "singular: both sets are free, nothing holds the shaft";
+    case bearing::SolveStatus::not_finite:
+      return "not_finite: an effect lacks what it looks at, as ring temperatures";
     default:
       return std::string(bearing::name(status));
   }

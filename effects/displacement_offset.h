@@ -12,9 +12,8 @@ namespace raceway::effects {
 ///
 ///   u_read = u + c
 ///
-/// Source:   definition: a transducer that was zeroed on a warm or turning shaft, or before the
-/// shaft
-///           had settled in its seats.
+/// Source:   definition: a transducer that was zeroed on a warm or turning shaft, or before it had
+///           settled in its seats.
 /// Domain:   every displacement.
 struct DisplacementOffset {
   static constexpr std::string_view id = "displacement-offset";

@@ -14,13 +14,15 @@ namespace raceway::effects {
 ///   u_read = u - c (n/10 000 rpm)²,   c = L ν ρ ω² (a² + b²)/(2 E) at 10 000 rpm
 ///
 /// with the length L of that part, inner and outer radius a and b. The tool side moves back,
-/// against positive u. Source:   [lit] ε = -ν ρ ω² (a² + b²)/(2 E). Derived without the stress
-/// field: radial balance,
-///           d(r² σ_r)/dr = r (σ_r + σ_θ) - ρ ω² r³, from a to b, both free of pressure, gives the
-///           mean of σ_r + σ_θ over the section as ρ ω² (a² + b²)/2; without axial force the mean
-///           axial strain is -ν/E times it. Steel, a 15, b 35 mm, 10 000 rpm: 9 um per metre.
+/// against positive u.
+///
+/// Source:   derived without the stress field: radial balance, d(r² σ_r)/dr = r (σ_r + σ_θ)
+///           - ρ ω² r³, from a to b, both free of pressure, gives the mean of σ_r + σ_θ over the
+///           section as ρ ω² (a² + b²)/2; without axial force the mean axial strain is -ν/E
+///           times it. Steel, a 15, b 35 mm, 10 000 rpm: 9 um per metre.
 /// Domain:   every speed, no lag. The part between the sets shortens by the same strain and presses
-///           them as a colder shaft would; its length is not asked for, and that is left out.
+///           them as a colder shaft would; the radii that would say by how much are not asked for,
+///           and that is left out.
 struct ShaftContraction {
   static constexpr std::string_view id = "shaft-contraction";
   static constexpr std::string_view title = "shaft that shortens as it turns";

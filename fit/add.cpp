@@ -68,6 +68,21 @@ std::optional<Explanation> better_rival(const Attribution& attribution, Explanat
   return std::nullopt;
 }
 
+/// The id of a member without which the others explain as much; empty if none, or only one is
+/// there.
+std::string idle_member(const Attribution& attribution, const Problem& problem,
+                        const Explanation& asked, double needed) {
+  if (asked.members.size() < 2) return "";
+  for (const std::size_t k : asked.members) {
+    std::vector<std::size_t> others = asked.members;
+    std::erase(others, k);
+    const Explanation without = attribution.refit(others);
+    if (without.fit.converged && asked.gain - without.gain < needed)
+      return problem.candidates[k].id;
+  }
+  return "";
+}
+
 }  // namespace
 
 AddResult add(const Model& model, std::span<const std::string> ids, const DataSet& data) {
@@ -158,7 +173,8 @@ AddResult add(const Model& model, std::span<const std::string> ids, const DataSe
   const auto rows = static_cast<double>(problem.measured.size());
   const double excess =
       std::max(1.0, found.fit.misfit / (rows - static_cast<double>(found.fit.values.size())));
-  const double needed = excess * std::log(rows) * static_cast<double>(members.size());
+  const double needed_each = excess * std::log(rows);
+  const double needed = needed_each * static_cast<double>(members.size());
   if (!confirmed(result.hold_out) || found.gain < needed) {
     const QuantityText quantity = text_of(data.quantity);
     result.refused = true;
@@ -167,6 +183,10 @@ AddResult add(const Model& model, std::span<const std::string> ids, const DataSe
         "-2 ln L by {:.1f} (needed {:.1f})",
         result.rmse_held_out_before / quantity.factor, result.rmse_held_out_after / quantity.factor,
         quantity.unit, found.gain, needed);
+  } else if (const std::string idle = idle_member(attribution, problem, found, needed_each);
+             !idle.empty()) {
+    result.refused = true;
+    result.reason = idle + " adds nothing beside the others";
   } else if (const auto rival = better_rival(attribution, found)) {
     result.refused = true;
     result.reason = fmt::format(

@@ -27,7 +27,8 @@ Eigen::Index total(const std::vector<Candidate>& candidates) {
 }  // namespace
 
 bool Explanation::bent_to_a_bound() const {
-  return elastic && std::any_of(fit.at_bound.end() - 3, fit.at_bound.end(), std::identity());
+  return elastic && std::any_of(fit.at_bound.end() - static_cast<std::ptrdiff_t>(exponents),
+                                fit.at_bound.end(), std::identity());
 }
 
 Attribution::Attribution(const Problem& problem, const NoiseModel& noise, const ResponseFit& base,
@@ -249,36 +250,48 @@ Explanation Attribution::elastic(const Explanation& single) const {
   }
   Response bent;
   bent.parameters = plain.parameters;
-  for (const char* name : {"speed exponent", "load exponent", "viscosity exponent"})
-    bent.parameters.push_back({.name = name,
+  // An input that does not vary has no exponent.
+  const char* const names[] = {"speed exponent", "load exponent", "viscosity exponent"};
+  std::vector<Eigen::Index> varying;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (logs.col(k).cwiseAbs().maxCoeff() < 1e-3) continue;
+    varying.push_back(k);
+    bent.parameters.push_back({.name = names[k],
                                .unit = "1",
                                .start = 0.0,
                                .lower = -exponent_limit,
                                .upper = exponent_limit,
                                .scale = 0.1});
+  }
+  const Eigen::MatrixXd bending = logs(Eigen::all, varying);
   const auto count = static_cast<Eigen::Index>(plain.parameters.size());
   const auto bases = static_cast<Eigen::Index>(problem_.base.size());
-  bent.readings = [&plain, &c, logs, count, bases](const Eigen::VectorXd& x) {
+  bent.readings = [&plain, &c, bending, count, bases](const Eigen::VectorXd& x) {
     Eigen::VectorXd without = x.head(count);
     for (std::size_t k = 0; k < c.neutral.size(); ++k)
       if (!std::isnan(c.neutral[k])) without[bases + static_cast<Eigen::Index>(k)] = c.neutral[k];
     const Eigen::VectorXd base = plain.readings(without);
     const Eigen::VectorXd change = plain.readings(x.head(count)) - base;
-    return Eigen::VectorXd(base + change.cwiseProduct((logs * x.tail(3)).array().exp().matrix()));
+    return Eigen::VectorXd(
+        base + change.cwiseProduct((bending * x.tail(bending.cols())).array().exp().matrix()));
   };
-  Eigen::VectorXd start(count + 3), other(count + 3), third(count + 3);
-  start << single.fit.values, 0.0, 0.0, 0.0;
-  other << single.fit.values, 0.1, -0.05, 0.1;
-  third << single.fit.values, -0.1, 0.05, -0.1;
+  std::vector<Eigen::VectorXd> starts;
+  for (const double sign : {0.0, 1.0, -1.0}) {
+    Eigen::VectorXd start(count + bending.cols());
+    start << single.fit.values, sign * Eigen::Vector3d(0.1, -0.05, 0.1)(varying);
+    starts.push_back(std::move(start));
+  }
   Explanation result{.members = single.members};
   result.elastic = true;
   result.parameters = bent.parameters;
-  result.fit = fit_response(bent, noise_.whitening, problem_.measured, {start, other, third});
+  result.fit = fit_response(bent, noise_.whitening, problem_.measured, starts);
+  result.exponents = varying.size();
   if (!result.fit.converged) return result;
   result.gain = base_.misfit - result.fit.misfit;
-  result.speed_exponent = result.fit.values[count];
-  result.load_exponent = result.fit.values[count + 1];
-  result.viscosity_exponent = result.fit.values[count + 2];
+  double* const exponents[] = {&result.speed_exponent, &result.load_exponent,
+                               &result.viscosity_exponent};
+  for (std::size_t k = 0; k < varying.size(); ++k)
+    *exponents[varying[k]] = result.fit.values[count + static_cast<Eigen::Index>(k)];
   return result;
 }
 

@@ -23,6 +23,7 @@ struct Explanation {
   double least_loss = unset;  ///< rise of -2 ln L when the lesser member of a pair is dropped
   bool elastic = false;       ///< with exponents that bend the law
   double speed_exponent = 0.0, load_exponent = 0.0, viscosity_exponent = 0.0;
+  std::size_t exponents = 0;  ///< how many of them were free: of inputs that vary
   /// True if an exponent ended at the limit to which the law may be bent.
   [[nodiscard]] bool bent_to_a_bound() const;
 };

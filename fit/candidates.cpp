@@ -178,7 +178,9 @@ void screen_candidates(Problem& problem, const Eigen::VectorXd& base_values) {
       if (change.allFinite()) c.most = change;
     }
     if (!c.not_testable.empty() || count > 0) continue;
-    c.not_testable = "a quantity on which it has any effect at these operating points";
+    c.not_testable = missing_levels(*c.description, problem.model, problem.data);
+    if (c.not_testable.empty())
+      c.not_testable = "a quantity on which it has any effect at these operating points";
   }
 }
 

@@ -117,6 +117,22 @@ class Investigation {
     return name == "viscous-exponent" || name == "load-exponent";
   }
 
+  /// Declared standard deviations are not the scatter that is found.
+  void tell_declared_noise() {
+    if (problem_.data.noise != NoiseSource::declared) return;
+    double square = 0.0;
+    for (const Row& row : problem_.data.rows) square += row.std * row.std;
+    const double declared = std::sqrt(square / static_cast<double>(problem_.data.rows.size()));
+    const double ratio = evidence_.noise.rms / declared;
+    if (ratio < 1.5 && ratio > 1.0 / 1.5) return;
+    const QuantityText quantity = text_of(problem_.data.quantity);
+    result_.messages.push_back(fmt::format(
+        "std_{} weighs the rows against each other; the noise is what a saturated regression "
+        "leaves, {:.3g} {} where {:.3g} are declared",
+        quantity.key_unit, evidence_.noise.rms / quantity.factor, quantity.unit,
+        declared / quantity.factor));
+  }
+
   void describe_base() {
     const std::vector<double> predicted(
         evidence_.base.prediction.data(),
@@ -146,6 +162,8 @@ class Investigation {
       if (evidence_.base.at_bound[k])
         result_.messages.push_back(evidence_.response.parameters[k].name +
                                    " ends at a bound: the model lacks something, or is far off");
+    if (!evidence_.hint.empty()) result_.messages.push_back(evidence_.hint);
+    tell_declared_noise();
     for (const std::string& name : evidence_.idle)
       result_.messages.push_back("the readings do not depend on " + name +
                                  ", which stays as it is");

@@ -64,6 +64,28 @@ void require_enough(const DataSet& data, std::size_t parameters) {
         data.source, speeds, loads, temperatures));
 }
 
+/// What a displacement a thousand times too small or large, or of the other sign, looks like.
+std::string unit_or_sign(const std::vector<double>& predicted, const DataSet& data) {
+  if (data.quantity != Quantity::axial_displacement) return "";
+  double product = 0.0, square = 0.0, readings = 0.0;
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    const double reading = data.rows[i].measured;
+    if (!std::isfinite(predicted[i]) || !std::isfinite(reading)) continue;
+    product += predicted[i] * reading;
+    square += predicted[i] * predicted[i];
+    readings += reading * reading;
+  }
+  const double alike = product / std::sqrt(square * readings), factor = product / square;
+  if (alike < -0.7)
+    return "the readings run against the model: its layout, or the sign of axial_displacement_um, "
+           "which is positive towards the tool?";
+  if (alike > 0.7 && (factor < 0.005 || factor > 200.0))
+    return fmt::format(
+        "the readings are about {:.2g} times what the model says: is axial_displacement_um in um?",
+        factor);
+  return "";
+}
+
 /// Takes the free parameters out that change no reading, near the start nor away from it: what was
 /// measured with each row stands in their place, or nothing here depends on them.
 std::vector<std::string> take_idle(Problem& problem, const Response& response) {
@@ -164,6 +186,7 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
   for (std::size_t i = every / 2; i < sorted.rows.size(); i += every)
     thinned.rows.push_back(sorted.rows[i]);
   const std::vector<double> predicted = predict_readings(model, thinned);
+  evidence.hint = unit_or_sign(predicted, thinned);
   for (std::size_t i = 0; i < predicted.size(); ++i) {
     if (std::isfinite(predicted[i]) && std::isfinite(thinned.rows[i].measured))
       problem.data.rows.push_back(thinned.rows[i]);
@@ -202,9 +225,9 @@ Evidence gather_evidence(const Model& model, const DataSet& data,
                                          problem.measured, starts_of(evidence.response.start()));
   if (!first.converged)
     throw std::invalid_argument(
-        data.source +
-        ": the fit of the model's own parameters does not converge; free fewer of "
-        "them, or check units of model and data");
+        data.source + ": the fit of the model's own parameters does not converge; " +
+        (evidence.hint.empty() ? "free fewer of them, or check units of model and data"
+                               : evidence.hint));
   evidence.size = first.prediction.cwiseAbs().cwiseMax(floor * rms);
   screen_candidates(problem, first.values);
 

@@ -18,6 +18,7 @@ struct Evidence {
   Response response{};  ///< of the base model
   ResponseFit base{};   ///< refitted under that noise
   int rows_in_file = 0;
+  std::string hint{};  ///< where the readings look like another unit or the other sign
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model.

@@ -20,7 +20,7 @@ struct Blocking {
 /// runs where there are three or more.
 [[nodiscard]] std::vector<Blocking> blockings(const DataSet& data);
 
-/// Errors of rows that a fit did not see [N m]: each block predicted from a refit to the others.
+/// Errors of rows that a fit did not see [N m] or [m]: each block predicted from a refit to the others.
 /// The refit is linearised at `fit` (exact for affine responses), weighted by `std`, and keeps to
 /// the bounds by holding parameters that are at one.
 [[nodiscard]] Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit,
@@ -30,7 +30,7 @@ struct Blocking {
 /// Error of one model against another on rows that neither saw.
 struct HoldOut {
   std::string variable;
-  double rmse_before = unset, rmse_after = unset;  ///< [N m]
+  double rmse_before = unset, rmse_after = unset;  ///< [N m] or [m]
   /// Mean fall of the squared error, in units of the noise variance, and its 95 % interval by
   /// bootstrap of the blocks.
   double improvement = unset, lower = unset, upper = unset;

@@ -15,14 +15,14 @@ namespace raceway::fit {
 /// and the correlation of Whitening. Found from what a saturated regression leaves, never from
 /// the misfit of a physical model, which would call missing physics noise.
 struct NoiseModel {
-  double relative = 0.0;              ///< standard deviation in proportion to the torque [1]
-  double absolute = 0.0;              ///< rms of the part that does not grow with the torque [N m]
+  double relative = 0.0;              ///< standard deviation in proportion to the reading [1]
+  double absolute = 0.0;              ///< rms of the part that does not grow with it, SI
   double correlation = 0.0;           ///< φ of neighbours in time, at the median step [1]
   double run_share = 0.0;             ///< of the variance, common to the rows of a run [1]
   double degrees_of_freedom = unset;  ///< of the variance
   Whitening whitening;
   std::vector<std::size_t> outliers;  ///< rows counted with less weight, none left out
-  double rms = unset;                 ///< over the rows [N m]
+  double rms = unset;                 ///< over the rows, SI
   /// Repeats against the saturated regression: F and its p; NaN below 8 degrees of freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
 };
@@ -42,8 +42,8 @@ struct NoiseOptions {
 /// where all rows have one (within runs, if runs overlap in time), then by operating point.
 void sort_rows(DataSet& data);
 
-/// Noise from the saturated regression `columns` (N m, full rank) by restricted maximum likelihood.
-/// `size` is a typical torque of each row [N m, > 0]; it only decides the first weights.
+/// Noise from the saturated regression `columns` (SI, full rank) by restricted maximum likelihood.
+/// `size` is a typical reading of each row [SI, > 0]; it only decides the first weights.
 /// Rows further than 3.5 robust standard deviations off are counted with the deviation they have.
 [[nodiscard]] NoiseModel estimate_noise_model(const DataSet& data, const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,

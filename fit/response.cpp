@@ -433,8 +433,9 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
   std::deque<Eigen::VectorXd> next(starts.begin(), starts.end());
   bool looked_around = false, once_more = false;
   while (!next.empty()) {
-    std::optional<Minimum> found =
-        minimum_from(response, whitening, measured, next.front(), best.misfit);
+    // A look around starts where the misfit is that of the best.
+    std::optional<Minimum> found = minimum_from(response, whitening, measured, next.front(),
+                                                looked_around ? unset : best.misfit);
     next.pop_front();
     if (found) {
       const bool again = same_misfit(found->misfit, best.misfit);

@@ -60,7 +60,7 @@ struct ResponseFit {
   Eigen::VectorXd values;
   Eigen::VectorXd standard_errors;  ///< of the linearised problem; NaN at a bound
   std::vector<bool> at_bound;
-  Eigen::VectorXd prediction;  ///< [N m]
+  Eigen::VectorXd prediction;  ///< [N m] or [m]
   Eigen::MatrixXd slope;       ///< derivatives of the readings (rows x parameters)
   Eigen::VectorXd residual;    ///< reading minus prediction, whitened [1]
   /// Whitened derivatives of the parameters that are not at a bound, in units of their scale.

@@ -58,9 +58,12 @@ class ShaftModels {
     ShaftPrediction p;
     const bearing::OperatingPoint asked{
         .speed = point.speed, .axial_load = point.external_load, .temperature = point.temperature};
-    if (!balance_.mounted() ||
-        !balance_.find_condition(model_, steps_, asked, record_, temperatures_, condition_)) {
+    if (!balance_.mounted()) {
       p.equilibrium.report.status = bearing::SolveStatus::no_equilibrium;
+      return p;
+    }
+    if (!balance_.find_condition(model_, steps_, asked, record_, temperatures_, condition_)) {
+      p.equilibrium.report.status = bearing::SolveStatus::not_finite;  // an effect lacks its input
       return p;
     }
     p.equilibrium =

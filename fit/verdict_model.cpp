@@ -60,14 +60,14 @@ std::optional<EffectModel> effect_model(const Model& model, const DataSet& data,
   result.base = predict_readings(without, data);
   for (std::size_t k = before; k < result.model.effects.size(); ++k) {
     EffectShare share{.id = std::string(result.model.effects[k].description->id),
-                      .torque = result.base};
+                      .readings = result.base};
     if (set.size() > 1) {
       Model one_off = result.model;
       off(one_off.effects[k]);
-      share.torque = predict_readings(one_off, data);
+      share.readings = predict_readings(one_off, data);
     }
-    for (std::size_t i = 0; i < share.torque.size(); ++i)
-      share.torque[i] = result.readings[i] - share.torque[i];
+    for (std::size_t i = 0; i < share.readings.size(); ++i)
+      share.readings[i] = result.readings[i] - share.readings[i];
     result.effects.push_back(std::move(share));
   }
   return result;

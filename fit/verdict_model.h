@@ -10,18 +10,18 @@
 
 namespace raceway::fit {
 
-/// What one effect adds to the readings [N m], by row of the data; NaN where a row is not
+/// What one effect adds to the readings [N m] or [m], by row of the data; NaN where a row is not
 /// predicted.
 struct EffectShare {
   std::string id;
-  std::vector<double> torque;
+  std::vector<double> readings;
 };
 
 /// The readings that a set of effects predicts, and what they are made of.
 struct EffectModel {
   Model model;                       ///< effects of the set on, base parameters refitted with them
-  std::vector<double> readings;      ///< by row of the data [N m]
-  std::vector<double> base;          ///< the same with the set's effects off again [N m]
+  std::vector<double> readings;      ///< by row of the data [N m] or [m]
+  std::vector<double> base;          ///< the same with the set's effects off again
   std::vector<EffectShare> effects;  ///< full readings less those without this one effect
 };
 
@@ -38,7 +38,7 @@ struct EffectModel {
                                                     const DataSet& data,
                                                     const Diagnosis& diagnosis);
 
-/// Root mean square errors over all rows of a data set of which a diagnosis used some [N m].
+/// Root mean square errors over all rows of a data set of which a diagnosis used some [N m] or [m].
 struct AllRows {
   int rows = 0;  ///< that can be predicted
   double before = unset, after = unset;

@@ -65,7 +65,7 @@ json explanations_json(const std::vector<fit::EffectModel>& explanations, Report
     for (const fit::EffectShare& share : e.effects)
       effects.push_back(
           {{"id", share.id},
-           {"column", rows.add_readings("effect_" + std::to_string(effect++), share.torque)}});
+           {"column", rows.add_readings("effect_" + std::to_string(effect++), share.readings)}});
     const std::string of = std::to_string(list.size());
     list.push_back({{"effects", effects},
                     {"base", rows.add_readings("base_" + of, e.base)},
@@ -144,6 +144,7 @@ std::string diagnosis_report(const std::string& model_file, const fit::Model& mo
                              const fit::DataSet& all, const fit::Diagnosis& d) {
   Document document("diagnose");
   document.add("results", diagnosis_json(model_file, all, d));
+  if (model.shaft) document.add("preload_N", dump(model.shaft->arrangement.preload()));
   const fit::DataSet data = used_rows(all, predicted_rows(d.baseline, all));
   const std::vector<double> base = predicted_rows(d.baseline, data);
   ReportRows rows(data, noise_rows(d.noise, d.baseline, data));

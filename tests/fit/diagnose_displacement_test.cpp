@@ -126,6 +126,42 @@ TEST(DiagnoseDisplacement, LeavesAPreloadAloneThatEveryRowHas) {
   EXPECT_THAT(d.base_shifts, IsEmpty());
 }
 
+/// The right readings in the wrong unit, or counted from the other side.
+TEST(DiagnoseDisplacement, SuspectsUnitAndSign) {
+  for (const double factor : {1e-3, -1.0}) {
+    DataSet data = undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1);
+    for (Row& row : data.rows) row.measured *= factor;
+    const Diagnosis d = diagnose(two_against_one(), data);
+    EXPECT_THAT(d.messages, Contains(HasSubstr(factor > 0.0 ? "in um?" : "the sign of")));
+    // With the preload free the fit may run off to what no arrangement can take.
+    for (Row& row : data.rows) row.preload = unset;
+    try {
+      (void)diagnose(two_against_one(), data);
+    } catch (const std::invalid_argument& e) {
+      EXPECT_THAT(e.what(), HasSubstr(factor > 0.0 ? "in um?" : "the sign of"));
+    }
+  }
+}
+
+/// An exponent of what does not vary means nothing.
+TEST(DiagnoseDisplacement, BendsALawOnlyByInputsThatVary) {
+  // Contraction goes with the square of speed, this does not.
+  DataSet data = undeclared_records(two_against_one(), ShaftPlan::two_preloads, 1);
+  for (Row& row : data.rows)
+    row.measured -= 8.0 * um * std::pow(row.point.speed / (10000.0 * rpm), 2.15);
+  const Diagnosis d = diagnose(two_against_one(), data);
+  EXPECT_EQ(d.verdict, Verdict::effect_like) << d.sentence;
+  EXPECT_THAT(d.sentence, HasSubstr("viscosity +0.00"));
+}
+
+TEST(AddToAShaft, RefusesAMemberThatAddsNothing) {
+  const std::vector<std::string> ids{"centrifugal-ring-growth", "thermal-preload"};
+  const AddResult r = add(two_against_one(), ids,
+                          undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1));
+  EXPECT_TRUE(r.refused);
+  EXPECT_THAT(r.reason, HasSubstr("thermal-preload adds nothing"));
+}
+
 TEST(AddToAShaft, FitsTheEffectAndLowersTheErrorOnOtherRecords) {
   const Model truth = with_ring_growth(3.0);
   const std::vector<std::string> id{"centrifugal-ring-growth"};

@@ -31,6 +31,36 @@ Response decay(const FitParameter& amplitude, const FitParameter& time) {
 
 Whitening unit_noise() { return {Eigen::VectorXd::Constant(rows, 0.01), {}, 0.0, 0.0}; }
 
+/// y = (x² - 1)² + 0.3 (1 - x) in all rows, measured 0: a hollow near -1, met exactly near +1.
+TEST(FitResponse, TriesOtherStartsUntilTheBestIsReachedTwice) {
+  Response response;
+  response.parameters = {parameter("x", -1.2, -3.0, 3.0, 1.0)};
+  response.readings = [](const Eigen::VectorXd& x) {
+    const double y = std::pow(x[0] * x[0] - 1.0, 2) + 0.3 * (1.0 - x[0]);
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(rows, y));
+  };
+  const auto at = [](double x) { return Eigen::VectorXd(Eigen::VectorXd::Constant(1, x)); };
+  const Eigen::VectorXd measured = Eigen::VectorXd::Zero(rows);
+  const ResponseFit fit =
+      fit_response(response, unit_noise(), measured, {at(-1.2), at(1.2), at(1.4)});
+  ASSERT_TRUE(fit.converged);
+  EXPECT_GT(fit.values[0], 0.9);
+  EXPECT_LT(fit.misfit, 1e-3);
+}
+
+/// Beyond x = 1 there is no balance: a search that runs into it has found no minimum.
+TEST(FitResponse, AWallWithoutBalanceIsNoMinimum) {
+  Response response;
+  response.parameters = {parameter("x", 0.5, 0.0, 5.0, 1.0)};
+  response.readings = [](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(rows, x[0] > 1.0 ? NAN : x[0] * x[0]));
+  };
+  const auto at = [](double x) { return Eigen::VectorXd(Eigen::VectorXd::Constant(1, x)); };
+  const ResponseFit fit = fit_response(response, unit_noise(), Eigen::VectorXd::Constant(rows, 9.0),
+                                       {at(0.5), at(0.7)});
+  EXPECT_FALSE(fit.converged);
+}
+
 TEST(FitResponse, ReachesTheMinimumAtABound) {
   const Response response =
       decay(parameter("b", 1.0, -10.0, 10.0, 1.0), parameter("tau", 30.0, 20.0, 60.0, 10.0));

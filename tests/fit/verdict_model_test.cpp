@@ -44,8 +44,8 @@ TEST(VerdictModel, PredictsWhatTheDiagnosisFoundAndSplitsIt) {
     const Row& row = c.data.rows[i];
     // The effect by its formula, which nothing here has computed.
     const double n = row.point.speed / (10000 * rpm);
-    EXPECT_NEAR(v->effects[0].torque[i], size * n * n * N_mm, 1e-9);
-    EXPECT_NEAR(v->base[i] + v->effects[0].torque[i], v->readings[i], 1e-12);
+    EXPECT_NEAR(v->effects[0].readings[i], size * n * n * N_mm, 1e-9);
+    EXPECT_NEAR(v->base[i] + v->effects[0].readings[i], v->readings[i], 1e-12);
     square += std::pow(v->readings[i] - row.measured, 2);
   }
   EXPECT_NEAR(std::sqrt(square / static_cast<double>(c.data.rows.size())), c.diagnosis.rmse_after,
@@ -69,7 +69,7 @@ TEST(VerdictModel, EveryRankedEffectHasItsBaseParametersAndItsShare) {
     double square = 0.0;
     for (std::size_t i = 0; i < c.data.rows.size(); ++i) {
       EXPECT_NEAR(with->base[i], alone[i].reading, 1e-9 * alone[i].reading) << e.id;
-      EXPECT_NEAR(with->base[i] + with->effects[0].torque[i], with->readings[i], 1e-12) << e.id;
+      EXPECT_NEAR(with->base[i] + with->effects[0].readings[i], with->readings[i], 1e-12) << e.id;
       square += std::pow(with->readings[i] - c.data.rows[i].measured, 2);
     }
     EXPECT_NEAR(std::sqrt(square / static_cast<double>(c.data.rows.size())), e.rmse, 1e-4 * e.rmse);

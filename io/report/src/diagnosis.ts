@@ -202,10 +202,13 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
       choice('Effect', list.map(label), 0, (k) => {
         chosen = list[k] as Chosen;
         shareOf.draw();
+        if (names.length === 0) return;
         hiding.draw();
         tellBase();
       }),
     );
+  // Nothing was free to fit: nothing hid anything.
+  if (names.length === 0) return [bar, shareOf.element];
   return [bar, el('div', { class: 'grid' }, shareOf.element, hiding.element), base];
 }
 
@@ -264,10 +267,14 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
   const first = next[0] ?? {};
   const inputs = view.inputs.filter((name) => next.length === 0 || name in first);
   const asked = next.length ? Object.keys(first).filter((name) => quantity(name).unit !== '') : inputs;
-  const at = (m: Suggested, name: string) => m[name] as number;
+  // A preload that the rows do not tell, and one to measure as it is, are those of the model.
+  const preload = report.preload_N ?? NaN;
+  const at = (m: Suggested, name: string) => (name === 'preload_N' ? (m[name] ?? preload) : m[name]) as number;
+  const height = (name: string, row: number) => (name === 'preload_N' && !rows.has(name) ? preload : rows.at(name, row));
+  const preloads = next.some((m) => typeof m.preload_N === 'number');
   // Beside speed, the input that the new points move, else the one that was moved.
   const moved = (name: string) => name !== 'speed_rpm' && (rows.varies(name) || next.some((m) => at(m, name) !== at(first as Suggested, name)));
-  const up = inputs.find(moved) ?? inputs.find((name) => name !== 'speed_rpm') ?? 'speed_rpm';
+  const up = preloads ? 'preload_N' : inputs.find(moved) ?? inputs.find((name) => name !== 'speed_rpm') ?? 'speed_rpm';
   const colour = inputs.find((name) => name !== up && rows.varies(name) && moved(name));
   return new Figure({
     id: 'plan',
@@ -309,7 +316,7 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
             symbol: icons[k],
             symbolSize: 7,
             itemStyle: { color: colours[k], opacity: 0.6 },
-            data: thinned(g.rows, 600).map((row) => [rows.at('speed_rpm', row), rows.at(up, row), row]),
+            data: thinned(g.rows, 600).map((row) => [rows.at('speed_rpm', row), height(up, row), row]),
           })),
           ...(next.length
             ? [

@@ -227,6 +227,7 @@ export interface DiagnoseReport extends WithRows {
   kind: 'diagnose';
   results: Diagnosis;
   explanations: Explanation[]; // that of the verdict first
+  preload_N?: number; // of the model of a shaft
 }
 
 export interface AddReport extends WithRows {
