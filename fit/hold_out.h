@@ -20,9 +20,9 @@ struct Blocking {
 /// runs where there are three or more.
 [[nodiscard]] std::vector<Blocking> blockings(const DataSet& data);
 
-/// Errors of rows that a fit did not see [N m] or [m]: each block predicted from a refit to the others.
-/// The refit is linearised at `fit` (exact for affine responses), weighted by `std`, and keeps to
-/// the bounds by holding parameters that are at one.
+/// Errors of rows that a fit did not see [N m] or [m]: each block predicted from a refit to the
+/// others. The refit is linearised at `fit` (exact for affine responses), weighted by `std`, and
+/// keeps to the bounds by holding parameters that are at one.
 [[nodiscard]] Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit,
                                               const Eigen::VectorXd& measured,
                                               const Eigen::VectorXd& std, const Blocking& blocking);
