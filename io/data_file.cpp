@@ -195,6 +195,10 @@ class Reader {
       notes_.push_back(fmt::format("no column {}: {:.6g} {} for all rows, from {}", columns[k].name,
                                    shown, columns[k].unit, from));
     };
+    if (shaft_ && has(inner_temperature) != has(outer_temperature))
+      notes_.push_back(fmt::format(
+          "no column {}: that of [arrangement] for all rows, else as mounted",
+          columns[has(inner_temperature) ? outer_temperature : inner_temperature].name));
     if (shaft_)
       fill(axial_load, shaft_->external_load, shaft_->external_load,
            "external_load_N of [arrangement]");

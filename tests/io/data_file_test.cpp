@@ -101,6 +101,10 @@ TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
   EXPECT_DOUBLE_EQ(filled.rows[0].point.axial_load, 70);
   EXPECT_THAT(filled.notes, Contains("no column axial_load_N: 70 N for all rows, from "
                                      "external_load_N of [arrangement]"));
+  EXPECT_THAT(
+      read("speed_rpm,inner_ring_temperature_C,axial_displacement_um\n1000,30,2\n").notes,
+      Contains("no column outer_ring_temperature_C: that of [arrangement] for all rows, else "
+               "as mounted"));
   const fit::DataSet both = read(
       "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm,axial_displacement_um\n"
       "1000,-40,10,90,2\n");
