@@ -106,18 +106,14 @@ Explanation Attribution::refit(const std::vector<std::size_t>& members,
   result.fit = fit_response(response, noise_.whitening, problem_.measured, starts);
   if (result.fit.converged && result.fit.misfit > base_.misfit + worse) {
     // A hollow of its own: without the effect the misfit is less, so the search begins there.
-    Eigen::VectorXd without = response.start(), little = without;
-    const auto bases = static_cast<Eigen::Index>(problem_.base.size());
-    without.head(bases) = base_.values;
-    Eigen::Index at = bases;
+    Eigen::VectorXd without = response.start();
+    auto at = static_cast<Eigen::Index>(problem_.base.size());
+    without.head(at) = base_.values;
+    Eigen::VectorXd little = without;
     for (const Candidate* c : on) {
-      without[at + static_cast<Eigen::Index>(c->size_index)] = c->neutral[c->size_index];
-      at += static_cast<Eigen::Index>(c->parameters.size());
-    }
-    little = without;
-    at = bases;
-    for (const Candidate* c : on) {
-      little[at + static_cast<Eigen::Index>(c->size_index)] += 0.01 * c->unit_size;
+      const Eigen::Index size = at + static_cast<Eigen::Index>(c->size_index);
+      without[size] = c->neutral[c->size_index];
+      little[size] = without[size] + 0.01 * c->unit_size;
       at += static_cast<Eigen::Index>(c->parameters.size());
     }
     result.fit = fit_response(response, noise_.whitening, problem_.measured, {without, little});

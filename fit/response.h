@@ -47,9 +47,9 @@ struct Response {
   void find_affine_form();
 };
 
-/// Readings of a model by its free parameters `names` (base law first), at every row of `data`,
-/// which must outlive the response. Names as in model_parameters(). `entered`: entered_balances()
-/// of the rows, where somebody has them already.
+/// Readings of a model by its free parameters `names` (base law first), at every row of `data`.
+/// Names as in model_parameters(). `entered`: entered_balances() of the rows, where somebody has
+/// them already.
 [[nodiscard]] Response model_response(const Model& model, const DataSet& data,
                                       const std::vector<std::string>& names,
                                       std::span<const Balance> entered = {});
