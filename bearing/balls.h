@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "bearing/units.h"
+#include "record/units.h"
 
 namespace raceway::bearing {
 

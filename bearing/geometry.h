@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "bearing/units.h"
+#include "record/units.h"
 
 namespace raceway::bearing {
 

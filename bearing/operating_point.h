@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bearing/units.h"
+#include "record/units.h"
 
 namespace raceway::bearing {
 

@@ -2,17 +2,17 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
-#include <variant>
+#include <vector>
 
 #include "effects/catalogue.h"
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
-#include "fit/prediction.h"
-#include "fit/response.h"
 #include "io/data_file.h"
 #include "io/model_file.h"
+#include "io/subject.h"
 
 namespace {
 
@@ -20,52 +20,57 @@ using namespace raceway;
 
 /// 120 rows of a rig with a hidden effect.
 struct Rig {
-  fit::Model model;
-  fit::DataSet data;
+  model::Model model;
+  record::Record data;
 };
 
 Rig read_rig(const std::string& name) {
   const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/" + name + "/";
-  io::ModelFile file = io::read_model(folder + "model.toml");
-  io::Measurement data = io::read_measurement(folder + "train.csv", file.model.rig);
-  return {std::move(file.model), std::get<fit::DataSet>(std::move(data))};
+  model::Model model = io::read_model(folder + "model.toml").model;
+  record::Record data = io::read_record(folder + "train.csv", *io::make_subject(model));
+  return {std::move(model), std::move(data)};
 }
 
-void add_effect(fit::Model& model, std::string_view id, double size) {
+void add_effect(model::Model& model, std::string_view id, double size) {
   model.effects.push_back({effects::find(id), {size}});
 }
 
 /// That rig measured at `rows` random points: what spin friction adds is not in the model, readings
 /// scatter by 1 %.
 Rig measured_rig(std::size_t rows) {
-  Rig rig = read_rig("dev-03");
-  fit::Model truth = rig.model;
+  Rig rig{read_rig("dev-03").model, {}};
+  model::Model truth = rig.model;
   add_effect(truth, "spin-friction", 0.06);
   std::mt19937_64 random(1);
   const auto between = [&](double lower, double upper) {
     return lower + (upper - lower) * std::generate_canonical<double, 53>(random);
   };
-  rig.data.rows.assign(rows, {});
-  for (fit::Row& row : rig.data.rows)
-    row.point = {.speed = between(500, 16000) * rpm,
-                 .axial_load = between(250, 3000),
-                 .temperature = kelvin(between(25, 65))};
+  std::vector<double> speed, load, temperature;
+  for (std::size_t i = 0; i < rows; ++i) {
+    speed.push_back(between(500, 16000) * rpm);
+    load.push_back(between(250, 3000));
+    temperature.push_back(kelvin(between(25, 65)));
+  }
+  rig.data.set(record::speed, std::move(speed));
+  rig.data.set(record::axial_load, std::move(load));
+  rig.data.set(record::radial_load, std::vector<double>(rows, 0.0));
+  rig.data.set(record::temperature, std::move(temperature));
   std::normal_distribution<double> scatter(0.0, 0.01);
-  const auto predicted = fit::predict_rows(truth, rig.data);
-  for (std::size_t i = 0; i < rows; ++i)
-    rig.data.rows[i].measured = predicted[i].reading * (1.0 + scatter(random));
-  rig.data.runs.clear();
+  std::vector<double> readings = fit::predict(*io::make_subject(truth), rig.data);
+  for (double& reading : readings) reading *= 1.0 + scatter(random);
+  rig.data.set(record::friction_torque, std::move(readings));
   return rig;
 }
 
 void diagnose(benchmark::State& state, const Rig& rig, const fit::DiagnoseOptions& options) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
+  const auto subject = io::make_subject(rig.model);
   for (auto _ : state) {
-    const fit::Diagnosis d = fit::diagnose(rig.model, rig.data, options);
+    const fit::Diagnosis d = fit::diagnose(*subject, rig.data, options);
     benchmark::DoNotOptimize(&d);
   }
   state.SetItemsProcessed(state.iterations());
-  state.counters["rows"] = static_cast<double>(rig.data.rows.size());
+  state.counters["rows"] = static_cast<double>(rig.data.rows());
 }
 
 /// f0, z and the spin friction coefficient; `offset` frees an error of the load as well, which
@@ -79,9 +84,10 @@ void calibrate(benchmark::State& state, std::size_t rows, bool offset, std::size
     add_effect(rig.model, "load-offset", 1.0);
     rig.model.free.push_back("load-offset.force_N");
   }
+  const auto subject = io::make_subject(rig.model);
   int steps = 0;
   for (auto _ : state) {
-    const fit::Calibration c = fit::calibrate(rig.model, rig.data);
+    const fit::Calibration c = fit::calibrate(*subject, rig.data);
     if (!c.converged()) state.SkipWithError("not converged");
     steps = c.iterations;
   }
@@ -90,27 +96,42 @@ void calibrate(benchmark::State& state, std::size_t rows, bool offset, std::size
   state.counters["iterations"] = steps;
 }
 
-/// One evaluation of 120 rows of measured displacement, at four preloads, with a parameter that
-/// moves every balance: what a fit does some thirty times.
+/// 120 rows of a shaft: 30 speeds at each of four preloads.
+record::Record rows_of_a_shaft() {
+  std::vector<double> speed, preload;
+  for (const double force : {300.0, 600.0, 900.0, 1200.0})
+    for (int i = 1; i <= 30; ++i) {
+      speed.push_back(10000.0 / 30.0 * i * rpm);
+      preload.push_back(force);
+    }
+  record::Record data;
+  const std::size_t rows = speed.size();
+  data.set(record::speed, std::move(speed));
+  data.set(record::axial_load, std::vector<double>(rows, 0.0));
+  data.set(record::radial_load, std::vector<double>(rows, 0.0));
+  data.set(record::temperature, std::vector<double>(rows, kelvin(40)));
+  data.set(record::preload, std::move(preload));
+  return data;
+}
+
+/// One evaluation of measured displacement with a parameter that moves every balance: what a fit
+/// does some thirty times.
 void displacement_response(benchmark::State& state) {
-  const fit::Model model =
-      io::read_model(RACEWAY_SOURCE_DIR "/data/spindles/two_against_one.toml").model;
-  fit::DataSet data;
-  data.quantity = fit::Quantity::axial_displacement;
-  for (const double preload : {300.0, 600.0, 900.0, 1200.0})
-    for (int i = 1; i <= 30; ++i)
-      data.rows.push_back(
-          {.point = {.speed = 10000.0 / 30.0 * i * rpm, .axial_load = 0.0}, .preload = preload});
-  const fit::Response response = fit::model_response(model, data, {"contact_angle_deg"});
-  Eigen::VectorXd x = response.start();
-  double sum = 0.0;
+  const auto subject = io::make_subject(
+      io::read_model(RACEWAY_SOURCE_DIR "/data/spindles/two_against_one.toml").model);
+  const record::Record data = rows_of_a_shaft();
+  const auto prepared = subject->prepare(data);
+  const auto predictor = subject->predictor(data, {"contact_angle_deg"}, prepared);
+  std::vector<double> readings(subject->measured().size() * data.rows());
+  double angle = 24.9, sum = 0.0;
   for (auto _ : state) {
-    x[0] = x[0] < 25.0 ? 25.1 : 24.9;
-    sum += response.readings(x).sum();
+    angle = angle < 25.0 ? 25.1 : 24.9;
+    predictor->readings({&angle, 1}, readings);
+    for (const double r : readings) sum += r;
   }
   benchmark::DoNotOptimize(sum);
   if (!std::isfinite(sum)) state.SkipWithError("a row has no balance");
-  state.counters["rows"] = static_cast<double>(data.rows.size());
+  state.counters["rows"] = static_cast<double>(data.rows());
 }
 
 std::string rows_name(std::size_t rows) {
@@ -137,7 +158,7 @@ const bool registered = [] {
     add("grow/candidates_" + std::to_string(count), [=](benchmark::State& state) {
       fit::DiagnoseOptions options;
       for (const effects::Description& d : effects::catalogue().first(count))
-        options.candidates.push_back(&d);
+        options.candidates.emplace_back(d.id);
       diagnose(state, measured_rig(1000), options);
     });
   for (const std::size_t rows : {120, 1000, 10000, 100000}) {

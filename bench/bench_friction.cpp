@@ -6,30 +6,30 @@
 #include <mutex>
 
 #include "effects/catalogue.h"
-#include "fit/prediction.h"
 #include "friction/stribeck_table.h"
+#include "model/prediction.h"
 
 namespace {
 
 using namespace raceway;
 
-fit::Model spindle_model(bool with_spin) {
-  fit::Model model{.name = "7014",
-                   .bearing = bearing::Bearing({.ball_count = 20,
-                                                .ball_diameter = 11.906 * mm,
-                                                .pitch_diameter = 90 * mm,
-                                                .contact_angle = 25 * degree,
-                                                .inner_conformity = 0.52,
-                                                .outer_conformity = 0.52,
-                                                .static_load_rating = 43000},
-                                               bearing::steel(), bearing::steel()),
-                   .lubricant = friction::Lubricant(22 * mm2_per_s, 4.8 * mm2_per_s),
-                   .law = friction::FrictionLaw::palmgren,
-                   .law_values = {1.5, 0.001, 0.33},
-                   .effects = {},
-                   .solver = {},
-                   .rig = {},
-                   .free = {}};
+model::Model spindle_model(bool with_spin) {
+  model::Model model{.name = "7014",
+                     .bearing = bearing::Bearing({.ball_count = 20,
+                                                  .ball_diameter = 11.906 * mm,
+                                                  .pitch_diameter = 90 * mm,
+                                                  .contact_angle = 25 * degree,
+                                                  .inner_conformity = 0.52,
+                                                  .outer_conformity = 0.52,
+                                                  .static_load_rating = 43000},
+                                                 bearing::steel(), bearing::steel()),
+                     .lubricant = friction::Lubricant(22 * mm2_per_s, 4.8 * mm2_per_s),
+                     .law = friction::FrictionLaw::palmgren,
+                     .law_values = {1.5, 0.001, 0.33},
+                     .effects = {},
+                     .solver = {},
+                     .rig = {},
+                     .free = {}};
   if (with_spin) model.effects.push_back({effects::find("spin-friction"), {0.06}});
   return model;
 }
@@ -46,15 +46,15 @@ friction::TableAxes axes_of_1000_points(bool radial) {
 /// A table with contact angles and the spin torque, on one core.
 void table_of_1000_points(benchmark::State& state, bool radial) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
-  const fit::Model model = spindle_model(true);
+  const model::Model model = spindle_model(true);
   const friction::TableAxes axes = axes_of_1000_points(radial);
   double iterations = 0.0, residual = 0.0;
   for (auto _ : state) {
     iterations = residual = 0.0;
     const auto table = friction::build_stribeck_table(
         axes, {"inner_contact_angle_deg"}, [&](auto points, auto out) {
-          std::vector<fit::FrictionPrediction> p(points.size());
-          fit::predict_sweep(model, points, p, true);
+          std::vector<model::FrictionPrediction> p(points.size());
+          model::predict_sweep(model, points, p, true);
           for (std::size_t i = 0; i < p.size(); ++i) {
             out[i].status = p[i].report.status;
             out[i].friction_moment = p[i].torque;
@@ -80,7 +80,7 @@ BENCHMARK_CAPTURE(table_of_1000_points, combined, true)
 /// temperatures.
 void table_of_a_million(benchmark::State& state, std::size_t threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  const fit::Model model = spindle_model(true);
+  const model::Model model = spindle_model(true);
   friction::TableAxes axes;
   for (int i = 1; i <= 100; ++i) axes.speed.push_back(120.0 * i * rpm);
   for (int i = 1; i <= 50; ++i) axes.axial_load.push_back(30.0 * i);
@@ -93,8 +93,8 @@ void table_of_a_million(benchmark::State& state, std::size_t threads) {
     steps = 0;
     const auto table = friction::build_stribeck_table(
         axes, {"inner_contact_angle_deg"}, [&](auto points, auto out) {
-          std::vector<fit::FrictionPrediction> p(points.size());
-          fit::predict_sweep(model, points, p, true);
+          std::vector<model::FrictionPrediction> p(points.size());
+          model::predict_sweep(model, points, p, true);
           long part = 0;
           double worst = 0.0;
           for (std::size_t i = 0; i < p.size(); ++i) {
@@ -122,9 +122,9 @@ BENCHMARK_CAPTURE(table_of_a_million, two, 2)
     ->UseRealTime();
 
 void laws_only(benchmark::State& state) {
-  const fit::Model model = spindle_model(false);
+  const model::Model model = spindle_model(false);
   const bearing::OperatingPoint point{.speed = 10000 * rpm, .axial_load = 600};
-  for (auto _ : state) benchmark::DoNotOptimize(fit::predict_friction(model, point).torque);
+  for (auto _ : state) benchmark::DoNotOptimize(model::predict_friction(model, point).torque);
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(laws_only)->Name("friction/palmgren");

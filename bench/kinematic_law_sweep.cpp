@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "bearing/arrangement_equilibrium.h"
-#include "fit/conformity.h"
-#include "fit/fit_kinematic_law.h"
+#include "shaft/conformity.h"
+#include "shaft/fit_kinematic_law.h"
 #include "tests/reference_table.h"
 
 namespace {
@@ -40,9 +40,9 @@ struct Case {
   double centrifugal_ratio = unset;
   bool balanced = false;  // at every speed
   bool unloaded = false;  // a bearing has lost its inner race at some speed
-  std::optional<fit::KinematicLawFit> law = {};
+  std::optional<shaft::KinematicLawFit> law = {};
 
-  [[nodiscard]] bool within() const { return law && law->mae <= fit::kinematic_law_tolerance; }
+  [[nodiscard]] bool within() const { return law && law->mae <= shaft::kinematic_law_tolerance; }
 };
 
 bearing::Bearing steel_bearing(const tests::ReferenceRow& row) {
@@ -67,7 +67,7 @@ Case solved_case(const std::shared_ptr<const bearing::Bearing>& one, Case c, dou
   for (int i = 1; i <= speeds; ++i) conditions.push_back({.speed = highest_speed * i / speeds});
   std::vector<bearing::ArrangementEquilibrium> results(conditions.size());
   solve_arrangement(spindle, conditions, results);
-  std::vector<fit::DisplacementPoint> curve;
+  std::vector<shaft::DisplacementPoint> curve;
   c.balanced = true;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i].report.converged()) {
@@ -78,7 +78,7 @@ Case solved_case(const std::shared_ptr<const bearing::Bearing>& one, Case c, dou
     curve.push_back({conditions[i].speed, results[i].position});
   }
   c.centrifugal_ratio = results.back().bearings.front().minimum_load / (0.5 * c.preload);
-  c.law = fit::fit_kinematic_law(curve);
+  c.law = shaft::fit_kinematic_law(curve);
   return c;
 }
 
@@ -86,7 +86,7 @@ std::vector<Case> all_cases(double highest_speed, bool ceramic) {
   std::vector<Case> cases;
   for (const auto& row : tests::reference_table("gmn_axial_rigidity.csv")) {
     if (row["bore_mm"] < smallest_bore || row["bore_mm"] > largest_bore) continue;
-    std::vector<fit::PairRigidity> classes;
+    std::vector<shaft::PairRigidity> classes;
     for (const std::string name : {"L", "M", "S"})
       classes.push_back({.preload_class = name,
                          .preload = row["preload_" + name + "_N"],
@@ -94,10 +94,10 @@ std::vector<Case> all_cases(double highest_speed, bool ceramic) {
     const bearing::Bearing printed = steel_bearing(row);
     bearing::BearingGeometry geometry = printed.geometry();
     geometry.inner_conformity = geometry.outer_conformity =
-        fit::fit_conformity(printed, classes).conformity;
+        shaft::fit_conformity(printed, classes).conformity;
     const auto one = std::make_shared<const bearing::Bearing>(
         geometry, ceramic ? bearing::silicon_nitride() : bearing::steel(), bearing::steel());
-    for (const fit::PairRigidity& c : classes)
+    for (const shaft::PairRigidity& c : classes)
       cases.push_back(solved_case(one,
                                   {.designation = row.text("designation"),
                                    .preload_class = c.preload_class,
@@ -119,7 +119,7 @@ void list(const std::vector<Case>& cases) {
     if (c.law)
       fmt::print("{:.4f},{:.4f},{:.4f},{:.4e},{:.4f},{:.4e},{},{}\n", c.law->largest / um,
                  c.law->mae / um, c.law->max_abs / um, c.law->law.A, c.law->law.B, c.law->law.C,
-                 fit::name(c.law->verdict), c.unloaded ? 1 : 0);
+                 shaft::name(c.law->verdict), c.unloaded ? 1 : 0);
     else
       fmt::print(",,,,,,no_equilibrium,\n");
   }

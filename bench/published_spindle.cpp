@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bearing/arrangement_equilibrium.h"
-#include "fit/fit_kinematic_law.h"
+#include "shaft/fit_kinematic_law.h"
 
 namespace {
 
@@ -72,13 +72,13 @@ int main() {
     return solve_arrangement(set, {.speed = n * rpm}).position / um;
   };
   const auto published = [](double n) {
-    return fit::kinematic_displacement_um(n, 1.28e-3, 0.697, 5.3e-4);
+    return shaft::kinematic_displacement_um(n, 1.28e-3, 0.697, 5.3e-4);
   };
-  std::vector<fit::DisplacementPoint> curve;
+  std::vector<shaft::DisplacementPoint> curve;
   for (int n = 250; n <= 10000; n += 250) curve.push_back({n * rpm, computed(n) * um});
-  const fit::KinematicLaw law = fit::fit_kinematic_law(curve).law;
+  const shaft::KinematicLaw law = shaft::fit_kinematic_law(curve).law;
   const auto fitted = [&](double n) {
-    return fit::kinematic_displacement_um(n, law.A, law.B, law.C);
+    return shaft::kinematic_displacement_um(n, law.A, law.B, law.C);
   };
 
   constexpr std::string_view black = "stroke=\"#222\" stroke-width=\"2\"";

@@ -6,50 +6,58 @@
 
 #include "cli/calibrate_conformity.h"
 #include "cli/commands.h"
+#include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
-#include "fit/free_parameters.h"
-#include "fit/quantity.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/results.h"
+#include "io/subject.h"
 
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+struct CalibrateFlags {
   std::string model, data, output;
   bool json = false, force = false;
 };
 
-void print(const fit::Calibration& c) {
+std::string remark(const fit::Parameter& p) {
+  if (p.held) return "held: not identifiable";
+  if (!p.identifiable) return "not identifiable";
+  return p.at_bound != fit::Bound::none ? "at its bound" : "";
+}
+
+void print_parameters(const fit::Calibration& c) {
   TextTable table({{"parameter", "", true},
                    {"before", ""},
                    {"after", ""},
                    {"std error", ""},
                    {"unit", "", true},
                    {"", "", true}});
-  for (const fit::FittedParameter& p : c.parameters) {
-    const std::string remark = p.held                           ? "held: not identifiable"
-                               : !p.identifiable                ? "not identifiable"
-                               : p.at_bound != fit::Bound::none ? "at its bound"
-                                                                : "";
+  for (const fit::Parameter& p : c.parameters)
     table.add({p.name, number(p.start), number(p.value, 5), number(p.std, 2),
-               p.unit == "1" ? "-" : p.unit, remark});
-  }
+               p.unit == "1" ? "-" : p.unit, remark(p)});
   fmt::print("{}", table.text(terminal_width()));
+}
+
+void print(const fit::Calibration& c) {
+  print_parameters(c);
   for (Eigen::Index i = 0; i < c.correlation.rows(); ++i)
     for (Eigen::Index j = 0; j < i; ++j)
       if (!std::isnan(c.correlation(i, j)))
         fmt::print("correlation of {} and {}: {:.2f}\n",
                    c.parameters[static_cast<std::size_t>(j)].name,
                    c.parameters[static_cast<std::size_t>(i)].name, c.correlation(i, j));
-  const fit::QuantityText q = fit::text_of(c.quantity);
-  fmt::print("\nRMS error over {} rows: {} {} before, {} {} after\n", c.rows,
-             number(c.rmse_before / q.factor), q.unit, number(c.rmse_after / q.factor), q.unit);
+  fmt::print("\n");
+  for (const fit::ChannelError& e : c.channels)
+    fmt::print("RMS error{} over {} rows: {} {} before, {} {} after\n",
+               c.channels.size() > 1 ? fmt::format(" of {}", e.channel->words) : "", c.rows,
+               error_text(e.rmse_before, *e.channel), error_unit(*e.channel),
+               error_text(e.rmse_after, *e.channel), error_unit(*e.channel));
 }
 
-int run(const Flags& flags) {
+int run(const CalibrateFlags& flags) {
   if (flags.output == "-")
     throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file");
   if (flags.data.empty())
@@ -57,17 +65,18 @@ int run(const Flags& flags) {
         {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
-  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
-  const fit::DataSet data = open_data(flags.data, file.model);
-  fit::Calibration c = [&] {
+  const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  const auto subject = io::make_subject(file.model);
+  const record::Record data = open_data(flags.data, *subject);
+  const fit::Calibration c = [&] {
     try {
-      return fit::calibrate(file.model, data);
+      return fit::calibrate(*subject, data);
     } catch (const std::invalid_argument& e) {
       refuse_data(flags.model, data, e);
     }
   }();
   if (flags.json) {
-    fmt::print("{}", io::calibration_json(c));
+    fmt::print("{}", io::calibration_json(c, data));
   } else if (c.converged()) {
     print(c);
   }
@@ -78,11 +87,7 @@ int run(const Flags& flags) {
     return not_converged;
   }
   if (!flags.output.empty()) {
-    std::vector<io::KeyValue> changes;
-    for (const fit::ModelParameter& p : fit::free_parameters(c.model))
-      if (p.get(c.model) != p.get(file.model))
-        for (const std::string& key : io::file_keys(p)) changes.push_back({key, p.get(c.model)});
-    io::write_text(flags.output, io::with_values(file.text, changes), if_exists);
+    io::write_text(flags.output, io::with_model(file, model::model_of(*c.subject)), if_exists);
     say(flags.output + " written");
   }
   return done;
@@ -91,7 +96,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Run setup_calibrate(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<CalibrateFlags>();
   command
       .add_option("MODEL", flags->model,
                   "model file (TOML); without DATA also a designation of the catalogue")

@@ -8,11 +8,11 @@
 #include "cli/commands.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
-#include "fit/conformity.h"
 #include "io/conformity_results.h"
 #include "io/error.h"
 #include "io/model_file.h"
 #include "io/output_file.h"
+#include "shaft/conformity.h"
 
 namespace raceway::cli {
 namespace {
@@ -42,8 +42,8 @@ Start start_of(const std::string& model) {
   return {io::find_bearing(io::read_catalogues(), file.catalogue), std::move(file.text)};
 }
 
-std::vector<fit::PairRigidity> classes_of(const io::CatalogueBearing& row) {
-  std::vector<fit::PairRigidity> classes;
+std::vector<shaft::PairRigidity> classes_of(const io::CatalogueBearing& row) {
+  std::vector<shaft::PairRigidity> classes;
   for (const auto& [name, preload] :
        {std::pair{"L", &row.light}, {"M", &row.medium}, {"S", &row.strong}})
     if (preload->force > 0.0 && preload->axial_rigidity > 0.0)
@@ -56,7 +56,7 @@ std::vector<fit::PairRigidity> classes_of(const io::CatalogueBearing& row) {
   return classes;
 }
 
-void print(const io::CatalogueBearing& row, const fit::ConformityFit& fit) {
+void print(const io::CatalogueBearing& row, const shaft::ConformityFit& fit) {
   fmt::print("{}: groove conformity from the axial rigidity of a preloaded pair at rest\n\n",
              row.full_name());
   TextTable table({{"class", "", true},
@@ -64,7 +64,7 @@ void print(const io::CatalogueBearing& row, const fit::ConformityFit& fit) {
                    {"printed", "N/um"},
                    {"computed", "N/um"},
                    {"difference", "%"}});
-  for (const fit::PairRigidity& c : fit.classes)
+  for (const shaft::PairRigidity& c : fit.classes)
     table.add({c.preload_class, number(c.preload, 4), number(c.printed / N_per_um, 4),
                number(c.computed / N_per_um, 4), beside(100.0 * c.deviation(), 1.0, 2, true)});
   fmt::print("{}\n", table.text(terminal_width()));
@@ -72,9 +72,9 @@ void print(const io::CatalogueBearing& row, const fit::ConformityFit& fit) {
              std::isnan(fit.std) ? "" : fmt::format(" +- {}", number(fit.std, 2)));
 }
 
-std::string names_of(const fit::ConformityFit& fit) {
+std::string names_of(const shaft::ConformityFit& fit) {
   std::string names;
-  for (const fit::PairRigidity& c : fit.classes)
+  for (const shaft::PairRigidity& c : fit.classes)
     names += (names.empty() ? "" : ", ") + c.preload_class;
   return names;
 }
@@ -87,16 +87,16 @@ int calibrate_conformity(const ConformityFlags& flags) {
   const Start start = start_of(flags.model);
   // The rigidities are printed for steel balls and the row as it stands, whatever the model
   // changes.
-  const fit::ConformityFit fit = fit::fit_conformity(
+  const shaft::ConformityFit fit = shaft::fit_conformity(
       {start.row.geometry, bearing::steel(), bearing::steel()}, classes_of(start.row));
-  const bool found = fit.status == fit::FitStatus::converged && fit.at_bound == fit::Bound::none;
+  const bool found = fit.status == fit::FitStatus::converged && fit.at_bound == record::Bound::none;
   if (flags.json)
     fmt::print("{}", io::conformity_json(start.row.full_name(), fit));
   else if (fit.status == fit::FitStatus::converged)
     print(start.row, fit);
   if (!found) {
     say(fmt::format("raceway calibrate: no conformity from {} to {} has the printed rigidities; {}",
-                    fit::lowest_conformity, fit::highest_conformity,
+                    shaft::lowest_conformity, shaft::highest_conformity,
                     flags.output.empty() ? "no result" : flags.output + " is not written"));
     return not_converged;
   }

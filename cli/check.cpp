@@ -1,110 +1,74 @@
-#include <fmt/core.h>
+#include "fit/check.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
-#include <set>
-#include <stdexcept>
 
 #include "cli/commands.h"
+#include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
-#include "effects/catalogue.h"
-#include "fit/calibrate.h"
-#include "fit/free_parameters.h"
-#include "fit/needs.h"
-#include "fit/noise.h"
-#include "fit/quantity.h"
 #include "io/results.h"
+#include "io/subject.h"
 
 namespace raceway::cli {
 namespace {
 
-template <typename Get>
-void add_column(io::CheckSummary& summary, const fit::DataSet& data, const char* name, Get get) {
-  std::set<long long> levels;
-  io::ColumnSummary c{.name = name};
-  for (const fit::Row& row : data.rows) {
-    const double v = get(row);
-    if (std::isnan(v)) continue;
-    c.lower = std::fmin(c.lower, v);
-    c.upper = std::fmax(c.upper, v);
-    levels.insert(std::llround(v * 1e3));
-  }
-  c.levels = static_cast<int>(levels.size());
-  if (c.levels > 0) summary.columns.push_back(c);
+std::string noise_text(const fit::Check::MeasuredChannel& m) {
+  return std::isnan(m.noise.rms)
+             ? "not known (no std column, no repeated rows)"
+             : fmt::format("{} {} rms ({})", error_text(m.noise.rms, *m.channel, 3),
+                           error_unit(*m.channel), fit::name(m.noise.source));
 }
 
-io::CheckSummary summarise(const io::ModelFile& file, const fit::DataSet& data) {
-  const fit::Model& model = file.model;
-  const bool torque = data.quantity == fit::Quantity::friction_torque;
-  const fit::Noise noise = fit::estimate_noise(data);
-  io::CheckSummary s;
-  s.model_name = model.name;
-  s.quantity = fit::text_of(data.quantity).name;
-  s.rows = static_cast<int>(data.rows.size());
-  s.runs = static_cast<int>(data.runs.size());
-  s.noise_source = fit::name(noise.source);
-  s.noise = noise.rms;
-  s.defaults = file.defaults;
-  s.notes = data.notes;
-  add_column(s, data, "speed_rpm", [](const fit::Row& r) { return r.point.speed / rpm; });
-  add_column(s, data, "axial_load_N", [](const fit::Row& r) { return r.point.axial_load; });
-  add_column(s, data, "radial_load_N", [](const fit::Row& r) { return r.point.radial_load; });
-  add_column(s, data, "temperature_C",
-             [](const fit::Row& r) { return celsius(r.point.temperature); });
-  add_column(s, data, "inner_ring_temperature_C",
-             [](const fit::Row& r) { return celsius(r.inner_ring_temperature); });
-  add_column(s, data, "outer_ring_temperature_C",
-             [](const fit::Row& r) { return celsius(r.outer_ring_temperature); });
-  add_column(s, data, "preload_N", [](const fit::Row& r) { return r.preload; });
-  add_column(s, data, "time_s", [](const fit::Row& r) { return r.time; });
-  if (torque) {
-    add_column(s, data, "friction_torque_Nmm", [](const fit::Row& r) { return r.measured / N_mm; });
-    add_column(s, data, "std_Nmm", [](const fit::Row& r) { return r.std / N_mm; });
-  } else {
-    add_column(s, data, "axial_displacement_um", [](const fit::Row& r) { return r.measured / um; });
-    add_column(s, data, "std_um", [](const fit::Row& r) { return r.std / um; });
-  }
-  if (torque || model.shaft) {
-    try {
-      for (const fit::FittedParameter& p : fit::calibrate(model, data).parameters)
-        s.free_parameters.push_back({p.name, p.identifiable});
-    } catch (const std::invalid_argument& e) {
-      s.notes.emplace_back(e.what());  // fewer rows than parameters, for example
-      tell({s.notes.back()});
-      for (const std::string& name : model.free) s.free_parameters.push_back({name, false});
-    }
-  }
-  for (const effects::Description& e : effects::catalogue(fit::subject_of(data.quantity)))
-    s.effects.push_back({std::string(e.id), fit::missing_need(e, model, data),
-                         fit::missing_levels(e, model, data)});
-  return s;
+void print_measured(const fit::Check& c, const record::Record& data) {
+  const std::vector<fit::Check::MeasuredChannel>& measured = c.measured;
+  std::vector<std::string_view> words;
+  for (const fit::Check::MeasuredChannel& m : measured) words.push_back(m.channel->words);
+  fmt::print("{}: {} row{} of {}{}\n", data.source, c.rows, c.rows == 1 ? "" : "s",
+             fmt::join(words, ", "),
+             c.runs == 0   ? ""
+             : c.runs == 1 ? ", one run"
+                           : fmt::format(", {} runs", c.runs));
+  for (const fit::Check::MeasuredChannel& m : measured)
+    fmt::print("noise{}: {}\n", measured.size() > 1 ? fmt::format(" of {}", m.channel->words) : "",
+               noise_text(m));
 }
 
-void print(const io::CheckSummary& s, const std::string& data) {
-  const bool torque = s.quantity == "friction_torque";
-  fmt::print("{}: {} row{} of {}", data, s.rows, s.rows == 1 ? "" : "s",
-             torque ? "friction torque" : "axial displacement");
-  fmt::print("{}\n", s.runs == 0   ? ""
-                     : s.runs == 1 ? ", one run"
-                                   : fmt::format(", {} runs", s.runs));
-  fmt::print("noise: {}\n\n",
-             std::isnan(s.noise)
-                 ? "not known (no std column, no repeated rows)"
-                 : fmt::format("{} {} rms ({})", number(torque ? s.noise / N_mm : s.noise / um, 3),
-                               torque ? "N mm" : "um", s.noise_source));
+void print(const fit::Check& c, const record::Record& data) {
+  print_measured(c, data);
   TextTable columns({{"column", "", true}, {"from", ""}, {"to", ""}, {"levels", ""}});
-  for (const io::ColumnSummary& c : s.columns)
-    columns.add({c.name, number(c.lower, 5), number(c.upper, 5), fmt::format("{}", c.levels)});
-  fmt::print("{}\n", columns.text(terminal_width()));
-  for (const io::CheckSummary::Free& f : s.free_parameters)
-    fmt::print("free parameter {}: {}\n", f.name,
-               f.identifiable ? "can be fitted" : "cannot be told from these data");
-  for (const io::CheckSummary::Testable& t : s.effects)
+  for (const fit::Check::Column& column : c.columns)
+    columns.add(
+        {std::string(column.channel->name), number(column.channel->in_unit(column.lower), 5),
+         number(column.channel->in_unit(column.upper), 5), fmt::format("{}", column.levels)});
+  fmt::print("\n{}\n", columns.text(terminal_width()));
+  for (const fit::Parameter& p : c.free)
+    fmt::print("free parameter {}: {}\n", p.name,
+               p.identifiable ? "can be fitted" : "cannot be told from these data");
+  for (const fit::Check::Testable& t : c.catalogue)
     fmt::print("effect {}: {}\n", t.id,
                !t.missing.empty()  ? "needs " + t.missing
                : !t.levels.empty() ? "testable, but hard to tell apart without " + t.levels
                                    : "testable");
+}
+
+int run(const std::string& model, const std::string& path, bool json) {
+  const io::ModelFile file = open_model(model, Accepts::rig_or_shaft);
+  const auto subject = io::make_subject(file.model);
+  const record::Record data = open_data(path, *subject);
+  const fit::Check check = fit::check(*subject, data);
+  std::vector<std::string> notes = data.notes;
+  if (!check.problem.empty()) {
+    tell({check.problem});
+    notes.push_back(check.problem);
+  }
+  if (json) {
+    fmt::print("{}", io::check_json(file.model.name, check, file.defaults, notes));
+  } else {
+    print(check, data);
+  }
+  return done;
 }
 
 }  // namespace
@@ -119,17 +83,7 @@ Run setup_check(CLI::App& command) {
   command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer("Example:\n  raceway check my.toml rig.csv");
-  return [flags] {
-    const io::ModelFile file = open_model(flags->model, Subject::bearing_or_shaft);
-    const fit::DataSet data = open_data(flags->data, file.model);
-    const io::CheckSummary summary = summarise(file, data);
-    if (flags->json) {
-      fmt::print("{}", io::check_json(summary));
-    } else {
-      print(summary, flags->data);
-    }
-    return static_cast<int>(done);
-  };
+  return [flags] { return run(flags->model, flags->data, flags->json); };
 }
 
 }  // namespace raceway::cli

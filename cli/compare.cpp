@@ -6,146 +6,169 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/report_flag.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
+#include "cli/tolerance_flag.h"
 #include "fit/calibrate.h"
-#include "fit/quantity.h"
 #include "io/error.h"
 #include "io/report.h"
 #include "io/results.h"
+#include "io/subject.h"
 
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured channel
+
+struct CompareFlags {
   std::vector<std::string> files;  // models, then the data
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
   bool json = false, force = false;
   ReportFlag report;
+  ToleranceFlag tolerance;
 };
 
-/// Differences show the decimals of the error they belong to: rounding noise reads 0.
-std::string difference(double value, const fit::Comparison& c, bool sign = true) {
-  const double unit = fit::text_of(c.quantity).factor;
-  return beside(value / unit, c.rmse / unit, 3, sign);
+/// Values beside an error show its decimals: rounding noise reads 0.
+std::string rounded(double value, const fit::Comparison& c, bool sign) {
+  return beside(value, c.rmse / c.channel->factor, 3, sign);
+}
+
+std::string difference(double error, const fit::Comparison& c, bool sign = true) {
+  return rounded(error / c.channel->factor, c, sign);
 }
 
 std::string range_text(const fit::ErrorRange& r) {
-  if (r.variable == fit::Variable::run) return r.run.empty() ? "no run_id" : "run " + r.run;
-  std::string_view what, unit = "N";
-  double from = r.from, to = r.to;
-  switch (r.variable) {
-    case fit::Variable::speed:
-      what = "speed", unit = "rpm", from /= rpm, to /= rpm;
-      break;
-    case fit::Variable::axial_load:
-      what = "axial load";
-      break;
-    case fit::Variable::radial_load:
-      what = "radial load";
-      break;
-    case fit::Variable::preload:
-      what = "preload";
-      break;
-    default:
-      what = "temperature", unit = "C", from = celsius(from), to = celsius(to);
-  }
-  const std::string low = fmt::format("{:.4g}", from), high = fmt::format("{:.4g}", to);
-  return low == high ? fmt::format("{} {} {}", what, low, unit)
-                     : fmt::format("{} {} to {} {}", what, low, high, unit);
+  if (r.is_run()) return r.run.empty() ? "no run_id" : "run " + r.run;
+  const record::Channel& of = *r.channel;
+  const std::string low = fmt::format("{:.4g}", of.in_unit(r.from));
+  const std::string high = fmt::format("{:.4g}", of.in_unit(r.to));
+  return low == high ? fmt::format("{} {} {}", of.words, low, of.unit)
+                     : fmt::format("{} {} to {} {}", of.words, low, high, of.unit);
+}
+
+/// The column that declares the noise of a channel, empty where there is none.
+std::string_view deviation_column(const record::Channel& measured) {
+  for (const record::Channel& c : record::channels)
+    if (c.of == measured.name) return c.name;
+  return {};
 }
 
 std::string noise_text(const fit::Comparison& c) {
-  const fit::QuantityText q = fit::text_of(c.quantity);
-  if (std::isnan(c.noise.rms))
-    return fmt::format("not known (no column std_{}, no repeated rows)", q.key_unit);
-  return fmt::format("{} {} ({})", number(c.noise.rms / q.factor, 3), q.unit,
-                     fit::name(c.noise.source));
+  const record::Channel& of = *c.channel;
+  if (!std::isnan(c.noise.rms))
+    return fmt::format("{} {} ({})", error_text(c.noise.rms, of, 3), error_unit(of),
+                       fit::name(c.noise.source));
+  const std::string_view column = deviation_column(of);
+  return fmt::format(
+      "not known ({}no repeated rows){}",
+      column.empty() ? "" : fmt::format("no column {}, ", column),
+      std::isnan(c.estimated_noise)
+          ? ""
+          : fmt::format("; estimated {} {}", error_text(c.estimated_noise, of, 3), error_unit(of)));
 }
 
-std::string p_text(double p) {
-  return p < 1e-300 ? "p < 1e-300"
-         : p < 1e-3 ? fmt::format("p = {:.0e}", p)
-                    : fmt::format("p = {:.2g}", p);
-}
-
-void print(const std::string& model, const std::string& data, const fit::Comparison& c) {
-  const fit::QuantityText q = fit::text_of(c.quantity);
-  const std::string unit(q.unit);
-  fmt::print("{} against {}: {} row{}, {}\n\n", model, data, c.rows, c.rows == 1 ? "" : "s",
-             q.in_words);
-  fmt::print("RMS error       {:>10} {}   mean error (bias) {:>10} {}\n", number(c.rmse / q.factor),
-             unit, difference(c.bias, c), unit);
-  fmt::print("mean abs error  {:>10} {}   largest error     {:>10} {}\n", number(c.mae / q.factor),
-             unit, number(c.max_abs / q.factor), unit);
+void print_summary(const fit::Comparison& c) {
+  const std::string unit = error_unit(*c.channel);
+  fmt::print("RMS error       {:>10} {}   mean error (bias) {:>10} {}\n",
+             error_text(c.rmse, *c.channel), unit, difference(c.bias, c), unit);
+  fmt::print("mean abs error  {:>10} {}   largest error     {:>10} {}\n",
+             error_text(c.mae, *c.channel), unit, error_text(c.max_abs, *c.channel), unit);
   if (!std::isnan(c.fit_percent))
     fmt::print("fit             {:>10} %\n", number(c.fit_percent, 3));
   fmt::print("noise of the data: {}\n", noise_text(c));
   if (!std::isnan(c.lack_of_fit.p_value))
     fmt::print("lack of fit: {} = {}, {}\n",
                c.noise.source == fit::NoiseSource::repeats ? "F" : "chi2/dof",
-               number(c.lack_of_fit.statistic, 3), p_text(c.lack_of_fit.p_value));
+               number(c.lack_of_fit.statistic, 3), fit::p_value_text(c.lack_of_fit.p_value));
+}
+
+void print_where(const fit::Comparison& c) {
+  if (c.where.empty()) return;
+  const std::string unit = error_unit(*c.channel);
   TextTable where({{"where it fails", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
   for (std::size_t i = 0; i < std::min<std::size_t>(c.where.size(), 8); ++i) {
     const fit::ErrorRange& r = c.where[i];
     where.add({range_text(r), fmt::format("{}", r.rows), difference(r.rmse, c, false),
                difference(r.bias, c)});
   }
-  if (!c.where.empty()) fmt::print("\n{}", where.text(terminal_width()));
+  fmt::print("\n{}", where.text(terminal_width()));
+}
+
+void print_worst(const fit::Comparison& c, const record::Record& data) {
+  const std::string unit(c.channel->unit);
   TextTable worst({{"worst rows", "", true},
                    {"predicted", unit},
                    {"measured", unit},
-                   {"difference", unit},
+                   {"difference", error_unit(*c.channel)},
                    {"in sigma", ""}});
   for (const fit::RowError& r : c.worst)
-    worst.add({fmt::format("line {}", r.line), difference(r.predicted, c, false),
-               difference(r.measured, c, false), difference(r.residual, c),
+    worst.add({data.place(r.row), rounded(c.channel->in_unit(r.predicted), c, false),
+               rounded(c.channel->in_unit(r.measured), c, false), difference(r.residual, c),
                std::isnan(r.sigmas) ? "-" : fmt::format("{:+.1f}", r.sigmas)});
-  fmt::print("\n{}\n{}\n", worst.text(terminal_width()),
-             in_colour(c.statement,
-                       c.judgement == fit::Judgement::structure ? Colour::bad : Colour::good));
+  fmt::print("\n{}", worst.text(terminal_width()));
 }
 
-/// The model with `names` fitted to the data and everything else as it stands.
-fit::Model refitted(const fit::Model& model, const std::vector<std::string>& names,
-                    const fit::DataSet& data) {
-  fit::Model wanted = model;
-  wanted.free = names;
-  const fit::Calibration calibration = fit::calibrate(wanted, data);
-  if (!calibration.converged())
-    throw std::invalid_argument("the refit of " + fmt::format("{}", fmt::join(names, ", ")) +
-                                " does not converge");
-  return calibration.model;
-}
-
-void print_ladder(const std::vector<std::string>& models,
-                  const std::vector<fit::Comparison>& comparisons) {
-  constexpr std::size_t bar_width = 24;
-  const fit::QuantityText q = fit::text_of(comparisons[0].quantity);
-  TextTable ladder({{"model", "", true},
-                    {"RMS", std::string(q.unit)},
-                    {"bias", std::string(q.unit)},
-                    {"fit", "%"},
-                    {"", std::isnan(comparisons[0].noise.rms) ? "" : "| noise", true}});
-  double worst = 0.0;
-  for (const fit::Comparison& c : comparisons) worst = std::max(worst, c.rmse);
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    const fit::Comparison& c = comparisons[i];
-    ladder.add({models[i], number(c.rmse / q.factor), difference(c.bias, c),
-                number(c.fit_percent, 3), bar(c.rmse, worst, bar_width, c.noise.rms)});
+void print(const std::string& model, const Comparisons& comparisons, const record::Record& data) {
+  for (const fit::Comparison& c : comparisons) {
+    if (&c != &comparisons.front()) fmt::print("\n");
+    fmt::print("{} against {}: {} row{}, {}\n\n", model, data.source, c.rows,
+               c.rows == 1 ? "" : "s", c.channel->words);
+    print_summary(c);
+    print_where(c);
+    print_worst(c, data);
+    fmt::print("\n{}\n",
+               in_colour(c.statement,
+                         c.judgement == fit::Judgement::structure ? Colour::bad : Colour::good));
   }
-  fmt::print("{}noise of the data: {}\n", ladder.text(terminal_width()),
-             noise_text(comparisons[0]));
+}
+
+struct Rung {
+  std::string model;
+  fit::Comparison comparison;
+};
+
+/// Models against one measured channel.
+void print_ladder(const std::vector<Rung>& rungs) {
+  constexpr std::size_t bar_width = 24;
+  const fit::Comparison& first = rungs.front().comparison;
+  const std::string unit = error_unit(*first.channel);
+  TextTable ladder({{"model", "", true},
+                    {"RMS", unit},
+                    {"bias", unit},
+                    {"fit", "%"},
+                    {"", std::isnan(first.noise.rms) ? "" : "| noise", true}});
+  double worst = 0.0;
+  for (const Rung& rung : rungs) worst = std::max(worst, rung.comparison.rmse);
+  for (const auto& [model, c] : rungs)
+    ladder.add({model, error_text(c.rmse, *c.channel), difference(c.bias, c),
+                number(c.fit_percent, 3), bar(c.rmse, worst, bar_width, c.noise.rms)});
+  fmt::print("{}noise of the data: {}\n", ladder.text(terminal_width()), noise_text(first));
+}
+
+/// One for each channel of the first model.
+void print_ladders(const std::vector<std::string>& models,
+                   const std::vector<Comparisons>& comparisons) {
+  const Comparisons& first = comparisons.front();
+  for (const fit::Comparison& of : first) {
+    if (first.size() > 1)
+      fmt::print("{}{}\n", &of == &first.front() ? "" : "\n", of.channel->words);
+    std::vector<Rung> rungs;
+    for (std::size_t i = 0; i < models.size(); ++i)
+      for (const fit::Comparison& c : comparisons[i])
+        if (*c.channel == *of.channel) rungs.push_back({models[i], c});
+    print_ladder(rungs);
+  }
 }
 
 /// What the rows lack is filled in from the first model; another rig would need other rows.
 void note_other_rigs(const std::vector<io::ModelFile>& files) {
   const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-  const fit::Rig& first = files[0].model.rig;
+  const model::Rig& first = files[0].model.rig;
   for (const io::ModelFile& file : files) {
-    const fit::Rig& rig = file.model.rig;
+    const model::Rig& rig = file.model.rig;
     if (!same(rig.inertia, first.inertia) || !same(rig.axial_load, first.axial_load) ||
         !same(rig.radial_load, first.radial_load) || !same(rig.temperature, first.temperature) ||
         !same(rig.minimum_speed, first.minimum_speed))
@@ -161,41 +184,72 @@ void note_other_rigs(const std::vector<io::ModelFile>& files) {
   }
 }
 
-int run(const Flags& flags) {
+/// The model with `names` fitted to the data and everything else as it stands.
+model::Model refitted(const model::Model& model, const std::vector<std::string>& names,
+                      const record::Record& data) {
+  if (names.empty()) return model;
+  model::Model wanted = model;
+  wanted.free = names;
+  const fit::Calibration calibration = fit::calibrate(*io::make_subject(wanted), data);
+  if (!calibration.converged())
+    throw std::invalid_argument("the refit of " + fmt::format("{}", fmt::join(names, ", ")) +
+                                " does not converge");
+  return model::model_of(*calibration.subject);
+}
+
+void tell_not_predicted(const std::string& model, const Comparisons& comparisons,
+                        const record::Record& data) {
+  for (const fit::Comparison& c : comparisons)
+    if (const auto& missing = c.rows_not_predicted; !missing.empty())
+      tell({fmt::format("{}: {} rows{} have no equilibrium and are left out, the first in {}",
+                        model, missing.size(),
+                        comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
+                        data.place(missing.front()))});
+}
+
+std::vector<io::ModelFile> open_models(const std::vector<std::string>& paths,
+                                       const ToleranceFlag& tolerance) {
+  std::vector<io::ModelFile> files;
+  for (const std::string& path : paths) {
+    files.push_back(open_model(path, Accepts::rig_or_shaft));
+    tolerance.set(files.back());
+  }
+  note_other_rigs(files);
+  return files;
+}
+
+int run(const CompareFlags& flags) {
   if (flags.files.size() < 2)
     throw io::InputError(
         "raceway compare: DATA is missing: one model or more come first, the measurements last");
-  const std::string& data_file = flags.files.back();
   const std::vector<std::string> models(flags.files.begin(), flags.files.end() - 1);
   flags.report.check(flags.force);
-  std::vector<io::ModelFile> files;
-  for (const std::string& m : models) files.push_back(open_model(m, Subject::bearing_or_shaft));
-  std::vector<fit::Comparison> comparisons;
-  note_other_rigs(files);
-  const fit::DataSet data = open_data(data_file, files[0].model);
-  std::vector<fit::Model> compared;
-  for (std::size_t i = 0; i < models.size(); ++i) {
+  const std::vector<io::ModelFile> files = open_models(models, flags.tolerance);
+  const record::Record data = open_data(flags.files.back(), *io::make_subject(files.front().model));
+  std::vector<model::Model> compared;
+  std::vector<Comparisons> comparisons;
+  std::shared_ptr<const model::ModelSubject> subject;
+  for (const io::ModelFile& file : files) {
     try {
-      const fit::Model& model = files[i].model;
-      compared.push_back(flags.refit.empty() ? model : refitted(model, flags.refit, data));
-      comparisons.push_back(
-          fit::compare(compared.back(), data, static_cast<int>(flags.refit.size())));
+      compared.push_back(refitted(file.model, flags.refit, data));
+      subject = io::make_subject(compared.back());
+      comparisons.push_back(fit::compare(*subject, data, static_cast<int>(flags.refit.size())));
     } catch (const std::invalid_argument& e) {
-      refuse_data(models[i], data, e);
+      refuse_data(file.source, data, e);
     }
-    if (const auto& missing = comparisons.back().rows_not_predicted; !missing.empty())
-      tell({fmt::format("{}: {} rows have no equilibrium and are left out, the first in line {}",
-                        models[i], missing.size(), missing.front())});
+    tell_not_predicted(file.source, comparisons.back(), data);
   }
+  // The noise is that of the data: one for all models, by the last.
+  for (Comparisons& of_model : comparisons) fit::estimate_unknown_noise(*subject, data, of_model);
   if (!flags.refit.empty())
     tell({fmt::format("{} refitted to {} in each model; all else as in the files",
-                      fmt::join(flags.refit, " and "), data_file)});
+                      fmt::join(flags.refit, " and "), data.source)});
   if (flags.json) {
     fmt::print("{}", io::comparison_json(models, comparisons, data));
   } else if (models.size() == 1) {
-    print(models[0], data_file, comparisons[0]);
+    print(models[0], comparisons[0], data);
   } else {
-    print_ladder(models, comparisons);
+    print_ladders(models, comparisons);
   }
   flags.report.write([&] { return io::comparison_report(models, compared, comparisons, data); },
                      flags.force);
@@ -205,7 +259,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Run setup_compare(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<CompareFlags>();
   command.add_option("FILES", flags->files, "MODEL [MODEL2 ...] DATA: models (TOML), then one CSV")
       ->type_name("")
       ->expected(-1);
@@ -213,6 +267,7 @@ Run setup_compare(CLI::App& command) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
+  flags->tolerance.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");

@@ -1,6 +1,6 @@
 #include "fit/diagnose.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -8,22 +8,25 @@
 #include <csignal>
 
 #include "cli/commands.h"
+#include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/report_flag.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
-#include "fit/quantity.h"
+#include "cli/tolerance_flag.h"
 #include "io/diagnosis_results.h"
 #include "io/report.h"
+#include "io/subject.h"
 
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+struct DiagnoseFlags {
   std::string model, data;
   bool json = false, no_pairs = false, force = false;
   int tried_before = 0;
   ReportFlag report;
+  ToleranceFlag tolerance;
 };
 
 std::atomic<bool> interrupted{false};
@@ -35,38 +38,41 @@ void show_progress(double share, std::string_view step) {
   std::fflush(stderr);
 }
 
-/// A measured quantity as people read it.
-struct Reading {
-  fit::QuantityText text;
-  explicit Reading(const fit::Diagnosis& d) : text(fit::text_of(d.baseline.quantity)) {}
-  [[nodiscard]] std::string unit() const { return std::string(text.unit); }
-  [[nodiscard]] std::string operator()(double value, int digits = 3) const {
-    return number(value / text.factor, digits);
-  }
-};
+constexpr int error_digits = 3;
 
-std::string size_text(const std::vector<fit::EffectSize>& parameters) {
+/// Of one channel; "-" where there is none.
+std::string channel_error(const std::vector<double>& errors, std::size_t k,
+                          const fit::Diagnosis& d) {
+  return k < errors.size() ? error_text(errors[k], d.channels[k].channel(), error_digits) : "-";
+}
+
+std::string size_text(const std::vector<fit::Parameter>& parameters) {
   std::string text;
-  for (const fit::EffectSize& p : parameters) {
+  for (const fit::Parameter& p : parameters) {
     if (!text.empty()) text += ", ";
     text += number(p.value, 3);
     if (!std::isnan(p.std)) text += " +- " + number(p.std, 2);
     if (p.unit != "1") text += " " + p.unit;
-    if (p.at_bound) text += " (at its bound)";
+    if (p.at_bound != fit::Bound::none) text += " (at its bound)";
     if (!p.plausible) text += " (implausible)";
   }
   return text;
 }
 
+/// Errors of every channel, then what it is and how much it gains.
+TextTable effects_table(const fit::Diagnosis& d) {
+  std::vector<TextTable::Column> columns{{"effect", "", true}, {"", "", true}, {"gain", ""}};
+  for (const fit::ChannelDiagnosis& c : d.channels) {
+    columns.push_back({"RMS", error_unit(c.channel())});
+    columns.push_back({"held out", error_unit(c.channel())});
+  }
+  columns.push_back({"size", "", true});
+  columns.push_back({"gain, | needed", "", true});
+  return TextTable(columns);
+}
+
 void print_effects(const fit::Diagnosis& d) {
-  const Reading reading(d);
-  TextTable table({{"effect", "", true},
-                   {"", "", true},
-                   {"gain", ""},
-                   {"RMS", reading.unit()},
-                   {"held out", reading.unit()},
-                   {"size", "", true},
-                   {"gain, | needed", "", true}});
+  TextTable table = effects_table(d);
   constexpr std::size_t bar_width = 16;
   double best = 0.0;
   for (const fit::RankedEffect& e : d.effects) best = std::max(best, e.gain);
@@ -77,9 +83,14 @@ void print_effects(const fit::Diagnosis& d) {
     const std::string gain_bar = bar(e.gain, best, bar_width, d.needed_gain);
     // Rounding of a gain is no gain.
     const double gain = std::abs(e.gain) < 0.005 ? 0.0 : e.gain;
-    table.add({e.id, e.in_verdict ? "<-" : "", number(gain, 3), reading(e.rmse),
-               reading(e.rmse_cross_validated), size_text(e.parameters),
-               e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar});
+    std::vector<std::string> row{e.id, e.in_verdict ? "<-" : "", number(gain, 3)};
+    for (std::size_t k = 0; k < d.channels.size(); ++k) {
+      row.push_back(channel_error(e.rmse, k, d));
+      row.push_back(channel_error(e.rmse_held_out, k, d));
+    }
+    row.push_back(size_text(e.parameters));
+    row.push_back(e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar);
+    table.add(std::move(row));
   }
   if (shown == 0) return;
   fmt::print("\n{}", table.text(terminal_width()));
@@ -93,52 +104,81 @@ std::string range_text(double lower, double upper) {
                                 : "any value";
 }
 
-void print_verdict_details(const fit::Diagnosis& d) {
-  const Reading reading(d);
+void print_intervals(const fit::Diagnosis& d) {
   for (const fit::RankedEffect& e : d.effects)
-    for (const fit::EffectSize& p : e.parameters)
+    for (const fit::Parameter& p : e.parameters)
       if (e.in_verdict && !std::isnan(p.interval.lower))
         fmt::print("{}.{}: {}{}{} (95 % interval; in practice {})\n", e.id, p.name,
                    range_text(p.interval.lower, p.interval.upper), p.unit == "1" ? "" : " ",
                    p.unit == "1" ? "" : p.unit, range_text(p.plausible_lower, p.plausible_upper));
-  for (const fit::BaseShift& b : d.base_shifts)
-    fmt::print("{}: {} without, {} with what is missing{}\n", b.name, number(b.before),
-               number(b.after), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
+  for (const fit::Parameter& b : d.base)
+    fmt::print("{}: {} without, {} with what is missing{}\n", b.name, number(b.start),
+               number(b.value), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
+}
+
+void print_hold_out(const fit::Diagnosis& d) {
   for (const fit::HoldOut& h : d.hold_out)
-    fmt::print("held out by {0}: {2} {1} before, {3} {1} after\n", h.variable, reading.unit(),
-               reading(h.rmse_before), reading(h.rmse_after));
-  if (d.shape) {
-    fmt::print("\nShape of what is missing: {}\n  torque_Nmm = \"{}\"\n", d.shape->statement,
-               d.shape->formula);
-    for (const fit::EffectSize& c : d.shape->coefficients)
-      fmt::print("  {} = {}\n", c.name, number(c.value, 4));
+    for (std::size_t k = 0; k < d.channels.size(); ++k) {
+      const record::Channel& of = d.channels[k].channel();
+      fmt::print("held out by {}{}: {} {} before, {} {} after\n", h.variable,
+                 d.channels.size() > 1 ? fmt::format(", {}", of.words) : "",
+                 channel_error(h.rmse_before, k, d), error_unit(of),
+                 channel_error(h.rmse_after, k, d), error_unit(of));
+    }
+}
+
+void print_shape(const fit::Shape& shape) {
+  fmt::print("\nShape of what is missing: {}\n  {} = \"{}\"\n", shape.statement, shape.key,
+             shape.formula);
+  for (const fit::Parameter& c : shape.coefficients)
+    fmt::print("  {} = {}\n", c.name, number(c.value, 4));
+}
+
+std::string setting_text(const fit::Setting& s) {
+  return std::isnan(s.value) ? "as it is"
+                             : number(s.channel->in_unit(s.value), s.channel->ratio ? 4 : 3);
+}
+
+/// Values of the axes that are told, point by point.
+void print_next_points(const fit::Diagnosis& d) {
+  if (d.suggested_measurements.empty()) return;
+  std::vector<TextTable::Column> columns;
+  for (const fit::Axis& axis : d.axes)
+    if (axis.told)
+      columns.push_back(
+          {(columns.empty() ? "measure next: " : "") + std::string(axis.channel->words),
+           std::string(axis.channel->unit)});
+  columns.push_back({"repeats", ""});
+  columns.push_back({"separates", "", true});
+  TextTable points(columns);
+  for (const fit::SuggestedMeasurement& m : d.suggested_measurements) {
+    std::vector<std::string> row;
+    for (std::size_t i = 0; i < d.axes.size(); ++i)
+      if (d.axes[i].told) row.push_back(setting_text(m.point[i]));
+    row.push_back(fmt::format("{}", m.repeats));
+    row.push_back(m.separates);
+    points.add(std::move(row));
   }
-  if (!d.suggested_measurements.empty()) {
-    const bool shaft = d.baseline.quantity == fit::Quantity::axial_displacement;
-    TextTable points({{"measure next: speed", "rpm"},
-                      {shaft ? "preload" : "axial load", "N"},
-                      {"temperature", "C"},
-                      {"repeats", ""},
-                      {"separates", "", true}});
-    for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
-      points.add({number(m.point.speed / rpm),
-                  !shaft                     ? number(m.point.axial_load)
-                  : std::isfinite(m.preload) ? number(m.preload)
-                                             : "as it is",
-                  number(celsius(m.point.temperature), 3), fmt::format("{}", m.repeats),
-                  m.separates});
-    fmt::print("\n{}", points.text(terminal_width()));
-  }
+  fmt::print("\n{}", points.text(terminal_width()));
+}
+
+void print_verdict_details(const fit::Diagnosis& d) {
+  print_intervals(d);
+  print_hold_out(d);
+  if (d.tolerance_limited() && !d.significant_but_immaterial.empty())
+    fmt::print("certain, but within the tolerance: {}\n",
+               fmt::join(d.significant_but_immaterial, ", "));
+  if (d.shape) print_shape(*d.shape);
+  print_next_points(d);
   for (const std::string& record : d.records_needed) fmt::print("record: {}\n", record);
 }
 
 void print_limits(const fit::Diagnosis& d) {
-  TextTable found(
-      {{"would have been found: effect", "", true},
-       {"from", ""},
-       {"unit", "", true},
-       {d.baseline.quantity == fit::Quantity::friction_torque ? "% of torque" : "% of reading",
-        ""}});
+  const bool torque = d.channels.front().channel() == record::friction_torque;
+  TextTable found({{"would have been found: effect", "", true},
+                   {"from", ""},
+                   {"unit", "", true},
+                   {torque ? "% of torque" : "% of reading", ""}});
   for (const fit::DetectableSize& s : d.would_have_been_found)
     found.add({s.id, number(s.size, 2), s.unit == "1" ? "-" : s.unit,
                number(100.0 * s.share_of_reading, 2)});
@@ -147,17 +187,31 @@ void print_limits(const fit::Diagnosis& d) {
   for (const fit::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
 }
 
-/// The error before and after against the noise.
-void print_ladder(const fit::Diagnosis& d) {
+/// Errors of one channel against the noise; against what is tolerated, which is judged on rows that
+/// no fit saw, where that decides.
+void print_ladder(const fit::Diagnosis& d, const fit::ChannelDiagnosis& c) {
   constexpr std::size_t bar_width = 40;
-  const Reading reading(d);
-  TextTable ladder({{"RMS error", "", true}, {"", reading.unit()}, {"", "| noise", true}});
-  const auto rung = [&](const std::string& name, double error) {
-    ladder.add({name, reading(error), bar(error, d.rmse_before, bar_width, d.noise.rms)});
-  };
-  rung("before", d.rmse_before);
-  if (d.rmse_after < d.rmse_before) rung("after", d.rmse_after);
-  ladder.add({"noise", reading(d.noise.rms), ""});
+  const record::Channel& of = c.channel();
+  const double tolerance = d.tolerance_limited() ? c.tolerance : unset;
+  const bool tolerated = !std::isnan(tolerance);
+  TextTable ladder(
+      {{d.channels.size() > 1 ? fmt::format("RMS error of {}", of.words) : "RMS error", "", true},
+       {"", error_unit(of)},
+       {"", tolerated ? "| noise, : tolerance" : "| noise", true}});
+  std::vector<std::pair<const char*, double>> rungs{{"before", c.rmse_before}};
+  if (c.rmse_after < c.rmse_before) rungs.emplace_back("after", c.rmse_after);
+  if (tolerated) {
+    rungs.emplace_back("held out, before", c.rmse_held_out_before);
+    rungs.emplace_back("held out, after", c.rmse_held_out_after);
+    std::erase_if(rungs, [](const auto& rung) { return std::isnan(rung.second); });
+  }
+  double widest = std::fmax(0.0, tolerance);
+  for (const auto& [_, error] : rungs) widest = std::max(widest, error);
+  for (const auto& [name, error] : rungs)
+    ladder.add({name, error_text(error, of, error_digits),
+                bar(error, widest, bar_width, c.noise.rms, tolerance)});
+  ladder.add({"noise", error_text(c.noise.rms, of, error_digits), ""});
+  if (tolerated) ladder.add({"tolerance", error_text(tolerance, of, error_digits), ""});
   fmt::print("{}", ladder.text(terminal_width()));
 }
 
@@ -165,38 +219,44 @@ void print(const fit::Diagnosis& d) {
   fmt::print("{}\n\n", in_colour(d.sentence, Colour::strong));
   fmt::print("verdict: {} (p of the misfit {})\n\n", fit::name(d.verdict),
              d.p_value < 1e-300 ? "< 1e-300" : fmt::format("{:.1g}", d.p_value));
-  print_ladder(d);
+  for (const fit::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
   print_effects(d);
   fmt::print("\n");
   print_verdict_details(d);
   print_limits(d);
 }
 
-int run(const Flags& flags) {
-  flags.report.check(flags.force);
-  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
-  const fit::DataSet data = open_data(flags.data, file.model);
+fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const model::ModelSubject& subject,
+                            const record::Record& data) {
   fit::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
   options.tried_before = flags.tried_before;
   options.cancelled = &interrupted;
   if (isatty(STDERR_FILENO) != 0) options.progress = show_progress;
   std::signal(SIGINT, interrupt);
-  const fit::Diagnosis diagnosis = [&] {
-    try {
-      return fit::diagnose(file.model, data, options);
-    } catch (const std::invalid_argument& e) {
-      refuse_data(flags.model, data, e);
-    }
-  }();
-  std::signal(SIGINT, SIG_DFL);
+  try {
+    fit::Diagnosis diagnosis = fit::diagnose(subject, data, options);
+    std::signal(SIGINT, SIG_DFL);
+    return diagnosis;
+  } catch (const std::invalid_argument& e) {
+    refuse_data(flags.model, data, e);
+  }
+}
+
+int run(const DiagnoseFlags& flags) {
+  flags.report.check(flags.force);
+  io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  flags.tolerance.set(file);
+  const auto subject = io::make_subject(file.model);
+  const record::Record data = open_data(flags.data, *subject);
+  const fit::Diagnosis diagnosis = diagnosis_of(flags, *subject, data);
   if (flags.json) {
     fmt::print("{}", io::diagnosis_json(flags.model, data, diagnosis));
   } else {
     print(diagnosis);
   }
   tell(diagnosis.messages);
-  flags.report.write([&] { return io::diagnosis_report(flags.model, file.model, data, diagnosis); },
+  flags.report.write([&] { return io::diagnosis_report(flags.model, *subject, data, diagnosis); },
                      flags.force);
   return done;
 }
@@ -204,7 +264,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Run setup_diagnose(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<DiagnoseFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
   command.add_flag("--no-pairs", flags->no_pairs, "single effects only, for a quick look");
@@ -212,6 +272,7 @@ Run setup_diagnose(CLI::App& command) {
       .add_option("--tried-before", flags->tried_before,
                   "explanations of your own already tried on these data")
       ->type_name("N");
+  flags->tolerance.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");

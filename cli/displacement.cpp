@@ -9,29 +9,29 @@
 #include "cli/report_flag.h"
 #include "cli/shaft.h"
 #include "cli/text_table.h"
-#include "fit/shaft_balance.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/report.h"
 #include "io/shaft_results.h"
+#include "shaft/shaft_balance.h"
 
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+struct DisplacementFlags {
   std::string model, output, speed;
   double axial_load = unset, temperature = unset;
   bool json = false, force = false;
   ReportFlag report;
 };
 
-std::vector<fit::ShaftPoint> points(const Flags& f, const fit::Model& model) {
+std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const model::Model& model) {
   const std::vector<double> speeds = axis(f.speed, "--speed");
   require_all(speeds, speed_range, "--speed");
   if (speeds.size() > 1000000)
     throw io::InputError(
         fmt::format("raceway displacement: {} speeds: at most 1e6", speeds.size()));
-  std::vector<fit::ShaftPoint> result;
+  std::vector<shaft::ShaftPoint> result;
   for (const double speed : speeds)
     result.push_back(
         {.speed = speed * rpm,
@@ -40,9 +40,9 @@ std::vector<fit::ShaftPoint> points(const Flags& f, const fit::Model& model) {
   return result;
 }
 
-void print(const fit::Model& model, std::span<const fit::ShaftPoint> asked,
-           std::span<const fit::ShaftPrediction> predictions) {
-  const bearing::Arrangement a = fit::mounted_arrangement(model);
+void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
+           std::span<const shaft::ShaftPrediction> predictions) {
+  const bearing::Arrangement a = shaft::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
   fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
   fmt::print(
@@ -57,7 +57,7 @@ void print(const fit::Model& model, std::span<const fit::ShaftPoint> asked,
                    {"torque", "N mm"},
                    {"loss", "W"}});
   for (std::size_t k = 0; k < asked.size(); ++k) {
-    const fit::ShaftPrediction& p = predictions[k];
+    const shaft::ShaftPrediction& p = predictions[k];
     table.add({fmt::format("{:.6g}", asked[k].speed / rpm),
                p.equilibrium.report.converged() ? fmt::format("{:.4f}", p.displacement / um) : "-",
                number(p.equilibrium.front_force), number(p.equilibrium.rear_force),
@@ -68,14 +68,14 @@ void print(const fit::Model& model, std::span<const fit::ShaftPoint> asked,
 }
 
 /// The kinematic law of the curve, as fit-law finds it.
-io::LawOfReport law_of(std::span<const fit::ShaftPoint> asked,
-                       std::span<const fit::ShaftPrediction> predictions) {
-  std::vector<fit::DisplacementPoint> curve;
+io::LawOfReport law_of(std::span<const shaft::ShaftPoint> asked,
+                       std::span<const shaft::ShaftPrediction> predictions) {
+  std::vector<shaft::DisplacementPoint> curve;
   for (std::size_t k = 0; k < asked.size(); ++k)
     if (predictions[k].equilibrium.report.converged())
       curve.push_back({.speed = asked[k].speed, .displacement = predictions[k].displacement});
   try {
-    const fit::KinematicLawFit f = fit::fit_kinematic_law(curve);
+    const shaft::KinematicLawFit f = shaft::fit_kinematic_law(curve);
     if (f.converged()) return {f, law_statement(f, "raceway fit-law -o FILE writes it")};
     return {std::nullopt,
             fmt::format("No law was found: {} after {} steps.", fit::name(f.status), f.iterations)};
@@ -84,10 +84,11 @@ io::LawOfReport law_of(std::span<const fit::ShaftPoint> asked,
   }
 }
 
-std::vector<std::string> warnings(const fit::Model& model, std::span<const fit::ShaftPoint> asked,
-                                  std::span<const fit::ShaftPrediction> predictions) {
+std::vector<std::string> warnings(const model::Model& model,
+                                  std::span<const shaft::ShaftPoint> asked,
+                                  std::span<const shaft::ShaftPrediction> predictions) {
   std::vector<std::string> lines = shaft_warnings(model, asked, predictions);
-  const auto failed = [](const fit::ShaftPrediction& p) {
+  const auto failed = [](const shaft::ShaftPrediction& p) {
     return !p.equilibrium.report.converged();
   };
   const auto first = std::find_if(predictions.begin(), predictions.end(), failed);
@@ -100,7 +101,7 @@ std::vector<std::string> warnings(const fit::Model& model, std::span<const fit::
   return lines;
 }
 
-int run(const Flags& flags) {
+int run(const DisplacementFlags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError(
         "raceway displacement: --json and --output - both write to stdout; take one");
@@ -108,10 +109,10 @@ int run(const Flags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
-  const io::ModelFile file = open_model(flags.model, Subject::shaft);
-  const fit::Model& model = file.model;
-  const std::vector<fit::ShaftPoint> asked = points(flags, model);
-  const std::vector<fit::ShaftPrediction> predictions = fit::predict_shaft(model, asked);
+  const io::ModelFile file = open_model(flags.model, Accepts::shaft);
+  const model::Model& model = file.model;
+  const std::vector<shaft::ShaftPoint> asked = points(flags, model);
+  const std::vector<shaft::ShaftPrediction> predictions = shaft::predict_shaft(model, asked);
   if (!flags.output.empty()) {
     const std::string csv = io::displacement_text(model, asked, predictions, file.text);
     if (to_file) {
@@ -136,14 +137,14 @@ int run(const Flags& flags) {
   tell(said);
   const bool all =
       std::all_of(predictions.begin(), predictions.end(),
-                  [](const fit::ShaftPrediction& p) { return p.equilibrium.report.converged(); });
+                  [](const shaft::ShaftPrediction& p) { return p.equilibrium.report.converged(); });
   return all ? done : not_converged;
 }
 
 }  // namespace
 
 Run setup_displacement(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<DisplacementFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML) with an [arrangement]")
       ->required()
       ->type_name("");

@@ -14,7 +14,7 @@ namespace raceway::cli {
 namespace {
 
 using effects::Description;
-using effects::Subject;
+using effects::Form;
 
 std::string unit_of(const effects::Parameter& p) {
   return p.unit == "1" ? "-" : std::string(p.unit);
@@ -51,24 +51,27 @@ std::string_view measured(bool torque, bool displacement) {
 
 std::string_view step_explained(const Description& d) {
   if (d.condition)
-    return d.for_bearing ? "condition: what the bearing really sees, before its equilibrium"
-                         : "condition: what the sets on the shaft really see, before their balance";
+    return d.for_rig ? "condition: what the bearing really sees, before its equilibrium"
+                     : "condition: what the sets on the shaft really see, before their balance";
   if (d.lubricant) return "lubricant: viscosity and film at the contacts, before the base law";
   if (d.has_moment()) return "moment: added to the moments of the base law";
-  return d.reading ? "reading: what the rig makes of the torque of its bearings"
-                   : "reading: what is read of the position of the shaft";
+  return d.reads(record::friction_torque)
+             ? "reading: what the rig makes of the torque of its bearings"
+             : "reading: what is read of the position of the shaft";
 }
 
 std::string needs_of(const Description& d) {
   std::string text;
-  for (const effects::Need need : d.needs) {
-    if (!text.empty()) text += "; ";
-    text += effects::text(need);
-  }
-  if (!text.empty() && d.for_bearing && d.moves(Subject::shaft))
+  const auto add = [&](std::string_view need) {
+    text += text.empty() ? "" : "; ";
+    text += need;
+  };
+  for (const effects::Need need : d.needs) add(effects::text(need));
+  for (const record::Channel* channel : d.channels) add(effects::text(*channel));
+  if (!text.empty() && d.for_rig && d.moves(Form::shaft))
     return "on a rig: " + text + "; on a shaft: nothing beside the displacement";
   if (!text.empty()) return text;
-  return d.for_bearing ? "nothing beside the torque" : "nothing beside the displacement";
+  return d.for_rig ? "nothing beside the torque" : "nothing beside the displacement";
 }
 
 void print_list() {
@@ -78,8 +81,8 @@ void print_list() {
                    {"what it is", "", true}});
   for (const Description& d : effects::catalogue())
     table.add({std::string(d.id), std::string(d.step()),
-               std::string(measured(d.moves(Subject::bearing),
-                                    effects::find(d.id, Subject::shaft)->moves(Subject::shaft))),
+               std::string(measured(d.moves(Form::rig),
+                                    effects::find(d.id, Form::shaft)->moves(Form::shaft))),
                std::string(d.title)});
   fmt::print("{}", table.text(std::max<std::size_t>(terminal_width(), 120)));
   fmt::print("\nraceway effects ID explains one of them.\n");
@@ -87,12 +90,12 @@ void print_list() {
 
 void print_page(const Description& d) {
   fmt::print("{}: {}\n\n", d.id, d.title);
-  paragraph("changes", d.for_bearing && d.for_shaft
-                           ? d.moves(Subject::shaft)
+  paragraph("changes", d.for_rig && d.for_shaft
+                           ? d.moves(Form::shaft)
                                  ? "friction torque of a bearing on a rig, displacement of a shaft"
                                  : "friction torque"
-                       : d.for_bearing ? "friction torque of a bearing on a rig"
-                                       : "displacement of a shaft with an [arrangement]");
+                       : d.for_rig ? "friction torque of a bearing on a rig"
+                                   : "displacement of a shaft with an [arrangement]");
   paragraph("mechanism", d.mechanism);
   paragraph("formula", d.formula);
   paragraph("source", d.source);

@@ -9,26 +9,26 @@
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
-#include "fit/displacement_table.h"
 #include "io/displacement_curve.h"
 #include "io/error.h"
 #include "io/kinematic_results.h"
 #include "io/output_file.h"
+#include "shaft/displacement_table.h"
 
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+struct FitLawFlags {
   std::string curve, output;
   double at = unset;  // [rpm]
   bool json = false, force = false;
 };
 
-void print(const fit::KinematicLawFit& f, const std::string& source,
+void print(const shaft::KinematicLawFit& f, const std::string& source,
            const std::optional<io::LawAtSpeed>& at, const std::string& statement) {
   fmt::print("u = A n^(1 - B exp(-C n)), u in um, n in rpm, of {}\n\n", source);
   TextTable table({{"parameter", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
-  for (const fit::FittedParameter& p : f.parameters)
+  for (const record::Parameter& p : f.parameters)
     table.add({p.name, number(p.value, 6), number(p.std, 2), p.unit == "1" ? "-" : p.unit});
   fmt::print("{}", table.text(terminal_width()));
   if (!std::isnan(f.correlation(0, 1)) && !std::isnan(f.correlation(0, 2)))
@@ -45,7 +45,7 @@ void print(const fit::KinematicLawFit& f, const std::string& source,
   fmt::print("\n{}\n", statement);
 }
 
-std::optional<io::LawAtSpeed> at_speed(const Flags& flags, const fit::KinematicLaw& law) {
+std::optional<io::LawAtSpeed> at_speed(const FitLawFlags& flags, const shaft::KinematicLaw& law) {
   if (std::isnan(flags.at)) return std::nullopt;
   const io::LawAtSpeed at{flags.at * rpm, evaluate(law, flags.at * rpm)};
   if (!at.value.inside)
@@ -56,7 +56,7 @@ std::optional<io::LawAtSpeed> at_speed(const Flags& flags, const fit::KinematicL
   return at;
 }
 
-int run(const Flags& flags) {
+int run(const FitLawFlags& flags) {
   if (flags.curve == "-" && isatty(STDIN_FILENO) != 0)
     throw io::InputError("raceway fit-law: CSV is missing, and nothing is piped in");
   if (flags.json && flags.output == "-")
@@ -67,9 +67,9 @@ int run(const Flags& flags) {
 
   const io::DisplacementCurve curve = io::read_displacement_curve(flags.curve);
   tell(curve.notes);
-  const fit::KinematicLawFit f = [&] {
+  const shaft::KinematicLawFit f = [&] {
     try {
-      return fit::fit_kinematic_law(curve.points);
+      return shaft::fit_kinematic_law(curve.points);
     } catch (const std::invalid_argument& e) {
       throw io::InputError(curve.source + ": " + e.what());
     }
@@ -85,7 +85,7 @@ int run(const Flags& flags) {
   }
   // The table rests on the rows alone and is written also where no law was found.
   if (!flags.output.empty()) {
-    const fit::DisplacementTable table = fit::make_displacement_table(curve.points);
+    const shaft::DisplacementTable table = shaft::make_displacement_table(curve.points);
     const std::string text = io::displacement_table_text(table, curve.source);
     if (to_file) {
       io::write_text(flags.output, text, if_exists);
@@ -104,7 +104,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Run setup_fit_law(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<FitLawFlags>();
   flags->curve = "-";
   command
       .add_option("CSV", flags->curve,

@@ -6,17 +6,17 @@
 
 namespace raceway::cli {
 
-using fit::KinematicLawVerdict;
+using shaft::KinematicLawVerdict;
 
-std::string law_statement(const fit::KinematicLawFit& f, const std::string& table) {
+std::string law_statement(const shaft::KinematicLawFit& f, const std::string& table) {
   const std::string tolerance =
-      fmt::format("{:.4g} um, that of the published fit", fit::kinematic_law_tolerance / um);
+      fmt::format("{:.4g} um, that of the published fit", shaft::kinematic_law_tolerance / um);
   const std::string share =
-      fmt::format("{:.4g} % of the largest displacement", 100.0 * fit::kinematic_law_share);
+      fmt::format("{:.4g} % of the largest displacement", 100.0 * shaft::kinematic_law_share);
   if (f.verdict == KinematicLawVerdict::follows)
     return fmt::format("The law follows the curve: its mean absolute error is within {}, and {}.",
                        tolerance, share);
-  const std::string& limit = f.mae > fit::kinematic_law_tolerance ? tolerance : share;
+  const std::string& limit = f.mae > shaft::kinematic_law_tolerance ? tolerance : share;
   if (f.verdict == KinematicLawVerdict::scatter)
     return fmt::format(
         "The mean absolute error is above {}, and what is left jumps from row to row: the rows "

@@ -2,12 +2,13 @@
 
 #include <string>
 
-#include "fit/fit_kinematic_law.h"
+#include "shaft/fit_kinematic_law.h"
 
 namespace raceway::cli {
 
 /// How well a fitted law follows its curve, in a sentence or two; `table` says where the monotone
 /// table is that replaces a law which does not.
-[[nodiscard]] std::string law_statement(const fit::KinematicLawFit& fit, const std::string& table);
+[[nodiscard]] std::string law_statement(const shaft::KinematicLawFit& fit,
+                                        const std::string& table);
 
 }  // namespace raceway::cli

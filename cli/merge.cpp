@@ -12,13 +12,13 @@
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+struct MergeFlags {
   std::vector<std::string> slabs;
   std::string output;
   bool force = false;
 };
 
-int run(const Flags& flags) {
+int run(const MergeFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (flags.output != "-") io::require_writable(flags.output, if_exists);
   std::vector<io::SlabText> slabs;
@@ -37,7 +37,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Run setup_merge(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<MergeFlags>();
   command.add_option("SLABS", flags->slabs, "files that raceway table --slab wrote, in any order")
       ->required()
       ->type_name("");

@@ -9,12 +9,12 @@
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+struct NewFlags {
   std::string bearing, output;
   bool force = false;
 };
 
-int run(const Flags& flags) {
+int run(const NewFlags& flags) {
   const std::string text =
       io::new_model_text(io::find_bearing(io::read_catalogues(), flags.bearing));
   if (flags.output.empty() || flags.output == "-") {
@@ -29,7 +29,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Run setup_new(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<NewFlags>();
   command
       .add_option("BEARING", flags->bearing, "designation in the catalogue, see raceway bearings")
       ->required()

@@ -4,7 +4,6 @@
 
 #include <cstdio>
 
-#include "fit/coast_down.h"
 #include "io/data_file.h"
 #include "io/error.h"
 
@@ -19,7 +18,7 @@ void tell(const std::vector<std::string>& notes) {
   for (const std::string& note : notes) say("note: " + note);
 }
 
-void refuse_data(const std::string& model, const fit::DataSet& data,
+void refuse_data(const std::string& model, const record::Record& data,
                  const std::invalid_argument& error) {
   std::string message = error.what();
   if (const std::string place = data.source + ": "; message.starts_with(place))
@@ -27,7 +26,7 @@ void refuse_data(const std::string& model, const fit::DataSet& data,
   throw io::InputError(fmt::format("{} with {}: {}", data.source, model, message));
 }
 
-io::ModelFile open_model(const std::string& path, Subject subject) {
+io::ModelFile open_model(const std::string& path, Accepts accepts) {
   io::ModelFile file = [&] {
     try {
       return io::read_model(path);
@@ -37,13 +36,13 @@ io::ModelFile open_model(const std::string& path, Subject subject) {
                            ": stands where a model (TOML) is expected");
     }
   }();
-  if (file.model.shaft && subject == Subject::bearing)
+  if (file.model.shaft && accepts == Accepts::rig)
     throw io::InputError(
         path +
         ": has an [arrangement]: this command works on a single bearing on a rig; "
         "displacement, solve, table, check, compare, diagnose, add and calibrate with data work on "
         "a shaft");
-  if (!file.model.shaft && subject == Subject::shaft)
+  if (!file.model.shaft && accepts == Accepts::shaft)
     throw io::InputError(path +
                          ": has no [arrangement]: a shaft position needs one, with layout, "
                          "front, rear and preload_N");
@@ -58,27 +57,12 @@ io::ModelFile open_model(const std::string& path, Subject subject) {
   return file;
 }
 
-fit::DataSet open_data(const std::string& path, const fit::Model& model) {
-  return open_data(path, model.rig, model.shaft ? &*model.shaft : nullptr);
-}
-
-fit::DataSet open_data(const std::string& path, const fit::Rig& rig, const fit::Shaft* shaft) {
+record::Record open_data(const std::string& path, const model::ModelSubject& subject) {
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected");
-  io::Measurement measurement = io::read_measurement(path, rig, shaft);
-  if (auto* data = std::get_if<fit::DataSet>(&measurement)) {
-    tell(data->notes);
-    return std::move(*data);
-  }
-  try {
-    fit::DataSet data =
-        fit::coast_down_torque(std::get<fit::CoastDownRecord>(measurement), rig).data;
-    tell(data.notes);
-    return data;
-  } catch (const std::invalid_argument& e) {
-    const std::string message = e.what();
-    throw io::InputError(message.starts_with(path) ? message : path + ": " + message);
-  }
+  record::Record data = io::read_record(path, subject);
+  tell(data.notes);
+  return data;
 }
 
 }  // namespace raceway::cli

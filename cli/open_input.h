@@ -4,27 +4,24 @@
 #include <string>
 #include <vector>
 
-#include "fit/data_set.h"
 #include "io/model_file.h"
+#include "model/model_subject.h"
+#include "record/record.h"
 
 namespace raceway::cli {
 
-/// What a command works on.
-enum class Subject { bearing, bearing_or_shaft, shaft };
+/// Which models a command takes.
+enum class Accepts { rig, rig_or_shaft, shaft };
 
 /// Reads a model and names on stderr every default that was used. Throws io::InputError for a model
-/// of another subject.
-[[nodiscard]] io::ModelFile open_model(const std::string& path, Subject subject = Subject::bearing);
+/// that the command does not take.
+[[nodiscard]] io::ModelFile open_model(const std::string& path, Accepts accepts = Accepts::rig);
 
 /// Reads measurements for a model, a coast-down turned into torque, and tells the notes on stderr.
-[[nodiscard]] fit::DataSet open_data(const std::string& path, const fit::Rig& rig,
-                                     const fit::Shaft* shaft = nullptr);
-
-/// The same for whatever the model stands for.
-[[nodiscard]] fit::DataSet open_data(const std::string& path, const fit::Model& model);
+[[nodiscard]] record::Record open_data(const std::string& path, const model::ModelSubject& subject);
 
 /// Puts the name of the model before what `fit` says of the data, and makes it an io::InputError.
-[[noreturn]] void refuse_data(const std::string& model, const fit::DataSet& data,
+[[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 
 /// A line on stderr, behind all that stdout has so far.

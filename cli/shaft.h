@@ -4,21 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "fit/shaft_prediction.h"
+#include "shaft/shaft_prediction.h"
 
 namespace raceway::cli {
 
 /// Where the bearings of a shaft lose their inner contacts or fall below their minimum load, each
 /// with the range of speeds in which it does, found between the points, which rise in speed.
 [[nodiscard]] std::vector<std::string> shaft_warnings(
-    const fit::Model& model, std::span<const fit::ShaftPoint> points,
-    std::span<const fit::ShaftPrediction> predictions);
+    const model::Model& model, std::span<const shaft::ShaftPoint> points,
+    std::span<const shaft::ShaftPrediction> predictions);
 
 /// What a status means for a shaft, in words.
 [[nodiscard]] std::string shaft_problem(bearing::SolveStatus status);
 
 /// `raceway solve` for a model with an arrangement; gives the exit status.
-[[nodiscard]] int solve_shaft(const std::string& file, const fit::Model& model,
-                              const fit::ShaftPoint& point, bool json);
+[[nodiscard]] int solve_shaft(const std::string& file, const model::Model& model,
+                              const shaft::ShaftPoint& point, bool json);
 
 }  // namespace raceway::cli

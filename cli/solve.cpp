@@ -8,21 +8,21 @@
 #include "cli/open_input.h"
 #include "cli/shaft.h"
 #include "cli/text_table.h"
-#include "fit/heat_split.h"
 #include "io/error.h"
 #include "io/results.h"
+#include "model/heat_split.h"
 
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+struct SolveFlags {
   std::string model;
   double speed = unset, axial_load = unset, radial_load = unset, temperature = unset;
   double moment_y = 0.0, moment_z = 0.0;
   bool json = false;
 };
 
-fit::ShaftPoint shaft_point(const Flags& f, const fit::Model& model) {
+shaft::ShaftPoint shaft_point(const SolveFlags& f, const model::Model& model) {
   if (f.radial_load > 0.0 || f.moment_y != 0.0 || f.moment_z != 0.0)
     throw io::InputError("raceway solve: " + f.model +
                          " has an [arrangement]: a shaft takes --axial-load alone");
@@ -31,7 +31,7 @@ fit::ShaftPoint shaft_point(const Flags& f, const fit::Model& model) {
           .temperature = std::isnan(f.temperature) ? model.rig.temperature : kelvin(f.temperature)};
 }
 
-bearing::OperatingPoint operating_point(const Flags& f, const fit::Rig& rig) {
+bearing::OperatingPoint operating_point(const SolveFlags& f, const model::Rig& rig) {
   if (!std::isnan(f.axial_load)) require_range(f.axial_load, load_range, "--axial-load");
   bearing::OperatingPoint p;
   p.speed = f.speed * rpm;
@@ -68,8 +68,8 @@ void print_balls(const bearing::BearingEquilibrium& e) {
   fmt::print("{}", table.text(terminal_width()));
 }
 
-void print(const fit::Model& model, const bearing::OperatingPoint& p,
-           const bearing::BearingEquilibrium& e, const fit::FrictionPrediction& friction,
+void print(const model::Model& model, const bearing::OperatingPoint& p,
+           const bearing::BearingEquilibrium& e, const model::FrictionPrediction& friction,
            const friction::HeatSplit& heat) {
   fmt::print("{} at {:.6g} rpm, axial load {:.6g} N, radial load {:.6g} N, {:.4g} C\n", model.name,
              p.speed / rpm, p.axial_load, p.radial_load, celsius(p.temperature));
@@ -96,12 +96,12 @@ void print(const fit::Model& model, const bearing::OperatingPoint& p,
                number(friction.effects[i] / N_mm));
 }
 
-int run(const Flags& flags) {
-  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
+int run(const SolveFlags& flags) {
+  const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   if (file.model.shaft)
     return solve_shaft(flags.model, file.model, shaft_point(flags, file.model), flags.json);
   const bearing::OperatingPoint point = operating_point(flags, file.model.rig);
-  fit::FrictionPrediction friction = fit::predict_friction(file.model, point, true);
+  model::FrictionPrediction friction = model::predict_friction(file.model, point, true);
   const bearing::SolveReport report = friction.report;
   // Without balance there are no numbers: what is printed then is all unset.
   if (!report.converged()) {
@@ -112,8 +112,9 @@ int run(const Flags& flags) {
   bearing::BearingEquilibrium unbalanced;
   unbalanced.report = report;
   const bearing::BearingEquilibrium& e = report.converged() ? *friction.equilibrium : unbalanced;
-  const friction::HeatSplit heat =
-      report.converged() ? fit::heat_split(file.model, point, e, friction) : friction::HeatSplit();
+  const friction::HeatSplit heat = report.converged()
+                                       ? model::heat_split(file.model, point, e, friction)
+                                       : friction::HeatSplit();
   if (flags.json) {
     fmt::print("{}", io::solve_json(file.model, point, e, friction, heat));
   } else if (report.converged()) {
@@ -132,7 +133,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Run setup_solve(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<SolveFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   add_number(command, "--speed", flags->speed, speed_range, "of the shaft [rpm]")->required();
   add_number(command, "--axial-load", flags->axial_load, signed_load_range,

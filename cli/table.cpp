@@ -14,7 +14,6 @@
 #include "cli/open_input.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
-#include "fit/shaft_prediction.h"
 #include "friction/stribeck_table.h"
 #include "io/csv.h"
 #include "io/error.h"
@@ -22,12 +21,14 @@
 #include "io/report.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
+#include "io/subject.h"
 #include "io/table_file.h"
+#include "shaft/shaft_prediction.h"
 
 namespace raceway::cli {
 namespace {
 
-struct Flags {
+struct TableFlags {
   std::string model, output;
   std::string speed, axial_load, radial_load, temperature;
   std::string data, slab;
@@ -35,8 +36,8 @@ struct Flags {
   ReportFlag report;
 };
 
-friction::TableAxes axes(const Flags& f, const fit::Model& model) {
-  const fit::Rig& rig = model.rig;
+friction::TableAxes axes(const TableFlags& f, const model::Model& model) {
+  const model::Rig& rig = model.rig;
   const double axial_load = model.shaft ? model.shaft->external_load : rig.axial_load;
   if (model.shaft && !f.radial_load.empty())
     throw io::InputError("raceway table: " + f.model +
@@ -80,7 +81,7 @@ friction::TableSlab slab(const std::string& text) {
   return {.index = index - 1, .count = count};
 }
 
-std::vector<std::string> columns(const fit::Model& model) {
+std::vector<std::string> columns(const model::Model& model) {
   std::vector<std::string> names{"load_Nmm", "viscous_Nmm"};
   for (const effects::Effect& e : model.effects)
     names.push_back(std::string(e.description->id) + "_Nmm");
@@ -92,7 +93,7 @@ std::vector<std::string> columns(const fit::Model& model) {
 }
 
 // The position comes last, as in the columns of a bearing.
-std::vector<std::string> shaft_columns(const fit::Model& model) {
+std::vector<std::string> shaft_columns(const model::Model& model) {
   std::vector<std::string> names{"power_loss_W", "front_force_N", "rear_force_N"};
   const bearing::Arrangement& a = model.shaft->arrangement;
   for (std::size_t i = 0; i < a.bearings().size(); ++i)
@@ -103,15 +104,15 @@ std::vector<std::string> shaft_columns(const fit::Model& model) {
   return names;
 }
 
-void fill_shaft_line(const fit::Model& model, std::span<const bearing::OperatingPoint> points,
+void fill_shaft_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out) {
-  std::vector<fit::ShaftPoint> asked;
+  std::vector<shaft::ShaftPoint> asked;
   for (const bearing::OperatingPoint& p : points)
     asked.push_back(
         {.speed = p.speed, .external_load = p.axial_load, .temperature = p.temperature});
-  const std::vector<fit::ShaftPrediction> predictions = fit::predict_shaft(model, asked);
+  const std::vector<shaft::ShaftPrediction> predictions = shaft::predict_shaft(model, asked);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const fit::ShaftPrediction& p = predictions[i];
+    const shaft::ShaftPrediction& p = predictions[i];
     const bearing::ArrangementEquilibrium& e = p.equilibrium;
     out[i].status = e.report.status;
     out[i].friction_moment = p.torque;
@@ -126,12 +127,12 @@ void fill_shaft_line(const fit::Model& model, std::span<const bearing::Operating
   }
 }
 
-void fill_line(const fit::Model& model, std::span<const bearing::OperatingPoint> points,
+void fill_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                std::span<friction::TablePoint> out) {
-  std::vector<fit::FrictionPrediction> predictions(points.size());
-  fit::predict_sweep(model, points, predictions, true);
+  std::vector<model::FrictionPrediction> predictions(points.size());
+  model::predict_sweep(model, points, predictions, true);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const fit::FrictionPrediction& p = predictions[i];
+    const model::FrictionPrediction& p = predictions[i];
     // A law that needs no balls has a torque where they find no balance.
     out[i].status = p.predicted() ? bearing::SolveStatus::converged : p.report.status;
     out[i].friction_moment = p.torque;
@@ -165,7 +166,7 @@ void show_progress(double fraction) {
 }
 
 /// Speed down, axial load across, a block for each radial load and temperature.
-void print(const fit::Model& model, const friction::StribeckTable& t) {
+void print(const model::Model& model, const friction::StribeckTable& t) {
   fmt::print("Friction torque [N mm] of {}\n", model.name);
   for (std::size_t k = 0; k < t.axes.temperature.size(); ++k) {
     for (std::size_t r = 0; r < t.axes.radial_load.size(); ++r) {
@@ -197,7 +198,7 @@ std::vector<double> spread(const std::vector<double>& values, std::size_t most) 
 
 /// Points whose balls a report draws: some speeds at some pairs of loads. None for a shaft, whose
 /// bearings do not carry the loads of the grid.
-io::BearingStates states_to_draw(const fit::Model& model, const friction::TableAxes& grid) {
+io::BearingStates states_to_draw(const model::Model& model, const friction::TableAxes& grid) {
   if (model.shaft) return {};
   std::vector<bearing::OperatingPoint> points;
   for (const double radial : spread(grid.radial_load, 3))
@@ -207,8 +208,8 @@ io::BearingStates states_to_draw(const fit::Model& model, const friction::TableA
                           .axial_load = axial,
                           .radial_load = radial,
                           .temperature = grid.temperature.front()});
-  std::vector<fit::FrictionPrediction> predictions(points.size());
-  fit::predict_sweep(model, points, predictions, true);
+  std::vector<model::FrictionPrediction> predictions(points.size());
+  model::predict_sweep(model, points, predictions, true);
   io::BearingStates states;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (predictions[i].equilibrium && predictions[i].equilibrium->report.converged())
@@ -216,7 +217,7 @@ io::BearingStates states_to_draw(const fit::Model& model, const friction::TableA
   return states;
 }
 
-int run(const Flags& flags) {
+int run(const TableFlags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError("raceway table: --json and --output - both write to stdout; take one");
   const friction::TableSlab part = slab(flags.slab);
@@ -228,10 +229,10 @@ int run(const Flags& flags) {
   if (!flags.data.empty() && flags.report.path.empty())
     throw io::InputError("raceway table: --data is drawn in a report: --report is missing");
   flags.report.check(flags.force);
-  const io::ModelFile file = open_model(flags.model, Subject::bearing_or_shaft);
-  const fit::Model& model = file.model;
-  std::optional<fit::DataSet> measured;
-  if (!flags.data.empty()) measured = open_data(flags.data, model.rig);
+  const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  const model::Model& model = file.model;
+  std::optional<record::Record> measured;
+  if (!flags.data.empty()) measured = open_data(flags.data, *io::make_subject(model));
   const friction::TableAxes grid = axes(flags, model);
   const std::size_t points = part.points(grid.size());
   if (static_cast<double>(points) > 1e8)
@@ -291,7 +292,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 Run setup_table(CLI::App& command) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<TableFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   command
       .add_option("--speed", flags->speed,

@@ -9,7 +9,7 @@
 
 namespace raceway::cli {
 
-std::string bar(double value, double full, std::size_t width, double mark) {
+std::string bar(double value, double full, std::size_t width, double mark, double second) {
   if (!(full > 0.0) || !std::isfinite(full)) return {};
   const auto place = [&](double v) {
     return static_cast<std::size_t>(
@@ -17,11 +17,14 @@ std::string bar(double value, double full, std::size_t width, double mark) {
   };
   std::string text;
   if (value > 0.0) text.assign(std::max<std::size_t>(1, place(value)), '#');
-  if (mark > 0.0 && mark <= full) {
-    const std::size_t at = std::max<std::size_t>(1, place(mark)) - 1;
-    if (text.size() <= at) text.resize(at + 1, ' ');
-    text[at] = '|';
-  }
+  const auto set = [&](double at, char sign) {
+    if (!(at > 0.0 && at <= full)) return;
+    const std::size_t i = std::max<std::size_t>(1, place(at)) - 1;
+    if (text.size() <= i) text.resize(i + 1, ' ');
+    text[i] = sign;
+  };
+  set(mark, '|');
+  set(second, ':');
   return text;
 }
 

@@ -8,8 +8,9 @@ namespace raceway::cli {
 
 /// A bar of '#' whose length shows value / full, at most `width` characters; a positive value shows
 /// at least one. A `mark` up to `full`, a noise floor or a threshold, is a '|' in or beyond the
-/// bar.
-[[nodiscard]] std::string bar(double value, double full, std::size_t width, double mark = -1.0);
+/// bar; a `second` one, what is tolerated, a ':' that covers it.
+[[nodiscard]] std::string bar(double value, double full, std::size_t width, double mark = -1.0,
+                              double second = -1.0);
 
 /// True where stdout is a terminal that takes colours: NO_COLOR is not set, TERM is not dumb.
 [[nodiscard]] bool colours();

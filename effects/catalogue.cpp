@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <tuple>
 
+#include "effects/all_effects.h"
 #include "effects/formula.h"
 
 namespace raceway::effects {
@@ -21,9 +22,12 @@ constexpr Description describe() {
                 .confused_with = E::confused_with,
                 .parameters = E::parameters,
                 .needs = E::needs};
+  if constexpr (requires { E::channels; }) d.channels = E::channels;
   if constexpr (requires { E::needs_equilibrium; }) d.needs_equilibrium = E::needs_equilibrium;
   if constexpr (requires { E::grows_with_the_rotor; })
     d.grows_with_the_rotor = E::grows_with_the_rotor;
+  if constexpr (requires { E::base_law; }) d.base_law = E::base_law;
+  if constexpr (requires { E::spin; }) d.spin = E::spin;
   if constexpr (requires { E::follows_heat; }) d.follows_heat = E::follows_heat;
   if constexpr (requires { &E::condition; }) d.condition = &E::condition;
   if constexpr (requires { &E::lubricant; }) d.lubricant = &E::lubricant;
@@ -33,17 +37,16 @@ constexpr Description describe() {
     d.unit_moment = &E::unit_moment;
   }
   if constexpr (requires { &E::reading; }) {
+    static_assert(E::channel.role == record::Role::measured);
     d.reading = &E::reading;
-    d.for_shaft = false;
-  }
-  if constexpr (requires { &E::displacement; }) {
-    d.displacement = &E::displacement;
-    d.for_bearing = false;
+    d.channel = &E::channel;
+    d.for_rig = E::channel == record::friction_torque;
+    d.for_shaft = E::channel == record::axial_displacement;
   }
   if constexpr (requires { E::friction_alone; }) d.friction_alone = E::friction_alone;
-  if constexpr (requires { E::subject; }) {
-    d.for_bearing = E::subject == Subject::bearing;
-    d.for_shaft = E::subject == Subject::shaft;
+  if constexpr (requires { E::form; }) {
+    d.for_rig = E::form == Form::rig;
+    d.for_shaft = E::form == Form::shaft;
   }
   return d;
 }
@@ -55,43 +58,43 @@ constexpr std::array<Description, sizeof...(E)> describe_all(const std::tuple<E.
 
 constexpr auto descriptions = describe_all(static_cast<const Catalogue*>(nullptr));
 
-/// True where `k` is the form of its effect for that subject, or the only one.
-constexpr bool is_form_for(Subject subject, std::size_t k) {
-  if (descriptions[k].belongs_to(subject)) return true;
+/// True where `k` is that form of its effect, or the only one.
+constexpr bool is_form_for(Form form, std::size_t k) {
+  if (descriptions[k].belongs_to(form)) return true;
   for (const Description& other : descriptions)
-    if (other.id == descriptions[k].id && other.belongs_to(subject)) return false;
+    if (other.id == descriptions[k].id && other.belongs_to(form)) return false;
   return true;
 }
 
-constexpr std::size_t count_for(Subject subject) {
+constexpr std::size_t count_for(Form form) {
   std::size_t count = 0;
-  for (std::size_t k = 0; k < descriptions.size(); ++k) count += is_form_for(subject, k) ? 1 : 0;
+  for (std::size_t k = 0; k < descriptions.size(); ++k) count += is_form_for(form, k) ? 1 : 0;
   return count;
 }
 
-template <Subject subject>
+template <Form form>
 constexpr auto forms_for() {
-  std::array<Description, count_for(subject)> list;
+  std::array<Description, count_for(form)> list;
   std::size_t count = 0;
   for (std::size_t k = 0; k < descriptions.size(); ++k)
-    if (is_form_for(subject, k)) list[count++] = descriptions[k];
+    if (is_form_for(form, k)) list[count++] = descriptions[k];
   return list;
 }
 
-constexpr auto of_bearing = forms_for<Subject::bearing>();
-constexpr auto of_shaft = forms_for<Subject::shaft>();
+constexpr auto of_rig = forms_for<Form::rig>();
+constexpr auto of_shaft = forms_for<Form::shaft>();
 
 }  // namespace
 
 std::span<const Description> all_forms() { return descriptions; }
 
-std::span<const Description> catalogue(Subject subject) {
-  if (subject == Subject::bearing) return of_bearing;
+std::span<const Description> catalogue(Form form) {
+  if (form == Form::rig) return of_rig;
   return of_shaft;
 }
 
-const Description* find(std::string_view id, Subject subject) {
-  for (const Description& d : catalogue(subject))
+const Description* find(std::string_view id, Form form) {
+  for (const Description& d : catalogue(form))
     if (d.id == id) return &d;
   return nullptr;
 }
@@ -124,6 +127,17 @@ std::string_view text(Need need) {
              "all moments";
   }
   return "";
+}
+
+std::string text(const record::Channel& channel) {
+  return std::string(channel.name) + " of every row";
+}
+
+double Record::value(const record::Channel& channel) const {
+  if (channel == record::time) return time;
+  if (channel == record::inner_ring_temperature) return inner_ring_temperature;
+  if (channel == record::outer_ring_temperature) return outer_ring_temperature;
+  return rows ? rows->value(channel, row) : unset;
 }
 
 bool Condition::finite() const {

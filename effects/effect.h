@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -10,27 +11,19 @@
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
 #include "friction/state.h"
+#include "record/channel.h"
+#include "record/parameter.h"
+#include "record/record.h"
 
 namespace raceway::effects {
 
 class Formula;
 
-/// What a model stands for, and with it what is measured: the friction torque of bearings on a rig,
-/// or the axial displacement of a shaft in its arrangement.
-enum class Subject { bearing, shaft };
+/// Which form of an effect: that of a bearing on a rig, or that of the sets on a shaft.
+enum class Form { rig, shaft };
 
-/// A number of an effect. Values are in the unit of the files, named by `unit` and by the ending of
-/// `name`; the effect converts.
-struct Parameter {
-  std::string_view name;
-  std::string_view unit;  ///< "1" where dimensionless
-  double initial;         ///< default and start of a fit
-  double lower, upper;    ///< bounds of a fit and of what a file may say, closed
-  double plausible_lower = lower, plausible_upper = upper;  ///< range met in practice
-  /// With this value the effect changes nothing; NaN for a number that only gives the effect its
-  /// shape.
-  double neutral = 0.0;
-};
+/// A number of an effect, in the unit of the files; the effect converts.
+using Parameter = record::NumberCard;
 
 /// What a model and its data must offer before an effect can be tested or fitted.
 enum class Need {
@@ -47,8 +40,10 @@ enum class Need {
   torque_standard     ///< something beside the torque itself that fixes its scale
 };
 
-/// What the data lack, e.g. "the time of each row".
+/// What the data lack: "time_s of every row".
 [[nodiscard]] std::string_view text(Need need);
+/// The same of a channel that must have a number in every row: "preload_N of every row".
+[[nodiscard]] std::string text(const record::Channel& channel);
 
 /// What was recorded with a row beside its operating point; NaN where it was not.
 struct Record {
@@ -56,6 +51,11 @@ struct Record {
   double inner_ring_temperature = unset;  ///< [K]
   double outer_ring_temperature = unset;  ///< [K]
   int run = -1;
+  const record::Record* rows = nullptr;  ///< all that was recorded; null where nobody has it
+  std::size_t row = 0;                   ///< which of them this is
+
+  /// [SI]: time and ring temperatures as above, all else of `rows`; NaN where it was not recorded.
+  [[nodiscard]] double value(const record::Channel& channel) const;
 };
 
 /// The base law of a model with its parameter values.
@@ -110,17 +110,10 @@ struct MomentInputs {
   const Record& record;
 };
 
-/// What an effect on the reading of the rig may look at.
+/// What an effect on the reading of a measured channel may look at.
 struct ReadingInputs {
-  double torque;  ///< of all bearings [N m]
-  const bearing::OperatingPoint& point;
-  const Record& record;
-};
-
-/// What an effect on the transducer at a shaft may look at.
-struct DisplacementInputs {
-  double displacement;                   ///< of the shaft, positive towards the tool [m]
-  const bearing::OperatingPoint& point;  ///< axial load: the external one
+  double value;                          ///< of that channel, as predicted [SI]
+  const bearing::OperatingPoint& point;  ///< of a shaft: axial load is the external one
   const Record& record;
 };
 
@@ -140,12 +133,16 @@ struct Description {
   std::span<const std::string_view> confused_with;  ///< ids of effects and names of base parameters
   std::span<const Parameter> parameters;
   std::span<const Need> needs;
+  /// What must have a number in every row beside what `needs` says.
+  std::span<const record::Channel* const> channels = {};
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
   /// Whatever turns on the shaft adds to it: the plausible range is that of the bearing alone.
   bool grows_with_the_rotor = false;
   /// Warms up and cools down with the machine: what tells it from the rest is temperature or lag.
   bool follows_heat = false;
-  bool for_bearing = true;      ///< may stand in a model of a bearing on a rig
+  bool base_law = false;        ///< corrects an exponent of the base law itself
+  bool spin = false;            ///< its moment arises where the balls spin
+  bool for_rig = true;          ///< may stand in a model of a bearing on a rig
   bool for_shaft = true;        ///< may stand in a model of a shaft
   bool friction_alone = false;  ///< a condition that does not move the sets
 
@@ -157,23 +154,26 @@ struct Description {
   double (*moment)(const MomentInputs&, std::span<const double> values) = nullptr;
   /// In place of `moment` where it is one parameter times this [N m per unit of the parameter].
   double (*unit_moment)(const MomentInputs&) = nullptr;
-  /// Added to the torque of all bearings [N m].
+  /// Added to what is read of `channel` [SI].
   double (*reading)(const ReadingInputs&, std::span<const double> values) = nullptr;
-  /// Added to what the transducer reads of a shaft [m].
-  double (*displacement)(const DisplacementInputs&, std::span<const double> values) = nullptr;
+  const record::Channel* channel = nullptr;  ///< of the reading step: which measured one; else null
 
   const Formula* user_made = nullptr;  ///< the moment of an effect written as a formula
 
   [[nodiscard]] bool has_moment() const { return moment || unit_moment || user_made; }
-  /// Whether a model of that subject may have this form of the effect.
-  [[nodiscard]] constexpr bool belongs_to(Subject subject) const {
-    return subject == Subject::bearing ? for_bearing : for_shaft;
+  /// Whether it acts at the reading of that channel.
+  [[nodiscard]] constexpr bool reads(const record::Channel& measured) const {
+    return reading && *channel == measured;
+  }
+  /// Whether it has that form, and may stand in a model of it.
+  [[nodiscard]] constexpr bool belongs_to(Form form) const {
+    return form == Form::rig ? for_rig : for_shaft;
   }
   /// Whether it changes what is measured there. Friction of the bearings on a shaft is predicted,
   /// with all its effects, but moves nothing.
-  [[nodiscard]] bool moves(Subject subject) const {
-    return belongs_to(subject) &&
-           (subject == Subject::bearing || displacement || (condition && !friction_alone));
+  [[nodiscard]] bool moves(Form form) const {
+    return belongs_to(form) && (form == Form::rig || reads(record::axial_displacement) ||
+                                (condition && !friction_alone));
   }
   /// "condition", "lubricant", "moment" or "reading": the first step taken.
   [[nodiscard]] std::string_view step() const;

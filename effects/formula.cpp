@@ -14,7 +14,7 @@ namespace {
 using Variable = Formula::Variable;
 using In = MomentInputs;
 
-constexpr std::array variable_list{
+constexpr std::array known_variables{
     Variable{"speed_rpm", "shaft speed", [](const In& i) { return i.state.speed / rpm; }},
     Variable{"axial_load_N", "axial load of one bearing",
              [](const In& i) { return i.state.axial_load; }},
@@ -24,11 +24,11 @@ constexpr std::array variable_list{
              [](const In& i) { return celsius(i.state.temperature); }},
     Variable{"viscosity_mm2_s", "kinematic viscosity of the film",
              [](const In& i) { return i.state.kinematic_viscosity / mm2_per_s; }},
-    Variable{"time_s", "time by the clock of the file", [](const In& i) { return i.record.time; }},
-    Variable{"inner_ring_temperature_C", "measured with the row",
-             [](const In& i) { return celsius(i.record.inner_ring_temperature); }},
-    Variable{"outer_ring_temperature_C", "measured with the row",
-             [](const In& i) { return celsius(i.record.outer_ring_temperature); }},
+    Variable{"time_s", "time by the clock of the file", nullptr, &record::time},
+    Variable{"inner_ring_temperature_C", "measured with the row", nullptr,
+             &record::inner_ring_temperature},
+    Variable{"outer_ring_temperature_C", "measured with the row", nullptr,
+             &record::outer_ring_temperature},
     Variable{"load_torque_Nmm", "load moment of the base law",
              [](const In& i) { return i.base.load / N_mm; }},
     Variable{"viscous_torque_Nmm", "viscous moment of the base law",
@@ -45,9 +45,30 @@ constexpr std::array variable_list{
     Variable{"static_load_rating_N", "of the bearing",
              [](const In& i) { return i.state.bearing->geometry().static_load_rating; }}};
 
+/// True for an input of the table of channels that is not among them.
+constexpr bool is_further(const record::Channel& channel) {
+  return channel.is_input() &&
+         std::none_of(known_variables.begin(), known_variables.end(),
+                      [&](const Variable& v) { return v.name == channel.name; });
+}
+
+constexpr auto variable_list = [] {
+  constexpr auto further = static_cast<std::size_t>(
+      std::count_if(record::channels.begin(), record::channels.end(), is_further));
+  std::array<Variable, known_variables.size() + further> list;
+  auto end = std::copy(known_variables.begin(), known_variables.end(), list.begin());
+  for (const record::Channel& channel : record::channels)
+    if (is_further(channel)) *end++ = {channel.name, channel.words, nullptr, &channel};
+  return list;
+}();
+
 }  // namespace
 
 std::span<const Variable> Formula::variables() { return variable_list; }
+
+double Formula::Variable::value(const MomentInputs& inputs) const {
+  return channel ? channel->in_unit(inputs.record.value(*channel)) : computed(inputs);
+}
 
 /// A parser and the numbers it looks at; muParser keeps them by address.
 struct Formula::Instance {
@@ -158,6 +179,7 @@ struct Owner {
   std::string source;
   std::vector<Parameter> parameters;
   std::vector<Need> needs;
+  std::vector<const record::Channel*> channels;
   std::unique_ptr<Formula> formula;
   Description description;
 };
@@ -195,6 +217,8 @@ Effect make_effect(const UserMadeEffect& given) {
   if (f.uses("time_s")) owner->needs.push_back(Need::time);
   if (f.uses("inner_ring_temperature_C") || f.uses("outer_ring_temperature_C"))
     owner->needs.push_back(Need::ring_temperatures);
+  for (const Variable& v : Formula::variables().subspan(known_variables.size()))
+    if (f.uses(v.name)) owner->channels.push_back(v.channel);
   if (owner->given.title.empty()) owner->given.title = "formula of the model file";
   owner->description = {.id = owner->given.id,
                         .title = owner->given.title,
@@ -203,7 +227,8 @@ Effect make_effect(const UserMadeEffect& given) {
                         .source = "the user",
                         .confused_with = {},
                         .parameters = owner->parameters,
-                        .needs = owner->needs};
+                        .needs = owner->needs,
+                        .channels = owner->channels};
   owner->description.user_made = owner->formula.get();
   effect.description = &owner->description;
   effect.owner = owner;

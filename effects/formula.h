@@ -38,9 +38,12 @@ class Formula {
   struct Variable {
     std::string_view name;
     std::string_view meaning;
-    double (*value)(const MomentInputs&);
+    double (*computed)(const MomentInputs&) = nullptr;
+    const record::Channel* channel = nullptr;  ///< otherwise: as recorded with the row, in its unit
+    [[nodiscard]] double value(const MomentInputs& inputs) const;
   };
-  /// What a formula may use beside its parameters.
+  /// What a formula may use beside its parameters; every input of the table of channels is among
+  /// them.
   [[nodiscard]] static std::span<const Variable> variables();
 
  private:

@@ -14,9 +14,8 @@ namespace raceway::effects {
 ///   M = A M0 exp(-t/τ)
 ///
 /// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)) with A of 0.5 to 4
-/// and
-///           τ of 1 to 20 h, read as a statement on the viscous moment, since grease between the
-///           balls does not feel the load.
+///           and τ of 1 to 20 h, read as a statement on the viscous moment, since grease between
+///           the balls does not feel the load.
 /// Domain:   a time of each row, by the clock of the file; t = 0 is the start of churning.
 struct GreaseChurning {
   static constexpr std::string_view id = "grease-churning";

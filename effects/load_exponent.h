@@ -37,6 +37,7 @@ struct LoadExponent {
                                                    .plausible_lower = -0.1,
                                                    .plausible_upper = 0.25}};
   static constexpr std::array needs{Need::load_levels};
+  static constexpr bool base_law = true;
 
   static double moment(const MomentInputs& in, std::span<const double> values) {
     const double load = friction::palmgren_load(in.state);

@@ -16,7 +16,7 @@ namespace raceway::effects {
 /// Domain:   the sum is not below zero.
 struct LoadOffset {
   static constexpr std::string_view id = "load-offset";
-  static constexpr Subject subject = Subject::bearing;
+  static constexpr Form form = Form::rig;
   static constexpr std::string_view title = "load that was not entered";
   static constexpr std::string_view mechanism =
       "Springs, a drifting zero of the load cell or a belt load the bearing with a constant force "

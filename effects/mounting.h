@@ -23,9 +23,9 @@ namespace raceway::effects {
 /// Source:   springs in series, derived.
 /// Domain:   0 <= c <= 1, sets at both ends. Values between are soft housings and springs with a
 ///           rate; 1 is a wrong mounting card.
-struct Mounting {
+struct OtherMounting {
   static constexpr std::string_view id = "mounting";
-  static constexpr Subject subject = Subject::shaft;
+  static constexpr Form form = Form::shaft;
   static constexpr std::string_view title = "spring where rigid was entered, or the reverse";
   static constexpr std::string_view mechanism =
       "A spring, or a housing that yields, keeps the preload more nearly constant than rigid sets "

@@ -33,6 +33,7 @@ struct RigViscousDrag {
                                                    .plausible_lower = 0.5,
                                                    .plausible_upper = 200.0}};
   static constexpr std::array needs{Need::speed_levels};
+  static constexpr const record::Channel& channel = record::friction_torque;
 
   static double reading(const ReadingInputs& in, std::span<const double> values) {
     return values[0] * N_mm * in.point.speed / (10000.0 * rpm);

@@ -42,8 +42,9 @@ struct ShaftContraction {
                                                    .plausible_lower = 0.1,
                                                    .plausible_upper = 5.0}};
   static constexpr std::array needs{Need::speed_levels, Need::preload_levels};
+  static constexpr const record::Channel& channel = record::axial_displacement;
 
-  static double displacement(const DisplacementInputs& in, std::span<const double> values) {
+  static double reading(const ReadingInputs& in, std::span<const double> values) {
     const double ratio = in.point.speed / (10000.0 * rpm);
     return -values[0] * um * ratio * ratio;
   }

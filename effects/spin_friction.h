@@ -37,6 +37,7 @@ struct SpinFriction {
                                                    .plausible_upper = 0.12}};
   static constexpr std::array needs{Need::loads, Need::load_levels};
   static constexpr bool needs_equilibrium = true;
+  static constexpr bool spin = true;
 
   static double unit_moment(const MomentInputs& in) {
     const friction::BearingState<double>& s = in.state;

@@ -8,26 +8,34 @@
 
 namespace raceway::effects {
 
-/// Axial load that grows with the bearing's own heat [N].
+/// What both forms share: rings whose difference in temperature presses them against each other.
+///
+///   x = c P,   P = (M1 + M0) ω of the base law at the load as entered or mounted
+///
+/// Source:   steady heat flow: the difference in temperature of the rings is in proportion to the
+///           friction power (Stein and Tu 1994; Bossmanns and Tu 1999 have the whole loop). P at
+///           the load without the effect, so that the loop does not run away.
+/// Domain:   speed >= 0.
+struct PreloadByOwnHeat {
+  static constexpr std::string_view id = "thermal-preload";
+  static constexpr std::string_view title = "preload that grows with the bearing's own heat";
+  static constexpr std::string_view source =
+      "steady heat flow, derived; loop of [SteinTu1994], [BossmannsTu1999]";
+  static constexpr bool follows_heat = true;
+};
+
+/// Axial load of a bearing on a rig that grows with its own heat [N].
 ///
 ///   F_a -> F_a + c P,   P = (M1 + M0) ω at the entered load
 ///
-/// Source:   steady heat flow: the difference in temperature of the rings, and with it the load of
-/// a
-///           rigid set, is in proportion to the friction power (Stein and Tu 1994; Bossmanns and Tu
-///           1999 have the whole loop). P at the entered load, so that the loop does not run away.
-/// Domain:   speed >= 0. c = 0 with springs.
-struct ThermalPreload {
-  static constexpr std::string_view id = "thermal-preload";
-  static constexpr Subject subject = Subject::bearing;
-  static constexpr std::string_view title = "preload that grows with the bearing's own heat";
+/// In a rigid set the load follows the difference in temperature; c = 0 with springs.
+struct ThermalPreload : PreloadByOwnHeat {
+  static constexpr Form form = Form::rig;
   static constexpr std::string_view mechanism =
       "Friction warms the inner ring and the balls more than the outer ring. In a rigid set they "
       "have no room, and the load grows with the friction power.";
   static constexpr std::string_view formula =
       "F_a + c P in place of F_a, P = (M1 + M0) w at the entered load";
-  static constexpr std::string_view source =
-      "steady heat flow, derived; loop of [SteinTu1994], [BossmannsTu1999]";
   static constexpr std::array<std::string_view, 4> confused_with{
       "centrifugal-ring-growth", "spin-friction", "lubricant-drag", "windage"};
   static constexpr std::array parameters{Parameter{.name = "force_per_power_N_W",
@@ -37,11 +45,41 @@ struct ThermalPreload {
                                                    .upper = 100.0,
                                                    .plausible_lower = 0.05,
                                                    .plausible_upper = 5.0}};
-  static constexpr bool follows_heat = true;
   static constexpr std::array needs{Need::speed_levels};
 
   static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {
     c.extra_axial_load += values[0] * in.power;
+  }
+};
+
+/// Radial growth of the inner raceway against the outer one by the bearing's own heat, in the sets
+/// of a shaft [m].
+///
+///   g = c P,   P = (M1 + M0) ω at the preload's share of the bearing
+///
+/// Free expansion λ d_m/2 of 0.5 um/K and 0.01 to 0.1 K/W between the rings give 0.005 to
+/// 0.05 um/W. Beside measured ring temperatures, whose expansion is in the balance already, c is
+/// what those temperatures do not show.
+struct ShaftThermalPreload : PreloadByOwnHeat {
+  static constexpr Form form = Form::shaft;
+  static constexpr std::string_view mechanism =
+      "Friction warms the inner rings and the balls more than the outer rings. They have no room, "
+      "and the sets press harder against each other as the friction power grows.";
+  static constexpr std::string_view formula =
+      "inner raceway grows by c P in radius, P = (M1 + M0) w at the preload";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "centrifugal-ring-growth", "thermal-ring-growth", "shaft-contraction", "mounting"};
+  static constexpr std::array parameters{Parameter{.name = "growth_per_power_um_W",
+                                                   .unit = "um/W",
+                                                   .initial = 0.01,
+                                                   .lower = 0.0,
+                                                   .upper = 1.0,
+                                                   .plausible_lower = 0.001,
+                                                   .plausible_upper = 0.1}};
+  static constexpr std::array needs{Need::speed_levels, Need::preload_levels};
+
+  static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {
+    c.radial_growth += values[0] * um * in.power;
   }
 };
 

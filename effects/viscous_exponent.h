@@ -38,6 +38,7 @@ struct ViscousExponent {
                                                    .plausible_lower = -0.12,
                                                    .plausible_upper = 0.09}};
   static constexpr std::array needs{Need::speed_levels};
+  static constexpr bool base_law = true;
 
   static double moment(const MomentInputs& in, std::span<const double> values) {
     const double nu_n = (in.state.kinematic_viscosity / mm2_per_s) * (in.state.speed / rpm);

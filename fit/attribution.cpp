@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
+
+#include "fit/smooth_columns.h"
+#include "fit/subspace.h"
 
 namespace raceway::fit {
 
@@ -17,41 +19,51 @@ constexpr double exponent_limit = 0.2;
 constexpr double worse = 1e-3;      // than the base, in -2 ln L: a fit that went astray
 constexpr double same_gain = 1e-8;  // of the misfit without effects: less is rounding
 
-Eigen::Index total(const std::vector<Candidate>& candidates) {
+Eigen::Index total(const std::vector<Screened>& candidates) {
   Eigen::Index count = 0;
-  for (const Candidate& c : candidates)
-    if (c.not_testable.empty()) count += c.scores.cols();
+  for (const Screened& s : candidates)
+    if (s.not_testable.empty()) count += s.scores.cols();
   return count;
+}
+
+/// Logarithm about its mean, with a floor where a factor is nearly zero.
+Eigen::VectorXd centred_logarithm(const Eigen::VectorXd& values) {
+  const double floor = 1e-2 * values.cwiseAbs().maxCoeff();
+  Eigen::VectorXd result =
+      values.cwiseAbs().cwiseMax(floor > 0.0 ? floor : 1.0).array().log().matrix();
+  result.array() -= result.mean();
+  return result;
 }
 
 }  // namespace
 
 bool Explanation::bent_to_a_bound() const {
-  return elastic && std::any_of(fit.at_bound.end() - static_cast<std::ptrdiff_t>(exponents),
+  return elastic && std::any_of(fit.at_bound.end() - static_cast<std::ptrdiff_t>(free_exponents),
                                 fit.at_bound.end(), std::identity());
 }
 
-Attribution::Attribution(const Problem& problem, const NoiseModel& noise, const ResponseFit& base,
-                         const Eigen::VectorXd& size)
-    : problem_(problem),
-      noise_(noise),
-      base_(base),
-      surface_(noise.whitening(surface_columns(problem.data, size))),
-      draws_(total(problem.candidates)) {
-  Eigen::MatrixXd scores(size.size(), total(problem.candidates));
+Attribution::Attribution(const Evidence& evidence)
+    : evidence_(evidence),
+      problem_(evidence.problem),
+      whitening_(evidence.whitening),
+      base_(evidence.base),
+      surface_(evidence.whitening(
+          surface_columns(evidence.saturation.surface, evidence.problem.observed, evidence.size))),
+      draws_(total(evidence.problem.candidates)) {
+  Eigen::MatrixXd scores(evidence.size.size(), total(problem_.candidates));
   Eigen::Index column = 0;
-  for (std::size_t k = 0; k < problem.candidates.size(); ++k) {
-    const Candidate& c = problem.candidates[k];
-    if (!c.not_testable.empty()) continue;
-    for (Eigen::Index j = 0; j < c.scores.cols(); ++j) {
-      scores.col(column++) = c.scores.col(j);
-      one_sided_.push_back(c.one_sided);
+  for (std::size_t k = 0; k < problem_.candidates.size(); ++k) {
+    const Screened& s = problem_.candidates[k];
+    if (!s.not_testable.empty()) continue;
+    for (Eigen::Index j = 0; j < s.scores.cols(); ++j) {
+      scores.col(column++) = s.scores.col(j);
+      one_sided_.push_back(s.one_sided);
       owner_.push_back(k);
     }
   }
-  scores_ = noise.whitening(scores);
-  gate_ = open_gate(base.tangent, base.residual, surface_, scores_, one_sided_,
-                    noise.degrees_of_freedom, draws_);
+  scores_ = whitening_(scores);
+  gate_ = open_gate(base_.tangent, base_.residual, surface_, scores_, one_sided_,
+                    evidence.degrees_of_freedom, draws_);
 }
 
 std::pair<Eigen::Index, Eigen::Index> Attribution::score_range(std::size_t candidate) const {
@@ -64,68 +76,80 @@ double Attribution::visibility(std::size_t candidate) const {
   return count > 0 ? gate_.visibility.segment(first, count).maxCoeff() : 0.0;
 }
 
+std::vector<const Screened*> Attribution::screened(const std::vector<std::size_t>& members) const {
+  std::vector<const Screened*> on;
+  for (const std::size_t k : members) on.push_back(&problem_.candidates[k]);
+  return on;
+}
+
+/// The initial values; then the size that the scores ask for, shapes towards one bound, then the
+/// other.
+std::vector<Eigen::VectorXd> Attribution::starts(std::span<const Screened* const> on,
+                                                 const Response& response) const {
+  const auto bases = static_cast<Eigen::Index>(problem_.base.size());
+  Eigen::VectorXd first = response.start();
+  first.head(bases) = base_.values;
+  std::vector<Eigen::VectorXd> list{first};
+  for (const double part : {0.5, 0.25, 0.75}) {
+    Eigen::VectorXd x = first;
+    Eigen::Index at = bases;
+    for (const Screened* s : on) {
+      const auto [begin, count] =
+          score_range(static_cast<std::size_t>(s - problem_.candidates.data()));
+      double amount = 1.0;
+      if (count > 0) {
+        const double norm = gate_.projected.col(begin).norm();
+        if (norm > 0.0) amount = gate_.scores[begin] / norm;
+      }
+      for (std::size_t k = 0; k < s->candidate.parameters.size(); ++k, ++at) {
+        const Parameter& p = s->candidate.parameters[k];
+        if (k == s->candidate.size)
+          x[at] = p.neutral + s->unit_size * std::clamp(2.0 * part * amount, -3.0, 3.0);
+        else if (std::isfinite(p.upper - p.lower))
+          x[at] = p.lower + part * (p.upper - p.lower);
+        x[at] = std::clamp(x[at], p.lower, p.upper);
+      }
+    }
+    list.push_back(x);
+  }
+  return list;
+}
+
 Explanation Attribution::refit(const std::vector<std::size_t>& members,
                                const std::vector<Eigen::VectorXd>& extra_starts) const {
-  std::vector<const Candidate*> on;
-  for (const std::size_t k : members) on.push_back(&problem_.candidates[k]);
+  const std::vector<const Screened*> on = screened(members);
   Response response = response_with(problem_, on);
   response.find_affine_form();
-  std::vector<Eigen::VectorXd> starts = extra_starts;
+  std::vector<Eigen::VectorXd> from = extra_starts;
   if (!response.affine) {
-    // The initial values; then the size that the scores ask for, shapes towards one bound, then
-    // the other.
-    const auto bases = static_cast<Eigen::Index>(problem_.base.size());
-    Eigen::VectorXd first = response.start();
-    first.head(bases) = base_.values;
-    starts.push_back(first);
-    for (const double part : {0.5, 0.25, 0.75}) {
-      Eigen::VectorXd x = first;
-      Eigen::Index at = bases;
-      for (const Candidate* c : on) {
-        const auto [begin, count] =
-            score_range(static_cast<std::size_t>(c - problem_.candidates.data()));
-        double amount = 1.0;
-        if (count > 0) {
-          const double norm = gate_.projected.col(begin).norm();
-          if (norm > 0.0) amount = gate_.scores[begin] / norm;
-        }
-        for (std::size_t k = 0; k < c->parameters.size(); ++k, ++at) {
-          const FitParameter& p = c->parameters[k];
-          if (k == c->size_index)
-            x[at] = c->neutral[k] + c->unit_size * std::clamp(2.0 * part * amount, -3.0, 3.0);
-          else if (std::isfinite(p.upper - p.lower))
-            x[at] = p.lower + part * (p.upper - p.lower);
-          x[at] = std::clamp(x[at], p.lower, p.upper);
-        }
-      }
-      starts.push_back(x);
-    }
+    const std::vector<Eigen::VectorXd> own = starts(on, response);
+    from.insert(from.end(), own.begin(), own.end());
   }
   Explanation result{.members = members};
   result.parameters = response.parameters;
-  result.fit = fit_response(response, noise_.whitening, problem_.measured, starts);
+  result.fit = fit_response(response, whitening_, problem_.measured(), from);
   if (result.fit.converged && result.fit.misfit > base_.misfit + worse) {
     // A hollow of its own: without the effect the misfit is less, so the search begins there.
     Eigen::VectorXd without = response.start();
     auto at = static_cast<Eigen::Index>(problem_.base.size());
     without.head(at) = base_.values;
     Eigen::VectorXd little = without;
-    for (const Candidate* c : on) {
-      const Eigen::Index size = at + static_cast<Eigen::Index>(c->size_index);
-      without[size] = c->neutral[c->size_index];
-      little[size] = without[size] + 0.01 * c->unit_size;
-      at += static_cast<Eigen::Index>(c->parameters.size());
+    for (const Screened* s : on) {
+      const Eigen::Index size = at + static_cast<Eigen::Index>(s->candidate.size);
+      without[size] = s->size().neutral;
+      little[size] = without[size] + 0.01 * s->unit_size;
+      at += static_cast<Eigen::Index>(s->candidate.parameters.size());
     }
-    result.fit = fit_response(response, noise_.whitening, problem_.measured, {without, little});
+    result.fit = fit_response(response, whitening_, problem_.measured(), {without, little});
   }
   result.response = std::move(response);
   if (!result.fit.converged) return result;
   result.gain = base_.misfit - result.fit.misfit;
   std::size_t at = problem_.base.size();
-  for (const Candidate* c : on)
-    for (std::size_t k = 0; k < c->parameters.size(); ++k, ++at)
-      if (k != c->size_index && !result.fit.at_bound[at])
-        result.gain -= std::log(static_cast<double>(problem_.measured.size()));
+  for (const Screened* s : on)
+    for (std::size_t k = 0; k < s->candidate.parameters.size(); ++k, ++at)
+      if (k != s->candidate.size && !result.fit.at_bound[at])
+        result.gain -= std::log(static_cast<double>(problem_.measured().size()));
   return result;
 }
 
@@ -143,11 +167,9 @@ std::vector<Explanation> Attribution::singles() const {
   return all;
 }
 
-std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& singles,
-                                            const std::function<bool()>& cancelled) const {
-  // Directions: the scores of each candidate, and how it changed the prediction when refitted.
-  std::vector<std::size_t> owner;
-  std::vector<bool> one_sided;
+Attribution::Directions Attribution::directions(const std::vector<Explanation>& singles) const {
+  // The scores of each candidate, and how it changed the prediction when refitted.
+  Directions result;
   std::vector<Eigen::VectorXd> columns;
   for (const Explanation& single : singles) {
     if (!single.fit.converged) continue;
@@ -156,42 +178,70 @@ std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& sing
     for (Eigen::Index j = first; j < first + count; ++j)
       if (gate_.visibility[j] >= invisible) {
         columns.push_back(gate_.projected.col(j));
-        one_sided.push_back(one_sided_[static_cast<std::size_t>(j)]);
-        owner.push_back(k);
+        result.one_sided.push_back(one_sided_[static_cast<std::size_t>(j)]);
+        result.owner.push_back(k);
       }
-    columns.push_back(noise_.whitening(Eigen::VectorXd(single.fit.prediction - base_.prediction)));
-    one_sided.push_back(true);
-    owner.push_back(k);
+    columns.push_back(whitening_(Eigen::VectorXd(single.fit.prediction - base_.prediction)));
+    result.one_sided.push_back(true);
+    result.owner.push_back(k);
   }
-  Eigen::MatrixXd all(problem_.measured.size(), static_cast<Eigen::Index>(columns.size()));
+  Eigen::MatrixXd all(problem_.measured().size(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k)
     all.col(static_cast<Eigen::Index>(k)) = columns[k];
-  all = project_off(base_.tangent, all);
+  result.columns = project_off(base_.tangent, all);
+  return result;
+}
+
+std::vector<std::pair<double, Attribution::Members>> Attribution::weigh_pairs(
+    const std::vector<Explanation>& singles) const {
+  const Directions d = directions(singles);
   const Eigen::VectorXd rest = project_off(base_.tangent, base_.residual);
-  const Eigen::MatrixXd gram = all.transpose() * all;
-  const Eigen::VectorXd right = all.transpose() * rest;
-  std::map<std::pair<std::size_t, std::size_t>, double> reach;
-  for (Eigen::Index a = 0; a < all.cols(); ++a)
+  const Eigen::MatrixXd gram = d.columns.transpose() * d.columns;
+  const Eigen::VectorXd right = d.columns.transpose() * rest;
+  std::map<Members, double> reach;
+  for (Eigen::Index a = 0; a < gram.cols(); ++a)
     for (Eigen::Index b = 0; b < a; ++b) {
-      const std::size_t i = owner[static_cast<std::size_t>(a)],
-                        j = owner[static_cast<std::size_t>(b)];
+      const auto one = static_cast<std::size_t>(a), other = static_cast<std::size_t>(b);
+      const std::size_t i = d.owner[one], j = d.owner[other];
       if (i == j) continue;
       const double determinant = gram(a, a) * gram(b, b) - gram(a, b) * gram(a, b);
       if (!(determinant > 1e-6 * gram(a, a) * gram(b, b))) continue;
       const double x = (gram(b, b) * right[a] - gram(a, b) * right[b]) / determinant;
       const double y = (gram(a, a) * right[b] - gram(a, b) * right[a]) / determinant;
-      if ((x < 0.0 && one_sided[static_cast<std::size_t>(a)]) ||
-          (y < 0.0 && one_sided[static_cast<std::size_t>(b)]))
-        continue;
+      if ((x < 0.0 && d.one_sided[one]) || (y < 0.0 && d.one_sided[other])) continue;
       double& best = reach[{std::min(i, j), std::max(i, j)}];
       best = std::max(best, x * right[a] + y * right[b]);
     }
-  std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> order;
+  std::vector<std::pair<double, Members>> order;
   for (const auto& [members, value] : reach) order.push_back({-value, members});
   std::sort(order.begin(), order.end());
+  return order;
+}
+
+/// Started from the two singles.
+Explanation Attribution::refit_pair(const Explanation& first, const Explanation& second) const {
+  const auto bases = static_cast<Eigen::Index>(problem_.base.size());
+  const Eigen::VectorXd &x = first.fit.values, &y = second.fit.values;
+  Eigen::VectorXd start(x.size() + y.size() - bases);
+  start << x, y.tail(y.size() - bases);
+  Eigen::VectorXd halved = start;
+  const auto halve = [&](const Explanation& single, Eigen::Index at) {
+    const Screened& s = problem_.candidates[single.members.front()];
+    double& size = halved[at + static_cast<Eigen::Index>(s.candidate.size)];
+    size = 0.5 * (size + s.size().neutral);
+  };
+  halve(first, bases);
+  halve(second, x.size());
+  Explanation pair = refit({first.members.front(), second.members.front()}, {start, halved});
+  if (pair.fit.converged) pair.least_loss = pair.gain - std::max(first.gain, second.gain);
+  return pair;
+}
+
+std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& singles,
+                                            const std::function<bool()>& cancelled) const {
+  const std::vector<std::pair<double, Members>> order = weigh_pairs(singles);
   std::map<std::size_t, const Explanation*> alone;
   for (const Explanation& single : singles) alone[single.members.front()] = &single;
-
   std::vector<Explanation> result;
   for (const auto& [negative, members] : order) {
     const double best = -order.front().first;
@@ -199,24 +249,8 @@ std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& sing
         -negative < best - std::max(pair_reach, pair_reach_share * best))
       break;
     if (cancelled && cancelled()) break;
-    // Started from the two singles.
-    const auto bases = static_cast<Eigen::Index>(problem_.base.size());
-    const Eigen::VectorXd& x = alone[members.first]->fit.values;
-    const Eigen::VectorXd& y = alone[members.second]->fit.values;
-    Eigen::VectorXd start(x.size() + y.size() - bases);
-    start << x, y.tail(y.size() - bases);
-    Eigen::VectorXd halved = start;
-    const auto halve = [&](std::size_t k, Eigen::Index at) {
-      const Candidate& c = problem_.candidates[k];
-      double& size = halved[at + static_cast<Eigen::Index>(c.size_index)];
-      size = 0.5 * (size + c.neutral[c.size_index]);
-    };
-    halve(members.first, bases);
-    halve(members.second, x.size());
-    Explanation pair = refit({members.first, members.second}, {start, halved});
-    if (!pair.fit.converged) continue;
-    pair.least_loss = pair.gain - std::max(alone[members.first]->gain, alone[members.second]->gain);
-    result.push_back(std::move(pair));
+    Explanation pair = refit_pair(*alone[members.first], *alone[members.second]);
+    if (pair.fit.converged) result.push_back(std::move(pair));
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Explanation& a, const Explanation& b) { return a.gain > b.gain; });
@@ -224,70 +258,59 @@ std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& sing
 }
 
 Explanation Attribution::elastic(const Explanation& single) const {
-  const Candidate& c = problem_.candidates[single.members.front()];
-  const Candidate* const on[] = {&c};
+  const Screened* const on[] = {&problem_.candidates[single.members.front()]};
+  const Candidate& candidate = on[0]->candidate;
   const Response plain = response_with(problem_, on);
-  const auto rows = problem_.measured.size();
-  Eigen::MatrixXd logs(rows, 3);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const Row& row = problem_.data.rows[static_cast<std::size_t>(i)];
-    const bearing::OperatingPoint& p = row.point;
-    logs(i, 0) = p.speed;
-    if (problem_.data.quantity == Quantity::friction_torque)
-      logs(i, 1) = std::hypot(p.axial_load, std::hypot(p.radial_load, p.radial_load_z));
-    else
-      logs(i, 1) = std::isfinite(row.preload) ? row.preload : 0.0;
-    logs(i, 2) = problem_.model.lubricant.kinematic_viscosity(p.temperature);
-  }
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const double floor = 1e-2 * logs.col(k).cwiseAbs().maxCoeff();
-    logs.col(k) = logs.col(k).cwiseAbs().cwiseMax(floor > 0.0 ? floor : 1.0).array().log();
-    logs.col(k).array() -= logs.col(k).mean();
-  }
+  Explanation result{.members = single.members};
+  result.elastic = true;
   Response bent;
   bent.parameters = plain.parameters;
   // An input that does not vary has no exponent.
-  const char* const names[] = {"speed exponent", "load exponent", "viscosity exponent"};
-  std::vector<Eigen::Index> varying;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    if (logs.col(k).cwiseAbs().maxCoeff() < 1e-3) continue;
-    varying.push_back(k);
-    bent.parameters.push_back({.name = names[k],
-                               .unit = "1",
-                               .start = 0.0,
-                               .lower = -exponent_limit,
-                               .upper = exponent_limit,
-                               .scale = 0.1});
+  std::vector<Eigen::VectorXd> columns;
+  std::vector<std::size_t> varying;
+  for (const Factor& factor : problem_.subject->factors(*problem_.record)) {
+    const Eigen::VectorXd logarithm = centred_logarithm(problem_.observed.at(factor.values));
+    result.exponents.push_back({factor.name, 0.0});
+    if (logarithm.cwiseAbs().maxCoeff() < 1e-3) continue;
+    varying.push_back(result.exponents.size() - 1);
+    columns.push_back(logarithm);
+    Parameter exponent{.name = factor.name + " exponent", .unit = "1"};
+    exponent.start = 0.0;
+    exponent.lower = -exponent_limit;
+    exponent.upper = exponent_limit;
+    exponent.scale = 0.1;
+    bent.parameters.push_back(std::move(exponent));
   }
-  const Eigen::MatrixXd bending = logs(Eigen::all, varying);
+  Eigen::MatrixXd bending(problem_.measured().size(), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    bending.col(static_cast<Eigen::Index>(k)) = columns[k];
   const auto count = static_cast<Eigen::Index>(plain.parameters.size());
   const auto bases = static_cast<Eigen::Index>(problem_.base.size());
-  bent.readings = [&plain, &c, bending, count, bases](const Eigen::VectorXd& x) {
+  bent.readings = [&plain, &candidate, bending, count, bases](const Eigen::VectorXd& x) {
     Eigen::VectorXd without = x.head(count);
-    for (std::size_t k = 0; k < c.neutral.size(); ++k)
-      if (!std::isnan(c.neutral[k])) without[bases + static_cast<Eigen::Index>(k)] = c.neutral[k];
+    for (std::size_t k = 0; k < candidate.parameters.size(); ++k)
+      if (!std::isnan(candidate.parameters[k].neutral))
+        without[bases + static_cast<Eigen::Index>(k)] = candidate.parameters[k].neutral;
     const Eigen::VectorXd base = plain.readings(without);
     const Eigen::VectorXd change = plain.readings(x.head(count)) - base;
     return Eigen::VectorXd(
         base + change.cwiseProduct((bending * x.tail(bending.cols())).array().exp().matrix()));
   };
-  std::vector<Eigen::VectorXd> starts;
+  std::vector<Eigen::VectorXd> from;
   for (const double sign : {0.0, 1.0, -1.0}) {
     Eigen::VectorXd start(count + bending.cols());
-    start << single.fit.values, sign * Eigen::Vector3d(0.1, -0.05, 0.1)(varying);
-    starts.push_back(std::move(start));
+    start.head(count) = single.fit.values;
+    for (std::size_t k = 0; k < varying.size(); ++k)
+      start[count + static_cast<Eigen::Index>(k)] = sign * (varying[k] % 2 == 0 ? 0.1 : -0.05);
+    from.push_back(std::move(start));
   }
-  Explanation result{.members = single.members};
-  result.elastic = true;
   result.parameters = bent.parameters;
-  result.fit = fit_response(bent, noise_.whitening, problem_.measured, starts);
-  result.exponents = varying.size();
+  result.fit = fit_response(bent, whitening_, problem_.measured(), from);
+  result.free_exponents = varying.size();
   if (!result.fit.converged) return result;
   result.gain = base_.misfit - result.fit.misfit;
-  double* const exponents[] = {&result.speed_exponent, &result.load_exponent,
-                               &result.viscosity_exponent};
   for (std::size_t k = 0; k < varying.size(); ++k)
-    *exponents[varying[k]] = result.fit.values[count + static_cast<Eigen::Index>(k)];
+    result.exponents[varying[k]].value = result.fit.values[count + static_cast<Eigen::Index>(k)];
   return result;
 }
 
@@ -304,7 +327,7 @@ void Attribution::recheck(Explanation& explanation) const {
   }
   explanation.recheck =
       open_gate(explanation.fit.tangent, explanation.fit.residual, surface_,
-                scores_(Eigen::all, others), one_sided, noise_.degrees_of_freedom, draws_);
+                scores_(Eigen::all, others), one_sided, evidence_.degrees_of_freedom, draws_);
   explanation.rechecked = true;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "fit/candidates.h"
-#include "fit/noise_model.h"
-#include "fit/screening.h"
+#include "fit/evidence.h"
+#include "fit/gate.h"
 
 namespace raceway::fit {
 
@@ -16,14 +16,15 @@ struct Explanation {
   std::vector<std::size_t> members{};  ///< indices into Problem::candidates, rising
   Response response{};                 ///< empty where the law is bent
   ResponseFit fit{};
-  std::vector<FitParameter> parameters{};  ///< base, then those of the members
+  std::vector<Parameter> parameters{};  ///< base, then those of the members
   double gain = unset;  ///< fall of -2 ln L against the base, less ln N for each shape that is free
   Gate recheck{};       ///< of what is left, against the rest of the catalogue
   bool rechecked = false;
   double least_loss = unset;  ///< rise of -2 ln L when the lesser member of a pair is dropped
   bool elastic = false;       ///< with exponents that bend the law
-  double speed_exponent = 0.0, load_exponent = 0.0, viscosity_exponent = 0.0;
-  std::size_t exponents = 0;  ///< how many of them were free: of inputs that vary
+  /// Of every factor of the subject, by its name; 0 where it does not vary.
+  std::vector<NamedValue> exponents{};
+  std::size_t free_exponents = 0;  ///< how many of them were free
   /// True if an exponent ended at the limit to which the law may be bent.
   [[nodiscard]] bool bent_to_a_bound() const;
 };
@@ -31,8 +32,7 @@ struct Explanation {
 /// All that is needed to hold an extended model against the data, and the fits made so far.
 class Attribution {
  public:
-  Attribution(const Problem& problem, const NoiseModel& noise, const ResponseFit& base,
-              const Eigen::VectorXd& size);
+  explicit Attribution(const Evidence& evidence);
 
   [[nodiscard]] const Gate& gate() const { return gate_; }
   /// Column of the gate's scores at which a candidate's begin, and how many it has.
@@ -49,14 +49,32 @@ class Attribution {
   /// within reach of the best are refitted.
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
-  /// The law of one candidate bent by powers of speed, load and viscosity within +-0.2.
+  /// The law of one candidate bent by powers of the subject's factors within +-0.2.
   [[nodiscard]] Explanation elastic(const Explanation& single) const;
   /// The gate again on an extended model.
   void recheck(Explanation& explanation) const;
 
  private:
+  /// Directions in which candidates change the readings, as pairs are weighed.
+  struct Directions {
+    std::vector<std::size_t> owner{};
+    std::vector<bool> one_sided{};
+    Eigen::MatrixXd columns{};  // whitened, off the base
+  };
+  [[nodiscard]] Directions directions(const std::vector<Explanation>& singles) const;
+  using Members = std::pair<std::size_t, std::size_t>;
+  /// Linearised gains of pairs, negative, the best first.
+  [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
+      const std::vector<Explanation>& singles) const;
+  [[nodiscard]] Explanation refit_pair(const Explanation& first, const Explanation& second) const;
+  [[nodiscard]] std::vector<Eigen::VectorXd> starts(std::span<const Screened* const> on,
+                                                    const Response& response) const;
+  [[nodiscard]] std::vector<const Screened*> screened(
+      const std::vector<std::size_t>& members) const;
+
+  const Evidence& evidence_;
   const Problem& problem_;
-  const NoiseModel& noise_;
+  const Whitening& whitening_;
   const ResponseFit& base_;
   Eigen::MatrixXd surface_, scores_;  // whitened
   std::vector<bool> one_sided_;

@@ -1,244 +1,118 @@
 #include "fit/calibrate.h"
 
-#include <ceres/ceres.h>
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
-#include "fit/prediction.h"
-#include "fit/quantity.h"
-#include "fit/shaft_prediction.h"
-#include "fit/shaft_response.h"
+#include "fit/verdict_text.h"
 
 namespace raceway::fit {
 
 namespace {
 
 constexpr double dependent = 1e-6;  // share of a unit column that others leave; below, it is theirs
-constexpr double difference_step = 1e-5;  // of the size of a parameter
-constexpr double shaft_step = 1e-4;       // the same, where balances of sets are differenced
-constexpr std::size_t chunk = 64;         // rows that a thread takes
-constexpr double bound_tolerance = 1e-7;  // of the scale of a parameter
+constexpr double beyond_chance = 0.01;  // of a misfit against the noise
 
-/// A typical size of a parameter, so that the optimiser works with numbers of order one.
-double typical_size(const ModelParameter& p, double start) {
-  const double size = std::max(std::abs(start), std::abs(p.initial));
-  if (size > 0.0) return size;
-  const double range = p.upper - p.lower;
-  return std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
+std::string with_unit(double value, const std::string& unit) {
+  return unit == "1" ? fmt::format("{:.5g}", value) : fmt::format("{:.5g} {}", value, unit);
 }
 
-/// Weighted residuals of all rows and their derivatives by the free parameters.
-class Residuals {
- public:
-  Residuals(const Model& model, const DataSet& data, std::vector<ModelParameter> parameters)
-      : model_(model), steps_(model), parameters_(std::move(parameters)) {
-    weighted_ = !data.rows.empty();
-    std::vector<FrictionPrediction> predictions;
-    std::vector<double> displacements;
-    std::vector<Row> shaft_rows;
-    if (model.shaft)
-      displacements = predict_displacement(model, data.rows);
-    else
-      predictions = predict_rows(model, data);
-    for (std::size_t i = 0; i < data.rows.size(); ++i) {
-      const Row& row = data.rows[i];
-      if (!std::isfinite(model.shaft ? displacements[i] : predictions[i].reading) ||
-          !std::isfinite(row.measured)) {
-        lines_not_predicted_.push_back(row.line);
-        continue;
-      }
-      if (model.shaft) {
-        shaft_rows.push_back(row);
-      } else {
-        const bool as_entered = predictions[i].condition == effects::Condition{};
-        predictors_.emplace_back(model, steps_, row.point, record_of(row),
-                                 as_entered ? predictions[i].equilibrium : nullptr);
-      }
-      measured_.push_back(row.measured);
-      stds_.push_back(row.std);
-      weighted_ = weighted_ && row.std > 0.0 && std::isfinite(row.std);
-    }
-    if (model.shaft) shaft_.emplace(model, shaft_rows);
-    if (!weighted_) {
-      some_std_ = std::any_of(stds_.begin(), stds_.end(), [](double s) { return s > 0.0; });
-      // Readings are scaled to order one.
-      double square = 0.0;
-      for (const double m : measured_) square += m * m;
-      const double size = std::sqrt(square / static_cast<double>(std::max<std::size_t>(1, rows())));
-      stds_.assign(rows(), size > 0.0 ? size : 1.0);
-    }
-    own_stds_ = stds_;
-  }
-
-  [[nodiscard]] std::size_t rows() const { return measured_.size(); }
-  [[nodiscard]] bool weighted() const { return weighted_; }
-  [[nodiscard]] bool some_std() const { return some_std_; }
-  [[nodiscard]] const std::vector<ModelParameter>& parameters() const { return parameters_; }
-  [[nodiscard]] const std::vector<int>& lines_not_predicted() const { return lines_not_predicted_; }
-
-  /// Counts a scatter common to all rows beside their own standard deviation [N m] or [m].
-  void set_excess_scatter(double excess) {
-    for (std::size_t i = 0; i < rows(); ++i) stds_[i] = std::hypot(own_stds_[i], excess);
-  }
-
-  /// χ² against the rows' own standard deviations widened by a common scatter [1]; `errors` are
-  /// prediction minus reading [N m] or [m].
-  [[nodiscard]] double chi_square(const Eigen::VectorXd& errors, double excess) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rows(); ++i) {
-      const double t = errors[static_cast<Eigen::Index>(i)] / std::hypot(own_stds_[i], excess);
-      sum += t * t;
-    }
-    return sum;
-  }
-
-  /// Prediction minus reading [N m] or [m].
-  [[nodiscard]] Eigen::VectorXd errors(const Eigen::VectorXd& values) const {
-    Eigen::VectorXd r = evaluate(values, nullptr);
-    for (std::size_t i = 0; i < rows(); ++i) r[static_cast<Eigen::Index>(i)] *= stds_[i];
-    return r;
-  }
-
-  /// Root mean square of prediction minus reading [N m] or [m].
-  [[nodiscard]] double rmse(const Eigen::VectorXd& values) const {
-    return errors(values).norm() / std::sqrt(static_cast<double>(rows()));
-  }
-
-  /// Residuals at these values of the parameters; the Jacobian (rows x parameters) where asked for.
-  /// NaN where the model cannot take the values.
-  [[nodiscard]] Eigen::VectorXd evaluate(const Eigen::VectorXd& values,
-                                         Eigen::MatrixXd* jacobian) const {
-    try {
-      return residuals_at(values, jacobian);
-    } catch (const std::invalid_argument&) {  // no bearing has these values together
-      if (jacobian)
-        *jacobian =
-            Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(rows()), values.size(), unset);
-      return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(rows()), unset);
-    }
-  }
-
- private:
-  [[nodiscard]] Eigen::VectorXd residuals_at(const Eigen::VectorXd& values,
-                                             Eigen::MatrixXd* jacobian) const {
-    Model model = model_;
-    for (std::size_t k = 0; k < parameters_.size(); ++k)
-      parameters_[k].set(model, values[static_cast<Eigen::Index>(k)]);
-    const Eigen::VectorXd readings = predicted(model);
-    const Eigen::Map<const Eigen::ArrayXd> measured(measured_.data(), readings.size());
-    const Eigen::Map<const Eigen::ArrayXd> stds(stds_.data(), readings.size());
-    if (jacobian) {
-      jacobian->resize(readings.size(), values.size());
-      for (std::size_t k = 0; k < parameters_.size(); ++k) {
-        jacobian->col(static_cast<Eigen::Index>(k)) =
-            (derivative(model, parameters_[k], readings).array() / stds).matrix();
-        parameters_[k].set(model, values[static_cast<Eigen::Index>(k)]);
-      }
-    }
-    return ((readings.array() - measured) / stds).matrix();
-  }
-
-  [[nodiscard]] Eigen::VectorXd predicted(const Model& model) const {
-    if (model.shaft) return displaced(model);
-    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
-    predict_all(model, steps_, predictors_, std::span(readings.data(), rows()));
-    return readings;
-  }
-
-  /// `reading` of each row, shared among threads; rows do not see each other.
-  template <typename Reading>
-  [[nodiscard]] Eigen::VectorXd of_rows(const Reading& reading) const {
-    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
-    tbb::parallel_for(std::size_t{0}, (rows() + chunk - 1) / chunk, [&](std::size_t c) {
-      for (std::size_t i = c * chunk; i < std::min(rows(), (c + 1) * chunk); ++i)
-        readings[static_cast<Eigen::Index>(i)] = reading(predictors_[i]);
-    });
-    return readings;
-  }
-
-  [[nodiscard]] Eigen::VectorXd displaced(const Model& model) const {
-    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows()));
-    shaft_->predict(model, {readings.data(), rows()});
-    return readings;
-  }
-
-  /// Of the readings by one parameter, at the values of `model`, whose parameter is left moved.
-  /// Differences of second order, inside the bounds: exact but for rounding where the parameter is
-  /// an amplitude, as most are.
-  Eigen::VectorXd derivative(Model& model, const ModelParameter& p,
-                             const Eigen::VectorXd& readings) const {
-    const Stage stage = first_stage(model, steps_, p.effect);
-    const double centre = p.get(model);
-    const double step = (model.shaft ? shaft_step : difference_step) * typical_size(p, centre);
-    const auto at = [&](double value) {
-      p.set(model, value);
-      if (model.shaft) return displaced(model);
-      return of_rows([&](const RowPredictor& row) { return row.vary(model, steps_, stage); });
-    };
-    if (centre - step < p.lower)
-      return (4.0 * at(centre + step) - at(centre + 2.0 * step) - 3.0 * readings) / (2.0 * step);
-    if (centre + step > p.upper)
-      return (3.0 * readings + at(centre - 2.0 * step) - 4.0 * at(centre - step)) / (2.0 * step);
-    return (at(centre + step) - at(centre - step)) / (2.0 * step);
-  }
-
-  Model model_;
-  Steps steps_;
-  std::vector<ModelParameter> parameters_;
-  mutable std::vector<RowPredictor> predictors_;   // one per row that can be predicted
-  mutable std::optional<DisplacementRows> shaft_;  // the same, of a shaft
-  std::vector<double> measured_;
-  std::vector<double> own_stds_, stds_;  // of the rows; with the common scatter
-  std::vector<int> lines_not_predicted_;
-  bool weighted_ = false, some_std_ = false;
+/// Readings, what they are weighed by, and whether that is their noise.
+struct Weighed {
+  Problem problem{};
+  Whitening whitening{};
+  bool noise_known = false;
+  bool as_declared = false;  ///< by declared deviations alone, which may not be all of the noise
 };
 
-/// The residuals as Ceres sees them: parameters scaled, held ones left out.
-class ScaledResiduals : public ceres::CostFunction {
- public:
-  ScaledResiduals(const Residuals& residuals, Eigen::VectorXd values, Eigen::VectorXd scale,
-                  std::vector<Eigen::Index> moving)
-      : residuals_(residuals),
-        values_(std::move(values)),
-        scale_(std::move(scale)),
-        moving_(std::move(moving)) {
-    set_num_residuals(static_cast<int>(residuals_.rows()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(moving_.size()));
-  }
+/// All rows of a record that can be predicted, without candidates.
+Problem plain_problem(const Subject& subject, const Record& record) {
+  Problem problem;
+  problem.subject = subject.with_values({});
+  std::vector<std::size_t> order = order_of_rows(record);
+  if (subject.has_memory())
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  problem.record = std::make_shared<const Record>(record.picked(order));
+  problem.rows = std::move(order);
+  problem.prepared = subject.prepare(*problem.record);
+  const std::vector<double> predicted = predict(subject, *problem.record);
+  problem.observed = observe(subject.measured(), *problem.record, predicted);
+  const std::vector<Measured>& channels = problem.observed.channels;
+  for (std::size_t i = 0; i < problem.rows.size(); ++i)
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      if (std::isfinite(problem.record->value(*channels[c].channel, i)) &&
+          !std::isfinite(predicted[c * problem.rows.size() + i]))
+        problem.not_predicted.push_back(problem.rows[i]);
+  std::sort(problem.not_predicted.begin(), problem.not_predicted.end());
+  return problem;
+}
 
-  bool Evaluate(double const* const* x, double* residual, double** jacobians) const override {
-    Eigen::VectorXd values = values_;
-    for (std::size_t k = 0; k < moving_.size(); ++k)
-      values[moving_[k]] = x[0][k] * scale_[moving_[k]];
-    const bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
-    Eigen::MatrixXd full;
-    const Eigen::VectorXd r = residuals_.evaluate(values, derivatives ? &full : nullptr);
-    if (!r.allFinite() || !full.allFinite()) return false;
-    Eigen::Map<Eigen::VectorXd>(residual, r.size()) = r;
-    if (derivatives) {
-      const auto columns = static_cast<Eigen::Index>(moving_.size());
-      Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> out(
-          jacobians[0], r.size(), columns);
-      for (Eigen::Index k = 0; k < columns; ++k) {
-        const Eigen::Index column = moving_[static_cast<std::size_t>(k)];
-        out.col(k) = full.col(column) * scale_[column];
-      }
+/// Where the data cannot tell their noise: declared deviations, or all readings of a channel alike.
+void weigh_plainly(Weighed& weighed, std::vector<std::string>& messages) {
+  const Problem& problem = weighed.problem;
+  std::vector<Whitening> parts;
+  weighed.noise_known = true;
+  for (std::size_t c = 0; c < problem.observed.channels.size(); ++c) {
+    const ChannelReadings readings = readings_of(*problem.record, problem.observed, c);
+    if (readings.std.size() > 0) {
+      parts.emplace_back(readings.std, RowOrder{}, 0.0, 0.0);
+      continue;
     }
-    return true;
+    weighed.noise_known = false;
+    if (const record::Column* const some =
+            problem.record->deviation_of(*problem.observed.channels[c].channel);
+        some &&
+        std::any_of(some->values.begin(), some->values.end(), [](double s) { return s > 0.0; }))
+      messages.emplace_back("not every row has a standard deviation: all rows weigh the same");
+    const double size = readings.measured.size() > 0 ? rms(readings.measured) : 1.0;
+    parts.emplace_back(Eigen::VectorXd::Constant(readings.measured.size(), size > 0.0 ? size : 1.0),
+                       RowOrder{}, 0.0, 0.0);
   }
+  weighed.whitening = Whitening(parts);
+  weighed.as_declared = weighed.noise_known;
+}
 
- private:
-  const Residuals& residuals_;
-  Eigen::VectorXd values_, scale_;
-  std::vector<Eigen::Index> moving_;
-};
+/// The noise that a thinned record has shown, on all of its rows.
+void weigh_as(const Evidence& evidence, const Response& response, Weighed& weighed) {
+  const Problem& problem = weighed.problem;
+  const Eigen::VectorXd size = response.at(response.start()).cwiseAbs();
+  std::vector<Whitening> parts;
+  for (std::size_t c = 0; c < problem.observed.channels.size(); ++c)
+    parts.push_back(whitening_of(evidence.noise[c],
+                                 readings_of(*problem.record, problem.observed, c),
+                                 problem.observed.of(c, size)));
+  weighed.whitening = Whitening(parts);
+  weighed.noise_known = true;
+}
+
+/// The common scatter of the readings of a channel, beside their own deviations, that brings χ²
+/// down to the degrees of freedom [SI]; 0 where it is below. [PauleMandel1982]
+double excess_scatter(const Eigen::VectorXd& errors, const Eigen::VectorXd& std, double freedom) {
+  const auto chi_square = [&](double excess) {
+    return (errors.array().square() / (std.array().square() + excess * excess)).sum();
+  };
+  if (freedom < 1.0 || chi_square(0.0) <= freedom) return 0.0;
+  double low = 0.0, high = errors.norm();  // there χ² is below 1
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const double middle = 0.5 * (low + high);
+    (chi_square(middle) > freedom ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Nothing where the data cannot carry a diagnosis.
+std::optional<Evidence> evidence_of(const Subject& subject, const Record& record) {
+  try {
+    return gather_evidence(subject, record);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
 
 /// Whether a column adds anything to those before it, and to which of them it belongs if not.
 struct Dependence {
@@ -246,25 +120,25 @@ struct Dependence {
   std::vector<Eigen::Index> on;  // empty where the column is zero
 };
 
-std::vector<Dependence> column_dependence(const Eigen::MatrixXd& jacobian,
-                                          const Eigen::VectorXd& scale) {
+std::vector<Dependence> column_dependence(const Eigen::MatrixXd& jacobian) {
   std::vector<Dependence> result(static_cast<std::size_t>(jacobian.cols()));
-  const double largest = (jacobian * scale.asDiagonal()).colwise().norm().maxCoeff();
+  const double largest = jacobian.colwise().norm().maxCoeff();
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
     Dependence& d = result[static_cast<std::size_t>(k)];
     const double norm = jacobian.col(k).norm();
-    if (!(norm * scale[k] > 1e-12 * largest)) {
+    if (!(norm > 1e-12 * largest)) {
       d.dependent = true;
       continue;
     }
     const Eigen::VectorXd column = jacobian.col(k) / norm;
     if (!kept.empty()) {
-      Eigen::MatrixXd others(jacobian.rows(), static_cast<Eigen::Index>(kept.size()));
+      Eigen::MatrixXd before(jacobian.rows(), static_cast<Eigen::Index>(kept.size()));
       for (std::size_t j = 0; j < kept.size(); ++j)
-        others.col(static_cast<Eigen::Index>(j)) = jacobian.col(kept[j]).normalized();
-      const Eigen::VectorXd share = others.colPivHouseholderQr().solve(column);
-      if ((column - others * share).norm() < dependent) {
+        before.col(static_cast<Eigen::Index>(j)) =
+            jacobian.col(kept[j]) / jacobian.col(kept[j]).norm();
+      const Eigen::VectorXd share = before.colPivHouseholderQr().solve(column);
+      if ((column - before * share).norm() < dependent) {
         d.dependent = true;
         for (std::size_t j = 0; j < kept.size(); ++j)
           if (std::abs(share[static_cast<Eigen::Index>(j)]) > 1e-3) d.on.push_back(kept[j]);
@@ -276,312 +150,367 @@ std::vector<Dependence> column_dependence(const Eigen::MatrixXd& jacobian,
   return result;
 }
 
-std::string with_unit(double value, const std::string& unit) {
-  return unit == "1" || unit.empty() ? fmt::format("{:.5g}", value)
-                                     : fmt::format("{:.5g} {}", value, unit);
-}
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
-  return text;
+/// Dependence at a point; nothing where it cannot be predicted.
+std::optional<std::vector<Dependence>> dependence_at(const Response& response,
+                                                     const Whitening& whitening,
+                                                     const Eigen::VectorXd& x) {
+  const Eigen::MatrixXd slope = response.jacobian(x);
+  if (!slope.allFinite()) return std::nullopt;
+  Eigen::MatrixXd jacobian = whitening(slope);
+  for (Eigen::Index k = 0; k < jacobian.cols(); ++k)
+    jacobian.col(k) *= response.parameters[static_cast<std::size_t>(k)].scale;
+  return column_dependence(jacobian);
 }
 
 /// Marks what the data cannot tell apart, holds all but the first of a group, and says so.
-void hold_dependent(const Residuals& residuals, const Eigen::VectorXd& start,
-                    const Eigen::VectorXd& scale, Calibration& result) {
+void hold_dependent(const Response& response, const Whitening& whitening, Calibration& result) {
   // A second point, because a parameter may be without effect at its start only (the shape of an
   // effect whose size starts at zero).
+  const Eigen::VectorXd start = response.start();
   Eigen::VectorXd moved = start;
   for (Eigen::Index k = 0; k < start.size(); ++k) {
-    const ModelParameter& p = residuals.parameters()[static_cast<std::size_t>(k)];
-    const double step = (0.1 + 0.03 * static_cast<double>(k)) * scale[k];
+    const Parameter& p = response.parameters[static_cast<std::size_t>(k)];
+    const double step = (0.1 + 0.03 * static_cast<double>(k)) * p.scale;
     moved[k] = start[k] + step <= p.upper ? start[k] + step : std::max(start[k] - step, p.lower);
   }
-  Eigen::MatrixXd jacobian;
-  (void)residuals.evaluate(start, &jacobian);
-  const std::vector<Dependence> here = column_dependence(jacobian, scale);
-  (void)residuals.evaluate(moved, &jacobian);
-  const std::vector<Dependence> there = column_dependence(jacobian, scale);
-  for (std::size_t k = 0; k < here.size(); ++k) {
-    if (!here[k].dependent || !there[k].dependent) continue;
-    FittedParameter& p = result.parameters[k];
+  const auto here = dependence_at(response, whitening, start);
+  const auto there = dependence_at(response, whitening, moved);
+  if (!here || !there) return;
+  for (std::size_t k = 0; k < here->size(); ++k) {
+    if (!(*here)[k].dependent || !(*there)[k].dependent) continue;
+    Parameter& p = result.parameters[k];
     p.held = true;
     p.identifiable = false;
     std::vector<std::string> group;
-    for (const Eigen::Index j : there[k].on) {
-      FittedParameter& other = result.parameters[static_cast<std::size_t>(j)];
+    for (const Eigen::Index j : (*there)[k].on) {
+      Parameter& other = result.parameters[static_cast<std::size_t>(j)];
       other.identifiable = false;
       group.push_back(other.name);
     }
     if (group.empty()) {
       result.messages.push_back(fmt::format("the data do not depend on {}: it stays at {}", p.name,
                                             with_unit(p.value, p.unit)));
-    } else {
-      group.push_back(p.name);
-      result.messages.push_back(
-          fmt::format("{} cannot be told apart on these data: {} is held at {}, and the other {} "
-                      "without a standard error",
-                      joined(group), p.name, with_unit(p.value, p.unit),
-                      group.size() == 2 ? "value is" : "values are"));
+      continue;
+    }
+    group.push_back(p.name);
+    result.messages.push_back(
+        fmt::format("{} cannot be told apart on these data: {} is held at {}, and the other {} "
+                    "without a standard error",
+                    joined(group, "and"), p.name, with_unit(p.value, p.unit),
+                    group.size() == 2 ? "value is" : "values are"));
+  }
+}
+
+/// Standard errors and correlation of the parameters that are free to move at the solution.
+class Errors {
+ public:
+  Errors(const Eigen::MatrixXd& jacobian, double factor, Calibration& result)
+      : jacobian_(jacobian), factor_(factor), result_(result) {
+    for (std::size_t k = 0, column = 0; k < result.parameters.size(); ++k) {
+      if (result.parameters[k].held) continue;
+      if (result.parameters[k].at_bound == Bound::none) {
+        free_.push_back(k);
+        columns_.push_back(static_cast<Eigen::Index>(column));
+      }
+      ++column;
+    }
+    const auto count = static_cast<Eigen::Index>(result.parameters.size());
+    result.correlation = Eigen::MatrixXd::Constant(count, count, unset);
+  }
+
+  void estimate() {
+    if (free_.empty()) return;
+    find_covariance();
+    for (std::size_t k = 0; k < free_.size(); ++k) set_error(k);
+    for (std::size_t a = 0; a < free_.size(); ++a)
+      for (std::size_t b = 0; b < free_.size(); ++b) set_correlation(a, b);
+  }
+
+ private:
+  void find_covariance() {
+    const auto size = static_cast<Eigen::Index>(free_.size());
+    Eigen::MatrixXd scaled = jacobian_(Eigen::all, columns_);
+    norm_ = scaled.colwise().norm();
+    for (Eigen::Index k = 0; k < size; ++k)
+      if (norm_[k] > 0.0) scaled.col(k) /= norm_[k];
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.householderQr()
+                                                    .matrixQR()
+                                                    .topRows(std::min(size, scaled.rows()))
+                                                    .template triangularView<Eigen::Upper>()
+                                                    .toDenseMatrix(),
+                                                Eigen::ComputeThinV);
+    const Eigen::VectorXd singular = svd.singularValues();
+    const Eigen::MatrixXd& v = svd.matrixV();
+    covariance_ = Eigen::MatrixXd::Zero(size, size);
+    lost_.assign(free_.size(), false);
+    for (Eigen::Index s = 0; s < singular.size(); ++s) {
+      if (singular[s] > dependent * singular[0]) {
+        covariance_ += v.col(s) * v.col(s).transpose() / (singular[s] * singular[s]);
+        continue;
+      }
+      std::vector<std::string> group;
+      for (Eigen::Index k = 0; k < size; ++k) {
+        if (std::abs(v(k, s)) < 1e-3) continue;
+        lost_[static_cast<std::size_t>(k)] = true;
+        group.push_back(parameter(static_cast<std::size_t>(k)).name);
+      }
+      result_.messages.push_back(
+          fmt::format("{} cannot be told apart at the solution", joined(group, "and")));
     }
   }
+
+  void set_error(std::size_t k) {
+    Parameter& p = parameter(k);
+    const auto at = static_cast<Eigen::Index>(k);
+    if (lost_[k] || !(norm_[at] > 0.0)) p.identifiable = false;
+    if (!p.identifiable) return;
+    p.std = factor_ * std::sqrt(covariance_(at, at)) / norm_[at];
+    if (!(p.std > p.upper - p.lower)) return;
+    result_.messages.push_back(
+        fmt::format("{} is not fixed by these data: its standard error would be {}, more than the "
+                    "range of its bounds",
+                    p.name, with_unit(p.std, p.unit)));
+    p.identifiable = false;
+    p.std = unset;
+  }
+
+  void set_correlation(std::size_t a, std::size_t b) {
+    const Parameter &first = parameter(a), &second = parameter(b);
+    if (!first.identifiable || !second.identifiable || std::isnan(factor_)) return;
+    const auto i = static_cast<Eigen::Index>(a), j = static_cast<Eigen::Index>(b);
+    const double c = covariance_(i, j) / std::sqrt(covariance_(i, i) * covariance_(j, j));
+    result_.correlation(static_cast<Eigen::Index>(free_[a]), static_cast<Eigen::Index>(free_[b])) =
+        a == b ? 1.0 : c;
+    if (a < b && std::abs(c) > 0.99)
+      result_.messages.push_back(fmt::format(
+          "{} and {} are correlated by {:.4f}: these data fix a combination of them far better "
+          "than each",
+          first.name, second.name, c));
+  }
+
+  Parameter& parameter(std::size_t k) { return result_.parameters[free_[k]]; }
+
+  const Eigen::MatrixXd& jacobian_;
+  double factor_;
+  Calibration& result_;
+  std::vector<std::size_t> free_;      // parameters
+  std::vector<Eigen::Index> columns_;  // of the Jacobian, which held ones have none in
+  Eigen::VectorXd norm_;
+  Eigen::MatrixXd covariance_;
+  std::vector<bool> lost_;
+};
+
+/// By what standard errors are widened: against known noise where the misfit exceeds it, otherwise
+/// by the misfit itself.
+double error_factor(double misfit, bool noise_known, Calibration& result) {
+  const int freedom = result.degrees_of_freedom;
+  if (freedom < 1) {
+    if (noise_known) return 1.0;
+    result.messages.emplace_back("as many rows as parameters: no standard errors");
+    return unset;
+  }
+  const double reduced = misfit / freedom;
+  if (!noise_known) return std::sqrt(reduced);
+  result.reduced_chi_square = reduced;
+  const double p = boost::math::cdf(
+      boost::math::complement(boost::math::chi_squared(static_cast<double>(freedom)), misfit));
+  if (p >= beyond_chance) return 1.0;
+  result.messages.push_back(fmt::format(
+      "the misfit exceeds the noise of the data (chi2/dof = {:.3g}): standard errors are widened "
+      "by {:.3g}, and do not cover what a missing effect does to the values",
+      reduced, std::sqrt(reduced)));
+  return std::sqrt(reduced);
 }
 
-Eigen::VectorXd values_of(const Calibration& result) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(result.parameters.size()));
-  for (std::size_t k = 0; k < result.parameters.size(); ++k)
-    values[static_cast<Eigen::Index>(k)] = result.parameters[k].value;
-  return values;
-}
-
-/// Minimises from the current values. Returns the optimiser's own words on how it ended.
-std::string minimise(const Residuals& residuals, const Eigen::VectorXd& scale,
-                     Calibration& result) {
-  std::vector<Eigen::Index> moving;
-  for (Eigen::Index k = 0; k < scale.size(); ++k)
-    if (!result.parameters[static_cast<std::size_t>(k)].held) moving.push_back(k);
-  const Eigen::VectorXd values = values_of(result);
-  std::vector<double> x;
-  for (const Eigen::Index k : moving) x.push_back(values[k] / scale[k]);
-
-  ceres::Problem problem;
-  problem.AddResidualBlock(new ScaledResiduals(residuals, values, scale, moving), nullptr,
-                           x.data());
-  for (std::size_t m = 0; m < moving.size(); ++m) {
-    const FittedParameter& p = result.parameters[static_cast<std::size_t>(moving[m])];
-    const int index = static_cast<int>(m);
-    if (std::isfinite(p.lower))
-      problem.SetParameterLowerBound(x.data(), index, p.lower / scale[moving[m]]);
-    if (std::isfinite(p.upper))
-      problem.SetParameterUpperBound(x.data(), index, p.upper / scale[moving[m]]);
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  options.max_num_iterations = 200;
-  options.function_tolerance = 1e-15;
-  options.gradient_tolerance = 1e-14;
-  options.parameter_tolerance = 1e-12;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-
-  result.iterations += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
-  result.status = summary.termination_type == ceres::CONVERGENCE      ? FitStatus::converged
-                  : summary.termination_type == ceres::NO_CONVERGENCE ? FitStatus::iteration_limit
-                                                                      : FitStatus::failed;
-  for (std::size_t m = 0; m < moving.size(); ++m) {
-    FittedParameter& p = result.parameters[static_cast<std::size_t>(moving[m])];
-    const double size = scale[moving[m]];
-    p.value = std::clamp(x[m] * size, p.lower, p.upper);
-    p.at_bound = p.value - p.lower <= bound_tolerance * size   ? Bound::lower
-                 : p.upper - p.value <= bound_tolerance * size ? Bound::upper
-                                                               : Bound::none;
-    if (p.at_bound != Bound::none) p.value = p.at_bound == Bound::lower ? p.lower : p.upper;
-  }
-  return summary.message;
-}
-
-/// The common scatter that brings χ² down to the degrees of freedom [N m] or [m]; 0 where it is
-/// below.
-double excess_scatter(const Residuals& residuals, const Eigen::VectorXd& errors,
-                      int degrees_of_freedom) {
-  if (degrees_of_freedom < 1 || residuals.chi_square(errors, 0.0) <= degrees_of_freedom) return 0.0;
-  double low = 0.0, high = errors.norm();  // there χ² is below 1
-  for (int iteration = 0; iteration < 60; ++iteration) {
-    const double middle = 0.5 * (low + high);
-    (residuals.chi_square(errors, middle) > degrees_of_freedom ? low : high) = middle;
-  }
-  return high;
-}
-
-/// Fits, and where rows have standard deviations that the misfit exceeds, fits again with the
-/// common scatter that explains the excess, until that stays the same.
-void fit_parameters(Residuals& residuals, const Eigen::VectorXd& scale, Calibration& result) {
-  const auto moving = std::count_if(result.parameters.begin(), result.parameters.end(),
-                                    [](const FittedParameter& p) { return !p.held; });
-  result.degrees_of_freedom = result.rows - static_cast<int>(moving);
-  if (moving == 0) {
-    result.status = FitStatus::nothing_to_fit;
-    return;
-  }
-  std::string words;
-  for (int round = 0; round < 50; ++round) {
-    words = minimise(residuals, scale, result);
-    if (!result.converged() || !residuals.weighted()) break;
-    const Eigen::VectorXd errors = residuals.errors(values_of(result));
-    const double before = result.excess_scatter;
-    result.excess_scatter = excess_scatter(residuals, errors, result.degrees_of_freedom);
-    residuals.set_excess_scatter(result.excess_scatter);
-    if (result.degrees_of_freedom > 0)
-      result.reduced_chi_square = residuals.chi_square(errors, 0.0) / result.degrees_of_freedom;
-    if (std::abs(result.excess_scatter - before) <= 1e-6 * result.excess_scatter) break;
-  }
-  for (const FittedParameter& p : result.parameters)
+void tell_bounds(Calibration& result) {
+  for (const Parameter& p : result.parameters)
     if (p.at_bound != Bound::none)
       result.messages.push_back(fmt::format(
           "{} ends at its {} bound, {}: the data want it beyond, or the model lacks something",
           p.name, p.at_bound == Bound::lower ? "lower" : "upper", with_unit(p.value, p.unit)));
-  const QuantityText q = text_of(result.quantity);
-  if (result.excess_scatter > 0.0)
-    result.messages.push_back(fmt::format(
-        "misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}); {:.3g} {} were "
-        "added to each, by which weights are evened out and standard errors are widened",
-        result.reduced_chi_square, result.excess_scatter / q.factor, q.unit));
-  if (!result.converged())
-    result.messages.push_back(
-        fmt::format("the fit did not converge ({}): {}", name(result.status), words));
 }
 
-/// Standard errors and correlation at the solution, of the parameters that are free to move there.
-void estimate_errors(const Residuals& residuals, Calibration& result) {
-  const auto count = static_cast<Eigen::Index>(result.parameters.size());
-  result.correlation = Eigen::MatrixXd::Constant(count, count, unset);
-  Eigen::MatrixXd jacobian;
-  const Eigen::VectorXd residual = residuals.evaluate(values_of(result), &jacobian);
-  double factor = 1.0;  // known noise, with the excess already in the residuals
-  if (!residuals.weighted()) {
-    factor = result.degrees_of_freedom > 0
-                 ? std::sqrt(residual.squaredNorm() / result.degrees_of_freedom)
-                 : unset;
-    if (result.degrees_of_freedom == 0)
-      result.messages.push_back("as many rows as parameters: no standard errors");
+/// The error of every channel at these readings.
+void set_errors(const Observations& observed, const Eigen::VectorXd& readings,
+                double ChannelError::*rmse, Calibration& result) {
+  result.channels.resize(observed.channels.size());
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    result.channels[c].channel = observed.channels[c].channel;
+    result.channels[c].*rmse = rms(observed.of(c, Eigen::VectorXd(readings - observed.measured)));
   }
+}
 
-  std::vector<Eigen::Index> free;
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const FittedParameter& p = result.parameters[static_cast<std::size_t>(k)];
-    if (!p.held && p.at_bound == Bound::none) free.push_back(k);
+/// Puts the values of a fit into the parameters that moved, and says what they are worth.
+void take_fit(const Response& response, const ResponseFit& fit, const Observations& observed,
+              const Whitening& whitening, bool noise_known, Calibration& result) {
+  result.status = fit.converged ? FitStatus::converged : FitStatus::failed;
+  result.iterations = fit.iterations;
+  if (!fit.converged) {
+    result.messages.emplace_back(
+        "the fit did not converge: no minimum was reached from two starts");
+    return;
   }
-  if (free.empty()) return;
-  const auto size = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd scaled(jacobian.rows(), size);
-  Eigen::VectorXd norm(size);
-  for (Eigen::Index k = 0; k < size; ++k) {
-    norm[k] = jacobian.col(free[static_cast<std::size_t>(k)]).norm();
-    scaled.col(k) =
-        jacobian.col(free[static_cast<std::size_t>(k)]) / (norm[k] > 0.0 ? norm[k] : 1.0);
+  std::size_t moved = 0;
+  for (Parameter& p : result.parameters) {
+    if (p.held) continue;
+    const Parameter fitted = fit.fitted(response, moved++);
+    p.value = fitted.value;
+    p.at_bound = fitted.at_bound;
+    if (p.at_bound != Bound::none) p.value = p.at_bound == Bound::lower ? p.lower : p.upper;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinV);
-  const Eigen::VectorXd singular = svd.singularValues();
-  const Eigen::MatrixXd& v = svd.matrixV();
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(size, size);
-  std::vector<bool> lost(free.size(), false);
-  for (Eigen::Index s = 0; s < size; ++s) {
-    if (singular[s] > dependent * singular[0]) {
-      covariance += v.col(s) * v.col(s).transpose() / (singular[s] * singular[s]);
-      continue;
-    }
-    std::vector<std::string> group;
-    for (Eigen::Index k = 0; k < size; ++k) {
-      if (std::abs(v(k, s)) < 1e-3) continue;
-      lost[static_cast<std::size_t>(k)] = true;
-      group.push_back(
-          result.parameters[static_cast<std::size_t>(free[static_cast<std::size_t>(k)])].name);
-    }
-    result.messages.push_back(
-        fmt::format("{} cannot be told apart at the solution", joined(group)));
-  }
-  for (Eigen::Index k = 0; k < size; ++k) {
-    FittedParameter& p =
-        result.parameters[static_cast<std::size_t>(free[static_cast<std::size_t>(k)])];
-    if (lost[static_cast<std::size_t>(k)] || !(norm[k] > 0.0)) p.identifiable = false;
-    if (!p.identifiable) continue;
-    p.std = factor * std::sqrt(covariance(k, k)) / norm[k];
-    if (p.std > p.upper - p.lower) {
+  result.degrees_of_freedom = static_cast<int>(observed.size()) - static_cast<int>(moved);
+  set_errors(observed, fit.prediction, &ChannelError::rmse_after, result);
+  tell_bounds(result);
+  for (const ChannelError& c : result.channels)
+    if (c.rmse_after > c.rmse_before)
       result.messages.push_back(fmt::format(
-          "{} is not fixed by these data: its standard error would be {}, more than the "
-          "range of its bounds",
-          p.name, with_unit(p.std, p.unit)));
-      p.identifiable = false;
-      p.std = unset;
+          "the RMS error of {} rises, {:.4g} -> {}: readings are weighed by their noise, in which "
+          "what the rows of a run have in common counts once",
+          c.channel->words, c.rmse_before / c.channel->factor,
+          reading_text(*c.channel, c.rmse_after, 4)));
+  const double factor = error_factor(fit.misfit, noise_known, result);
+  const Eigen::MatrixXd jacobian = whitening(fit.slope);
+  Errors(jacobian, factor, result).estimate();
+}
+
+/// Fits again with the common scatter that explains a misfit beyond the declared deviations, until
+/// that stays the same: without it a model that misses something would be bent to the few quietest
+/// rows, and be far too sure of its parameters.
+ResponseFit fit_with_excess(const Response& response, const Observations& observed, ResponseFit fit,
+                            Whitening& whitening, Calibration& result) {
+  const Whitening declared = whitening;
+  const std::size_t channels = observed.channels.size();
+  std::vector<double> excess(channels, 0.0);
+  const auto share =
+      static_cast<double>(response.parameters.size()) / static_cast<double>(observed.size());
+  double chi_square = unset;
+  for (int round = 0; round < 50 && fit.converged; ++round) {
+    const Eigen::VectorXd errors = fit.prediction - observed.measured;
+    chi_square = declared(errors).squaredNorm();
+    std::vector<Whitening> parts;
+    bool settled = true;
+    for (std::size_t c = 0; c < channels; ++c) {
+      const Eigen::VectorXd std = observed.of(c, declared.std());
+      const double before = excess[c];
+      excess[c] = excess_scatter(observed.of(c, errors), std,
+                                 static_cast<double>(observed.size(c)) * (1.0 - share));
+      settled = settled && std::abs(excess[c] - before) <= 1e-6 * excess[c];
+      parts.emplace_back((std.array().square() + excess[c] * excess[c]).sqrt().matrix(), RowOrder{},
+                         0.0, 0.0);
     }
+    if (settled) break;
+    whitening = Whitening(parts);
+    const Eigen::VectorXd x = fit.values;
+    fit = fit_response(response, whitening, observed.measured, {x, 0.8 * x, 1.25 * x, 0.5 * x});
   }
-  for (Eigen::Index a = 0; a < size; ++a) {
-    for (Eigen::Index b = 0; b < size; ++b) {
-      const Eigen::Index row = free[static_cast<std::size_t>(a)],
-                         column = free[static_cast<std::size_t>(b)];
-      const FittedParameter& first = result.parameters[static_cast<std::size_t>(row)];
-      const FittedParameter& second = result.parameters[static_cast<std::size_t>(column)];
-      if (!first.identifiable || !second.identifiable) continue;
-      const double c = covariance(a, b) / std::sqrt(covariance(a, a) * covariance(b, b));
-      result.correlation(row, column) = a == b ? 1.0 : c;
-      if (a < b && std::abs(c) > 0.99)
-        result.messages.push_back(
-            fmt::format("{} and {} are correlated by {:.4f}: these data fix a combination of them "
-                        "far better than "
-                        "each",
-                        first.name, second.name, c));
-    }
+  for (std::size_t c = 0; c < channels; ++c)
+    if (excess[c] > 0.0)
+      result.messages.push_back(
+          fmt::format("misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}); {} "
+                      "were added to "
+                      "each, by which weights are evened out and standard errors are widened",
+                      chi_square / (static_cast<double>(observed.size()) * (1.0 - share)),
+                      reading_text(*observed.channels[c].channel, excess[c])));
+  return fit;
+}
+
+std::vector<NamedValue> named_values(const std::vector<Parameter>& parameters) {
+  std::vector<NamedValue> values;
+  for (const Parameter& p : parameters) values.push_back({p.name, p.value});
+  return values;
+}
+
+/// The parameters as a fit takes them: inside their bounds.
+std::vector<Parameter> starting(const Subject& subject, Calibration& result) {
+  std::vector<Parameter> parameters = find_parameters(subject, subject.free());
+  for (Parameter& p : parameters) {
+    p.value = std::clamp(p.start, p.lower, p.upper);
+    if (p.value != p.start)
+      result.messages.push_back(fmt::format("{} = {} is outside its bounds: the fit starts at {}",
+                                            p.name, with_unit(p.start, p.unit),
+                                            with_unit(p.value, p.unit)));
   }
+  return parameters;
+}
+
+/// The readings and their weights; `evidence` where a diagnosis could be made.
+Weighed weigh(const Subject& subject, const Record& record, const std::optional<Evidence>& evidence,
+              std::vector<std::string>& messages) {
+  if (evidence && evidence->rows() + evidence->problem.not_predicted.size() == record.rows())
+    return {evidence->problem, evidence->whitening, true};
+  Weighed weighed{.problem = plain_problem(subject, record)};
+  if (evidence && evidence->noise.size() == weighed.problem.observed.channels.size())
+    weigh_as(*evidence,
+             response_of(subject, weighed.problem.record, weighed.problem.observed, {},
+                         weighed.problem.prepared),
+             weighed);
+  else
+    weigh_plainly(weighed, messages);
+  return weighed;
 }
 
 }  // namespace
 
-std::string_view name(FitStatus status) {
-  switch (status) {
-    case FitStatus::not_run:
-      return "not_run";
-    case FitStatus::converged:
-      return "converged";
-    case FitStatus::iteration_limit:
-      return "iteration_limit";
-    case FitStatus::failed:
-      return "failed";
-    case FitStatus::nothing_to_fit:
-      return "nothing_to_fit";
+Calibration calibrate(const Subject& subject, const Record& record) {
+  subject.require(record);
+  Calibration result;
+  result.parameters = starting(subject, result);
+  const auto started = subject.with_values(named_values(result.parameters));
+  const std::optional<Evidence> evidence = evidence_of(*started, record);
+  Weighed weighed = weigh(*started, record, evidence, result.messages);
+  const Problem& problem = weighed.problem;
+  const Observations& observed = problem.observed;
+  result.rows = static_cast<int>(record.rows() - problem.not_predicted.size());
+  result.rows_not_predicted = problem.not_predicted;
+  const std::size_t count = result.parameters.size();
+  if (static_cast<std::size_t>(observed.size()) < count)
+    throw std::invalid_argument(fmt::format(
+        "{}: {} rows can be predicted, {} parameters are free: at least as many rows as parameters "
+        "are needed",
+        record.source, observed.size(), count));
+  if (!problem.not_predicted.empty())
+    result.messages.push_back(fmt::format("{} of {} rows have no prediction and are not used",
+                                          problem.not_predicted.size(), record.rows()));
+  const auto response_by = [&](const Subject& of, const std::vector<std::string>& names) {
+    return response_of(of, problem.record, observed, names, problem.prepared);
+  };
+  set_errors(observed, response_by(subject, {}).readings({}), &ChannelError::rmse_before, result);
+  hold_dependent(response_by(*started, started->free()), weighed.whitening, result);
+  std::vector<std::string> moving;
+  for (const Parameter& p : result.parameters)
+    if (!p.held) moving.push_back(p.name);
+  result.subject = started->with_values({});
+  if (moving.empty()) {
+    result.status = FitStatus::nothing_to_fit;
+    result.degrees_of_freedom = static_cast<int>(observed.size());
+    const auto size = static_cast<Eigen::Index>(count);
+    result.correlation = Eigen::MatrixXd::Constant(size, size, unset);
+    set_errors(observed, response_by(*started, {}).readings({}), &ChannelError::rmse_after, result);
+    return result;
   }
-  return "unknown";
+  Response response = response_by(*started, moving);
+  response.find_affine_form();
+  const bool made =
+      evidence && moving == evidence->problem.base && problem.record == evidence->problem.record;
+  const Eigen::VectorXd x = response.start();
+  ResponseFit fit = made ? evidence->base
+                         : fit_response(response, weighed.whitening, observed.measured,
+                                        {x, 0.8 * x, 1.25 * x, 0.5 * x});
+  if (weighed.as_declared)
+    fit = fit_with_excess(response, observed, std::move(fit), weighed.whitening, result);
+  take_fit(response, fit, observed, weighed.whitening, weighed.noise_known, result);
+  result.subject = started->with_values(named_values(result.parameters));
+  return result;
 }
 
-Calibration calibrate(const Model& model, const DataSet& data) {
-  require_measured_subject(model, data);
-  Residuals residuals(model, data, free_parameters(model));
-  Calibration result{.model = model};
-  result.quantity = data.quantity;
-  result.rows = static_cast<int>(residuals.rows());
-  result.rows_not_predicted = residuals.lines_not_predicted();
-  result.weighted = residuals.weighted();
-  const std::size_t count = residuals.parameters().size();
-  if (residuals.rows() < count)
-    throw std::invalid_argument(fmt::format(
-        "{}: {} rows can be predicted, {} parameters are free: at least as many rows as "
-        "parameters are needed",
-        data.source, residuals.rows(), count));
-  if (!result.rows_not_predicted.empty())
-    result.messages.push_back(fmt::format("{} of {} rows have no prediction and are not used",
-                                          result.rows_not_predicted.size(), data.rows.size()));
-  if (residuals.some_std())
-    result.messages.push_back("not every row has a standard deviation: all rows weigh the same");
-
-  Eigen::VectorXd start(static_cast<Eigen::Index>(count)), scale(start.size());
-  Eigen::VectorXd given(start.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const ModelParameter& p = residuals.parameters()[k];
-    const auto index = static_cast<Eigen::Index>(k);
-    given[index] = p.get(model);
-    start[index] = std::clamp(given[index], p.lower, p.upper);
-    scale[index] = typical_size(p, start[index]);
-    if (start[index] != given[index])
-      result.messages.push_back(fmt::format("{} = {} is outside its bounds: the fit starts at {}",
-                                            p.name, with_unit(given[index], p.unit),
-                                            with_unit(start[index], p.unit)));
-    result.parameters.push_back({.name = p.name,
-                                 .unit = p.unit,
-                                 .start = given[index],
-                                 .value = start[index],
-                                 .lower = p.lower,
-                                 .upper = p.upper});
-  }
-  result.rmse_before = residuals.rmse(given);
-  hold_dependent(residuals, start, scale, result);
-  fit_parameters(residuals, scale, result);
-  for (std::size_t k = 0; k < count; ++k)
-    residuals.parameters()[k].set(result.model, result.parameters[k].value);
-  result.rmse_after = residuals.rmse(values_of(result));
-  estimate_errors(residuals, result);
+Calibration calibration_of(std::shared_ptr<const Subject> fitted, const Response& response,
+                           const ResponseFit& fit, const Observations& observed,
+                           const Whitening& whitening, bool noise_known) {
+  Calibration result{.subject = std::move(fitted)};
+  result.parameters = response.parameters;
+  result.rows = static_cast<int>(observed.size());
+  set_errors(observed, response.at(response.start()), &ChannelError::rmse_before, result);
+  take_fit(response, fit, observed, whitening, noise_known, result);
   return result;
 }
 

@@ -11,9 +11,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "fit/quantity.h"
-#include "fit/shaft_prediction.h"
-#include "fit/shaft_response.h"
+#include "fit/estimated_noise.h"
+#include "record/levels.h"
+#include "record/repeats.h"
 
 namespace raceway::fit {
 
@@ -21,27 +21,21 @@ namespace {
 
 constexpr double alarm_level = 0.01;
 constexpr std::size_t worst_rows = 5;
-constexpr std::size_t most_levels = 12;  // of a variable; more are binned
+constexpr std::size_t most_levels = 12;  // of an input; more are binned
 constexpr std::size_t most_bins = 8;
 constexpr std::size_t fewest_per_bin = 5;
 constexpr int fewest_pairs = 8;
+constexpr double string_ratio = 0.02, string_difference = 2.0;  // settings within make one string
 
-/// Below this, differences are scatter of a set value, not a variation.
-double resolution_of(Variable variable, double largest) {
-  if (variable == Variable::run) return 0.5;
-  return variable == Variable::temperature ? 0.5 : 0.005 * largest;
-}
-
-ErrorRange error_range(Variable variable, const std::vector<RowError>& errors,
-                       const std::vector<std::size_t>& members, const DataSet& data) {
-  ErrorRange range;
-  range.variable = variable;
+ErrorRange error_range(const Channel& channel, const std::vector<RowError>& errors,
+                       const std::vector<std::size_t>& members, const Record& record) {
+  ErrorRange range{.channel = &channel};
   range.rows = static_cast<int>(members.size());
   double square = 0.0, sum = 0.0;
   range.from = std::numeric_limits<double>::infinity();
   range.to = -range.from;
   for (const std::size_t m : members) {
-    const double value = value_of(variable, data.rows[errors[m].row]);
+    const double value = record.value(channel, errors[m].row);
     range.from = std::min(range.from, value);
     range.to = std::max(range.to, value);
     square += errors[m].residual * errors[m].residual;
@@ -50,8 +44,8 @@ ErrorRange error_range(Variable variable, const std::vector<RowError>& errors,
   const auto count = static_cast<double>(members.size());
   range.rmse = std::sqrt(square / count);
   range.bias = sum / count;
-  if (variable == Variable::run && range.from >= 0.0)
-    range.run = data.runs.at(static_cast<std::size_t>(range.from));
+  if (range.is_run() && range.from >= 0.0)
+    range.run = record.runs.at(static_cast<std::size_t>(range.from));
   return range;
 }
 
@@ -81,55 +75,67 @@ std::vector<std::vector<std::size_t>> quantile_bins(
   return result;
 }
 
-void add_ranges(Variable variable, const DataSet& data, Comparison& result) {
-  const auto value = [&](std::size_t m) {
-    return value_of(variable, data.rows[result.errors[m].row]);
-  };
+void add_ranges(const Channel& channel, const Record& record, Comparison& result) {
+  const std::span<const double> column = record.values(channel);
+  const auto value = [&](std::size_t m) { return column[result.errors[m].row]; };
   std::vector<std::size_t> order(result.errors.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::erase_if(order, [&](std::size_t m) { return std::isnan(value(m)); });
   if (order.empty()) return;
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return value(a) < value(b); });
-  const double lowest = value(order.front()), highest = value(order.back());
-  const double resolution = resolution_of(variable, std::max(std::abs(lowest), std::abs(highest)));
-  if (!(highest - lowest > resolution)) return;
+  const double ends[] = {value(order.front()), value(order.back())};
+  const double resolution = record::step_of(channel, ends);
+  if (!(ends[1] - ends[0] > resolution)) return;
   std::vector<std::vector<std::size_t>> parts = levels(order, value, resolution);
   // A dense sweep has no steps or too many; a level must also be narrow against the whole range.
   const bool narrow = std::all_of(parts.begin(), parts.end(), [&](const auto& part) {
-    return value(part.back()) - value(part.front()) <= 0.1 * (highest - lowest);
+    return value(part.back()) - value(part.front()) <= 0.1 * (ends[1] - ends[0]);
   });
-  if (variable != Variable::run && (parts.size() > most_levels || !narrow))
+  if (channel.role != record::Role::run && (parts.size() > most_levels || !narrow))
     parts = quantile_bins(order, value);
   if (parts.size() < 2) return;
   for (const std::vector<std::size_t>& part : parts)
-    result.where.push_back(error_range(variable, result.errors, part, data));
+    result.where.push_back(error_range(channel, result.errors, part, record));
 }
 
-Pattern find_pattern(const DataSet& data, const std::vector<RowError>& errors) {
-  // Loads within 2 % and temperatures within 2 K make one string.
-  const bool displaced = data.quantity == Quantity::axial_displacement;
+/// What rows are strung along: the first setting on a ratio scale, otherwise time.
+const record::Column* swept(const Record& record) {
+  for (const record::Column& c : record.columns)
+    if (c.channel->role == record::Role::setting && c.channel->ratio) return &c;
+  return record.find(record::time);
+}
+
+Pattern find_pattern(const Record& record, const std::vector<RowError>& errors) {
+  Pattern pattern;
+  const record::Column* const along = swept(record);
+  if (!along) return pattern;
+  pattern.along = along->channel;
+  std::vector<const record::Column*> others;
+  for (const record::Column& c : record.columns)
+    if (&c != along && c.channel->role == record::Role::setting) others.push_back(&c);
   const auto key = [&](const RowError& e) {
-    const Row& row = data.rows[e.row];
-    const auto step = [](double load) {
-      return load > 0.0 ? std::lround(std::log(load) / 0.02) : std::numeric_limits<long>::min();
-    };
-    return std::tuple{row.run, step(std::abs(row.point.axial_load)),
-                      step(value_of(Variable::radial_load, row)),
-                      std::lround(row.point.temperature / 2.0), displaced ? step(row.preload) : 0};
+    std::vector<long> steps{record.run_of(e.row)};
+    for (const record::Column* c : others) {
+      const double v = c->values[e.row];
+      steps.push_back(std::isnan(v)        ? std::numeric_limits<long>::max()
+                      : !c->channel->ratio ? std::lround(v / string_difference)
+                      : std::abs(v) > 0.0  ? std::lround(std::log(std::abs(v)) / string_ratio)
+                                           : std::numeric_limits<long>::min());
+    }
+    return steps;
   };
-  std::map<decltype(key(errors.front())), std::vector<const RowError*>> strings;
+  std::map<std::vector<long>, std::vector<const RowError*>> strings;
   double square = 0.0;
   for (const RowError& e : errors) {
     strings[key(e)].push_back(&e);
     square += e.residual * e.residual;
   }
   square /= static_cast<double>(errors.size());
-  Pattern pattern;
   double product = 0.0;
   for (auto& [_, string] : strings) {
     std::stable_sort(string.begin(), string.end(), [&](const RowError* a, const RowError* b) {
-      return data.rows[a->row].point.speed < data.rows[b->row].point.speed;
+      return along->values[a->row] < along->values[b->row];
     });
     for (std::size_t i = 1; i < string.size(); ++i) {
       product += string[i - 1]->residual * string[i]->residual;
@@ -142,45 +148,46 @@ Pattern find_pattern(const DataSet& data, const std::vector<RowError>& errors) {
   return pattern;
 }
 
-/// χ² against declared noise, F against the scatter within repeats.
-LackOfFit test_lack_of_fit(const DataSet& data, const Comparison& comparison,
-                           int fitted_parameters) {
+/// χ² against the standard deviations of the rows.
+LackOfFit test_against_deviations(const Comparison& comparison, int fitted_parameters) {
   namespace math = boost::math;
   LackOfFit test;
-  const NoiseSource source = comparison.noise.source;
-  if (source == NoiseSource::none) return test;
-  if (source != NoiseSource::repeats) {
-    double chi_square = 0.0;
-    for (const RowError& e : comparison.errors) chi_square += e.sigmas * e.sigmas;
-    test.degrees_of_freedom = comparison.rows - fitted_parameters;
-    if (test.degrees_of_freedom < 1) return test;
-    test.statistic = chi_square / test.degrees_of_freedom;
-    test.p_value =
-        math::cdf(math::complement(math::chi_squared(test.degrees_of_freedom), chi_square));
-    return test;
-  }
-  std::vector<double> residual(data.rows.size(), unset);
+  double chi_square = 0.0;
+  for (const RowError& e : comparison.errors) chi_square += e.sigmas * e.sigmas;
+  test.degrees_of_freedom = comparison.rows - fitted_parameters;
+  if (test.degrees_of_freedom < 1) return test;
+  test.statistic = chi_square / test.degrees_of_freedom;
+  test.p_value =
+      math::cdf(math::complement(math::chi_squared(test.degrees_of_freedom), chi_square));
+  return test;
+}
+
+/// F against the scatter within repeats.
+LackOfFit test_against_repeats(const Record& record, const Comparison& comparison,
+                               int fitted_parameters) {
+  namespace math = boost::math;
+  LackOfFit test;
+  std::vector<double> residual(record.rows(), unset);
+  std::vector<std::size_t> rows;
   double total = 0.0;
   for (const RowError& e : comparison.errors) {
     residual[e.row] = e.residual;
+    rows.push_back(e.row);
     total += e.residual * e.residual;
   }
   // Pure error from residuals, not readings: what the model says of the small differences of
   // operating point within a group is taken out.
   double pure = 0.0;
   int degrees = 0;
-  for (const RepeatGroup& group : find_repeats(data)) {
+  for (const record::RepeatGroup& group : record::find_repeats(record, {}, rows)) {
     double sum = 0.0, square = 0.0;
-    int count = 0;
     for (const std::size_t i : group) {
-      if (std::isnan(residual[i])) continue;
       sum += residual[i];
       square += residual[i] * residual[i];
-      ++count;
     }
-    if (count < 2) continue;
+    const auto count = static_cast<double>(group.size());
     pure += std::max(0.0, square - sum * sum / count);
-    degrees += count - 1;
+    degrees += static_cast<int>(group.size()) - 1;
   }
   test.noise_degrees_of_freedom = degrees;
   test.degrees_of_freedom = comparison.rows - degrees - fitted_parameters;
@@ -191,48 +198,42 @@ LackOfFit test_lack_of_fit(const DataSet& data, const Comparison& comparison,
   return test;
 }
 
-std::string p_text(double p) {
-  return p < 1e-300 ? "p < 1e-300"
-         : p < 1e-3 ? fmt::format("p = {:.0e}", p)
-                    : fmt::format("p = {:.2g}", p);
+LackOfFit test_lack_of_fit(const Record& record, const Comparison& comparison,
+                           int fitted_parameters) {
+  switch (comparison.noise.source) {
+    case NoiseSource::none:
+      return {};
+    case NoiseSource::repeats:
+      return test_against_repeats(record, comparison, fitted_parameters);
+    default:
+      return test_against_deviations(comparison, fitted_parameters);
+  }
 }
 
 std::string where_text(const ErrorRange& range) {
-  double unit = 1.0, offset = 0.0;
-  std::string unit_name;
-  switch (range.variable) {
-    case Variable::speed:
-      unit = rpm, unit_name = "rpm";
-      break;
-    case Variable::axial_load:
-      unit_name = "N axial load";
-      break;
-    case Variable::radial_load:
-      unit_name = "N radial load";
-      break;
-    case Variable::preload:
-      unit_name = "N preload";
-      break;
-    case Variable::temperature:
-      offset = celsius_zero, unit_name = "C";
-      break;
-    case Variable::run:
-      return range.run.empty() ? "in rows without run_id" : "in run " + range.run;
-  }
-  const std::string from = fmt::format("{:.4g}", (range.from - offset) / unit);
-  const std::string to = fmt::format("{:.4g}", (range.to - offset) / unit);
-  return from == to ? fmt::format("at {} {}", from, unit_name)
-                    : fmt::format("at {} to {} {}", from, to, unit_name);
+  if (range.is_run()) return range.run.empty() ? "in rows without run_id" : "in run " + range.run;
+  const std::string from = fmt::format("{:.4g}", range.channel->in_unit(range.from));
+  const std::string to = fmt::format("{:.4g}", range.channel->in_unit(range.to));
+  return from == to ? fmt::format("at {} {}", from, range.channel->place)
+                    : fmt::format("at {} to {} {}", from, to, range.channel->place);
+}
+
+/// What a tolerance says of the misfit; empty where there is none.
+std::string tolerance_text(const Comparison& c) {
+  if (std::isnan(c.tolerance)) return {};
+  return fmt::format(" It {} the tolerance of {:.3g} {}.",
+                     c.rmse <= c.tolerance ? "is within" : "exceeds",
+                     c.tolerance / c.channel->factor, c.channel->unit);
 }
 
 std::string statement_of(const Comparison& c) {
-  const QuantityText q = text_of(c.quantity);
+  const Channel& q = *c.channel;
   const std::string misfit = fmt::format("The misfit ({:.3g} {})", c.rmse / q.factor, q.unit);
   const LackOfFit& test = c.lack_of_fit;
   const std::string noise = fmt::format("{:.2g} {}", c.noise.rms / q.factor, q.unit);
   const std::string statistic =
       fmt::format("{} = {:.3g}, {}", c.noise.source == NoiseSource::repeats ? "F" : "chi2/dof",
-                  test.statistic, p_text(test.p_value));
+                  test.statistic, p_value_text(test.p_value));
   // A place is worse than the rest only if it errs clearly more than the average.
   const std::string place = !c.where.empty() && c.where.front().rmse > 1.2 * c.rmse
                                 ? "; it is worst " + where_text(c.where.front())
@@ -247,81 +248,41 @@ std::string statement_of(const Comparison& c) {
       "the noise of these data is not known (no repeated rows, no declared std)";
   if (c.judgement == Judgement::structure)
     return fmt::format(
-        "{} is structure at least in part: neighbours in speed err alike "
-        "(correlation {:.2f}, {}), while {}{}.",
-        misfit, c.pattern.correlation, p_text(c.pattern.p_value), why, place);
+        "{} is structure at least in part: neighbours in {} err alike (correlation {:.2f}, {}), "
+        "while {}{}.",
+        misfit, c.pattern.along->words, c.pattern.correlation, p_value_text(c.pattern.p_value), why,
+        place);
   if (std::isfinite(c.pattern.p_value))
-    return fmt::format("{} shows no pattern over speed (correlation {:.2f}, {}), but {}{}.", misfit,
-                       c.pattern.correlation, p_text(c.pattern.p_value), why, place);
+    return fmt::format("{} shows no pattern over {} (correlation {:.2f}, {}), but {}{}.", misfit,
+                       c.pattern.along->words, c.pattern.correlation,
+                       p_value_text(c.pattern.p_value), why, place);
   return fmt::format("{} cannot be judged: {}{}.", misfit, why, place);
 }
 
-}  // namespace
-
-std::string_view name(Variable variable) {
-  switch (variable) {
-    case Variable::speed:
-      return "speed";
-    case Variable::axial_load:
-      return "axial_load";
-    case Variable::radial_load:
-      return "radial_load";
-    case Variable::temperature:
-      return "temperature";
-    case Variable::run:
-      return "run";
-    case Variable::preload:
-      return "preload";
-  }
-  return "unknown";
-}
-
-double value_of(Variable variable, const Row& row) {
-  switch (variable) {
-    case Variable::speed:
-      return row.point.speed;
-    case Variable::axial_load:
-      return row.point.axial_load;
-    case Variable::radial_load:
-      return std::hypot(row.point.radial_load, row.point.radial_load_z);
-    case Variable::temperature:
-      return row.point.temperature;
-    case Variable::run:
-      return row.run;
-    case Variable::preload:
-      return row.preload;
-  }
-  return unset;
-}
-
-Comparison compare(const std::vector<double>& predicted, const DataSet& data,
-                   int fitted_parameters) {
-  if (predicted.size() != data.rows.size())
-    throw std::invalid_argument("compare: one prediction per row is needed");
-  if (data.rows.empty()) throw std::invalid_argument(data.source + ": no rows to compare with");
-
-  Comparison result;
-  result.quantity = data.quantity;
-  result.noise = estimate_noise(data);
+void find_errors(std::span<const double> predicted, const Record& record, Comparison& result) {
+  const std::span<const double> readings = record.values(*result.channel);
+  const record::Column* const deviation = record.deviation_of(*result.channel);
   const bool by_row = result.noise.source == NoiseSource::declared ||
                       result.noise.source == NoiseSource::regression;
-  for (std::size_t i = 0; i < data.rows.size(); ++i) {
-    const Row& row = data.rows[i];
-    const double residual = predicted[i] - row.measured;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (std::isnan(readings[i])) continue;  // not read then
+    const double residual = predicted[i] - readings[i];
     if (!std::isfinite(residual)) {
-      result.rows_not_predicted.push_back(row.line);
+      result.rows_not_predicted.push_back(i);
       continue;
     }
+    const double std = by_row ? deviation->values[i] : result.noise.rms;
     result.errors.push_back({.row = i,
-                             .line = row.line,
+                             .line = record.line(i),
                              .predicted = predicted[i],
-                             .measured = row.measured,
+                             .measured = readings[i],
                              .residual = residual,
-                             .sigmas = residual / (by_row ? row.std : result.noise.rms)});
+                             .std = std,
+                             .sigmas = residual / std});
   }
-  if (result.errors.empty())
-    throw std::invalid_argument(data.source + ": the model predicts none of the rows");
+}
 
+void sum_up(Comparison& result) {
   result.rows = static_cast<int>(result.errors.size());
   const auto count = static_cast<double>(result.rows);
   double sum = 0.0, magnitude = 0.0, square = 0.0, mean = 0.0, reading_square = 0.0;
@@ -341,19 +302,38 @@ Comparison compare(const std::vector<double>& predicted, const DataSet& data,
   result.rmse = std::sqrt(square / count);
   if (spread > 1e-24 * reading_square)  // more than the rounding of equal readings
     result.fit_percent = 100.0 * (1.0 - std::sqrt(square / spread));
+}
 
-  result.lack_of_fit = test_lack_of_fit(data, result, fitted_parameters);
-  result.pattern = find_pattern(data, result.errors);
+}  // namespace
+
+std::string p_value_text(double p) {
+  return p < 1e-300 ? "p < 1e-300"
+         : p < 1e-3 ? fmt::format("p = {:.0e}", p)
+                    : fmt::format("p = {:.2g}", p);
+}
+
+Comparison compare(std::span<const double> predicted, const Record& record,
+                   const Measured& measured, int fitted_parameters) {
+  if (predicted.size() != record.rows())
+    throw std::invalid_argument("compare: one prediction per row is needed");
+  if (record.rows() == 0) throw std::invalid_argument(record.source + ": no rows to compare with");
+  Comparison result{.channel = measured.channel};
+  result.tolerance = measured.tolerance;
+  result.noise = estimate_noise(record, *measured.channel);
+  find_errors(predicted, record, result);
+  if (result.errors.empty())
+    throw std::invalid_argument(record.source + ": the model predicts none of the rows");
+  sum_up(result);
+  result.lack_of_fit = test_lack_of_fit(record, result, fitted_parameters);
+  result.pattern = find_pattern(record, result.errors);
   if (std::isfinite(result.lack_of_fit.p_value))
     result.judgement =
         result.lack_of_fit.p_value < alarm_level ? Judgement::structure : Judgement::noise;
   else if (result.pattern.p_value < alarm_level)
     result.judgement = Judgement::structure;
-
-  for (const Variable variable : {Variable::speed, Variable::axial_load, Variable::radial_load,
-                                  Variable::temperature, Variable::run})
-    add_ranges(variable, data, result);
-  if (data.quantity == Quantity::axial_displacement) add_ranges(Variable::preload, data, result);
+  for (const record::Column& c : record.columns)
+    if (c.channel->is_input() || c.channel->role == record::Role::run)
+      add_ranges(*c.channel, record, result);
   std::stable_sort(result.where.begin(), result.where.end(),
                    [](const ErrorRange& a, const ErrorRange& b) { return a.rmse > b.rmse; });
   result.worst = result.errors;
@@ -362,12 +342,35 @@ Comparison compare(const std::vector<double>& predicted, const DataSet& data,
                      return std::abs(a.residual) > std::abs(b.residual);
                    });
   result.worst.resize(std::min(worst_rows, result.worst.size()));
-  result.statement = statement_of(result);
+  result.statement = statement_of(result) + tolerance_text(result);
   return result;
 }
 
-Comparison compare(const Model& model, const DataSet& data, int fitted_parameters) {
-  return compare(predict_readings(model, data), data, fitted_parameters);
+std::vector<Comparison> compare(const Subject& subject, const Record& record,
+                                int fitted_parameters) {
+  subject.require(record);
+  const std::vector<double> predicted = predict(subject, record);
+  const std::vector<Measured> channels = subject.measured();
+  std::vector<Comparison> result;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (record.has(*channels[c].channel))
+      result.push_back(compare(std::span(predicted).subspan(c * record.rows(), record.rows()),
+                               record, channels[c], fitted_parameters));
+  return result;
+}
+
+void estimate_unknown_noise(const Subject& subject, const Record& record,
+                            std::vector<Comparison>& comparisons) {
+  const auto unknown = [](const Comparison& c) { return c.noise.source == NoiseSource::none; };
+  if (std::none_of(comparisons.begin(), comparisons.end(), unknown)) return;
+  const auto estimated = estimate_noise_as_diagnosis(subject, record);
+  if (!estimated) return;
+  for (const EstimatedNoise& noise : *estimated)
+    for (Comparison& c : comparisons) {
+      if (!unknown(c) || !(*c.channel == *noise.channel)) continue;
+      c.estimated_noise = noise.rms;
+      for (RowError& e : c.errors) e.std = noise.std[e.row];
+    }
 }
 
 }  // namespace raceway::fit

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fit/interval.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
@@ -12,48 +13,81 @@ namespace {
 
 constexpr double plausible_factor = 3.0;
 
-}  // namespace
+bool is_plausible(const Parameter& p) {
+  const double margin = std::isfinite(p.std) ? 2.0 * p.std : 0.0;
+  const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
+  const auto limit = [&](double given, double bound) {  // without a range met in practice any size
+    return (std::isnan(given) ? bound : given) - neutral;
+  };
+  const double low = limit(p.plausible_lower, p.lower), high = limit(p.plausible_upper, p.upper);
+  const double value = p.value - neutral;
+  return value - margin <= (high > 0.0 ? high * plausible_factor : high / plausible_factor) &&
+         value + margin >= (low > 0.0 ? low / plausible_factor : low * plausible_factor);
+}
 
-std::vector<EffectSize> sizes_of(const Problem& problem, const Explanation& e, std::size_t member) {
-  std::vector<EffectSize> list;
+/// Where the parameters of a member begin.
+std::size_t begin_of(const Problem& problem, const Explanation& e, std::size_t member) {
   std::size_t at = problem.base.size();
   for (const std::size_t k : e.members) {
-    const Candidate& c = problem.candidates[k];
-    for (std::size_t j = 0; j < c.parameters.size(); ++j, ++at) {
-      if (k != member) continue;
-      const effects::Parameter& p = c.description->parameters[j];
-      EffectSize s{.name = c.parameters[j].name, .unit = c.parameters[j].unit};
-      s.value = e.fit.values[static_cast<Eigen::Index>(at)];
-      s.std = e.fit.standard_errors[static_cast<Eigen::Index>(at)];
-      s.plausible_lower = p.plausible_lower;
-      // What else turns on the shaft of a coast-down has no published size.
-      const bool rotor =
-          c.description->grows_with_the_rotor && std::isfinite(problem.model.rig.inertia);
-      s.plausible_upper = rotor ? p.upper : p.plausible_upper;
-      s.at_bound = e.fit.at_bound[at];
-      const double margin = std::isfinite(s.std) ? 2.0 * s.std : 0.0;
-      const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
-      const double low = s.plausible_lower - neutral, high = s.plausible_upper - neutral;
-      const double value = s.value - neutral;
-      s.plausible =
-          value - margin <= (high > 0.0 ? high * plausible_factor : high / plausible_factor) &&
-          value + margin >= (low > 0.0 ? low / plausible_factor : low * plausible_factor);
-      list.push_back(s);
-    }
+    if (k == member) break;
+    at += problem.candidates[k].candidate.parameters.size();
   }
-  return list;
+  return at;
+}
+
+std::vector<double> list(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
+
+/// Over all blockings, of each channel; with the ends of an input's range held out or not.
+std::vector<double> held_out_errors_of(const Evidence& evidence, const Response& response,
+                                       const ResponseFit& fit,
+                                       const std::vector<Blocking>& blockings, bool within_range) {
+  const Observations& observed = evidence.problem.observed;
+  if (!response.readings || blockings.empty()) return {};
+  std::vector<double> result(observed.channels.size(), 0.0);
+  for (const Blocking& b : blockings) {
+    Eigen::VectorXd errors = held_out_errors(response, fit, observed.measured, evidence.std(), b);
+    if (within_range && b.ordered)
+      for (Eigen::Index i = 0; i < errors.size(); ++i)
+        if (const int block = b.block[static_cast<std::size_t>(i)];
+            block == 0 || block == b.blocks - 1)
+          errors[i] = observed.measured[i] - fit.prediction[i];
+    for (std::size_t c = 0; c < result.size(); ++c)
+      result[c] += observed.of(c, errors).squaredNorm() / static_cast<double>(observed.size(c));
+  }
+  for (double& square : result) square = std::sqrt(square / static_cast<double>(blockings.size()));
+  return result;
+}
+
+}  // namespace
+
+std::vector<Parameter> sizes_of(const Problem& problem, const Explanation& e, std::size_t member) {
+  std::vector<Parameter> sizes;
+  const Candidate& c = problem.candidates[member].candidate;
+  const std::size_t begin = begin_of(problem, e, member);
+  for (std::size_t j = 0; j < c.parameters.size(); ++j) {
+    Parameter p = c.parameters[j];
+    const auto at = static_cast<Eigen::Index>(begin + j);
+    p.name = c.short_name(j);
+    p.value = e.fit.values[at];
+    p.std = e.fit.standard_errors[at];
+    if (e.fit.at_bound[begin + j])
+      p.at_bound = p.value - p.lower <= p.upper - p.value ? Bound::lower : Bound::upper;
+    p.plausible = is_plausible(p);
+    sizes.push_back(std::move(p));
+  }
+  return sizes;
 }
 
 bool sizes_plausible(const Problem& problem, const Explanation& e) {
   for (const std::size_t k : e.members)
-    if (!sizes_of(problem, e, k)[problem.candidates[k].size_index].plausible) return false;
+    if (!sizes_of(problem, e, k)[problem.candidates[k].candidate.size].plausible) return false;
   return true;
 }
 
 std::string size_text(const Problem& problem, const Explanation& e) {
   std::vector<std::string> texts;
   for (const std::size_t k : e.members) {
-    const EffectSize s = sizes_of(problem, e, k)[problem.candidates[k].size_index];
+    const Parameter s = sizes_of(problem, e, k)[problem.candidates[k].candidate.size];
     std::string text = fmt::format("{} = {:.3g}", s.name, s.value);
     if (std::isfinite(s.std)) text += fmt::format(" +- {:.2g}", s.std);
     if (s.unit != "1") text += " " + s.unit;
@@ -64,39 +98,53 @@ std::string size_text(const Problem& problem, const Explanation& e) {
 
 Interval size_interval(const Evidence& evidence, const Explanation& e, std::size_t member) {
   if (e.elastic) return {};
-  std::size_t at = evidence.problem.base.size();
-  for (const std::size_t k : e.members) {
-    const Candidate& c = evidence.problem.candidates[k];
-    if (k == member)
-      return profile_interval(e.response, e.fit, evidence.noise.whitening,
-                              evidence.problem.measured, at + c.size_index);
-    at += c.parameters.size();
+  const Problem& problem = evidence.problem;
+  return profile_interval(e.response, e.fit, evidence.whitening, problem.measured(),
+                          begin_of(problem, e, member) + problem.candidates[member].candidate.size);
+}
+
+std::vector<Parameter> base_with(const Evidence& evidence, const Explanation& e) {
+  std::vector<Parameter> base;
+  for (std::size_t k = 0; k < evidence.problem.base.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    Parameter p = evidence.response.parameters[k];
+    p.start = evidence.base.values[at];
+    p.value = e.fit.values[at];
+    p.std = e.fit.standard_errors[at];
+    base.push_back(std::move(p));
   }
-  return {};
+  return base;
 }
 
-std::vector<BaseShift> base_shifts(const Evidence& evidence, const Explanation& e) {
-  const Problem& problem = evidence.problem;
-  std::vector<BaseShift> list;
-  for (std::size_t k = 0; k < problem.base.size(); ++k)
-    list.push_back({.name = problem.base[k],
-                    .unit = evidence.response.parameters[k].unit,
-                    .before = evidence.base.values[static_cast<Eigen::Index>(k)],
-                    .after = e.fit.values[static_cast<Eigen::Index>(k)],
-                    .std = e.fit.standard_errors[static_cast<Eigen::Index>(k)]});
-  return list;
+std::vector<double> held_out(const Evidence& evidence, const Response& response,
+                             const ResponseFit& fit, const std::vector<Blocking>& blockings) {
+  return held_out_errors_of(evidence, response, fit, blockings, false);
 }
 
-double cross_validated(const Evidence& evidence, const Explanation& e,
-                       const std::vector<Blocking>& blockings) {
+std::vector<double> held_out_within_range(const Evidence& evidence, const Response& response,
+                                          const ResponseFit& fit,
+                                          const std::vector<Blocking>& blockings) {
+  return held_out_errors_of(evidence, response, fit, blockings, true);
+}
+
+ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e) {
   const Problem& problem = evidence.problem;
-  if (e.elastic || blockings.empty()) return unset;
-  double sum = 0.0;
-  for (const Blocking& b : blockings)
-    sum += held_out_errors(e.response, e.fit, problem.measured, evidence.noise.whitening.std(), b)
-               .squaredNorm() /
-           static_cast<double>(problem.measured.size());
-  return std::sqrt(sum / static_cast<double>(blockings.size()));
+  const auto without = [&](const std::vector<std::size_t>& members) {
+    Eigen::VectorXd x = e.fit.values;
+    for (const std::size_t k : members) {
+      const Candidate& c = problem.candidates[k].candidate;
+      for (std::size_t j = 0; j < c.parameters.size(); ++j)
+        if (!std::isnan(c.parameters[j].neutral))
+          x[static_cast<Eigen::Index>(begin_of(problem, e, k) + j)] = c.parameters[j].neutral;
+    }
+    return e.response.at(x);
+  };
+  const Eigen::VectorXd& total = e.fit.prediction;
+  ExplainedReadings result{.total = list(total), .base = list(without(e.members))};
+  for (const std::size_t k : e.members)
+    result.effects.push_back(
+        {problem.candidates[k].id(), list(Eigen::VectorXd(total - without({k})))});
+  return result;
 }
 
 }  // namespace raceway::fit

@@ -4,17 +4,15 @@
 #include <vector>
 
 #include "fit/attribution.h"
-#include "fit/diagnose.h"
-#include "fit/evidence.h"
-#include "fit/hold_out.h"
+#include "fit/diagnosis.h"
 
 /// What a fitted explanation says in numbers.
 namespace raceway::fit {
 
-/// Numbers of one member of an explanation, in the unit of the files. A size is plausible within
-/// three times the range met in practice, give or take two standard errors.
-[[nodiscard]] std::vector<EffectSize> sizes_of(const Problem& problem, const Explanation& e,
-                                               std::size_t member);
+/// Numbers of one member of an explanation, named without its id. A size is plausible within three
+/// times the range met in practice, give or take two standard errors.
+[[nodiscard]] std::vector<Parameter> sizes_of(const Problem& problem, const Explanation& e,
+                                              std::size_t member);
 
 /// Whether the sizes of all members are.
 [[nodiscard]] bool sizes_plausible(const Problem& problem, const Explanation& e);
@@ -26,12 +24,23 @@ namespace raceway::fit {
 [[nodiscard]] Interval size_interval(const Evidence& evidence, const Explanation& e,
                                      std::size_t member);
 
-/// Base parameters without and with the explanation.
-[[nodiscard]] std::vector<BaseShift> base_shifts(const Evidence& evidence, const Explanation& e);
+/// Base parameters without (start) and with the explanation (value).
+[[nodiscard]] std::vector<Parameter> base_with(const Evidence& evidence, const Explanation& e);
 
-/// Root mean square error over the blocks that the fit did not see, in all blockings, SI; NaN for a
-/// bent law and without blockings.
-[[nodiscard]] double cross_validated(const Evidence& evidence, const Explanation& e,
-                                     const std::vector<Blocking>& blockings);
+/// Root mean square error over the blocks that the fit did not see, in all blockings, of each
+/// channel [SI]; empty for a bent law and without blockings.
+[[nodiscard]] std::vector<double> held_out(const Evidence& evidence, const Response& response,
+                                           const ResponseFit& fit,
+                                           const std::vector<Blocking>& blockings);
+
+/// The same within the range of what was measured: an outermost block of an ordered blocking, which
+/// the others could only extrapolate to, counts with its error in the fit.
+[[nodiscard]] std::vector<double> held_out_within_range(const Evidence& evidence,
+                                                        const Response& response,
+                                                        const ResponseFit& fit,
+                                                        const std::vector<Blocking>& blockings);
+
+/// The readings of an explanation that is no bent law, and what they are made of; by observation.
+[[nodiscard]] ExplainedReadings explained_readings(const Evidence& evidence, const Explanation& e);
 
 }  // namespace raceway::fit

@@ -2,30 +2,28 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <unordered_map>
 
 #include "fit/evidence.h"
-#include "fit/quantity.h"
 
 namespace raceway::fit {
 
-std::optional<EstimatedNoise> estimate_noise_as_diagnosis(const Model& model, const DataSet& data) {
+std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(const Subject& subject,
+                                                                       const Record& record) {
   try {
-    const Evidence evidence =
-        gather_evidence(model, data, catalogue_of(subject_of(data.quantity)), most_rows_of_a_fit);
-    const Eigen::VectorXd& used = evidence.noise.whitening.std();
-    std::unordered_map<int, double> by_line;
-    for (std::size_t i = 0; i < evidence.problem.data.rows.size(); ++i)
-      by_line[evidence.problem.data.rows[i].line] = used[static_cast<Eigen::Index>(i)];
-    EstimatedNoise noise{.rms = evidence.noise.rms, .std = {}};
-    for (const Row& row : data.rows) {
-      const auto found = by_line.find(row.line);
-      noise.std.push_back(
-          found != by_line.end()
-              ? found->second
-              : std::hypot(evidence.noise.relative * row.measured, evidence.noise.absolute));
+    const Evidence evidence = gather_evidence(subject, record);
+    const Problem& problem = evidence.problem;
+    std::vector<EstimatedNoise> result;
+    for (std::size_t c = 0; c < evidence.noise.size(); ++c) {
+      const NoiseModel& noise = evidence.noise[c];
+      EstimatedNoise& e = result.emplace_back(EstimatedNoise{
+          .channel = problem.observed.channels[c].channel, .rms = noise.rms, .std = {}});
+      for (const double reading : record.values(*problem.observed.channels[c].channel))
+        e.std.push_back(std::hypot(noise.relative * reading, noise.absolute));
+      const std::span<const std::size_t> rows = problem.observed.rows(c);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        e.std[problem.rows[rows[i]]] = noise.whitening.std()[static_cast<Eigen::Index>(i)];
     }
-    return noise;
+    return result;
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }

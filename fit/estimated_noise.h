@@ -3,21 +3,21 @@
 #include <optional>
 #include <vector>
 
-#include "fit/data_set.h"
-#include "fit/model.h"
+#include "fit/subject.h"
 
 namespace raceway::fit {
 
-/// What a diagnosis would take for the noise of a data set.
+/// What a diagnosis would take for the noise of one channel.
 struct EstimatedNoise {
-  double rms = unset;       ///< over the rows used [N m] or [m]
-  std::vector<double> std;  ///< by row of the data; by the reading where a row was not used
+  const Channel* channel = nullptr;
+  double rms = unset;       ///< over the readings used [SI]
+  std::vector<double> std;  ///< by row of the record [SI]; by the reading where a row was not used
 };
 
-/// The noise of NoiseModel, for data that declare none and repeat no rows. It comes from what a
-/// regression on smooth surfaces and all effects of the catalogue leaves, not from the misfit of
-/// `model`. Nothing where the data could not carry a diagnosis.
-[[nodiscard]] std::optional<EstimatedNoise> estimate_noise_as_diagnosis(const Model& model,
-                                                                        const DataSet& data);
+/// The noise of NoiseModel, of each channel of Subject::measured(), for data that declare none and
+/// repeat no rows. It comes from what a regression on smooth surfaces and all candidates leaves,
+/// not from the misfit of the subject. Nothing where the data could not carry a diagnosis.
+[[nodiscard]] std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(
+    const Subject& subject, const Record& record);
 
 }  // namespace raceway::fit

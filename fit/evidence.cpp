@@ -7,10 +7,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fit/free_parameters.h"
-#include "fit/quantity.h"
-#include "fit/screening.h"
-#include "fit/shaft_prediction.h"
+#include "fit/gate.h"
+#include "fit/smooth_columns.h"
+#include "fit/subspace.h"
+#include "record/levels.h"
 
 namespace raceway::fit {
 
@@ -20,70 +20,82 @@ constexpr std::size_t fewest_rows = 15;
 constexpr Eigen::Index fewest_freedom = 8;  // of the noise
 constexpr double first_relative = 0.02;     // noise assumed before it is known
 constexpr double least_noise = 1e-8;        // of the readings: less is rounding of a computer
-// Below this share of the rms, errors no longer shrink with the reading. Most of the noise of a
-// displacement is that of the sensor whatever it reads.
-constexpr double torque_floor = 0.05, displacement_floor = 1.0;
 
-int distinct(const DataSet& data, double relative, double absolute, double (*value)(const Row&)) {
-  std::vector<double> values;
-  for (const Row& row : data.rows) values.push_back(value(row));
+/// How many values of a setting can be told apart.
+int distinct(const Channel& channel, std::span<const double> column) {
+  std::vector<double> values(column.begin(), column.end());
   std::sort(values.begin(), values.end());
   int count = 0;
   double last = unset;
-  for (const double v : values)
-    if (std::isnan(last) || v - last > relative * std::abs(v) + absolute) {
-      ++count;
-      last = v;
-    }
+  for (const double v : values) {
+    const double width = channel.ratio ? channel.step * std::abs(v) : 2.0 * channel.step;
+    if (std::isnan(v) || (count > 0 && !(v - last > width))) continue;
+    ++count;
+    last = v;
+  }
   return count;
 }
 
-void require_enough(const DataSet& data, std::size_t parameters) {
-  const std::size_t needed = std::max(fewest_rows, parameters + 12);
-  if (data.rows.size() < needed)
-    throw std::invalid_argument(fmt::format(
-        "{}: {} rows that can be predicted: a verdict needs at least {}, better 60 or more over "
-        "several speeds, loads and temperatures",
-        data.source, data.rows.size(), needed));
-  const int speeds = distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.speed; });
-  const int loads =
-      std::max(distinct(data, 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; }),
-               distinct(data, 5e-3, 0.0,
-                        [](const Row& r) { return std::isnan(r.preload) ? 0.0 : r.preload; }));
-  const int temperatures =
-      distinct(data, 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
-  if (speeds * loads * temperatures < 2)
+/// Throws unless some setting has three levels.
+void require_levels(const Record& record) {
+  int combinations = 1, most = 0;
+  std::vector<std::string> found;
+  for (const record::Column& c : record.columns) {
+    if (c.channel->role != record::Role::setting) continue;
+    const int levels = distinct(*c.channel, c.values);
+    if (levels == 0) continue;
+    combinations *= std::min(levels, 3);
+    most = std::max(most, levels);
+    found.push_back(fmt::format("{} {}{}", levels, c.channel->words, levels == 1 ? "" : "s"));
+  }
+  if (found.empty()) return;
+  if (combinations < 2)
     throw std::invalid_argument(
-        data.source +
-        ": all rows stand at one operating point: a verdict needs at least three speeds, better "
-        "with several loads and temperatures");
-  if (std::max({speeds, loads, temperatures}) < 3)
-    throw std::invalid_argument(fmt::format(
-        "{}: {} speed(s), {} load(s), {} temperature(s): a verdict needs three levels of at least "
-        "one of them",
-        data.source, speeds, loads, temperatures));
+        record.source +
+        ": all rows stand at one operating point: a verdict needs at least three levels of one "
+        "setting, better of several");
+  if (most < 3)
+    throw std::invalid_argument(
+        fmt::format("{}: {}: a verdict needs three levels of at least one of them", record.source,
+                    fmt::join(found, ", ")));
 }
 
-/// What a displacement a thousand times too small or large, or of the other sign, looks like.
-std::string unit_or_sign(const std::vector<double>& predicted, const DataSet& data) {
-  if (data.quantity != Quantity::axial_displacement) return "";
-  double product = 0.0, square = 0.0, readings = 0.0;
-  for (std::size_t i = 0; i < predicted.size(); ++i) {
-    const double reading = data.rows[i].measured;
-    if (!std::isfinite(predicted[i]) || !std::isfinite(reading)) continue;
-    product += predicted[i] * reading;
-    square += predicted[i] * predicted[i];
-    readings += reading * reading;
+void require_rows(const Problem& problem) {
+  const std::size_t needed = std::max(fewest_rows, problem.base.size() + 12);
+  if (problem.observed.row.size() < needed)
+    throw std::invalid_argument(
+        fmt::format("{}: {} rows that can be predicted: a verdict needs at least {}, better 60 or "
+                    "more over several levels of every setting",
+                    problem.record->source, problem.observed.row.size(), needed));
+}
+
+/// Why nothing can be learnt of these readings; empty if something can.
+std::string no_use(const Channel& channel, const Eigen::VectorXd& readings) {
+  if (readings.size() == 0) return fmt::format("no reading of {}", channel.words);
+  const double size = rms(readings);
+  if (!(size > 0.0)) return "all readings are zero";
+  if (readings.maxCoeff() - readings.minCoeff() > least_noise * size) return {};
+  return fmt::format("all readings are {:.4g} {}: a verdict needs readings that vary",
+                     channel.in_unit(readings[0]), channel.unit);
+}
+
+/// Channels of which nothing can be learnt are left out, and named, where there are others.
+void require_variation(Problem& problem, std::vector<std::string>& notes) {
+  Observations& observed = problem.observed;
+  std::vector<std::size_t> useful;
+  std::string first;
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    const Channel& channel = *observed.channels[c].channel;
+    const std::string wrong = no_use(channel, observed.of(c, observed.measured));
+    if (wrong.empty()) {
+      useful.push_back(c);
+      continue;
+    }
+    if (first.empty()) first = wrong;
+    notes.push_back(fmt::format("{} takes no part: {}", channel.name, wrong));
   }
-  const double alike = product / std::sqrt(square * readings), factor = product / square;
-  if (alike < -0.7)
-    return "the readings run against the model: its layout, or the sign of axial_displacement_um, "
-           "which is positive towards the tool?";
-  if (alike > 0.7 && (factor < 0.005 || factor > 200.0))
-    return fmt::format(
-        "the readings are about {:.2g} times what the model says: is axial_displacement_um in um?",
-        factor);
-  return "";
+  if (useful.empty()) throw std::invalid_argument(problem.record->source + ": " + first);
+  if (useful.size() < observed.channels.size()) observed = observed.only(useful);
 }
 
 /// Takes the free parameters out that change no reading, near the start nor away from it: what was
@@ -93,7 +105,7 @@ std::vector<std::string> take_idle(Problem& problem, const Response& response) {
   const Eigen::VectorXd start = response.start();
   Eigen::VectorXd moved = start;
   for (std::size_t k = 0; k < response.parameters.size(); ++k) {
-    const FitParameter& p = response.parameters[k];
+    const Parameter& p = response.parameters[k];
     const auto at = static_cast<Eigen::Index>(k);
     const double step = (0.2 + 0.03 * static_cast<double>(k)) * p.scale;
     moved[at] =
@@ -101,7 +113,7 @@ std::vector<std::string> take_idle(Problem& problem, const Response& response) {
   }
   std::vector<std::string> idle;
   for (std::size_t k = 0; k < response.parameters.size(); ++k) {
-    const FitParameter& p = response.parameters[k];
+    const Parameter& p = response.parameters[k];
     bool moves = false;
     for (const Eigen::VectorXd& from : {start, moved})
       for (const double step : {0.1, -0.1, 1e-3, -1e-3}) {
@@ -111,7 +123,7 @@ std::vector<std::string> take_idle(Problem& problem, const Response& response) {
         const auto at = static_cast<Eigen::Index>(k);
         x[at] = std::clamp(x[at] + step * p.scale, p.lower, p.upper);
         const Eigen::VectorXd change = response.readings(x) - there;
-        moves = !(change.norm() <= least_noise * there.norm());  // also where there is no balance
+        moves = !(change.norm() <= least_noise * there.norm());  // also without a prediction
       }
     if (!moves) idle.push_back(p.name);
   }
@@ -121,131 +133,186 @@ std::vector<std::string> take_idle(Problem& problem, const Response& response) {
   return idle;
 }
 
-/// Noise from what base law, smooth surfaces, levels and all candidates together leave.
-NoiseModel noise_of_saturated_regression(const Evidence& evidence,
-                                         const Eigen::VectorXd& base_values,
-                                         const NoiseOptions& options) {
-  const Problem& problem = evidence.problem;
-  const auto rows = static_cast<Eigen::Index>(problem.data.rows.size());
-  // In proportion to the reading.
-  const Eigen::VectorXd inverse = evidence.size.cwiseInverse();
-  // With the base model itself, which its own derivatives need not hold.
-  Eigen::MatrixXd base = evidence.response.jacobian(base_values);
-  base.conservativeResize(rows, base.cols() + 1);
-  base.rightCols(1) = evidence.response.at(base_values);
-  base.applyOnTheLeft(inverse.asDiagonal());
-  const Eigen::MatrixXd levels = inverse.asDiagonal() * level_columns(problem.data, evidence.size);
-  std::vector<Eigen::MatrixXd> blocks{
-      base, inverse.asDiagonal() * surface_columns(problem.data, evidence.size)};
-  std::vector<double> tolerance{1e-6, 1e-3};
-  Eigen::Index count = 0;
-  for (const Candidate& c : problem.candidates)
-    count += c.not_testable.empty() ? c.most.cols() + c.scores.cols() : 0;
-  Eigen::MatrixXd scores(rows, count);
-  count = 0;
-  for (const Candidate& c : problem.candidates) {
-    if (!c.not_testable.empty()) continue;
-    for (const Eigen::MatrixXd* columns : {&c.most, &c.scores}) {
-      scores.middleCols(count, columns->cols()) = inverse.asDiagonal() * *columns;
-      count += columns->cols();
+/// The rows of a record that are used, those that can be predicted among them, and what was read.
+void take_rows(const Record& record, int most_rows, Evidence& evidence) {
+  Problem& problem = evidence.problem;
+  const Subject& subject = *problem.subject;
+  evidence.rows_in_record = record.rows();
+  std::vector<std::size_t> order = order_of_rows(record);
+  if (subject.has_memory()) {
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  } else {
+    const std::size_t every =
+        std::max<std::size_t>(1, (order.size() + static_cast<std::size_t>(most_rows) - 1) /
+                                     static_cast<std::size_t>(most_rows));
+    std::vector<std::size_t> thinned;
+    for (std::size_t i = every / 2; i < order.size(); i += every) thinned.push_back(order[i]);
+    order = std::move(thinned);
+  }
+  const std::vector<Measured> channels = subject.measured();
+  const Record sorted = record.picked(order);
+  const std::vector<double> predicted = predict(subject, sorted);
+  evidence.hint = subject.doubt(sorted, predicted);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    bool any = subject.has_memory();
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      any = any || (std::isfinite(predicted[c * order.size() + i]) &&
+                    std::isfinite(sorted.value(*channels[c].channel, i)));
+    if (any) {
+      kept.push_back(i);
+      problem.rows.push_back(order[i]);
+    } else {
+      problem.not_predicted.push_back(order[i]);
     }
   }
-  // Few rows do not hold all columns. A displacement at many speeds bends where a candidate does,
-  // a torque may do so at any level.
-  const bool levels_first = problem.data.quantity == Quantity::friction_torque;
-  blocks.push_back(levels_first ? levels : scores);
-  tolerance.push_back(levels_first ? 1e-2 : invisible);
-  blocks.push_back(levels_first ? scores : levels);
-  tolerance.push_back(levels_first ? invisible : 1e-2);
-  const Eigen::MatrixXd saturated =
-      independent_columns(blocks, tolerance, std::min(rows / 2, rows - fewest_freedom));
-  return estimate_noise_model(problem.data, evidence.size.asDiagonal() * saturated, evidence.size,
-                              options);
+  std::vector<double> predicted_kept;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    for (const std::size_t i : kept) predicted_kept.push_back(predicted[c * order.size() + i]);
+  problem.record = std::make_shared<const Record>(sorted.picked(kept));
+  problem.observed = observe(channels, *problem.record, predicted_kept);
+}
+
+/// A typical size of each reading, not below `share` of the floor of its channel.
+Eigen::VectorXd floored(const Observations& observed, const Eigen::VectorXd& readings,
+                        double share) {
+  Eigen::VectorXd size = readings.cwiseAbs();
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    const double floor =
+        share * observed.channels[c].floor * rms(observed.of(c, observed.measured));
+    for (Eigen::Index i = observed.first[c]; i < observed.first[c + 1]; ++i)
+      size[i] = std::max(size[i], floor);
+  }
+  return size;
+}
+
+std::vector<Eigen::VectorXd> starts_of(const Eigen::VectorXd& x) {
+  return {x, 0.8 * x, 1.25 * x, 0.5 * x};
+}
+
+/// Noise from what base law, smooth surfaces, levels and all candidates together leave, channel by
+/// channel.
+std::vector<NoiseModel> noise_of_saturated_regression(const Evidence& evidence,
+                                                      const Eigen::VectorXd& base_values,
+                                                      const NoiseOptions& options) {
+  const Problem& problem = evidence.problem;
+  const Observations& observed = problem.observed;
+  const Eigen::Index count = observed.size();
+  // With the base model itself, which its own derivatives need not hold.
+  Eigen::MatrixXd base = evidence.response.jacobian(base_values);
+  base.conservativeResize(count, base.cols() + 1);
+  base.rightCols(1) = evidence.response.at(base_values);
+  Eigen::Index columns = 0;
+  for (const Screened& s : problem.candidates)
+    columns += s.not_testable.empty() ? s.most.cols() + s.scores.cols() : 0;
+  Eigen::MatrixXd scores(count, columns);
+  columns = 0;
+  for (const Screened& s : problem.candidates) {
+    if (!s.not_testable.empty()) continue;
+    for (const Eigen::MatrixXd* part : {&s.most, &s.scores}) {
+      scores.middleCols(columns, part->cols()) = *part;
+      columns += part->cols();
+    }
+  }
+  const Eigen::MatrixXd surface =
+      surface_columns(evidence.saturation.surface, observed, evidence.size);
+  const Eigen::MatrixXd levels =
+      level_columns(evidence.saturation.levels, *problem.record, observed, evidence.size);
+  std::vector<NoiseModel> noise;
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    const ChannelReadings readings = readings_of(*problem.record, observed, c);
+    if (readings.known) {
+      noise.push_back(known_noise_model(readings));
+      continue;
+    }
+    const Eigen::VectorXd size = observed.of(c, evidence.size);
+    // In proportion to the reading.
+    const auto part = [&](const Eigen::MatrixXd& all) {
+      return Eigen::MatrixXd(size.cwiseInverse().asDiagonal() *
+                             all.middleRows(observed.first[c], observed.size(c)));
+    };
+    std::vector<Eigen::MatrixXd> blocks{part(base), part(surface), part(levels), part(scores)};
+    std::vector<double> tolerance{1e-6, 1e-3, 1e-2, invisible};
+    if (!evidence.saturation.levels_before_candidates) {
+      std::swap(blocks[2], blocks[3]);
+      std::swap(tolerance[2], tolerance[3]);
+    }
+    const Eigen::Index rows = size.size();
+    const Eigen::MatrixXd saturated = independent_columns(
+        blocks, tolerance, std::max<Eigen::Index>(0, std::min(rows / 2, rows - fewest_freedom)));
+    noise.push_back(estimate_noise_model(readings, size.asDiagonal() * saturated, size, options));
+  }
+  return noise;
+}
+
+/// Noise that is not there cannot be held against anything.
+void require_scatter(const Evidence& evidence) {
+  const Observations& observed = evidence.problem.observed;
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    const Eigen::VectorXd& std = evidence.noise[c].whitening.std();
+    if (std.minCoeff() > least_noise * rms(observed.of(c, observed.measured)) && std.allFinite())
+      continue;
+    const Channel& channel = *observed.channels[c].channel;
+    throw std::invalid_argument(
+        fmt::format("{}: the readings have no scatter at all, so nothing can be held against it; "
+                    "give std_{} where they are exact",
+                    evidence.problem.record->source, channel.key_unit()));
+  }
+}
+
+void fit_base(Evidence& evidence, const NoiseOptions& options) {
+  Problem& problem = evidence.problem;
+  const Observations& observed = problem.observed;
+  // A first fit with the noise that most rigs have, for a smooth size of each reading.
+  const Eigen::VectorXd guess = first_relative * floored(observed, observed.measured, 2.0);
+  const ResponseFit first = fit_response(evidence.response, Whitening(guess, {}, 0.0, 0.0),
+                                         observed.measured, starts_of(evidence.response.start()));
+  const std::string& source = problem.record->source;
+  if (!first.converged)
+    throw std::invalid_argument(
+        source + ": the fit of the model's own parameters does not converge; " +
+        (evidence.hint.empty() ? "free fewer of them, or check units of model and data"
+                               : evidence.hint));
+  evidence.size = floored(observed, first.prediction, 1.0);
+  screen_candidates(problem, evidence.saturation, first.values);
+  evidence.noise = noise_of_saturated_regression(evidence, first.values, options);
+  require_scatter(evidence);
+  std::vector<Whitening> parts;
+  evidence.degrees_of_freedom = 0.0;
+  for (const NoiseModel& noise : evidence.noise) {
+    parts.push_back(noise.whitening);
+    evidence.degrees_of_freedom += noise.degrees_of_freedom;
+  }
+  evidence.whitening = parts.size() == 1 ? parts.front() : Whitening(parts);
+  evidence.base = fit_response(evidence.response, evidence.whitening, observed.measured,
+                               starts_of(first.values));
+  if (!evidence.base.converged)
+    throw std::invalid_argument(source +
+                                ": the fit of the model's own parameters does not converge");
 }
 
 }  // namespace
 
-Evidence gather_evidence(const Model& model, const DataSet& data,
-                         std::span<const effects::Description* const> candidates, int most_rows,
-                         const NoiseOptions& options) {
-  require_measured_subject(model, data);
-  const QuantityText quantity = text_of(data.quantity);
-  Evidence evidence{.problem = {.model = model}};
+Evidence gather_evidence(const Subject& subject, const Record& record,
+                         const EvidenceOptions& options) {
+  subject.require(record);
+  Evidence evidence;
   Problem& problem = evidence.problem;
-  for (const ModelParameter& p : free_parameters(model)) problem.base.push_back(p.name);
-  problem.data = data;
-  problem.data.rows.clear();
-  evidence.rows_in_file = static_cast<int>(data.rows.size());
-  DataSet sorted = data;
-  sort_rows(sorted);
-  const std::size_t every =
-      std::max<std::size_t>(1, (sorted.rows.size() + static_cast<std::size_t>(most_rows) - 1) /
-                                   static_cast<std::size_t>(most_rows));
-  DataSet thinned = data;
-  thinned.rows.clear();
-  for (std::size_t i = every / 2; i < sorted.rows.size(); i += every)
-    thinned.rows.push_back(sorted.rows[i]);
-  const std::vector<double> predicted = predict_readings(model, thinned);
-  evidence.hint = unit_or_sign(predicted, thinned);
-  for (std::size_t i = 0; i < predicted.size(); ++i) {
-    if (std::isfinite(predicted[i]) && std::isfinite(thinned.rows[i].measured))
-      problem.data.rows.push_back(thinned.rows[i]);
-    else
-      problem.rows_not_predicted.push_back(thinned.rows[i].line);
-  }
-  require_enough(problem.data, problem.base.size());
-  const auto rows = static_cast<Eigen::Index>(problem.data.rows.size());
-  problem.measured.resize(rows);
-  for (Eigen::Index i = 0; i < rows; ++i)
-    problem.measured[i] = problem.data.rows[static_cast<std::size_t>(i)].measured;
-  problem.candidates = make_candidates(model, candidates);
-  if (std::any_of(problem.candidates.begin(), problem.candidates.end(),
-                  [](const Candidate& c) { return c.description->needs_equilibrium; }))
-    problem.balances = entered_balances(model, problem.data);
-
-  // A first fit with the noise that rigs have, for a smooth size of each reading.
+  problem.subject = subject.with_values({});
+  for (const Parameter& p : find_parameters(subject, subject.free()))
+    problem.base.push_back(p.name);
+  take_rows(record, options.most_rows, evidence);
+  require_rows(problem);
+  if (!subject.has_memory()) require_levels(*problem.record);
+  require_variation(problem, evidence.notes);
+  problem.prepared = subject.prepare(*problem.record);
+  problem.candidates = make_candidates(subject, options.candidates);
+  evidence.saturation = subject.saturation(*problem.record);
   evidence.response = response_with(problem, {});
   evidence.idle = take_idle(problem, evidence.response);
   if (!evidence.idle.empty()) evidence.response = response_with(problem, {});
   evidence.response.find_affine_form();
-  const double rms = problem.measured.norm() / std::sqrt(static_cast<double>(rows));
-  if (!(rms > 0.0)) throw std::invalid_argument(data.source + ": all readings are zero");
-  if (problem.measured.maxCoeff() - problem.measured.minCoeff() <= least_noise * rms)
-    throw std::invalid_argument(
-        fmt::format("{}: all readings are {:.4g} {}: a verdict needs readings that vary",
-                    data.source, problem.measured[0] / quantity.factor, quantity.unit));
-  const double floor =
-      data.quantity == Quantity::friction_torque ? torque_floor : displacement_floor;
-  const Eigen::VectorXd guess =
-      first_relative * problem.measured.cwiseAbs().cwiseMax(2.0 * floor * rms);
-  const auto starts_of = [&](const Eigen::VectorXd& x) {
-    return std::vector<Eigen::VectorXd>{x, 0.8 * x, 1.25 * x, 0.5 * x};
-  };
-  const ResponseFit first = fit_response(evidence.response, Whitening(guess, {}, 0.0, 0.0),
-                                         problem.measured, starts_of(evidence.response.start()));
-  if (!first.converged)
-    throw std::invalid_argument(
-        data.source + ": the fit of the model's own parameters does not converge; " +
-        (evidence.hint.empty() ? "free fewer of them, or check units of model and data"
-                               : evidence.hint));
-  evidence.size = first.prediction.cwiseAbs().cwiseMax(floor * rms);
-  screen_candidates(problem, first.values);
-
-  evidence.noise = problem.data.noise == NoiseSource::regression
-                       ? known_noise_model(problem.data)
-                       : noise_of_saturated_regression(evidence, first.values, options);
-  if (!(evidence.noise.whitening.std().minCoeff() > least_noise * rms) ||
-      !evidence.noise.whitening.std().allFinite())
-    throw std::invalid_argument(
-        data.source +
-        fmt::format(": the readings have no scatter at all, so nothing can be held against it; "
-                    "give std_{} where they are exact",
-                    quantity.key_unit));
-  evidence.base = fit_response(evidence.response, evidence.noise.whitening, problem.measured,
-                               starts_of(first.values));
-  if (!evidence.base.converged)
-    throw std::invalid_argument(data.source +
-                                ": the fit of the model's own parameters does not converge");
+  fit_base(evidence, options.noise);
   return evidence;
 }
 

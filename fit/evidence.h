@@ -1,31 +1,48 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
-#include "fit/candidates.h"
 #include "fit/noise_model.h"
+#include "fit/problem.h"
 
 namespace raceway::fit {
 
-constexpr int most_rows_of_a_fit = 4000;  ///< of larger data sets every k-th row is used
+constexpr int most_rows_of_a_fit = 4000;  ///< of larger records every k-th row is used
 
 /// Model, data, candidates and noise, made ready to be asked what is missing.
 struct Evidence {
-  Problem problem;
-  std::vector<std::string> idle{};  ///< free parameters that change no reading: not in the base
-  Eigen::VectorXd size{};           ///< typical size of each reading, by the base model
-  NoiseModel noise{};
-  Response response{};  ///< of the base model
-  ResponseFit base{};   ///< refitted under that noise
-  int rows_in_file = 0;
+  Problem problem{};
+  Saturation saturation{};
+  std::vector<std::string> idle{};    ///< free parameters that change no reading: not in the base
+  Eigen::VectorXd size{};             ///< typical size of each reading, by the base model
+  std::vector<NoiseModel> noise{};    ///< of each measured channel
+  Whitening whitening{};              ///< of all of them
+  double degrees_of_freedom = unset;  ///< of all of them
+  Response response{};                ///< of the base model
+  ResponseFit base{};                 ///< refitted under that noise
+  std::size_t rows_in_record = 0;
   std::string hint{};  ///< where the readings look like another unit or the other sign
+  std::vector<std::string> notes{};
+
+  [[nodiscard]] std::size_t rows() const { return problem.record->rows(); }
+  /// Standard deviation of every reading [SI].
+  [[nodiscard]] const Eigen::VectorXd& std() const { return whitening.std(); }
+};
+
+/// What a diagnosis may be asked to do otherwise.
+struct EvidenceOptions {
+  /// What may be missing, by id; all candidates where empty.
+  std::vector<std::string> candidates{};
+  int most_rows = most_rows_of_a_fit;
+  NoiseOptions noise{};
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model.
 /// Of more than `most_rows` rows every k-th is used.
 /// Throws std::invalid_argument where the data cannot carry a verdict, with what is needed.
-[[nodiscard]] Evidence gather_evidence(const Model& model, const DataSet& data,
-                                       std::span<const effects::Description* const> candidates,
-                                       int most_rows, const NoiseOptions& options = {});
+[[nodiscard]] Evidence gather_evidence(const Subject& subject, const Record& record,
+                                       const EvidenceOptions& options = {});
 
 }  // namespace raceway::fit

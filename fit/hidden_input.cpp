@@ -6,14 +6,13 @@
 #include <map>
 #include <vector>
 
-#include "fit/noise.h"
+#include "record/repeats.h"
 
 namespace raceway::fit {
 
 namespace {
 
-constexpr SamePoint nearly_equal{.relative = 0.02, .temperature = 1.0};
-constexpr double more_than_scatter = 0.1;
+constexpr record::SamePoint nearly_equal{.relative = 0.02, .temperature = 1.0};
 constexpr int fewest_degrees = 8;
 
 double median(std::vector<double> values) {
@@ -45,23 +44,26 @@ void ask_the_runs(const std::map<int, std::vector<double>>& runs, int degrees, H
 
 }  // namespace
 
-std::optional<HiddenInput> find_hidden_input(const DataSet& data) {
-  const auto unfit = [](const Row& row) {
-    return std::isfinite(row.time) || !(row.measured > 0.0);
-  };
-  if (data.quantity != Quantity::friction_torque ||
-      std::any_of(data.rows.begin(), data.rows.end(), unfit))
-    return std::nullopt;
-  HiddenInput found;
+std::optional<HiddenInput> find_hidden_input(const Record& record, const Measured& measured) {
+  if (std::isnan(measured.most_scatter)) return std::nullopt;
+  const std::span<const double> readings = record.values(*measured.channel);
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (std::isnan(readings[i])) continue;
+    if (std::isfinite(record.value(record::time, i)) || !(readings[i] > 0.0)) return std::nullopt;
+    rows.push_back(i);
+  }
+  if (rows.empty()) return std::nullopt;
+  HiddenInput found{.channel = measured.channel};
   std::vector<double> sizes;
   std::map<int, std::vector<double>> runs;
   int degrees = 0;
   double square = 0.0, widest = 0.0;
-  for (const RepeatGroup& group : find_repeats(data, nearly_equal)) {
+  for (const record::RepeatGroup& group : record::find_repeats(record, nearly_equal, rows)) {
     std::vector<double> logarithms;
     double mean = 0.0;
     for (const std::size_t i : group) {
-      logarithms.push_back(std::log(data.rows[i].measured));
+      logarithms.push_back(std::log(readings[i]));
       mean += logarithms.back();
     }
     const auto count = static_cast<double>(group.size());
@@ -73,7 +75,7 @@ std::optional<HiddenInput> find_hidden_input(const DataSet& data) {
       square += deviation * deviation;
       // The middle of few rows takes part of their deviations with it.
       sizes.push_back(std::sqrt(count / (count - 1.0)) * std::abs(logarithms[k] - middle));
-      const int run = data.rows[group[k]].run;
+      const int run = record.run_of(group[k]);
       if (run >= 0) runs[run].push_back(deviation);
     }
     const auto [low, high] = std::minmax_element(logarithms.begin(), logarithms.end());
@@ -85,7 +87,7 @@ std::optional<HiddenInput> find_hidden_input(const DataSet& data) {
   }
   if (degrees < fewest_degrees) return std::nullopt;
   found.scatter = std::min(std::sqrt(square / degrees), 1.4826 * median(sizes));
-  if (!(found.scatter > more_than_scatter)) return std::nullopt;
+  if (!(found.scatter > measured.most_scatter)) return std::nullopt;
   ask_the_runs(runs, degrees, found);
   return found;
 }

@@ -3,14 +3,14 @@
 #include <cstddef>
 #include <optional>
 
-#include "bearing/units.h"
-#include "fit/data_set.h"
+#include "fit/subject.h"
 
 namespace raceway::fit {
 
-/// Readings that differ at nearly equal operating points by more than a torque rig scatters: what
+/// Readings that differ at nearly equal points by more than a sensor of their kind scatters: what
 /// makes the difference is in none of the inputs, so that no law of them explains it.
 struct HiddenInput {
+  const Channel* channel = nullptr;
   double scatter = unset;         ///< relative standard deviation at equal points [1]
   std::size_t low = 0, high = 0;  ///< rows that differ most within one point
   double run_share = unset;       ///< of that variance, common to the rows of a run; NaN without
@@ -19,13 +19,13 @@ struct HiddenInput {
   [[nodiscard]] bool follows_the_runs() const { return run_p_value < 1e-3 && run_share > 0.5; }
 };
 
-/// Compares rows whose speed and loads agree within 2 % and temperatures within 1 K: laws of
-/// friction change by 5 % at most over that, and rigs scatter by 1 to 5 %. Found is what scatters
-/// by more than 10 % by the pooled standard deviation and by a robust one as well, so that single
-/// wrong readings do not count. Whether it goes with the runs is asked by an analysis of variance
-/// of the logarithms.
-/// Nothing where it cannot be asked: fewer than 8 degrees of freedom, rows with a time (a bearing
-/// that runs in reads differently at equal points), or a reading that is not positive.
-[[nodiscard]] std::optional<HiddenInput> find_hidden_input(const DataSet& data);
+/// Compares rows whose settings agree within 2 %, temperatures within 1 K: few laws change by more
+/// than 5 % over that. Found is what scatters by more than Measured::most_scatter by the pooled
+/// standard deviation and by a robust one as well, so that single wrong readings do not count.
+/// Whether it goes with the runs is asked by an analysis of variance of the logarithms.
+/// Nothing where it cannot be asked: fewer than 8 degrees of freedom, rows with a time (what runs
+/// in reads differently at equal points), or a reading that is not positive.
+[[nodiscard]] std::optional<HiddenInput> find_hidden_input(const Record& record,
+                                                           const Measured& measured);
 
 }  // namespace raceway::fit

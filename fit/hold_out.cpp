@@ -10,51 +10,18 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr int most_blocks = 8;
 constexpr int bootstraps = 1000;
-
-/// Levels of a variable, merged to at most eight ranges; no blocks where it does not vary.
-Blocking levels(std::string variable, const std::vector<double>& values, double width) {
-  std::vector<double> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<double> first{sorted.front()};  // lowest value of each level
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    if (sorted[i] > sorted[i - 1] + width) first.push_back(sorted[i]);
-  if (first.size() > static_cast<std::size_t>(most_blocks) || first.size() < 2) {
-    const bool many = first.size() >= 2 || sorted.back() - sorted.front() > 3.0 * width;
-    first.assign(1, sorted.front());
-    for (int k = 1; many && k < most_blocks; ++k) {
-      const double value = sorted[sorted.size() * static_cast<std::size_t>(k) / most_blocks];
-      if (value > first.back()) first.push_back(value);
-    }
-  }
-  Blocking result{.variable = std::move(variable)};
-  for (const double value : values)
-    result.block.push_back(
-        static_cast<int>(std::upper_bound(first.begin(), first.end(), value) - first.begin()) - 1);
-  result.blocks = static_cast<int>(first.size());
-  return result;
-}
 
 }  // namespace
 
-std::vector<Blocking> blockings(const DataSet& data) {
-  std::vector<Blocking> result;
-  const auto add = [&](const char* name, double relative, double absolute, auto value) {
-    std::vector<double> values;
-    double largest = 0.0;
-    for (const Row& row : data.rows) {
-      values.push_back(value(row));
-      largest = std::max(largest, std::abs(values.back()));
-    }
-    Blocking blocking = levels(name, values, relative * largest + absolute);
-    if (blocking.blocks >= 2) result.push_back(std::move(blocking));
-  };
-  add("speed", 5e-3, 0.0, [](const Row& r) { return r.point.speed; });
-  add("axial_load", 5e-3, 0.0, [](const Row& r) { return r.point.axial_load; });
-  add("temperature", 0.0, 1.0, [](const Row& r) { return r.point.temperature; });
-  add("preload", 5e-3, 0.0, [](const Row& r) { return std::isnan(r.preload) ? 0.0 : r.preload; });
-  if (result.size() < 3) add("run", 0.0, 0.5, [](const Row& r) { return 1.0 * r.run; });
+std::vector<Blocking> blocks_of_observations(const Subject& subject, const Record& record,
+                                             const Observations& observed) {
+  std::vector<Blocking> result = subject.blockings(record);
+  for (Blocking& blocking : result) {
+    const std::vector<int> by_row = std::move(blocking.block);
+    blocking.block.clear();
+    for (const std::size_t row : observed.row) blocking.block.push_back(by_row[row]);
+  }
   return result;
 }
 
@@ -79,7 +46,7 @@ Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit
         Eigen::MatrixXd(columns).colPivHouseholderQr().solve(w.cwiseProduct(rest(in)));
     // A refit that leaves the bounds stops there.
     for (std::size_t j = 0; j < free.size(); ++j) {
-      const FitParameter& p = response.parameters[static_cast<std::size_t>(free[j])];
+      const Parameter& p = response.parameters[static_cast<std::size_t>(free[j])];
       double& s = step[static_cast<Eigen::Index>(j)];
       s = std::clamp(fit.values[free[j]] + s, p.lower, p.upper) - fit.values[free[j]];
     }
@@ -89,11 +56,14 @@ Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit
 }
 
 HoldOut compare_held_out(const Eigen::VectorXd& before, const Eigen::VectorXd& after,
-                         const Eigen::VectorXd& std, const Blocking& blocking) {
+                         const Eigen::VectorXd& std, const Observations& observed,
+                         const Blocking& blocking) {
   HoldOut result{.variable = blocking.variable};
   const auto rows = static_cast<double>(before.size());
-  result.rmse_before = before.norm() / std::sqrt(rows);
-  result.rmse_after = after.norm() / std::sqrt(rows);
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    result.rmse_before.push_back(rms(observed.of(c, before)));
+    result.rmse_after.push_back(rms(observed.of(c, after)));
+  }
   std::vector<double> sum(static_cast<std::size_t>(blocking.blocks), 0.0);
   std::vector<double> count(sum.size(), 0.0);
   for (Eigen::Index i = 0; i < before.size(); ++i) {
@@ -120,6 +90,16 @@ HoldOut compare_held_out(const Eigen::VectorXd& before, const Eigen::VectorXd& a
   result.lower = means[static_cast<std::size_t>(0.025 * bootstraps)];
   result.upper = means[static_cast<std::size_t>(0.975 * bootstraps)];
   return result;
+}
+
+std::vector<double> rms_over(const std::vector<HoldOut>& results,
+                             std::vector<double> HoldOut::*rmse) {
+  if (results.empty()) return {};
+  std::vector<double> sum((results.front().*rmse).size(), 0.0);
+  for (const HoldOut& h : results)
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += (h.*rmse)[c] * (h.*rmse)[c];
+  for (double& s : sum) s = std::sqrt(s / static_cast<double>(results.size()));
+  return sum;
 }
 
 bool confirmed(const std::vector<HoldOut>& results) {

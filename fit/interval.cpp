@@ -39,7 +39,7 @@ Interval profile_interval(const Response& response, const ResponseFit& fit,
                           const Whitening& whitening, const Eigen::VectorXd& measured,
                           std::size_t parameter) {
   const auto at = static_cast<Eigen::Index>(parameter);
-  const FitParameter& p = response.parameters[parameter];
+  const Parameter& p = response.parameters[parameter];
   const double best = fit.values[at];
   Eigen::VectorXd others(fit.values.size() - 1);
   others << fit.values.head(at), fit.values.tail(others.size() - at);

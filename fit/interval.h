@@ -7,10 +7,6 @@
 
 namespace raceway::fit {
 
-struct Interval {
-  double lower = unset, upper = unset;
-};
-
 /// 95 % interval of one parameter by profile likelihood: where -2 ln L, all other parameters fitted
 /// again, rises by 3.84 over its least value. Ends at a bound where it does not rise that far; NaN
 /// where a fit on the way does not converge.

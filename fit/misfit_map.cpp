@@ -11,55 +11,72 @@ namespace {
 
 constexpr double chance = 0.05;  // of any significant cell where nothing is wrong
 
-std::vector<ErrorRange> ranges_of(const Comparison& comparison, Variable variable) {
+std::vector<ErrorRange> ranges_of(const Comparison& comparison, const Channel& channel) {
   std::vector<ErrorRange> ranges;
   for (const ErrorRange& r : comparison.where)
-    if (r.variable == variable) ranges.push_back(r);
+    if (*r.channel == channel) ranges.push_back(r);
   std::sort(ranges.begin(), ranges.end(),
             [](const ErrorRange& a, const ErrorRange& b) { return a.from < b.from; });
   return ranges;
 }
 
 /// One range that holds every row.
-ErrorRange all_rows(const Comparison& comparison, const DataSet& data, Variable variable) {
-  ErrorRange range{.variable = variable, .run = {}, .rows = comparison.rows};
+ErrorRange all_rows(const Comparison& comparison, const Record& record, const Channel& channel) {
+  ErrorRange range{.channel = &channel, .rows = comparison.rows};
   range.from = std::numeric_limits<double>::infinity();
   range.to = -range.from;
   for (const RowError& e : comparison.errors) {
-    const double value = value_of(variable, data.rows[e.row]);
-    range.from = std::min(range.from, value);
-    range.to = std::max(range.to, value);
+    const double value = record.value(channel, e.row);
+    range.from = std::fmin(range.from, value);
+    range.to = std::fmax(range.to, value);
   }
   range.rmse = comparison.rmse;
   range.bias = comparison.bias;
   return range;
 }
 
-/// The last range that begins at or below the value: ranges do not overlap and hold every row.
+/// What may stand upwards: settings on a ratio scale, then all other inputs, then runs.
+std::vector<const Channel*> upwards(const Record& record, const Channel* across) {
+  std::vector<const Channel*> list;
+  const auto add = [&](auto wanted) {
+    for (const record::Column& c : record.columns)
+      if (c.channel != across && wanted(*c.channel)) list.push_back(c.channel);
+  };
+  const auto first = [](const Channel& c) { return c.role == record::Role::setting && c.ratio; };
+  add(first);
+  add([&](const Channel& c) { return c.is_input() && !first(c); });
+  add([](const Channel& c) { return c.role == record::Role::run; });
+  return list;
+}
+
+/// The last range that begins at or below the value: ranges do not overlap and hold every row that
+/// was read.
 std::size_t place(const std::vector<ErrorRange>& ranges, double value) {
   const auto above =
       std::upper_bound(ranges.begin(), ranges.end(), value,
                        [](double v, const ErrorRange& range) { return v < range.from; });
-  return static_cast<std::size_t>(above - ranges.begin()) - 1;
+  return above == ranges.begin() ? 0 : static_cast<std::size_t>(above - ranges.begin()) - 1;
 }
 
 }  // namespace
 
-MisfitMap misfit_map(const Comparison& comparison, const DataSet& data,
+MisfitMap misfit_map(const Comparison& comparison, const Record& record,
                      std::span<const double> std) {
   MisfitMap map;
-  map.across = ranges_of(comparison, Variable::speed);
-  if (map.across.empty()) map.across = {all_rows(comparison, data, Variable::speed)};
-  for (const Variable variable : {Variable::axial_load, Variable::radial_load, Variable::preload,
-                                  Variable::temperature, Variable::run}) {
-    map.up = ranges_of(comparison, variable);
-    map.up_variable = variable;
-    if (!map.up.empty()) break;
+  map.across_channel = comparison.pattern.along;
+  if (!map.across_channel) return map;
+  const Channel& across = *map.across_channel;
+  map.across = ranges_of(comparison, across);
+  if (map.across.empty()) map.across = {all_rows(comparison, record, across)};
+  for (const Channel* channel : upwards(record, map.across_channel)) {
+    if (!map.up_channel) map.up_channel = channel;
+    map.up = ranges_of(comparison, *channel);
+    if (map.up.empty()) continue;
+    map.up_channel = channel;
+    break;
   }
-  if (map.up.empty()) {
-    map.up_variable = Variable::axial_load;
-    map.up = {all_rows(comparison, data, Variable::axial_load)};
-  }
+  const Channel& up = map.up_channel ? *map.up_channel : across;
+  if (map.up.empty()) map.up = {all_rows(comparison, record, up)};
   struct Sum {
     int rows = 0;
     double residual = 0.0, variance = 0.0;
@@ -67,9 +84,8 @@ MisfitMap misfit_map(const Comparison& comparison, const DataSet& data,
   std::vector<Sum> sums(map.across.size() * map.up.size());
   for (std::size_t i = 0; i < comparison.errors.size(); ++i) {
     const RowError& e = comparison.errors[i];
-    const Row& row = data.rows[e.row];
-    const std::size_t x = place(map.across, value_of(Variable::speed, row));
-    const std::size_t y = place(map.up, value_of(map.up_variable, row));
+    const std::size_t x = place(map.across, record.value(across, e.row));
+    const std::size_t y = place(map.up, record.value(up, e.row));
     Sum& sum = sums[y * map.across.size() + x];
     ++sum.rows;
     sum.residual += e.residual;

@@ -12,28 +12,6 @@ namespace {
 constexpr double enough = 20.0;
 constexpr int repeats = 2;
 
-/// Levels within the range of the data: the extremes and between, in ratio where that is wide.
-std::vector<double> grid(double low, double high, int count) {
-  if (!(high - low > 1e-3 * std::abs(high))) return {0.5 * (low + high)};
-  std::vector<double> levels;
-  const bool ratio = low > 0.0 && high > 3.0 * low;
-  for (int k = 0; k < count; ++k) {
-    const double part = static_cast<double>(k) / (count - 1);
-    levels.push_back(ratio ? low * std::pow(high / low, part) : low + part * (high - low));
-  }
-  return levels;
-}
-
-/// Preloads of the sets that may be tried: those of the data, or the one there is and others that a
-/// spindle of that preload stands. NaN, "as it is", for a bearing on a rig.
-std::vector<double> preload_levels(const Problem& problem, double low, double high) {
-  if (problem.data.quantity != Quantity::axial_displacement) return {unset};
-  if (high > 1.05 * low) return grid(low, high, 3);
-  const double one = std::isfinite(low) ? low : problem.model.shaft->arrangement.preload();
-  if (!(one > 0.0)) return {unset};
-  return {std::isfinite(low) ? one : unset, 0.5 * one, 2.0 * one};
-}
-
 /// What one explanation, if true, would leave of another: quadratic forms to which points add.
 struct Contest {
   std::size_t truth, wrong;
@@ -59,102 +37,145 @@ double worst(const std::vector<Contest>& contests) {
   return least;
 }
 
-}  // namespace
+/// The last time of a record, 0 where it has none.
+double latest(const Record& record) {
+  double last = 0.0;
+  for (const double t : record.values(record::time)) last = std::fmax(last, t);
+  return last;
+}
 
-NextPoints next_points(const Problem& problem, const NoiseModel& noise,
-                       const std::vector<const Explanation*>& rivals, int most) {
-  NextPoints result;
-  if (rivals.size() < 2) return result;
-  Problem planned = problem;  // its rows: the grid, then the rows measured
-  Row mean = problem.data.rows.front();
-  mean.std = unset;
-  struct Range {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    void take(double v) {
-      low = std::min(low, v);
-      high = std::max(high, v);
-    }
-  } speed, axial, radial, temperature, preload;
-  double time = 0.0;
-  for (const Row& row : problem.data.rows) {
-    speed.take(row.point.speed);
-    axial.take(row.point.axial_load);
-    radial.take(row.point.radial_load);
-    temperature.take(row.point.temperature);
-    preload.take(row.preload);  // NaN changes nothing
-    if (std::isfinite(row.time)) time = std::max(time, row.time);
+/// Every combination of the levels of the axes as rows of a record: all other settings as in its
+/// first row, time at its end, nothing read.
+Record grid_of(const std::vector<Axis>& axes, const Record& record) {
+  std::size_t count = 1;
+  for (const Axis& axis : axes) count *= axis.levels.size();
+  Record result = record.without_rows();
+  for (record::Column& c : result.columns) {
+    double value = unset;
+    if (c.channel->is_input() || c.channel->role == record::Role::run)
+      value = record.value(*c.channel, 0);
+    if (c.channel->role == record::Role::time) value = latest(record);
+    c.values.assign(count, value);
   }
-  mean.time = time;
-  planned.data.rows.clear();
-  planned.balances.clear();
-  const std::vector<double> preloads = preload_levels(problem, preload.low, preload.high);
-  for (const double n : grid(speed.low, speed.high, 7))
-    for (const double f : grid(axial.low, axial.high, 5))
-      for (const double r : grid(radial.low, radial.high, 3))
-        for (const double t : grid(temperature.low, temperature.high, 4))
-          for (const double p : preloads) {
-            Row row = mean;
-            row.point.speed = n;
-            row.point.axial_load = f;
-            row.point.radial_load = r;
-            row.point.temperature = t;
-            row.preload = p;
-            planned.data.rows.push_back(row);
-          }
-  const auto points = static_cast<Eigen::Index>(planned.data.rows.size());
-  for (const Row& row : problem.data.rows) planned.data.rows.push_back(row);
-  const Eigen::Index old = problem.measured.size();
+  std::size_t period = count;
+  for (const Axis& axis : axes) {
+    period /= axis.levels.size();
+    std::vector<double> values(count);
+    for (std::size_t i = 0; i < count; ++i)
+      values[i] = axis.levels[i / period % axis.levels.size()];
+    result.set(*axis.channel, std::move(values));
+  }
+  return result;
+}
 
-  std::vector<Eigen::VectorXd> prediction;
-  std::vector<Eigen::MatrixXd> slope;
-  for (const Explanation* rival : rivals) {
-    std::vector<const Candidate*> on;
-    for (const std::size_t k : rival->members) on.push_back(&problem.candidates[k]);
-    const Response response = response_with(planned, on);
-    prediction.push_back(response.readings(rival->fit.values));
-    Eigen::MatrixXd jacobian = response.jacobian(rival->fit.values);
-    std::vector<Eigen::Index> free;
-    for (std::size_t k = 0; k < rival->fit.at_bound.size(); ++k) {
-      if (rival->fit.at_bound[k]) continue;
-      free.push_back(static_cast<Eigen::Index>(k));
-      jacobian.col(static_cast<Eigen::Index>(k)) *= rival->parameters[k].scale;
-    }
-    slope.push_back(jacobian(Eigen::all, free));
+/// The choice of points for some rivals.
+class Plan {
+ public:
+  Plan(const Evidence& evidence, const std::vector<const Explanation*>& rivals)
+      : evidence_(evidence),
+        problem_(evidence.problem),
+        rivals_(rivals),
+        axes_(problem_.subject->axes(*problem_.record)) {}
+
+  [[nodiscard]] bool possible() const {
+    return rivals_.size() >= 2 && !axes_.empty() && !problem_.subject->has_memory();
   }
-  std::vector<Contest> contests;
-  std::vector<bool> usable(static_cast<std::size_t>(points), true);
-  for (std::size_t i = 0; i < rivals.size(); ++i)
-    for (std::size_t j = 0; j < rivals.size(); ++j) {
-      if (i == j) continue;
-      Contest c{.truth = i, .wrong = j};
-      const Eigen::VectorXd gap = prediction[i] - prediction[j];
-      const Eigen::VectorXd sigma =
-          (noise.relative * noise.relative * prediction[i].head(points).array().square() +
+
+  NextPoints run(int most) {
+    predict_grid();
+    make_contests();
+    const std::vector<Contest> measured = contests_;
+    choose(most);
+    exchange(measured);
+    NextPoints result{.points = {}, .axes = axes_};
+    result.predicted_separation = worst(contests_);
+    const double more = static_cast<double>(chosen_.size()) * repeats /
+                        static_cast<double>(problem_.observed.size());
+    result.separation_by_repetition = (1.0 + more) * worst(measured);
+    for (const Eigen::Index p : chosen_) suggest(p, measured, result.points);
+    return result;
+  }
+
+ private:
+  /// Readings of every channel at every point of the grid, of each rival and by its parameters that
+  /// are not at a bound, in units of their scale; the same at the rows that were measured.
+  void predict_grid() {
+    grid_ = std::make_shared<const Record>(grid_of(axes_, *problem_.record));
+    Observations everywhere{.channels = problem_.observed.channels};
+    everywhere.place = problem_.observed.place;
+    for (std::size_t c = 0; c < everywhere.channels.size(); ++c) {
+      for (std::size_t i = 0; i < grid_->rows(); ++i) everywhere.row.push_back(i);
+      everywhere.first.push_back(static_cast<Eigen::Index>(everywhere.row.size()));
+    }
+    points_ = everywhere.first.back();
+    for (const Explanation* rival : rivals_) {
+      std::vector<const Screened*> on;
+      for (const std::size_t k : rival->members) on.push_back(&problem_.candidates[k]);
+      std::vector<Eigen::Index> free;
+      for (std::size_t k = 0; k < rival->fit.at_bound.size(); ++k)
+        if (!rival->fit.at_bound[k]) free.push_back(static_cast<Eigen::Index>(k));
+      const auto slope_of = [&](const Response& response) {
+        Eigen::MatrixXd jacobian = response.jacobian(rival->fit.values);
+        for (const Eigen::Index k : free)
+          jacobian.col(k) *= rival->parameters[static_cast<std::size_t>(k)].scale;
+        return Eigen::MatrixXd(jacobian(Eigen::all, free));
+      };
+      const Response planned = response_with(problem_, on, grid_, everywhere);
+      const Response seen = response_with(problem_, on);
+      prediction_.push_back(planned.readings(rival->fit.values));
+      slope_.push_back(slope_of(planned));
+      seen_prediction_.push_back(seen.readings(rival->fit.values));
+      seen_slope_.push_back(slope_of(seen));
+    }
+  }
+
+  /// Standard deviation that readings of these sizes would have.
+  [[nodiscard]] Eigen::VectorXd sigma(const Eigen::VectorXd& readings) const {
+    Eigen::VectorXd result(points_);
+    const auto rows = static_cast<Eigen::Index>(grid_->rows());
+    for (std::size_t c = 0; c < evidence_.noise.size(); ++c) {
+      const NoiseModel& noise = evidence_.noise[c];
+      const Eigen::Index first = static_cast<Eigen::Index>(c) * rows;
+      result.segment(first, rows) =
+          (noise.relative * noise.relative * readings.segment(first, rows).array().square() +
            noise.absolute * noise.absolute)
               .sqrt()
               .max(1e-6 * noise.rms);
-      const Eigen::MatrixXd seen = noise.whitening(Eigen::MatrixXd(slope[j].bottomRows(old)));
-      const Eigen::VectorXd apart = noise.whitening(Eigen::VectorXd(gap.tail(old)));
-      c.information = seen.transpose() * seen;
-      c.information.diagonal().array() *= 1.0 + 1e-10;
-      c.along = seen.transpose() * apart;
-      c.difference = apart.squaredNorm();
-      c.slope = sigma.cwiseInverse().asDiagonal() * slope[j].topRows(points);
-      c.gap = gap.head(points).cwiseQuotient(sigma);
-      for (Eigen::Index p = 0; p < points; ++p)
-        if (!std::isfinite(c.gap[p]) || !c.slope.row(p).allFinite()) {
-          usable[static_cast<std::size_t>(p)] = false;
-          c.gap[p] = 0.0;
-          c.slope.row(p).setZero();
-        }
-      contests.push_back(std::move(c));
     }
-  const auto best_point = [&](const std::vector<Contest>& state) {
+    return result;
+  }
+
+  void make_contests() {
+    usable_.assign(static_cast<std::size_t>(points_), true);
+    for (std::size_t i = 0; i < rivals_.size(); ++i)
+      for (std::size_t j = 0; j < rivals_.size(); ++j) {
+        if (i == j) continue;
+        Contest c{.truth = i, .wrong = j};
+        const Eigen::VectorXd sd = sigma(prediction_[i]);
+        const Eigen::MatrixXd seen = evidence_.whitening(seen_slope_[j]);
+        const Eigen::VectorXd apart =
+            evidence_.whitening(Eigen::VectorXd(seen_prediction_[i] - seen_prediction_[j]));
+        c.information = seen.transpose() * seen;
+        c.information.diagonal().array() *= 1.0 + 1e-10;
+        c.along = seen.transpose() * apart;
+        c.difference = apart.squaredNorm();
+        c.slope = sd.cwiseInverse().asDiagonal() * slope_[j];
+        c.gap = (prediction_[i] - prediction_[j]).cwiseQuotient(sd);
+        for (Eigen::Index p = 0; p < points_; ++p)
+          if (!std::isfinite(c.gap[p]) || !c.slope.row(p).allFinite()) {
+            usable_[static_cast<std::size_t>(p)] = false;
+            c.gap[p] = 0.0;
+            c.slope.row(p).setZero();
+          }
+        contests_.push_back(std::move(c));
+      }
+  }
+
+  [[nodiscard]] Eigen::Index best_point(const std::vector<Contest>& state) const {
     double most_apart = -std::numeric_limits<double>::infinity();
     Eigen::Index best = 0;
-    for (Eigen::Index p = 0; p < points; ++p) {
-      if (!usable[static_cast<std::size_t>(p)]) continue;
-      std::vector<Contest> trial;
+    for (Eigen::Index p = 0; p < points_; ++p) {
+      if (!usable_[static_cast<std::size_t>(p)]) continue;
       double least = std::numeric_limits<double>::infinity();
       for (const Contest& c : state) {
         // Rank one: after the point, s + w (gap - slope·step)² / (1 + w slope A⁻¹ slope).
@@ -170,38 +191,48 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
       }
     }
     return best;
-  };
-  const std::vector<Contest> measured = contests;
-  std::vector<Eigen::Index> chosen;
-  while (static_cast<int>(chosen.size()) * repeats < most && worst(contests) < enough) {
-    chosen.push_back(best_point(contests));
-    for (Contest& c : contests) c.add(chosen.back(), repeats);
   }
-  // Exchange: each point against the best that the others leave.
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    std::vector<Contest> state = measured;
-    for (std::size_t j = 0; j < chosen.size(); ++j)
-      if (j != k)
-        for (Contest& c : state) c.add(chosen[j], repeats);
-    const Eigen::Index other = best_point(state);
-    for (Contest& c : state) c.add(other, repeats);
-    if (worst(state) > worst(contests)) {
-      chosen[k] = other;
-      contests = std::move(state);
+
+  void choose(int most) {
+    while (static_cast<int>(chosen_.size()) * repeats < most && worst(contests_) < enough) {
+      chosen_.push_back(best_point(contests_));
+      for (Contest& c : contests_) c.add(chosen_.back(), repeats);
     }
   }
-  result.predicted_separation = worst(contests);
-  const double more = static_cast<double>(chosen.size()) * repeats / static_cast<double>(old);
-  result.separation_by_repetition = (1.0 + more) * worst(measured);
-  const auto name_of = [&](std::size_t rival) {
+
+  /// Each point against the best that the others leave.
+  void exchange(const std::vector<Contest>& measured) {
+    for (std::size_t k = 0; k < chosen_.size(); ++k) {
+      std::vector<Contest> state = measured;
+      for (std::size_t j = 0; j < chosen_.size(); ++j)
+        if (j != k)
+          for (Contest& c : state) c.add(chosen_[j], repeats);
+      const Eigen::Index other = best_point(state);
+      for (Contest& c : state) c.add(other, repeats);
+      if (worst(state) <= worst(contests_)) continue;
+      chosen_[k] = other;
+      contests_ = std::move(state);
+    }
+  }
+
+  [[nodiscard]] std::string name_of(std::size_t rival) const {
     std::string text;
-    for (const std::size_t k : rivals[rival]->members)
-      text += (text.empty() ? "" : " + ") + problem.candidates[k].id;
+    for (const std::size_t k : rivals_[rival]->members)
+      text += (text.empty() ? "" : " + ") + problem_.candidates[k].id();
     return text;
-  };
-  for (const Eigen::Index p : chosen) {
-    const Row& row = planned.data.rows[static_cast<std::size_t>(p)];
-    SuggestedMeasurement m{.point = row.point, .preload = row.preload, .repeats = repeats};
+  }
+
+  void suggest(Eigen::Index p, const std::vector<Contest>& measured,
+               std::vector<SuggestedMeasurement>& list) const {
+    SuggestedMeasurement m;
+    m.repeats = repeats;
+    std::vector<Setting> told;
+    for (const Axis& axis : axes_) {
+      const std::size_t row = static_cast<std::size_t>(p) % grid_->rows();
+      m.point.push_back({axis.channel, grid_->value(*axis.channel, row)});
+      if (axis.told) told.push_back(m.point.back());
+    }
+    m.words = problem_.subject->words(told);
     double largest = 0.0;
     for (const Contest& c : measured)
       if (std::abs(c.gap[p]) > largest) {
@@ -211,45 +242,38 @@ NextPoints next_points(const Problem& problem, const NoiseModel& noise,
       }
     m.difference_in_sigma = largest;
     const auto same = [&](const SuggestedMeasurement& s) {
-      return s.point.speed == m.point.speed && s.point.axial_load == m.point.axial_load &&
-             s.point.radial_load == m.point.radial_load &&
-             s.point.temperature == m.point.temperature &&
-             (s.preload == m.preload || (std::isnan(s.preload) && std::isnan(m.preload)));
+      for (std::size_t k = 0; k < m.point.size(); ++k) {
+        const double a = s.point[k].value, b = m.point[k].value;
+        if (a != b && !(std::isnan(a) && std::isnan(b))) return false;
+      }
+      return true;
     };
-    const auto known = std::find_if(result.points.begin(), result.points.end(), same);
-    if (known != result.points.end())
+    const auto known = std::find_if(list.begin(), list.end(), same);
+    if (known != list.end())
       known->repeats += repeats;
     else
-      result.points.push_back(std::move(m));
+      list.push_back(std::move(m));
   }
-  return result;
-}
 
-std::vector<std::string> records_needed(const Problem& problem,
-                                        const std::vector<const Explanation*>& rivals) {
-  if (problem.data.quantity != Quantity::axial_displacement) return {};
-  const auto warm = [&](std::size_t k) { return problem.candidates[k].description->follows_heat; };
-  const auto by_heat = [&](const Explanation* e) {
-    return std::any_of(e->members.begin(), e->members.end(), warm);
-  };
-  const bool untested = std::any_of(
-      problem.candidates.begin(), problem.candidates.end(),
-      [](const Candidate& c) { return c.description->follows_heat && !c.not_testable.empty(); });
-  if ((!untested && std::none_of(rivals.begin(), rivals.end(), by_heat)) ||
-      std::all_of(rivals.begin(), rivals.end(), by_heat))
-    return {};
-  std::vector<std::string> list;
-  const auto rings = [](const Row& r) {
-    return std::isfinite(r.inner_ring_temperature) && std::isfinite(r.outer_ring_temperature);
-  };
-  if (!std::all_of(problem.data.rows.begin(), problem.data.rows.end(), rings))
-    list.emplace_back(
-        "ring temperatures (inner_ring_temperature_C, outer_ring_temperature_C), which say what "
-        "expands");
-  list.emplace_back(
-      "the same speeds up and down, each soon after a change and again when warm: heat lags "
-      "behind, speed does not");
-  return list;
+  const Evidence& evidence_;
+  const Problem& problem_;
+  const std::vector<const Explanation*>& rivals_;
+  std::vector<Axis> axes_;
+  std::shared_ptr<const Record> grid_;
+  Eigen::Index points_ = 0;  // of the grid, times the channels
+  std::vector<Eigen::VectorXd> prediction_, seen_prediction_;
+  std::vector<Eigen::MatrixXd> slope_, seen_slope_;
+  std::vector<Contest> contests_;
+  std::vector<bool> usable_;
+  std::vector<Eigen::Index> chosen_;
+};
+
+}  // namespace
+
+NextPoints next_points(const Evidence& evidence, const std::vector<const Explanation*>& rivals,
+                       int most) {
+  Plan plan(evidence, rivals);
+  return plan.possible() ? plan.run(most) : NextPoints{};
 }
 
 }  // namespace raceway::fit

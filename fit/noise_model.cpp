@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <tuple>
+#include <numeric>
 
-#include "fit/noise.h"
+#include "record/repeats.h"
 
 namespace raceway::fit {
 
@@ -64,10 +64,11 @@ double restricted(const Whitening& whitening, const Eigen::MatrixXd& columns,
 }
 
 /// Shape of the standard deviations: share of the relative part in [0, 1].
-Eigen::VectorXd shape(double share, const Eigen::VectorXd& torque, const Eigen::VectorXd& own,
+Eigen::VectorXd shape(double share, const Eigen::VectorXd& reading, const Eigen::VectorXd& own,
                       const Eigen::VectorXd& widening) {
-  const double rms = torque.norm() / std::sqrt(static_cast<double>(torque.size()));
-  return ((share * (torque / rms).array().square() + (1.0 - share) * own.array().square()).sqrt() *
+  const double size = reading.norm() / std::sqrt(static_cast<double>(reading.size()));
+  return ((share * (reading / size).array().square() + (1.0 - share) * own.array().square())
+              .sqrt() *
           widening.array())
       .matrix();
 }
@@ -94,46 +95,19 @@ T pick(const T& all, const std::vector<Eigen::Index>& rows) {
   return all(rows, Eigen::all);
 }
 
-}  // namespace
-
-void sort_rows(DataSet& data) {
-  const bool timed = std::all_of(data.rows.begin(), data.rows.end(),
-                                 [](const Row& row) { return std::isfinite(row.time); });
-  // Runs overlap in time where a run begins before one that began earlier has ended.
-  bool overlap = false;
-  if (timed) {
-    std::map<int, std::pair<double, double>> span;
-    for (const Row& row : data.rows) {
-      auto [it, fresh] = span.try_emplace(row.run, row.time, row.time);
-      it->second.first = std::min(it->second.first, row.time);
-      it->second.second = std::max(it->second.second, row.time);
-    }
-    std::vector<std::pair<double, double>> spans;
-    for (const auto& [run, s] : span) spans.push_back(s);
-    std::sort(spans.begin(), spans.end());
-    for (std::size_t k = 1; k < spans.size(); ++k)
-      overlap = overlap || spans[k].first < spans[k - 1].second;
-  }
-  const auto key = [&](const Row& row) {
-    return std::tuple(overlap || !timed ? row.run : 0, timed ? row.time : 0.0, row.point.speed,
-                      row.point.axial_load, row.point.radial_load, row.point.temperature,
-                      row.measured);
-  };
-  std::stable_sort(data.rows.begin(), data.rows.end(),
-                   [&](const Row& a, const Row& b) { return key(a) < key(b); });
-}
-
-RowOrder row_order(const DataSet& data) {
+/// Time since the reading before and whether a run begins, of readings at these rows.
+RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
   RowOrder order;
-  order.has_time = !data.rows.empty();
+  order.has_time = !rows.empty();
   std::vector<double> steps;
-  for (std::size_t i = 0; i < data.rows.size(); ++i) {
-    const double before = i == 0 ? unset : data.rows[i - 1].time;
-    const double step = data.rows[i].time - before;
-    if (!std::isfinite(data.rows[i].time)) order.has_time = false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double now = record.value(record::time, rows[i]);
+    const double before = i == 0 ? unset : record.value(record::time, rows[i - 1]);
+    const double step = now - before;
+    if (!std::isfinite(now)) order.has_time = false;
     // A step back: the clock of another run.
     order.step.push_back(i == 0 || step < 0.0 || !std::isfinite(step) ? infinity : step);
-    order.new_run.push_back(i == 0 || data.rows[i].run != data.rows[i - 1].run);
+    order.new_run.push_back(i == 0 || record.run_of(rows[i]) != record.run_of(rows[i - 1]));
     if (std::isfinite(order.step.back()) && step > 0.0) steps.push_back(step);
     order.has_runs = order.has_runs || (i > 0 && order.new_run.back());
   }
@@ -143,158 +117,261 @@ RowOrder row_order(const DataSet& data) {
   return order;
 }
 
-NoiseModel known_noise_model(const DataSet& data) {
-  Eigen::VectorXd std(static_cast<Eigen::Index>(data.rows.size()));
-  for (Eigen::Index i = 0; i < std.size(); ++i) std[i] = data.rows[static_cast<std::size_t>(i)].std;
-  NoiseModel noise;
-  noise.rms = noise.absolute = std.norm() / std::sqrt(static_cast<double>(std.size()));
-  noise.degrees_of_freedom = as_good_as_known;
-  noise.whitening = Whitening(std, {}, 0.0, 0.0);
-  return noise;
+/// The order of some readings, those that are not neighbours anew.
+RowOrder order_of(const RowOrder& all, const std::vector<Eigen::Index>& some) {
+  if (some.size() == all.step.size()) return all;
+  RowOrder order{.step = {}, .new_run = {}, .has_time = all.has_time, .has_runs = all.has_runs};
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    const auto i = static_cast<std::size_t>(some[k]);
+    const bool joined = k > 0 && some[k] == some[k - 1] + 1;
+    order.step.push_back(joined ? all.step[i] : infinity);
+    order.new_run.push_back(!joined || all.new_run[i]);
+  }
+  return order;
 }
 
-NoiseModel estimate_noise_model(const DataSet& data, const Eigen::MatrixXd& columns,
-                                const Eigen::VectorXd& size, const NoiseOptions& options) {
-  const auto rows = static_cast<Eigen::Index>(data.rows.size());
-  Eigen::VectorXd measured(rows), own = Eigen::VectorXd::Ones(rows);
-  bool declared = true;
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const Row& row = data.rows[static_cast<std::size_t>(i)];
-    measured[i] = row.measured;
-    declared = declared && std::isfinite(row.std) && row.std > 0.0;
+/// The search for the noise of one channel, part by part.
+class NoiseSearch {
+ public:
+  NoiseSearch(const ChannelReadings& readings, const Eigen::MatrixXd& columns,
+              const Eigen::VectorXd& size, const NoiseOptions& options)
+      : readings_(readings),
+        columns_(columns),
+        size_(size),
+        options_(options),
+        rows_(readings.measured.size()),
+        some_(stretches(rows_)),
+        some_order_(order_of(readings.order, some_)),
+        some_columns_(pick(columns, some_)),
+        some_deviation_(regress(some_columns_, readings.measured(some_)).residual),
+        own_(Eigen::VectorXd::Ones(rows_)),
+        reading_(size),
+        widening_(Eigen::VectorXd::Ones(rows_)) {
+    if (readings.std.size() == rows_)
+      own_ = readings.std * (std::sqrt(static_cast<double>(rows_)) / readings.std.norm());
   }
-  if (declared) {
-    for (Eigen::Index i = 0; i < rows; ++i) own[i] = data.rows[static_cast<std::size_t>(i)].std;
-    own *= std::sqrt(static_cast<double>(rows)) / own.norm();
-  }
-  const RowOrder order = row_order(data);
-  const std::vector<Eigen::Index> some = stretches(rows);
-  RowOrder some_order = order;
-  if (static_cast<Eigen::Index>(some.size()) < rows) {
-    some_order.step.clear();
-    some_order.new_run.clear();
-    for (std::size_t k = 0; k < some.size(); ++k) {
-      const auto i = static_cast<std::size_t>(some[k]);
-      const bool joined = k > 0 && some[k] == some[k - 1] + 1;
-      some_order.step.push_back(joined ? order.step[i] : infinity);
-      some_order.new_run.push_back(!joined || order.new_run[i]);
-    }
-  }
-  const Eigen::MatrixXd some_columns = pick(columns, some);
-  const Eigen::VectorXd some_measured = measured(some);
-  const Eigen::VectorXd some_deviation = regress(some_columns, some_measured).residual;
 
-  NoiseModel noise;
-  noise.degrees_of_freedom = static_cast<double>(rows - columns.cols());
-  Eigen::VectorXd torque = size, widening = Eigen::VectorXd::Ones(rows);
-  double share = 1.0;
-  const auto whitening_of = [&](double phi, double g, double relative_share) {
-    return Whitening(shape(relative_share, torque(some), own(some), widening(some)), some_order,
-                     phi, g);
-  };
-  // Size of the parts and outliers, first as if rows were independent.
-  for (int round = 0; round < 3; ++round) {
-    if (options.absolute) {
-      double best = infinity;
-      for (const double s : {1.0, 0.998, 0.99, 0.97, 0.93, 0.85, 0.7, 0.5, 0.25, 0.1, 0.0}) {
-        // The pure forms are preferred unless a mixture is clearly better.
-        const double value = restricted(whitening_of(0.0, 0.0, s), some_columns, some_deviation) +
-                             (s < 1.0 && s > 0.0 ? 1.0 : 0.0);
-        if (value < best) {
-          best = value;
-          share = s;
-        }
+  NoiseModel run() {
+    noise_.degrees_of_freedom = static_cast<double>(rows_ - columns_.cols());
+    // Size of the parts and outliers, first as if readings were independent.
+    for (int round = 0; round < 3; ++round) {
+      if (options_.absolute) find_share();
+      find_outliers();
+    }
+    find_memory();
+    set_scale();
+    hold_against_repeats();
+    return std::move(noise_);
+  }
+
+ private:
+  [[nodiscard]] double misfit(double phi, double run_share, double relative_share) const {
+    return restricted(
+        Whitening(shape(relative_share, reading_(some_), own_(some_), widening_(some_)),
+                  some_order_, phi, run_share),
+        some_columns_, some_deviation_);
+  }
+
+  void find_share() {
+    double best = infinity;
+    for (const double s : {1.0, 0.998, 0.99, 0.97, 0.93, 0.85, 0.7, 0.5, 0.25, 0.1, 0.0}) {
+      // The pure forms are preferred unless a mixture is clearly better.
+      const double value = misfit(0.0, 0.0, s) + (s < 1.0 && s > 0.0 ? 1.0 : 0.0);
+      if (value < best) {
+        best = value;
+        share_ = s;
       }
     }
-    const Whitening independent(shape(share, torque, own, widening), {}, 0.0, 0.0);
-    const Regression regression = regress(independent(columns), independent(measured));
-    torque = regression.fitted.cwiseProduct(independent.std()).cwiseAbs().cwiseMax(0.1 * size);
-    if (!options.outliers) continue;
+  }
+
+  void find_outliers() {
+    const Whitening independent(shape(share_, reading_, own_, widening_), {}, 0.0, 0.0);
+    const Regression regression = regress(independent(columns_), independent(readings_.measured));
+    reading_ = regression.fitted.cwiseProduct(independent.std()).cwiseAbs().cwiseMax(0.1 * size_);
+    if (!options_.outliers) return;
     // Deviations without the widening of an earlier round.
-    Eigen::VectorXd deviation =
-        regression.residual.cwiseProduct(widening).cwiseQuotient(regression.freedom.cwiseSqrt());
-    std::vector<double> absolute(deviation.data(), deviation.data() + rows);
+    const Eigen::VectorXd deviation =
+        regression.residual.cwiseProduct(widening_).cwiseQuotient(regression.freedom.cwiseSqrt());
+    std::vector<double> absolute(deviation.data(), deviation.data() + rows_);
     for (double& d : absolute) d = std::abs(d);
     const double robust = 1.4826 * median(absolute);
-    noise.outliers.clear();
-    widening.setOnes();
-    for (Eigen::Index i = 0; i < rows; ++i) {
+    noise_.outliers.clear();
+    widening_.setOnes();
+    for (Eigen::Index i = 0; i < rows_; ++i) {
       const double sigmas = std::abs(deviation[i]) / robust;
       if (!(sigmas > outlier_limit) || regression.freedom[i] < 0.1) continue;
-      noise.outliers.push_back(static_cast<std::size_t>(i));
-      widening[i] = sigmas;
+      noise_.outliers.push_back(static_cast<std::size_t>(i));
+      widening_[i] = sigmas;
     }
   }
-  // Memory: both at once, as each can look like the other.
-  double phi = 0.0, g = 0.0;
-  const bool timed = options.correlation && order.has_time, runs = options.runs && order.has_runs;
-  if (timed || runs) {
+
+  /// Correlation and runs both at once, as each can look like the other.
+  void find_memory() {
+    const bool timed = options_.correlation && readings_.order.has_time;
+    const bool runs = options_.runs && readings_.order.has_runs;
+    if (!timed && !runs) return;
+    double &phi = noise_.correlation, &g = noise_.run_share;
     const auto value = [&](double p, double q) {
-      return restricted(whitening_of(p, q, share), some_columns, some_deviation) +
+      return misfit(p, q, share_) +
              worth_a_parameter * ((p > 0.0 ? 1.0 : 0.0) + (q > 0.0 ? 1.0 : 0.0));
     };
     double best = value(0.0, 0.0);
+    const auto try_out = [&](double p, double q) {
+      const double v = value(p, q);
+      if (v >= best) return;
+      best = v;
+      phi = p;
+      g = q;
+    };
     for (const double p : {0.0, 0.2, 0.4, 0.6, 0.75, 0.87, 0.95})
-      for (const double q : {0.0, 0.1, 0.25, 0.5, 0.75}) {
-        if ((p > 0.0 && !timed) || (q > 0.0 && !runs)) continue;
-        const double v = value(p, q);
-        if (v < best) {
-          best = v;
-          phi = p;
-          g = q;
-        }
-      }
+      for (const double q : {0.0, 0.1, 0.25, 0.5, 0.75})
+        if ((p == 0.0 || timed) && (q == 0.0 || runs)) try_out(p, q);
     for (double step = 0.06; step > 0.005; step *= 0.5)
       for (const auto& [dp, dq] : std::array<std::pair<double, double>, 4>{
                {{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}}) {
         const double p = phi + dp, q = g + dq;
         if ((dp != 0.0 && phi == 0.0) || (dq != 0.0 && g == 0.0)) continue;
         if (p <= 0.0 || p > 0.985 || q <= -1e-12 + (g > 0.0 ? 1e-12 : 0.0) || q > 0.95) continue;
-        const double v = value(p, q);
-        if (v < best) {
-          best = v;
-          phi = p;
-          g = q;
-        }
+        try_out(p, q);
       }
   }
-  noise.correlation = phi;
-  noise.run_share = g;
-  Eigen::VectorXd std = shape(share, torque, own, widening);
-  const Whitening unscaled(std, order, phi, g);
-  const Regression regression = regress(unscaled(columns), unscaled(measured));
-  const double factor = std::sqrt(regression.residual.squaredNorm() / noise.degrees_of_freedom);
-  std *= factor;
-  noise.whitening = Whitening(std, order, phi, g);
-  const double torque_rms = torque.norm() / std::sqrt(static_cast<double>(rows));
-  noise.relative = factor * std::sqrt(share) / torque_rms;
-  noise.absolute = factor * std::sqrt(1.0 - share);
-  noise.rms = std.cwiseQuotient(widening).norm() / std::sqrt(static_cast<double>(rows));
 
-  // Pure error as a check.
-  double square = 0.0;
-  int freedom = 0;
-  for (const RepeatGroup& group : find_repeats(data)) {
-    double weight = 0.0, mean = 0.0;
-    for (const std::size_t i : group) {
-      const double s = std[static_cast<Eigen::Index>(i)];
-      weight += 1.0 / (s * s);
-      mean += data.rows[i].measured / (s * s);
-    }
-    mean /= weight;
-    for (const std::size_t i : group) {
-      const double d = (data.rows[i].measured - mean) / std[static_cast<Eigen::Index>(i)];
-      square += d * d;
-    }
-    freedom += static_cast<int>(group.size()) - 1;
+  void set_scale() {
+    Eigen::VectorXd std = shape(share_, reading_, own_, widening_);
+    const Whitening unscaled(std, readings_.order, noise_.correlation, noise_.run_share);
+    const Regression regression = regress(unscaled(columns_), unscaled(readings_.measured));
+    const double factor = std::sqrt(regression.residual.squaredNorm() / noise_.degrees_of_freedom);
+    std *= factor;
+    noise_.whitening = Whitening(std, readings_.order, noise_.correlation, noise_.run_share);
+    noise_.relative = factor * std::sqrt(share_) / fit::rms(reading_);
+    noise_.absolute = factor * std::sqrt(1.0 - share_);
+    noise_.rms = fit::rms(std.cwiseQuotient(widening_));
   }
-  if (freedom >= fewest_repeats) {
-    noise.repeats_statistic = square / freedom;
-    const boost::math::fisher_f f(freedom, noise.degrees_of_freedom);
-    const double above = boost::math::cdf(boost::math::complement(f, noise.repeats_statistic));
-    noise.repeats_p_value = std::min(1.0, 2.0 * std::min(above, 1.0 - above));
+
+  /// Pure error as a check.
+  void hold_against_repeats() {
+    const Eigen::VectorXd& std = noise_.whitening.std();
+    double square = 0.0;
+    int freedom = 0;
+    for (const record::RepeatGroup& group : readings_.repeats) {
+      double weight = 0.0, mean = 0.0;
+      for (const std::size_t member : group) {
+        const auto i = static_cast<Eigen::Index>(member);
+        weight += 1.0 / (std[i] * std[i]);
+        mean += readings_.measured[i] / (std[i] * std[i]);
+      }
+      mean /= weight;
+      for (const std::size_t member : group) {
+        const auto i = static_cast<Eigen::Index>(member);
+        const double d = (readings_.measured[i] - mean) / std[i];
+        square += d * d;
+      }
+      freedom += static_cast<int>(group.size()) - 1;
+    }
+    if (freedom < fewest_repeats) return;
+    noise_.repeats_statistic = square / freedom;
+    const boost::math::fisher_f f(freedom, noise_.degrees_of_freedom);
+    const double above = boost::math::cdf(boost::math::complement(f, noise_.repeats_statistic));
+    noise_.repeats_p_value = std::min(1.0, 2.0 * std::min(above, 1.0 - above));
   }
+
+  const ChannelReadings& readings_;
+  const Eigen::MatrixXd& columns_;
+  const Eigen::VectorXd& size_;
+  const NoiseOptions& options_;
+  Eigen::Index rows_;
+  std::vector<Eigen::Index> some_;
+  RowOrder some_order_;
+  Eigen::MatrixXd some_columns_;
+  Eigen::VectorXd some_deviation_;
+  Eigen::VectorXd own_, reading_, widening_;
+  double share_ = 1.0;  // of the relative part
+  NoiseModel noise_;
+};
+
+/// True where a run begins before one that began earlier has ended.
+bool runs_overlap(const Record& record) {
+  std::map<int, std::pair<double, double>> span;
+  for (std::size_t i = 0; i < record.rows(); ++i) {
+    const double t = record.value(record::time, i);
+    auto [it, fresh] = span.try_emplace(record.run_of(i), t, t);
+    it->second.first = std::min(it->second.first, t);
+    it->second.second = std::max(it->second.second, t);
+  }
+  std::vector<std::pair<double, double>> spans;
+  for (const auto& [run, s] : span) spans.push_back(s);
+  std::sort(spans.begin(), spans.end());
+  for (std::size_t k = 1; k < spans.size(); ++k)
+    if (spans[k].first < spans[k - 1].second) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::size_t> order_of_rows(const Record& record) {
+  const bool timed = record.complete(record::time);
+  const bool by_run = record.has(record::run) && (!timed || runs_overlap(record));
+  std::vector<std::span<const double>> keys;
+  if (by_run) keys.push_back(record.values(record::run));
+  if (timed) keys.push_back(record.values(record::time));
+  for (const record::Role role : {record::Role::setting, record::Role::measured})
+    for (const record::Column& c : record.columns)
+      if (c.channel->role == role) keys.emplace_back(c.values);
+  std::vector<std::size_t> order(record.rows());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    for (const std::span<const double> key : keys) {
+      const double x = std::isnan(key[a]) ? -infinity : key[a];
+      const double y = std::isnan(key[b]) ? -infinity : key[b];
+      if (x != y) return x < y;
+    }
+    return false;
+  });
+  return order;
+}
+
+ChannelReadings readings_of(const Record& record, const Observations& observed,
+                            std::size_t channel) {
+  const std::span<const std::size_t> rows = observed.rows(channel);
+  ChannelReadings result{.measured = observed.of(channel, observed.measured)};
+  if (const record::Column* const std = record.deviation_of(*observed.channels[channel].channel)) {
+    result.std.resize(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result.std[static_cast<Eigen::Index>(i)] = std->values[rows[i]];
+    if (!result.std.allFinite() || !(result.std.array() > 0.0).all()) result.std.resize(0);
+    result.known = std->known && result.std.size() > 0;
+  }
+  result.order = row_order(record, rows);
+  std::map<std::size_t, std::size_t> place;
+  for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = i;
+  for (record::RepeatGroup group : record::find_repeats(record, {}, rows)) {
+    for (std::size_t& member : group) member = place.at(member);
+    result.repeats.push_back(std::move(group));
+  }
+  return result;
+}
+
+NoiseModel known_noise_model(const ChannelReadings& readings) {
+  NoiseModel noise;
+  noise.rms = noise.absolute = fit::rms(readings.std);
+  noise.degrees_of_freedom = as_good_as_known;
+  noise.whitening = Whitening(readings.std, {}, 0.0, 0.0);
   return noise;
+}
+
+Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
+                       const Eigen::VectorXd& size) {
+  if (readings.known) return known_noise_model(readings).whitening;
+  Eigen::VectorXd own = Eigen::VectorXd::Ones(size.size());
+  if (readings.std.size() > 0) own = readings.std / fit::rms(readings.std);
+  const Eigen::VectorXd std =
+      ((noise.relative * size).array().square() + (noise.absolute * own).array().square()).sqrt();
+  return {std, readings.order, noise.correlation, noise.run_share};
+}
+
+NoiseModel estimate_noise_model(const ChannelReadings& readings, const Eigen::MatrixXd& columns,
+                                const Eigen::VectorXd& size, const NoiseOptions& options) {
+  return NoiseSearch(readings, columns, size, options).run();
 }
 
 }  // namespace raceway::fit

@@ -8,8 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fit/free_parameters.h"
-#include "fit/shaft_response.h"
+#include "fit/least_squares.h"
 
 namespace raceway::fit {
 
@@ -29,111 +28,21 @@ constexpr int most_iterations = 100;
 
 /// A point within the bounds, `amount` scales away from the start in a direction of its own for
 /// each parameter.
-Eigen::VectorXd away(const std::vector<FitParameter>& parameters, double amount) {
+Eigen::VectorXd away(const std::vector<Parameter>& parameters, double amount) {
   Eigen::VectorXd x(static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const FitParameter& p = parameters[k];
+    const Parameter& p = parameters[k];
     const double step = amount * (1.0 + 0.3 * static_cast<double>(k)) * p.scale;
-    double value = p.start + step <= p.upper ? p.start + step : p.start - step;
-    x[static_cast<Eigen::Index>(k)] = std::clamp(value, p.lower, p.upper);
+    const double above = p.upper - p.start, below = p.start - p.lower;
+    // Where there is no room for it on either side, a share of the larger room: points of different
+    // amounts stay apart.
+    const double part = amount / (1.0 + amount);
+    x[static_cast<Eigen::Index>(k)] = step <= above    ? p.start + step
+                                      : step <= below  ? p.start - step
+                                      : above >= below ? p.start + part * above
+                                                       : p.start - part * below;
   }
   return x;
-}
-
-/// The problem min |r - A d|², reduced to as many rows as it has columns.
-class LeastSquares {
- public:
-  LeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& r) {
-    const Eigen::Index count = a.cols();
-    Eigen::MatrixXd joined(a.rows(), count + 1);
-    joined << a, r;
-    const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(joined);
-    const Eigen::Index rows = std::min(count, a.rows());
-    a_ = joined.topLeftCorner(rows, count).triangularView<Eigen::Upper>();
-    r_ = joined.col(count).head(rows);
-  }
-
-  /// |r|² less what `d` leaves of it.
-  [[nodiscard]] double fall(const Eigen::VectorXd& d) const {
-    const Eigen::VectorXd image = a_ * d;
-    return image.dot(2.0 * r_ - image);
-  }
-
-  /// The minimum for d within [lower, upper], or of |r - A d|² + damping Σ |A_k|² d_k², by an
-  /// active set; returns whether it settled. `side` says which are held at which bound.
-  bool solve(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, double damping,
-             Eigen::VectorXd& d, std::vector<int>& side) const;
-
- private:
-  Eigen::MatrixXd a_;
-  Eigen::VectorXd r_;
-};
-
-bool LeastSquares::solve(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, double damping,
-                         Eigen::VectorXd& d, std::vector<int>& side) const {
-  const Eigen::Index count = a_.cols();
-  Eigen::MatrixXd a = a_;
-  Eigen::VectorXd r = r_;
-  if (damping > 0.0) {
-    a.conservativeResize(a_.rows() + count, Eigen::NoChange);
-    a.bottomRows(count) = Eigen::MatrixXd((std::sqrt(damping) * a_.colwise().norm()).asDiagonal());
-    r.conservativeResize(r_.size() + count);
-    r.tail(count).setZero();
-  }
-  side.assign(static_cast<std::size_t>(count), 0);
-  d = Eigen::VectorXd::Zero(count);
-  const Eigen::MatrixXd gram = a.transpose() * a;
-  const Eigen::VectorXd right = a.transpose() * r;
-  for (int round = 0; round < 50; ++round) {
-    std::vector<Eigen::Index> free;
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const int s = side[static_cast<std::size_t>(k)];
-      if (s == 0)
-        free.push_back(k);
-      else
-        d[k] = s < 0 ? lower[k] : upper[k];
-    }
-    if (!free.empty()) {
-      Eigen::MatrixXd columns(a.rows(), static_cast<Eigen::Index>(free.size()));
-      Eigen::VectorXd rest = r;
-      for (Eigen::Index k = 0; k < count; ++k)
-        if (side[static_cast<std::size_t>(k)] != 0) rest -= a.col(k) * d[k];
-      for (std::size_t j = 0; j < free.size(); ++j)
-        columns.col(static_cast<Eigen::Index>(j)) = a.col(free[j]);
-      const Eigen::VectorXd solution = columns.colPivHouseholderQr().solve(rest);
-      if (!solution.allFinite()) return false;
-      for (std::size_t j = 0; j < free.size(); ++j)
-        d[free[j]] = solution[static_cast<Eigen::Index>(j)];
-    }
-    // The worst violation first: beyond a bound, then a held one that wants back inside.
-    Eigen::Index worst = -1;
-    double most = 0.0;
-    int worst_side = 0;
-    for (const Eigen::Index k : free) {
-      const double below = lower[k] - d[k], above = d[k] - upper[k];
-      if (std::max(below, above) > most) {
-        most = std::max(below, above);
-        worst = k;
-        worst_side = below > above ? -1 : 1;
-      }
-    }
-    if (worst >= 0) {
-      side[static_cast<std::size_t>(worst)] = worst_side;
-      continue;
-    }
-    const Eigen::VectorXd downhill = right - gram * d;
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const int s = side[static_cast<std::size_t>(k)];
-      const double inward = s < 0 ? downhill[k] : s > 0 ? -downhill[k] : 0.0;
-      if (inward > most + 1e-9 * std::sqrt(gram(k, k)) * r.norm()) {
-        most = inward;
-        worst = k;
-      }
-    }
-    if (worst < 0) return true;
-    side[static_cast<std::size_t>(worst)] = 0;
-  }
-  return false;
 }
 
 Eigen::VectorXd scales(const Response& response) {
@@ -164,7 +73,7 @@ struct Minimum {
 /// A minimum with other values of the parameters that have no influence there: both ends of their
 /// range and its middle, in ratio where the range is wide.
 std::vector<Eigen::VectorXd> around(const Minimum& minimum,
-                                    const std::vector<FitParameter>& parameters) {
+                                    const std::vector<Parameter>& parameters) {
   std::vector<Eigen::VectorXd> points;
   for (const Eigen::Index k : minimum.without_influence()) {
     const auto& [low, high] = std::pair(parameters[static_cast<std::size_t>(k)].lower,
@@ -190,12 +99,12 @@ bool same_misfit(double found, double known) {
 /// that comes to the misfit of `known` ends there: it has no more to tell than that.
 std::optional<Minimum> minimum_from(const Response& response, const Whitening& whitening,
                                     const Eigen::VectorXd& measured, const Eigen::VectorXd& start,
-                                    double known) {
+                                    double known, int& iterations) {
   const Eigen::VectorXd scale = scales(response);
   const Eigen::Index count = scale.size();
   Eigen::VectorXd lower(count), upper(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const FitParameter& p = response.parameters[static_cast<std::size_t>(k)];
+    const Parameter& p = response.parameters[static_cast<std::size_t>(k)];
     lower[k] = p.lower / p.scale;
     upper[k] = p.upper / p.scale;
   }
@@ -207,7 +116,7 @@ std::optional<Minimum> minimum_from(const Response& response, const Whitening& w
   at.misfit = residual.squaredNorm();
   const double rounding = std::pow(least_reading, 2) * whitening(measured).squaredNorm();
   double damping = first_damping, harder = 4.0;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration, ++iterations) {
     if (same_misfit(at.misfit, known)) return at;
     at.slope = response.jacobian(at.values);
     at.jacobian = whitening(Eigen::MatrixXd(at.slope * scale.asDiagonal()));
@@ -260,7 +169,7 @@ void complete(const Response& response, const Whitening& whitening, const Eigen:
   fit.at_bound.assign(static_cast<std::size_t>(count), false);
   std::vector<Eigen::Index> free;
   for (Eigen::Index k = 0; k < count; ++k) {
-    const FitParameter& p = response.parameters[static_cast<std::size_t>(k)];
+    const Parameter& p = response.parameters[static_cast<std::size_t>(k)];
     const bool bound = fit.values[k] - p.lower <= bound_tolerance * p.scale ||
                        p.upper - fit.values[k] <= bound_tolerance * p.scale;
     fit.at_bound[static_cast<std::size_t>(k)] = bound;
@@ -299,13 +208,13 @@ Eigen::MatrixXd Response::jacobian(const Eigen::VectorXd& x) const {
   Eigen::MatrixXd result;
   if (x.size() == 0) result.resize(readings(x).size(), 0);
   for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const FitParameter& p = parameters[static_cast<std::size_t>(k)];
+    const Parameter& p = parameters[static_cast<std::size_t>(k)];
     const double step = difference_step * p.scale;
     Eigen::VectorXd high = x, low = x;
     high[k] = std::min(x[k] + step, p.upper);
     low[k] = std::max(x[k] - step, p.lower);
     Eigen::VectorXd above = readings(high), below = readings(low);
-    // Next to a point without balance, the side that has one.
+    // Next to a point that cannot be predicted, the side that has one.
     if (!above.allFinite()) {
       high[k] = x[k];
       above = readings(high);
@@ -334,62 +243,45 @@ void Response::find_affine_form() {
   }
   form.constant = at_centre - form.slope * centre;
   if (!form.slope.allFinite()) return;
+  std::vector<Eigen::Index> ends{at_centre.size()};
+  if (!parts.empty()) ends.assign(parts.begin() + 1, parts.end());
   for (const double amount : {0.5, 1.3, 3.1}) {
     const Eigen::VectorXd x = away(parameters, amount);
     const Eigen::VectorXd true_readings = readings(x);
-    const double error = (form.constant + form.slope * x - true_readings).cwiseAbs().maxCoeff();
-    if (!(error <= affine_tolerance * true_readings.cwiseAbs().maxCoeff())) return;
+    const Eigen::VectorXd error = form.constant + form.slope * x - true_readings;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const Eigen::Index begin = k == 0 ? 0 : ends[k - 1], size = ends[k] - begin;
+      if (size > 0 &&
+          !(error.segment(begin, size).cwiseAbs().maxCoeff() <=
+            affine_tolerance * true_readings.segment(begin, size).cwiseAbs().maxCoeff()))
+        return;
+    }
   }
   affine = std::move(form);
 }
 
-Response model_response(const Model& model, const DataSet& data,
-                        const std::vector<std::string>& names, std::span<const Balance> entered) {
+Response response_of(const Subject& subject, std::shared_ptr<const Record> record,
+                     const Observations& observed, const std::vector<std::string>& names,
+                     const std::shared_ptr<const void>& prepared) {
   Response response;
-  Model wanted = model;
-  wanted.free = names;
-  const std::vector<ModelParameter> chosen =
-      names.empty() ? std::vector<ModelParameter>() : free_parameters(wanted);
-  for (const ModelParameter& p : chosen) {
-    FitParameter parameter{
-        .name = p.name, .unit = p.unit, .start = p.get(model), .lower = p.lower, .upper = p.upper};
-    const double size = std::max(std::abs(parameter.start), std::abs(p.initial));
-    const double range = p.upper - p.lower;
-    parameter.scale = size > 0.0 ? size : std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
-    response.parameters.push_back(parameter);
-  }
-  if (model.shaft) {
-    response.readings = displacement_readings(model, data.rows, chosen);
-    return response;
-  }
-  // Rows remember what a parameter leaves alone: all before the stage at which it acts first.
+  if (!names.empty()) response.parameters = find_parameters(subject, names);
   struct Rows {
-    Model model;
-    Steps steps;
-    std::vector<RowPredictor> predictors{};
-    std::vector<Stage> stage{};  // of each parameter
-    Eigen::VectorXd last{};
+    std::shared_ptr<const Record> record;
+    std::shared_ptr<const void> prepared;
+    std::unique_ptr<Predictor> predictor;
+    std::vector<double> all;  // of every channel at every row
+    std::vector<std::size_t> places;
   };
-  const auto rows = std::make_shared<Rows>(Rows{model, Steps(model)});
-  rows->predictors.reserve(data.rows.size());
-  for (std::size_t i = 0; i < data.rows.size(); ++i)
-    rows->predictors.emplace_back(rows->model, rows->steps, data.rows[i].point,
-                                  record_of(data.rows[i]), entered.empty() ? nullptr : entered[i]);
-  for (const ModelParameter& p : chosen)
-    rows->stage.push_back(first_stage(rows->model, rows->steps, p.effect));
-  response.readings = [rows, chosen](const Eigen::VectorXd& x) {
-    Stage from = rows->last.size() == x.size() ? Stage::reading : Stage::condition;
-    for (std::size_t k = 0; k < chosen.size(); ++k) {
-      const auto at = static_cast<Eigen::Index>(k);
-      if (from != Stage::condition && x[at] == rows->last[at]) continue;
-      chosen[k].set(rows->model, x[at]);
-      from = std::min(from, rows->stage[k]);
-    }
-    rows->last.resize(0);  // until all rows have it
-    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows->predictors.size()));
-    predict_all(rows->model, rows->steps, rows->predictors,
-                std::span(readings.data(), rows->predictors.size()), from);
-    rows->last = x;
+  const std::size_t count = record->rows();
+  const auto rows = std::make_shared<Rows>(
+      Rows{record, prepared, subject.predictor(*record, names, prepared),
+           std::vector<double>(subject.measured().size() * count), observed.places(count)});
+  response.parts = observed.first;
+  response.readings = [rows](const Eigen::VectorXd& x) {
+    rows->predictor->readings({x.data(), static_cast<std::size_t>(x.size())}, rows->all);
+    Eigen::VectorXd readings(static_cast<Eigen::Index>(rows->places.size()));
+    for (std::size_t i = 0; i < rows->places.size(); ++i)
+      readings[static_cast<Eigen::Index>(i)] = rows->all[rows->places[i]];
     return readings;
   };
   return response;
@@ -416,11 +308,12 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
     const Eigen::VectorXd r = whitening(Eigen::VectorXd(measured - response.affine->constant));
     Eigen::VectorXd lower(scale.size()), upper(scale.size()), x;
     for (Eigen::Index k = 0; k < scale.size(); ++k) {
-      const FitParameter& p = response.parameters[static_cast<std::size_t>(k)];
+      const Parameter& p = response.parameters[static_cast<std::size_t>(k)];
       lower[k] = p.lower / p.scale;
       upper[k] = p.upper / p.scale;
     }
     std::vector<int> side;
+    fit.iterations = 1;
     fit.converged = LeastSquares(a, r).solve(lower, upper, 0.0, x, side);
     fit.values = x.cwiseProduct(scale);
     if (fit.converged) {
@@ -434,8 +327,9 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
   bool looked_around = false, once_more = false;
   while (!next.empty()) {
     // A look around starts where the misfit is that of the best.
-    std::optional<Minimum> found = minimum_from(response, whitening, measured, next.front(),
-                                                looked_around ? unset : best.misfit);
+    std::optional<Minimum> found =
+        minimum_from(response, whitening, measured, next.front(),
+                     looked_around ? unset : best.misfit, fit.iterations);
     next.pop_front();
     if (found) {
       const bool again = same_misfit(found->misfit, best.misfit);
@@ -460,6 +354,16 @@ ResponseFit fit_response(const Response& response, const Whitening& whitening,
   fit.slope = std::move(best.slope);
   if (fit.converged) complete(response, whitening, measured, best.prediction, best.jacobian, fit);
   return fit;
+}
+
+Parameter ResponseFit::fitted(const Response& response, std::size_t parameter) const {
+  Parameter p = response.parameters[parameter];
+  const auto at = static_cast<Eigen::Index>(parameter);
+  p.value = values[at];
+  p.std = standard_errors[at];
+  if (at_bound[parameter])
+    p.at_bound = p.value - p.lower <= p.upper - p.value ? Bound::lower : Bound::upper;
+  return p;
 }
 
 }  // namespace raceway::fit

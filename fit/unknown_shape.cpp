@@ -7,154 +7,205 @@
 #include <array>
 #include <cmath>
 
-#include "fit/screening.h"
+#include "fit/gate.h"
+#include "fit/subspace.h"
 
 namespace raceway::fit {
 
 namespace {
 
-/// One input of the formula, over a round reference value.
-struct Input {
-  const char* word;       // in the formula
-  const char* exponent;   // its name
-  double reference;       // in the unit of the word
-  Eigen::VectorXd ratio;  // by row
-  bool varies;
-};
+constexpr std::size_t most_starts = 4;
 
 double round_number(double value) {
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
   return decade * std::round(value / decade);
 }
 
-}  // namespace
+/// One input of the formula, over a round reference value.
+struct Input {
+  std::string word, exponent;
+  double reference = 1.0;       // in the unit of the word
+  Eigen::VectorXd ratio{};      // by observation
+  std::vector<double> plain{};  // exponents that are tried first
+};
 
-std::optional<Shape> find_unknown_shape(const Problem& problem, const NoiseModel& noise,
-                                        const ResponseFit& base) {
-  if (problem.data.quantity != Quantity::friction_torque) return std::nullopt;
-  const auto rows = problem.measured.size();
-  std::array<Input, 3> inputs{{{"speed_rpm", "a", 1.0, Eigen::VectorXd(rows), false},
-                               {"axial_load_N", "b", 1.0, Eigen::VectorXd(rows), false},
-                               {"viscosity_mm2_s", "d", 1.0, Eigen::VectorXd(rows), false}}};
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const bearing::OperatingPoint& p = problem.data.rows[static_cast<std::size_t>(i)].point;
-    inputs[0].ratio[i] = p.speed / rpm;
-    inputs[1].ratio[i] = p.axial_load;
-    inputs[2].ratio[i] = problem.model.lubricant.kinematic_viscosity(p.temperature) / mm2_per_s;
-  }
-  for (Input& input : inputs) {
-    const double largest = input.ratio.maxCoeff();
-    input.varies = input.ratio.minCoeff() > 0.0 && largest > 1.02 * input.ratio.minCoeff();
-    if (!input.varies) continue;
+/// Those that vary; no power of another can be told.
+std::vector<Input> varying_inputs(const Formula& formula, const Observations& observed) {
+  constexpr std::array<std::array<double, 5>, 3> tried{
+      {{0.0, 0.67, 1.33, 2.0, 3.0}, {-0.5, 0.0, 0.67, 1.33, 2.0}, {-1.0, 0.0, 0.67, 1.5, 3.0}}};
+  constexpr std::array<std::size_t, 3> many{5, 4, 4};
+  std::vector<Input> inputs;
+  for (std::size_t k = 0; k < formula.inputs.size(); ++k) {
+    Input input{.word = formula.inputs[k].word, .exponent = formula.inputs[k].exponent};
+    input.ratio = observed.at(formula.inputs[k].values);
+    const double lowest = input.ratio.minCoeff(), largest = input.ratio.maxCoeff();
+    if (!(lowest > 0.0 && largest > 1.02 * lowest)) continue;
     input.reference = round_number(std::exp(input.ratio.array().log().mean()));
     input.ratio /= input.reference;
+    const std::size_t set = std::min<std::size_t>(k, 2);
+    input.plain.assign(tried[set].begin(),
+                       tried[set].begin() + static_cast<std::ptrdiff_t>(many[set]));
+    inputs.push_back(std::move(input));
   }
-  const auto power = [&](const Eigen::Vector3d& exponents) {
-    Eigen::ArrayXd product = Eigen::ArrayXd::Ones(rows);
-    for (Eigen::Index k = 0; k < 3; ++k)
-      if (inputs[static_cast<std::size_t>(k)].varies && exponents[k] != 0.0)
-        product *= inputs[static_cast<std::size_t>(k)].ratio.array().pow(exponents[k]);
-    return Eigen::VectorXd(product.matrix());
-  };
-  // Every combination of plain exponents, with the size that suits it best.
+  return inputs;
+}
+
+/// The search for the powers.
+class ShapeSearch {
+ public:
+  ShapeSearch(const Evidence& evidence, const Formula& formula)
+      : evidence_(evidence),
+        problem_(evidence.problem),
+        formula_(formula),
+        inputs_(varying_inputs(formula, problem_.observed)) {}
+
+  std::optional<Shape> run() {
+    find_starts();
+    if (starts_.empty()) return std::nullopt;
+    plain_ = response_with(problem_, {});
+    plain_.find_affine_form();
+    bases_ = static_cast<Eigen::Index>(plain_.parameters.size());
+    const ResponseFit fit =
+        fit_response(response(), evidence_.whitening, problem_.measured(), points());
+    if (!fit.converged) return std::nullopt;
+    return shape(fit);
+  }
+
+ private:
   struct Start {
     double gain, size;
-    Eigen::Vector3d exponents;
+    Eigen::VectorXd exponents;
   };
-  std::vector<Start> starts;
-  for (const double a : {0.0, 0.67, 1.33, 2.0, 3.0})
-    for (const double b : {-0.5, 0.0, 0.67, 1.33})
-      for (const double d : {-1.0, 0.0, 0.67, 1.5}) {
-        if ((a != 0.0 && !inputs[0].varies) || (b != 0.0 && !inputs[1].varies) ||
-            (d != 0.0 && !inputs[2].varies))
-          continue;
-        const Eigen::Vector3d exponents(a, b, d);
-        const Eigen::VectorXd column = noise.whitening(power(exponents));
-        const Eigen::VectorXd left = project_off(base.tangent, column);
-        if (left.norm() < invisible * column.norm()) continue;
-        const double size = left.dot(base.residual) / left.squaredNorm();
-        starts.push_back({size * size * left.squaredNorm(), size, exponents});
-      }
-  if (starts.empty()) return std::nullopt;
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const Start& x, const Start& y) { return x.gain > y.gain; });
 
-  const Response plain = [&] {
-    Response r = response_with(problem, {});
-    r.find_affine_form();
-    return r;
-  }();
-  Response response;
-  response.parameters = plain.parameters;
-  const double scale = std::max(1e-12, std::abs(starts.front().size));
-  response.parameters.push_back({.name = "c",
-                                 .unit = "N mm",
-                                 .start = starts.front().size,
-                                 .lower = -1e3 * scale,
-                                 .upper = 1e3 * scale,
-                                 .scale = scale});
-  std::vector<Eigen::Index> moving;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    const Input& input = inputs[static_cast<std::size_t>(k)];
-    if (!input.varies) continue;
-    moving.push_back(k);
-    response.parameters.push_back(
-        {.name = input.exponent, .unit = "1", .start = 0.0, .lower = -4.0, .upper = 5.0});
+  /// What is added to the readings for each unit of its size; nothing but to the first channel.
+  [[nodiscard]] Eigen::VectorXd power(const Eigen::VectorXd& exponents) const {
+    const Observations& observed = problem_.observed;
+    Eigen::ArrayXd product = Eigen::ArrayXd::Ones(observed.size());
+    for (std::size_t k = 0; k < inputs_.size(); ++k)
+      if (const double e = exponents[static_cast<Eigen::Index>(k)]; e != 0.0)
+        product *= inputs_[k].ratio.array().pow(e);
+    product.tail(observed.size() - observed.first[1]).setZero();
+    return product.matrix();
   }
-  const auto bases = static_cast<Eigen::Index>(plain.parameters.size());
-  response.readings = [&](const Eigen::VectorXd& x) {
-    Eigen::Vector3d exponents = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < moving.size(); ++k)
-      exponents[moving[k]] = x[bases + 1 + static_cast<Eigen::Index>(k)];
-    return Eigen::VectorXd(plain.at(x.head(bases)) + x[bases] * power(exponents));
-  };
-  std::vector<Eigen::VectorXd> points;
-  for (std::size_t s = 0; s < std::min<std::size_t>(4, starts.size()); ++s) {
-    Eigen::VectorXd x = response.start();
-    x.head(bases) = base.values;
-    x[bases] = starts[s].size;
-    for (std::size_t k = 0; k < moving.size(); ++k)
-      x[bases + 1 + static_cast<Eigen::Index>(k)] = starts[s].exponents[moving[k]];
-    points.push_back(x);
-  }
-  const ResponseFit fit = fit_response(response, noise.whitening, problem.measured, points);
-  if (!fit.converged) return std::nullopt;
 
-  Shape shape;
-  shape.formula = "c";
-  const double size = fit.values[bases];
-  shape.coefficients.push_back({.name = "c",
-                                .unit = "N mm",
-                                .value = size / N_mm,
-                                .std = fit.standard_errors[bases] / N_mm});
-  std::string powers;
-  for (std::size_t k = 0; k < moving.size(); ++k) {
-    const Input& input = inputs[static_cast<std::size_t>(moving[k])];
-    const Eigen::Index at = bases + 1 + static_cast<Eigen::Index>(k);
-    shape.formula += fmt::format(" * ({} / {:g})^{}", input.word, input.reference, input.exponent);
-    shape.coefficients.push_back({.name = input.exponent,
-                                  .unit = "1",
-                                  .value = fit.values[at],
-                                  .std = fit.standard_errors[at],
-                                  .at_bound = fit.at_bound[static_cast<std::size_t>(at)]});
-    powers += fmt::format(" {}^{:.2f}{}", input.word, fit.values[at],
-                          shape.coefficients.back().at_bound ? " (limit of the search)" : "");
+  /// Every combination of plain exponents, with the size that suits it best.
+  void find_starts() {
+    std::vector<Eigen::VectorXd> all{
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(inputs_.size()))};
+    for (std::size_t k = 0; k < inputs_.size(); ++k) {
+      std::vector<Eigen::VectorXd> more;
+      for (const Eigen::VectorXd& exponents : all)
+        for (const double e : inputs_[k].plain) {
+          more.push_back(exponents);
+          more.back()[static_cast<Eigen::Index>(k)] = e;
+        }
+      all = std::move(more);
+    }
+    const ResponseFit& base = evidence_.base;
+    for (const Eigen::VectorXd& exponents : all) {
+      const Eigen::VectorXd column = evidence_.whitening(power(exponents));
+      const Eigen::VectorXd left = project_off(base.tangent, column);
+      if (left.norm() < invisible * column.norm()) continue;
+      const double size = left.dot(base.residual) / left.squaredNorm();
+      starts_.push_back({size * size * left.squaredNorm(), size, exponents});
+    }
+    std::stable_sort(starts_.begin(), starts_.end(),
+                     [](const Start& x, const Start& y) { return x.gain > y.gain; });
   }
-  // A rig of several bearings reads them all; a formula is of one.
-  shape.coefficients.front().value /= problem.model.rig.bearings;
-  shape.coefficients.front().std /= problem.model.rig.bearings;
-  Eigen::Index strongest = 0;
-  (fit.prediction - plain.at(fit.values.head(bases))).cwiseAbs().maxCoeff(&strongest);
-  const bearing::OperatingPoint& where =
-      problem.data.rows[static_cast<std::size_t>(strongest)].point;
-  shape.statement =
-      fmt::format("{}{}, strongest at {:.0f} rpm, {:.0f} N, {:.0f} C", size < 0.0 ? "-" : "+",
-                  powers, where.speed / rpm, where.axial_load, where.temperature - kelvin(0));
-  const double freedom = static_cast<double>(rows - base.tangent.cols());
-  shape.gain = base.misfit - fit.misfit;
-  shape.explained_share =
-      std::clamp((base.misfit - fit.misfit) / std::max(1.0, base.misfit - freedom), 0.0, 1.0);
-  return shape;
+
+  [[nodiscard]] Response response() const {
+    Response response;
+    response.parameters = plain_.parameters;
+    const auto add = [&](std::string name, double start, double lower, double upper, double scale) {
+      Parameter p{.name = std::move(name), .unit = "1"};
+      p.start = start;
+      p.lower = lower;
+      p.upper = upper;
+      p.scale = scale;
+      response.parameters.push_back(std::move(p));
+    };
+    const double size = starts_.front().size, scale = std::max(1e-12, std::abs(size));
+    add("c", size, -1e3 * scale, 1e3 * scale, scale);
+    for (const Input& input : inputs_) add(input.exponent, 0.0, -4.0, 5.0, 1.0);
+    response.readings = [this](const Eigen::VectorXd& x) {
+      return Eigen::VectorXd(plain_.at(x.head(bases_)) +
+                             x[bases_] * power(x.tail(x.size() - bases_ - 1)));
+    };
+    return response;
+  }
+
+  [[nodiscard]] std::vector<Eigen::VectorXd> points() const {
+    std::vector<Eigen::VectorXd> list;
+    for (std::size_t s = 0; s < std::min(most_starts, starts_.size()); ++s) {
+      Eigen::VectorXd x(bases_ + 1 + starts_[s].exponents.size());
+      x << evidence_.base.values, starts_[s].size, starts_[s].exponents;
+      list.push_back(std::move(x));
+    }
+    return list;
+  }
+
+  [[nodiscard]] Shape shape(const ResponseFit& fit) const {
+    Shape result;
+    result.key = formula_.key;
+    result.formula = "c";
+    const double size = fit.values[bases_];
+    Parameter c{.name = "c", .unit = formula_.unit};
+    c.value = size / formula_.factor;
+    c.std = fit.standard_errors[bases_] / formula_.factor;
+    result.coefficients.push_back(std::move(c));
+    std::string powers;
+    for (std::size_t k = 0; k < inputs_.size(); ++k) {
+      const Input& input = inputs_[k];
+      const Eigen::Index at = bases_ + 1 + static_cast<Eigen::Index>(k);
+      const bool limit = fit.at_bound[static_cast<std::size_t>(at)];
+      result.formula +=
+          fmt::format(" * ({} / {:g})^{}", input.word, input.reference, input.exponent);
+      Parameter exponent{.name = input.exponent, .unit = "1"};
+      exponent.value = fit.values[at];
+      exponent.std = fit.standard_errors[at];
+      if (limit) exponent.at_bound = exponent.value < 0.0 ? Bound::lower : Bound::upper;
+      result.coefficients.push_back(std::move(exponent));
+      powers += fmt::format(" {}^{:.2f}{}", input.word, fit.values[at],
+                            limit ? " (limit of the search)" : "");
+    }
+    Eigen::Index strongest = 0;
+    (fit.prediction - plain_.at(fit.values.head(bases_))).cwiseAbs().maxCoeff(&strongest);
+    result.statement =
+        fmt::format("{}{}, strongest at {}", size < 0.0 ? "-" : "+", powers, words(strongest));
+    const ResponseFit& base = evidence_.base;
+    const auto freedom = static_cast<double>(problem_.observed.size() - base.tangent.cols());
+    result.gain = base.misfit - fit.misfit;
+    result.explained_share =
+        std::clamp((base.misfit - fit.misfit) / std::max(1.0, base.misfit - freedom), 0.0, 1.0);
+    return result;
+  }
+
+  /// The point of an observation.
+  [[nodiscard]] std::string words(Eigen::Index observation) const {
+    const Record& record = *problem_.record;
+    const std::size_t row = problem_.observed.row[static_cast<std::size_t>(observation)];
+    std::vector<Setting> point;
+    for (const Axis& axis : problem_.subject->axes(record))
+      if (axis.told) point.push_back({axis.channel, record.value(*axis.channel, row)});
+    return problem_.subject->words(point);
+  }
+
+  const Evidence& evidence_;
+  const Problem& problem_;
+  const Formula& formula_;
+  std::vector<Input> inputs_;
+  std::vector<Start> starts_;
+  Response plain_;
+  Eigen::Index bases_ = 0;
+};
+
+}  // namespace
+
+std::optional<Shape> find_unknown_shape(const Evidence& evidence) {
+  const std::optional<Formula> formula =
+      evidence.problem.subject->formula(*evidence.problem.record);
+  if (!formula) return std::nullopt;
+  return ShapeSearch(evidence, *formula).run();
 }
 
 }  // namespace raceway::fit

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/quantity.h"
-
 namespace raceway::fit {
 
 namespace {
@@ -27,6 +25,10 @@ std::string joined(const std::vector<std::string>& words, const char* last) {
 
 std::string p_text(double p) { return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.1g}", p); }
 
+std::string reading_text(const Channel& channel, double value, int digits) {
+  return fmt::format("{:.{}g} {}", value / channel.factor, digits, channel.unit);
+}
+
 std::string nothing_missing_text(const Diagnosis& d) {
   std::vector<DetectableSize> easy = d.would_have_been_found;
   std::erase_if(easy, [](const DetectableSize& e) { return !(e.share_of_reading < 0.2); });
@@ -44,28 +46,43 @@ std::string nothing_missing_text(const Diagnosis& d) {
       hidden.empty() ? "" : " Could not have been found: " + joined(hidden, "and") + ", ...");
 }
 
+std::string within_tolerance_text(const Diagnosis& d) {
+  std::vector<std::string> errors;
+  for (const ChannelDiagnosis& c : d.channels)
+    if (std::isfinite(c.tolerance))
+      errors.push_back(fmt::format("{:.3g} of {} allowed",
+                                   c.rmse_held_out_before / c.channel().factor,
+                                   reading_text(c.channel(), c.tolerance)));
+  const std::string certain = d.significant_but_immaterial.empty()
+                                  ? ""
+                                  : fmt::format(" Certain, but of no weight here: {}.",
+                                                joined(d.significant_but_immaterial, "and"));
+  return fmt::format(
+      "Nothing missing that matters: the refitted model errs by {} on blocks held out within the "
+      "range.{}",
+      joined(errors, "and"), certain);
+}
+
 std::string error_text(const Diagnosis& d) {
-  const QuantityText quantity = text_of(d.baseline.quantity);
-  std::string text = fmt::format("{:.3g} -> {:.3g} {}", d.rmse_before / quantity.factor,
-                                 d.rmse_after / quantity.factor, quantity.unit);
-  if (!d.hold_out.empty()) {
-    double before = 0.0, after = 0.0;
-    for (const HoldOut& h : d.hold_out) {
-      before += h.rmse_before * h.rmse_before;
-      after += h.rmse_after * h.rmse_after;
-    }
-    const double count = static_cast<double>(d.hold_out.size());
-    text += fmt::format(", on held-out blocks {:.3g} -> {:.3g}",
-                        std::sqrt(before / count) / quantity.factor,
-                        std::sqrt(after / count) / quantity.factor);
+  std::vector<std::string> texts;
+  for (std::size_t c = 0; c < d.channels.size(); ++c) {
+    const ChannelDiagnosis& of = d.channels[c];
+    const double unit = of.channel().factor;
+    std::string text = fmt::format("{:.3g} -> {}", of.rmse_before / unit,
+                                   reading_text(of.channel(), of.rmse_after));
+    if (!d.hold_out.empty() && !d.tolerance_limited())
+      text += fmt::format(", on held-out blocks {:.3g} -> {:.3g}",
+                          rms_over(d.hold_out, &HoldOut::rmse_before)[c] / unit,
+                          rms_over(d.hold_out, &HoldOut::rmse_after)[c] / unit);
+    texts.push_back(std::move(text));
   }
-  return text;
+  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 std::string shift_text(const Diagnosis& d) {
   std::vector<std::string> texts;
-  for (const BaseShift& b : d.base_shifts) {
-    const double share = b.before / b.after - 1.0;
+  for (const Parameter& b : d.base) {
+    const double share = b.start / b.value - 1.0;
     if (std::isfinite(share) && std::abs(share) >= 0.01)
       texts.push_back(fmt::format("{} had been {:.0f} % too {}", b.name, 100.0 * std::abs(share),
                                   share > 0.0 ? "high" : "low"));
@@ -75,17 +92,8 @@ std::string shift_text(const Diagnosis& d) {
 
 std::string measure_text(const Diagnosis& d) {
   std::vector<std::string> texts;
-  const bool shaft = d.baseline.quantity == Quantity::axial_displacement;
   for (const SuggestedMeasurement& m : d.suggested_measurements)
-    if (texts.size() < 3)
-      texts.push_back(shaft ? fmt::format("{:.0f} rpm{} ({} times)", m.point.speed / rpm,
-                                          std::isfinite(m.preload)
-                                              ? fmt::format(" at a preload of {:.0f} N", m.preload)
-                                              : "",
-                                          m.repeats)
-                            : fmt::format("{:.0f} rpm, {:.0f} N, {:.0f} C ({} times)",
-                                          m.point.speed / rpm, m.point.axial_load,
-                                          m.point.temperature - kelvin(0), m.repeats));
+    if (texts.size() < 3) texts.push_back(fmt::format("{} ({} times)", m.words, m.repeats));
   std::string text;
   if (!texts.empty())
     text =
@@ -96,12 +104,19 @@ std::string measure_text(const Diagnosis& d) {
   return text;
 }
 
-std::string difference_text(const DataSet& data, const HiddenInput& hidden) {
-  const Row& low = data.rows[hidden.low];
-  const Row& high = data.rows[hidden.high];
-  return fmt::format("lines {} and {}: {:.0f} and {:.0f} N mm at {:.0f} and {:.0f} rpm", low.line,
-                     high.line, low.measured / N_mm, high.measured / N_mm, low.point.speed / rpm,
-                     high.point.speed / rpm);
+std::string difference_text(const Record& record, const HiddenInput& hidden) {
+  const std::span<const double> readings = record.values(*hidden.channel);
+  std::string text =
+      fmt::format("{} {} and {}: {:.0f} and {:.0f} {}", record.lines.empty() ? "rows" : "lines",
+                  record.line(hidden.low), record.line(hidden.high),
+                  hidden.channel->in_unit(readings[hidden.low]),
+                  hidden.channel->in_unit(readings[hidden.high]), hidden.channel->unit);
+  for (const record::Column& c : record.columns)
+    if (c.channel->role == record::Role::setting && c.channel->ratio)
+      return text + fmt::format(" at {:.0f} and {:.0f} {}",
+                                c.channel->in_unit(c.values[hidden.low]),
+                                c.channel->in_unit(c.values[hidden.high]), c.channel->unit);
+  return text;
 }
 
 }  // namespace raceway::fit

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/needs.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
@@ -13,8 +12,6 @@ namespace {
 constexpr double detected = 25.0;    // squared misfit over variance: found in 99 of 100
 constexpr double told_apart = 20.0;  // the same, left by the best wrong effect
 constexpr double alike = 0.98;       // cosine of scores
-
-double rms(const Eigen::VectorXd& v) { return v.norm() / std::sqrt(static_cast<double>(v.size())); }
 
 /// The most visible score of a candidate.
 Eigen::Index clearest_score(const Attribution& attribution, std::size_t candidate) {
@@ -26,66 +23,104 @@ Eigen::Index clearest_score(const Attribution& attribution, std::size_t candidat
 }
 
 /// Why the data cannot tell an effect from the base parameters.
-std::string same_as_base(const Problem& problem, const effects::Description& effect) {
-  const std::string levels = missing_levels(effect, problem.model, problem.data);
+std::string same_as_base(const Problem& problem, const std::string& id) {
+  const std::string levels = problem.subject->lacks_levels(id, *problem.record);
   if (!levels.empty()) return "the data lack " + levels;
   return "on these data " + joined(problem.base, "and") +
          (problem.base.size() == 1 ? " does" : " together do") + " the same";
 }
 
+/// Largest share of the readings of a channel that an effect has.
+double share_of_reading(const Observations& observed, const Eigen::VectorXd& change) {
+  double share = 0.0;
+  for (std::size_t c = 0; c < observed.channels.size(); ++c)
+    share = std::max(share, rms(observed.of(c, change)) / rms(observed.of(c, observed.measured)));
+  return share;
+}
+
+/// Sizes at which the effects of `visible` would be found; pairs of effects that are alike.
+class Sizes {
+ public:
+  Sizes(const Problem& problem, const Attribution& attribution, std::vector<std::size_t> visible)
+      : problem_(problem),
+        attribution_(attribution),
+        visible_(std::move(visible)),
+        grouped_(visible_.size(), false) {
+    for (const std::size_t k : visible_)
+      unit_.push_back(
+          attribution.gate().projected.col(clearest_score(attribution, k)).normalized());
+  }
+
+  void add_to(Visibility& result) {
+    for (std::size_t i = 0; i < visible_.size(); ++i) {
+      double closest = 0.0;
+      DetectableSize d = detectable(i);
+      std::vector<std::string> group{d.id};
+      for (std::size_t j = 0; j < visible_.size(); ++j) {
+        if (j == i) continue;
+        const double cosine = std::abs(unit_[i].dot(unit_[j]));
+        if (cosine > closest) {
+          closest = cosine;
+          d.most_alike = problem_.candidates[visible_[j]].id();
+        }
+        if (cosine > alike && j > i && !grouped_[i]) {
+          group.push_back(problem_.candidates[visible_[j]].id());
+          grouped_[j] = true;
+        }
+      }
+      const Screened& s = problem_.candidates[visible_[i]];
+      const double length = length_of(visible_[i]);
+      const double apart = std::sqrt(std::max(0.0, 1.0 - closest * closest)) * length;
+      d.told_apart_from = apart > 1e-6 * length
+                              ? s.size().neutral + std::sqrt(told_apart) / apart * s.unit_size
+                              : unset;
+      result.would_have_been_found.push_back(std::move(d));
+      if (group.size() > 1) result.aliases.push_back(std::move(group));
+    }
+  }
+
+ private:
+  [[nodiscard]] double length_of(std::size_t candidate) const {
+    return attribution_.gate().projected.col(clearest_score(attribution_, candidate)).norm();
+  }
+
+  [[nodiscard]] DetectableSize detectable(std::size_t i) const {
+    const std::size_t k = visible_[i];
+    const Screened& s = problem_.candidates[k];
+    const Eigen::Index score = clearest_score(attribution_, k);
+    const double units = std::sqrt(detected) / length_of(k);
+    DetectableSize d{
+        .id = s.id(), .parameter = s.candidate.short_name(s.candidate.size), .unit = s.size().unit};
+    d.size = s.size().neutral + units * s.unit_size;
+    d.share_of_reading =
+        units * share_of_reading(problem_.observed,
+                                 s.scores.col(score - attribution_.score_range(k).first));
+    return d;
+  }
+
+  const Problem& problem_;
+  const Attribution& attribution_;
+  std::vector<std::size_t> visible_;
+  std::vector<bool> grouped_;
+  std::vector<Eigen::VectorXd> unit_;
+};
+
 }  // namespace
 
-Visibility what_can_be_seen(const Problem& problem, const Attribution& attribution) {
+Visibility what_can_be_seen(const Evidence& evidence, const Attribution& attribution) {
+  const Problem& problem = evidence.problem;
   Visibility result;
-  const Gate& gate = attribution.gate();
   std::vector<std::size_t> visible;
   for (std::size_t k = 0; k < problem.candidates.size(); ++k) {
-    const Candidate& c = problem.candidates[k];
-    if (!c.not_testable.empty())
-      result.not_testable.push_back({c.id, "the data lack " + c.not_testable});
+    const Screened& s = problem.candidates[k];
+    if (!s.not_testable.empty())
+      result.not_testable.push_back({s.id(), "the data lack " + s.not_testable});
     else if (attribution.visibility(k) < invisible)
-      result.not_testable.push_back({c.id, same_as_base(problem, *c.description)});
+      result.not_testable.push_back({s.id(), same_as_base(problem, s.id())});
     else
       visible.push_back(k);
   }
-  const double reading = rms(problem.measured);
-  std::vector<Eigen::VectorXd> unit;
-  for (const std::size_t k : visible)
-    unit.push_back(gate.projected.col(clearest_score(attribution, k)).normalized());
-  std::vector<bool> grouped(visible.size(), false);
-  for (std::size_t i = 0; i < visible.size(); ++i) {
-    const std::size_t k = visible[i];
-    const Candidate& c = problem.candidates[k];
-    const Eigen::Index score = clearest_score(attribution, k);
-    const double length = gate.projected.col(score).norm();
-    DetectableSize d{.id = c.id,
-                     .parameter = c.parameters[c.size_index].name,
-                     .unit = c.parameters[c.size_index].unit};
-    const double units = std::sqrt(detected) / length;
-    d.size = c.neutral[c.size_index] + units * c.unit_size;
-    d.share_of_reading =
-        units * rms(c.scores.col(score - attribution.score_range(k).first)) / reading;
-    double closest = 0.0;
-    std::vector<std::string> group{c.id};
-    for (std::size_t j = 0; j < visible.size(); ++j) {
-      if (j == i) continue;
-      const double cosine = std::abs(unit[i].dot(unit[j]));
-      if (cosine > closest) {
-        closest = cosine;
-        d.most_alike = problem.candidates[visible[j]].id;
-      }
-      if (cosine > alike && j > i && !grouped[i]) {
-        group.push_back(problem.candidates[visible[j]].id);
-        grouped[j] = true;
-      }
-    }
-    const double apart = std::sqrt(std::max(0.0, 1.0 - closest * closest)) * length;
-    d.told_apart_from = apart > 1e-6 * length
-                            ? c.neutral[c.size_index] + std::sqrt(told_apart) / apart * c.unit_size
-                            : unset;
-    result.would_have_been_found.push_back(d);
-    if (group.size() > 1) result.aliases.push_back(group);
-  }
+  Sizes(problem, attribution, std::move(visible)).add_to(result);
   return result;
 }
 

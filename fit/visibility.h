@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/attribution.h"
-#include "fit/diagnose.h"
+#include "fit/diagnosis.h"
 
 namespace raceway::fit {
 
@@ -17,6 +17,6 @@ struct Visibility {
 
 /// From the scores of the candidates with the base parameters projected off: the size at which
 /// -2 ln L would fall by 25, and that at which the most alike other effect would leave 20.
-[[nodiscard]] Visibility what_can_be_seen(const Problem& problem, const Attribution& attribution);
+[[nodiscard]] Visibility what_can_be_seen(const Evidence& evidence, const Attribution& attribution);
 
 }  // namespace raceway::fit

@@ -33,6 +33,30 @@ Whitening::Whitening(Eigen::VectorXd std, const RowOrder& order, double correlat
   }
 }
 
+Whitening::Whitening(const std::vector<Whitening>& parts) {
+  Eigen::Index size = 0;
+  bool steps = false;
+  for (const Whitening& part : parts) {
+    size += part.std_.size();
+    steps = steps || !part.steps_.empty();
+  }
+  std_.resize(size);
+  Eigen::Index at = 0;
+  for (const Whitening& part : parts) {
+    std_.segment(at, part.std_.size()) = part.std_;
+    at += part.std_.size();
+    log_determinant_ += part.log_determinant_;
+    if (!steps) continue;
+    // Both states start anew with each part; an independent reading has none.
+    std::vector<Step> own = part.steps_;
+    if (own.empty())
+      own.assign(
+          static_cast<std::size_t>(part.std_.size()),
+          {.decay = 0.0, .new_run = true, .gain_ar = 0.0, .gain_run = 0.0, .inverse_std = 1.0});
+    steps_.insert(steps_.end(), own.begin(), own.end());
+  }
+}
+
 Eigen::MatrixXd Whitening::operator()(const Eigen::MatrixXd& columns) const {
   Eigen::MatrixXd result = std_.cwiseInverse().asDiagonal() * columns;
   if (steps_.empty()) return result;

@@ -5,7 +5,7 @@
 
 namespace raceway::fit {
 
-/// Where each row stands in time, for correlated noise. Rows are in that order.
+/// Where each reading stands in time, for correlated noise. Readings are in that order.
 struct RowOrder {
   /// Time since the row before, in units of the median step [1]; infinite where the correlation
   /// starts anew, also in the first row.
@@ -19,14 +19,16 @@ struct RowOrder {
 ///
 ///   cov(e_i, e_k) = s_i s_k [ (1 - g) φ^|t_i - t_k| + g (same run) ]
 ///
-/// with the standard deviation s of each row [N m], a first-order autoregression along time and an
-/// offset common to the rows of a run. Innovations of the Kalman filter with these two states,
+/// with the standard deviation s of each reading [SI], a first-order autoregression along time and
+/// an offset common to the rows of a run. Innovations of the Kalman filter with these two states,
 /// divided by their standard deviation: exact, in time and memory proportional to the rows.
 class Whitening {
  public:
   Whitening() = default;
   /// correlation φ in [0, 1), run_share g in [0, 1).
   Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share);
+  /// Of several channels, one behind the other, whose noises have nothing to do with each other.
+  explicit Whitening(const std::vector<Whitening>& parts);
 
   [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
   [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& column) const;

@@ -6,7 +6,7 @@
 #include "bearing/bearing.h"
 #include "bearing/bearing_equilibrium.h"
 #include "bearing/hertz.h"
-#include "bearing/units.h"
+#include "record/units.h"
 
 namespace raceway::friction {
 

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <string_view>
-
 #include "bearing/bearing.h"
 #include "bearing/bearing_equilibrium.h"
-#include "bearing/units.h"
+#include "record/parameter.h"
 
 namespace raceway::friction {
 
@@ -25,11 +23,6 @@ struct BearingState {
 };
 
 /// A number of a law that may be given, fitted and bounded.
-struct Parameter {
-  std::string_view name;
-  std::string_view unit;  ///< as written in files, "1" where dimensionless
-  double initial;         ///< default and start of a fit
-  double lower, upper;    ///< bounds of a fit and of what a file may say, closed
-};
+using Parameter = record::NumberCard;
 
 }  // namespace raceway::friction

@@ -9,7 +9,7 @@
 
 #include "bearing/operating_point.h"
 #include "bearing/solve.h"
-#include "bearing/units.h"
+#include "record/units.h"
 
 namespace raceway::friction {
 

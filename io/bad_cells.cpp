@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "io/csv.h"
 #include "io/error.h"
 
 namespace raceway::io {
@@ -32,6 +31,18 @@ void BadCells::throw_if_any() const {
     text +=
         fmt::format("\n{}: {} bad values in {} rows; mend or remove them", source_, count_, rows_);
   throw InputError(text);
+}
+
+ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
+                       const record::Channel& channel, double lower, BadCells& bad) {
+  const std::string_view cell = table.cell(row, column);
+  ParsedNumber number = parse_number(cell, table.separator != ',');
+  if (!number.problem.empty())
+    bad.add(table.line(row), channel.name, cell, number.problem);
+  else if (!(number.value >= lower && number.value <= channel.upper))
+    bad.add(table.line(row), channel.name, cell,
+            fmt::format("must be from {} to {} {}", lower, channel.upper, channel.unit));
+  return number;
 }
 
 }  // namespace raceway::io

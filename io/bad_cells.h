@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "io/csv.h"
+#include "record/channel.h"
+
 namespace raceway::io {
 
 /// Collects what is wrong with cells; one message tells of all, the first ten in full, by line.
@@ -28,5 +31,10 @@ class BadCells {
   std::size_t count_ = 0;
   std::vector<BadCell> first_;  // by line
 };
+
+/// A cell in the unit of its channel; what is no number or lies outside `lower` and the upper end
+/// of the channel goes to `bad`.
+[[nodiscard]] ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
+                                     const record::Channel& channel, double lower, BadCells& bad);
 
 }  // namespace raceway::io

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "bearing/units.h"
+#include "record/units.h"
 
 namespace raceway::io {
 namespace {

@@ -1,12 +1,13 @@
 #include "io/conformity_results.h"
 
 #include "io/json_text.h"
+#include "record/units.h"
 
 namespace raceway::io {
 
-std::string conformity_json(const std::string& bearing, const fit::ConformityFit& fit) {
+std::string conformity_json(const std::string& bearing, const shaft::ConformityFit& fit) {
   json classes = json::array();
-  for (const fit::PairRigidity& c : fit.classes)
+  for (const shaft::PairRigidity& c : fit.classes)
     classes.push_back({{"class", c.preload_class},
                        {"preload_N", c.preload},
                        {"printed_N_um", c.printed / N_per_um},
@@ -17,13 +18,13 @@ std::string conformity_json(const std::string& bearing, const fit::ConformityFit
                           {{"value", fit.conformity},
                            {"std", fit.std},
                            {"unit", "1"},
-                           {"lower", fit::lowest_conformity},
-                           {"upper", fit::highest_conformity},
-                           {"at_bound", fit.at_bound != fit::Bound::none}}},
+                           {"lower", shaft::lowest_conformity},
+                           {"upper", shaft::highest_conformity},
+                           {"at_bound", fit.at_bound != record::Bound::none}}},
                          {"rms_percent", 100.0 * fit.rms},
                          {"classes", classes},
                          {"report", {{"status", fit::name(fit.status)}}}};
-  return exact_text(document);
+  return text(document);
 }
 
 }  // namespace raceway::io

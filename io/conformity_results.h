@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "fit/conformity.h"
+#include "shaft/conformity.h"
 
 /// The conformity of a catalogue bearing as a JSON document; see results.h.
 namespace raceway::io {
 
 [[nodiscard]] std::string conformity_json(const std::string& bearing,
-                                          const fit::ConformityFit& fit);
+                                          const shaft::ConformityFit& fit);
 
 }  // namespace raceway::io

@@ -1,33 +1,31 @@
 #pragma once
 
 #include <string>
-#include <variant>
 
-#include "fit/data_set.h"
-#include "fit/model.h"
+#include "model/model_subject.h"
+#include "record/record.h"
 
 namespace raceway::io {
 
-/// What a measurement file holds: rows with a measured quantity, or a shaft that coasts down.
-using Measurement = std::variant<fit::DataSet, fit::CoastDownRecord>;
-
-/// Reads a measurement CSV (columns with their units: DESIGN.md, Files) into SI.
+/// Reads a measurement CSV (columns with their units: docs/files.md) into SI, by the table of
+/// channels.
 ///
-/// Loads and temperature without a column come from `rig`; so does the inertia without which a
-/// coast-down is no measurement. Coast-down rows below rig.minimum_speed are left out. Whatever was
-/// filled in, ignored or left out is told in `notes`.
+/// What the file may leave out comes from the model, as Expected says: loads, temperature, and the
+/// inertia by which a coast-down (time and speed alone) becomes friction torque. Of the measured
+/// columns those are kept that the subject predicts; where there is none of them the first one of
+/// Expected::measured, which the subject may then refuse. Whatever was filled in, ignored or left
+/// out is told in `notes`.
 ///
-/// For a shaft the axial load is its external load, positive towards the tool, without a column
-/// that of the arrangement.
+/// An empty cell is an error, but in a measured column beside others: it was not read then.
 ///
-/// Throws InputError: no speed or no measured column, an axial load neither in a column nor in
-/// `rig`, a column that looks misspelt, and every cell that is empty, no number or impossible (all
-/// of them in one message, the first ten in full).
-[[nodiscard]] Measurement read_measurement(const std::string& path, const fit::Rig& rig,
-                                           const fit::Shaft* shaft = nullptr);
+/// Throws InputError: a required or no measured column missing, a column that looks misspelt, every
+/// cell that is empty, no number or impossible (all of them in one message, the first ten in full),
+/// and a coast-down that gives no torque.
+[[nodiscard]] record::Record read_record(const std::string& path,
+                                         const model::ModelSubject& subject);
 
 /// The same from text; `source` stands in messages.
-[[nodiscard]] Measurement parse_measurement(std::string text, const std::string& source,
-                                            const fit::Rig& rig, const fit::Shaft* shaft = nullptr);
+[[nodiscard]] record::Record parse_record(std::string text, const std::string& source,
+                                          const model::ModelSubject& subject);
 
 }  // namespace raceway::io

@@ -1,23 +1,25 @@
 #include "io/diagnosis_results.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <cmath>
 
-#include "fit/quantity.h"
-#include "io/results.h"
+#include "io/fit_objects.h"
+#include "io/number_text.h"
 
 namespace raceway::io {
 namespace {
 
-using json = nlohmann::ordered_json;
+using Channels = std::vector<const record::Channel*>;
 
-/// The document that `compare` gives.
-json comparison(const std::string& model_file, const fit::Comparison& c, const fit::DataSet& data) {
-  return json::parse(comparison_json({model_file}, {c}, data));
+Channels channels_of(const fit::Diagnosis& d) {
+  Channels list;
+  for (const fit::ChannelDiagnosis& c : d.channels) list.push_back(&c.channel());
+  return list;
 }
 
-json parameters_json(const std::vector<fit::EffectSize>& sizes) {
+json size_objects(const std::vector<record::Parameter>& sizes) {
   json parameters = json::object();
-  for (const fit::EffectSize& p : sizes)
+  for (const record::Parameter& p : sizes)
     parameters[p.name] = {{"value", p.value},
                           {"std", p.std},
                           {"from", p.interval.lower},
@@ -26,126 +28,200 @@ json parameters_json(const std::vector<fit::EffectSize>& sizes) {
                           {"plausible", p.plausible},
                           {"plausible_from", p.plausible_lower},
                           {"plausible_to", p.plausible_upper},
-                          {"at_bound", p.at_bound}};
+                          {"at_bound", p.at_bound != record::Bound::none}};
   return parameters;
 }
 
-json base_json(const std::vector<fit::BaseShift>& shifts) {
+json base_objects(const std::vector<record::Parameter>& base) {
   json parameters = json::object();
-  for (const fit::BaseShift& b : shifts)
-    parameters[b.name] = {
-        {"before", b.before}, {"after", b.after}, {"std", b.std}, {"unit", b.unit}};
+  for (const record::Parameter& p : base)
+    parameters[p.name] = {
+        {"before", p.start}, {"after", p.value}, {"std", p.std}, {"unit", p.unit}};
   return parameters;
 }
 
-json hold_out_json(const std::vector<fit::HoldOut>& hold_out, double unit) {
+std::string held_out_key(const record::Channel& channel) {
+  return "rmse_held_out_" + std::string(difference_unit(channel));
+}
+
+double in_unit(const std::vector<double>& errors, std::size_t c, const record::Channel& channel) {
+  return c < errors.size() ? errors[c] / channel.factor : unset;
+}
+
+/// `limited`: a tolerance decides.
+json effect_object(const fit::RankedEffect& e, const Channels& channels, bool limited) {
+  json errors = json::array();
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    json error = channel_object(*channels[c]);
+    error["rmse"] = in_unit(e.rmse, c, *channels[c]);
+    error["rmse_cross_validated"] = in_unit(e.rmse_held_out, c, *channels[c]);
+    errors.push_back(std::move(error));
+  }
+  json effect = {{"id", e.id},
+                 {"in_verdict", e.in_verdict},
+                 {"gain", e.gain},
+                 {"rmse", errors[0]["rmse"]},
+                 {"rmse_cross_validated", errors[0]["rmse_cross_validated"]}};
+  if (limited) effect[held_out_key(*channels[0])] = errors[0]["rmse_cross_validated"];
+  effect.update({{"parameters", size_objects(e.parameters)},
+                 {"base_parameters", base_objects(e.base)},
+                 {"indistinguishable_from", e.indistinguishable_from}});
+  add_channels(effect, std::move(errors));
+  return effect;
+}
+
+json detectable_object(const fit::DetectableSize& s) {
+  return {{"id", s.id},
+          {"parameter", s.parameter},
+          {"unit", s.unit},
+          {"size", s.size},
+          {"share_of_reading", s.share_of_reading},
+          {"most_alike", s.most_alike},
+          {"told_apart_from", s.told_apart_from}};
+}
+
+/// The input values of a point by their columns, null where one stays as it is.
+json suggested_object(const fit::SuggestedMeasurement& m) {
+  json point = json::object();
+  for (const fit::Setting& s : m.point)
+    point[std::string(s.channel->name)] = value_in_unit(*s.channel, s.value);
+  point["repeats"] = m.repeats;
+  point["separates"] = m.separates;
+  point["difference_in_sigma"] = m.difference_in_sigma;
+  return point;
+}
+
+json noise_object(const fit::NoiseModel& noise, double factor) {
+  return {{"rms", noise.rms / factor},
+          {"relative", noise.relative},
+          {"absolute", noise.absolute / factor},
+          {"correlation", noise.correlation},
+          {"run_share", noise.run_share}};
+}
+
+/// Error and noise of one channel, and its tolerance where there is one.
+json diagnosed_channel(const fit::ChannelDiagnosis& c) {
+  const record::Channel& channel = c.channel();
+  json result = channel_object(channel);
+  result["rmse_before"] = c.rmse_before / channel.factor;
+  result["rmse_after"] = c.rmse_after / channel.factor;
+  result["noise"] = noise_object(c.noise, channel.factor);
+  if (std::isnan(c.tolerance)) return result;
+  result[tolerance_key(channel)] = c.tolerance / channel.factor;
+  result[held_out_key(channel)] = c.rmse_held_out_before / channel.factor;
+  return result;
+}
+
+json shape_object(const fit::Shape& shape) {
+  return {{shape.key, shape.formula},
+          {"coefficients", size_objects(shape.coefficients)},
+          {"statement", shape.statement},
+          {"explained_share", shape.explained_share}};
+}
+
+json outlier_lines(const record::Record& record, std::vector<std::size_t> rows) {
+  std::sort(rows.begin(), rows.end());
+  return lines_of(record, rows);
+}
+
+/// A list of objects made of a list of results.
+template <typename Result, typename Make>
+json list_of(const std::vector<Result>& results, const Make& make) {
   json list = json::array();
-  for (const fit::HoldOut& h : hold_out)
-    list.push_back({{"left_out", h.variable},
-                    {"rmse_before", h.rmse_before / unit},
-                    {"rmse_after", h.rmse_after / unit},
-                    {"improvement", h.improvement},
-                    {"improvement_from", h.lower},
-                    {"improvement_to", h.upper}});
+  for (const Result& r : results) list.push_back(make(r));
   return list;
+}
+
+/// What stands beneath the verdict: errors and noise of the channels, first the leading one.
+void add_errors(json& document, const std::string& model_file, const record::Record& record,
+                const fit::Diagnosis& d) {
+  const json channels = list_of(d.channels, diagnosed_channel);
+  json first = channels.at(0);
+  first.erase("quantity");
+  document.update(first);
+  if (d.tolerance_limited()) {
+    document["within_tolerance"] = d.within_tolerance;
+    document["significant_but_immaterial"] = d.significant_but_immaterial;
+  }
+  std::vector<const fit::Comparison*> baselines;
+  for (const fit::ChannelDiagnosis& c : d.channels) baselines.push_back(&c.baseline);
+  document["baseline"] = comparison_object(model_file, baselines, record);
+  add_channels(document, channels);
+}
+
+json added_channel(const fit::ChannelGain& c) {
+  const record::Channel& channel = c.channel();
+  json result = channel_object(channel);
+  result["rmse_before"] = c.before.rmse / channel.factor;
+  result["rmse_after"] = c.after.rmse / channel.factor;
+  result["rmse_held_out_before"] = c.rmse_held_out_before / channel.factor;
+  result["rmse_held_out_after"] = c.rmse_held_out_after / channel.factor;
+  return result;
 }
 
 }  // namespace
 
-std::string diagnosis_json(const std::string& model_file, const fit::DataSet& data,
+std::string diagnosis_json(const std::string& model_file, const record::Record& record,
                            const fit::Diagnosis& d) {
-  const fit::QuantityText quantity = fit::text_of(data.quantity);
-  const double unit = quantity.factor;
-  json effects = json::array();
-  for (const fit::RankedEffect& e : d.effects)
-    effects.push_back({{"id", e.id},
-                       {"in_verdict", e.in_verdict},
-                       {"gain", e.gain},
-                       {"rmse", e.rmse / unit},
-                       {"rmse_cross_validated", e.rmse_cross_validated / unit},
-                       {"parameters", parameters_json(e.parameters)},
-                       {"base_parameters", base_json(e.base_shifts)},
-                       {"indistinguishable_from", e.indistinguishable_from}});
-  json detectable = json::array();
-  for (const fit::DetectableSize& s : d.would_have_been_found)
-    detectable.push_back({{"id", s.id},
-                          {"parameter", s.parameter},
-                          {"unit", s.unit},
-                          {"size", s.size},
-                          {"share_of_reading", s.share_of_reading},
-                          {"most_alike", s.most_alike},
-                          {"told_apart_from", s.told_apart_from}});
-  json not_testable = json::array();
-  for (const fit::NotTestable& n : d.not_testable)
-    not_testable.push_back({{"id", n.id}, {"missing", n.reason}});
-  json suggested = json::array();
-  const bool shaft = data.quantity == fit::Quantity::axial_displacement;
-  for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
-    suggested.push_back(
-        {{"speed_rpm", m.point.speed / rpm},
-         {"axial_load_N", m.point.axial_load},
-         {shaft ? "preload_N" : "radial_load_N", shaft ? m.preload : m.point.radial_load},
-         {"temperature_C", celsius(m.point.temperature)},
-         {"repeats", m.repeats},
-         {"separates", m.separates},
-         {"difference_in_sigma", m.difference_in_sigma}});
+  const Channels channels = channels_of(d);
+  const bool limited = d.tolerance_limited();
   json document = {{"model", model_file},
-                   {"data", data.source},
+                   {"data", record.source},
                    {"verdict", fit::name(d.verdict)},
                    {"sentence", d.sentence},
                    {"p_value", d.p_value},
                    {"remaining_p_value", d.remaining_p_value},
                    {"needed_gain", d.needed_gain},
                    {"candidates_tried", d.candidates_tried},
-                   {"rows", d.rows},
-                   {"unit", quantity.key_unit},
-                   {"rmse_before", d.rmse_before / unit},
-                   {"rmse_after", d.rmse_after / unit},
-                   {"noise",
-                    {{"rms", d.noise.rms / unit},
-                     {"relative", d.noise.relative},
-                     {"absolute", d.noise.absolute / unit},
-                     {"correlation", d.noise.correlation},
-                     {"run_share", d.noise.run_share}}},
-                   {"baseline", comparison(model_file, d.baseline, data)},
-                   {"effects", effects},
-                   {"explanations", d.sets},
-                   {"base_parameters", base_json(d.base_shifts)},
-                   {"hold_out", hold_out_json(d.hold_out, unit)},
-                   {"aliases", d.aliases},
-                   {"would_have_been_found", detectable},
-                   {"not_testable", not_testable},
-                   {"suggested_measurements", suggested},
-                   {"predicted_separation", d.predicted_separation},
-                   {"separation_by_repetition", d.separation_by_repetition},
-                   {"records_needed", d.records_needed},
-                   {"outlier_lines", d.outlier_lines},
-                   {"messages", d.messages}};
-  if (d.shape)
-    document["shape"] = {{"torque_Nmm", d.shape->formula},
-                         {"coefficients", parameters_json(d.shape->coefficients)},
-                         {"statement", d.shape->statement},
-                         {"explained_share", d.shape->explained_share}};
-  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+                   {"rows", d.rows}};
+  add_errors(document, model_file, record, d);
+  document.update(
+      {{"effects",
+        list_of(d.effects, [&](const auto& e) { return effect_object(e, channels, limited); })},
+       {"explanations", d.sets},
+       {"base_parameters", base_objects(d.base)},
+       {"hold_out", hold_out_object(d.hold_out, channels)},
+       {"aliases", d.aliases},
+       {"would_have_been_found", list_of(d.would_have_been_found, detectable_object)},
+       {"not_testable", list_of(d.not_testable,
+                                [](const fit::NotTestable& n) {
+                                  return json{{"id", n.id}, {"missing", n.reason}};
+                                })},
+       {"suggested_measurements", list_of(d.suggested_measurements, suggested_object)},
+       {"predicted_separation", d.predicted_separation},
+       {"separation_by_repetition", d.separation_by_repetition},
+       {"records_needed", d.records_needed},
+       {"outlier_lines", outlier_lines(record, d.outliers)},
+       {"messages", d.messages}});
+  if (d.shape) document["shape"] = shape_object(*d.shape);
+  return text(std::move(document));
 }
 
-std::string add_json(const std::string& model_file, const fit::DataSet& data,
+std::string add_json(const std::string& model_file, const record::Record& record,
                      const fit::AddResult& r) {
-  const fit::QuantityText quantity = fit::text_of(data.quantity);
-  const double unit = quantity.factor;
-  const json document = {{"model", model_file},
-                         {"data", data.source},
-                         {"refused", r.refused},
-                         {"reason", r.reason},
-                         {"unit", quantity.key_unit},
-                         {"before", comparison(model_file, r.before, data)},
-                         {"after", comparison(model_file, r.after, data)},
-                         {"rmse_held_out_before", r.rmse_held_out_before / unit},
-                         {"rmse_held_out_after", r.rmse_held_out_after / unit},
-                         {"hold_out", hold_out_json(r.hold_out, unit)},
-                         {"calibration", json::parse(calibration_json(r.calibration))},
-                         {"messages", r.messages}};
-  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  const json list = list_of(r.channels, added_channel);
+  const json& first = list.at(0);
+  std::vector<const fit::Comparison*> before, after;
+  Channels channels;
+  for (const fit::ChannelGain& c : r.channels) {
+    before.push_back(&c.before);
+    after.push_back(&c.after);
+    channels.push_back(&c.channel());
+  }
+  json document = {{"model", model_file},
+                   {"data", record.source},
+                   {"refused", r.refused},
+                   {"reason", r.reason},
+                   {"unit", first["unit"]},
+                   {"before", comparison_object(model_file, before, record)},
+                   {"after", comparison_object(model_file, after, record)},
+                   {"rmse_held_out_before", first["rmse_held_out_before"]},
+                   {"rmse_held_out_after", first["rmse_held_out_after"]},
+                   {"hold_out", hold_out_object(r.hold_out, channels)},
+                   {"calibration", calibration_object(r.calibration, record)},
+                   {"messages", r.messages}};
+  add_channels(document, list);
+  return text(std::move(document));
 }
 
 }  // namespace raceway::io

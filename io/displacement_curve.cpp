@@ -12,30 +12,29 @@
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
+#include "record/channel.h"
 
 namespace raceway::io {
 namespace {
 
 struct Column {
-  std::string_view name, unit;
-  double factor, lower, upper;  ///< closed, in `unit`
+  const record::Channel* channel;
   bool required;
-  double fit::DisplacementPoint::*member;
+  double shaft::DisplacementPoint::*member;
 };
 
 constexpr std::size_t displacement = 1;  // its place among the columns
 constexpr std::array columns{
-    Column{"speed_rpm", "rpm", rpm, 0, 1e6, true, &fit::DisplacementPoint::speed},
-    Column{"axial_displacement_um", "um", um, -1e6, 1e6, true,
-           &fit::DisplacementPoint::displacement},
-    Column{"std_um", "um", um, 1e-9, 1e6, false, &fit::DisplacementPoint::std}};
+    Column{&record::speed, true, &shaft::DisplacementPoint::speed},
+    Column{&record::axial_displacement, true, &shaft::DisplacementPoint::displacement},
+    Column{&record::displacement_deviation, false, &shaft::DisplacementPoint::std}};
 
 using Places = std::array<std::optional<std::size_t>, columns.size()>;
 
 Places places(const CsvTable& table) {
   Places result;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const std::string_view name = columns[k].name;
+    const std::string_view name = columns[k].channel->name;
     result[k] = table.column(name);
     if (result[k]) continue;
     const std::string place = fmt::format("{}:{}", table.source, table.header_line);
@@ -59,7 +58,8 @@ std::vector<std::string> notes_on_others(const CsvTable& table, const Places& re
   for (std::size_t c = 0; c < table.header.size(); ++c) {
     if (std::find(read.begin(), read.end(), c) != read.end()) continue;
     if (++count <= shown) names += (names.empty() ? "" : ", ") + table.header[c];
-    const bool condition = table.header[c] == "preload_N" || table.header[c] == "axial_load_N";
+    const bool condition =
+        table.header[c] == record::preload.name || table.header[c] == record::axial_load.name;
     for (std::size_t row = 1; condition && row < table.rows(); ++row)
       if (table.cell(row, c) != table.cell(0, c)) {
         notes.push_back(
@@ -87,19 +87,11 @@ DisplacementCurve curve_of(const CsvTable& table) {
       ++without;
       continue;
     }
-    fit::DisplacementPoint point;
+    shaft::DisplacementPoint point;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (!read[k]) continue;
-      const Column& c = columns[k];
-      const std::string_view cell = table.cell(row, *read[k]);
-      const ParsedNumber number = parse_number(cell, table.separator != ',');
-      if (!number.problem.empty()) {
-        bad.add(table.line(row), c.name, cell, number.problem);
-      } else if (!(number.value >= c.lower && number.value <= c.upper)) {
-        bad.add(table.line(row), c.name, cell,
-                fmt::format("must be from {} to {} {}", c.lower, c.upper, c.unit));
-      }
-      point.*c.member = number.value * c.factor;
+      const record::Channel& c = *columns[k].channel;
+      point.*columns[k].member = c.to_SI(read_cell(table, row, *read[k], c, c.lower, bad).value);
     }
     curve.points.push_back(point);
   }
@@ -126,7 +118,8 @@ DisplacementCurve parse_displacement_curve(std::string text, const std::string& 
   return curve_of(parse_csv(std::move(text), source));
 }
 
-std::string displacement_table_text(const fit::DisplacementTable& table, std::string_view source) {
+std::string displacement_table_text(const shaft::DisplacementTable& table,
+                                    std::string_view source) {
   std::string text = fmt::format(
       "# Axial displacement of the shaft against speed, of {}\n"
       "# raceway {}\n"

@@ -4,14 +4,14 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/displacement_table.h"
+#include "shaft/displacement_table.h"
 
 namespace raceway::io {
 
 /// A displacement curve as read.
 struct DisplacementCurve {
   std::string source;  ///< file name, for messages
-  std::vector<fit::DisplacementPoint> points = {};
+  std::vector<shaft::DisplacementPoint> points = {};
   std::vector<std::string> notes;  ///< what the user should know, one line each
 };
 
@@ -29,7 +29,7 @@ struct DisplacementCurve {
 
 /// A table as CSV: speed_rpm, axial_displacement_um, slope_um_rpm, with how to interpolate.
 /// `source` is the curve that it was made from.
-[[nodiscard]] std::string displacement_table_text(const fit::DisplacementTable& table,
+[[nodiscard]] std::string displacement_table_text(const shaft::DisplacementTable& table,
                                                   std::string_view source);
 
 }  // namespace raceway::io

@@ -1,19 +1,17 @@
 #include <cmath>
 
-#include "bearing/units.h"
 #include "io/kinematic_results.h"
 #include "io/report.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
 #include "io/shaft_results.h"
+#include "record/units.h"
 
 namespace raceway::io {
 namespace {
 
-using json = nlohmann::ordered_json;
-
 /// The law between the speeds too, closer together near standstill, where it is steep.
-json curve_json(const fit::KinematicLaw& law) {
+json curve_json(const shaft::KinematicLaw& law) {
   constexpr int steps = 200;
   json curve = json::array();
   for (int k = 0; k <= steps; ++k) {
@@ -26,24 +24,24 @@ json curve_json(const fit::KinematicLaw& law) {
 
 }  // namespace
 
-std::string displacement_report(const std::string& model_file, const fit::Model& model,
-                                std::span<const fit::ShaftPoint> points,
-                                std::span<const fit::ShaftPrediction> predictions,
+std::string displacement_report(const std::string& model_file, const model::Model& model,
+                                std::span<const shaft::ShaftPoint> points,
+                                std::span<const shaft::ShaftPrediction> predictions,
                                 const LawOfReport& law, const std::vector<std::string>& warnings) {
   Document document("displacement");
-  document.add("model", dump(model_file));
+  document.add("model", model_file);
   // The rows stand below, as columns: as JSON each takes some kB.
-  document.add("results", displacement_json(model, {}, {}));
+  document.add_text("results", displacement_json(model, {}, {}));
   const bearing::Arrangement& arrangement = model.shaft->arrangement;
   json places = json::array();
   for (std::size_t i = 0; i < arrangement.bearings().size(); ++i)
     places.push_back(bearing_place(arrangement, i));
-  document.add("places", dump(places));
-  document.add("warnings", dump(warnings));
-  document.add("law_statement", dump(law.statement));
+  document.add("places", std::move(places));
+  document.add("warnings", warnings);
+  document.add("law_statement", law.statement);
   if (law.fit) {
-    document.add("law", kinematic_law_json(*law.fit, law.statement, std::nullopt));
-    document.add("law_curve", dump(curve_json(law.fit->law)));
+    document.add_text("law", kinematic_law_json(*law.fit, law.statement, std::nullopt));
+    document.add("law_curve", curve_json(law.fit->law));
   }
 
   ReportColumns rows(points.size());
@@ -67,7 +65,7 @@ std::string displacement_report(const std::string& model_file, const fit::Model&
     for (std::size_t k = 0; k < points.size(); ++k)
       if (points[k].speed == law.fit->speed_of_max_abs) rows.keep(k);
   }
-  document.add("rows", rows.json());
+  document.add_text("rows", rows.json());
   return report_page(document.text());
 }
 

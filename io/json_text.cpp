@@ -3,31 +3,63 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 
-#include "bearing/units.h"
+#include "record/units.h"
 
 namespace raceway::io {
 namespace {
 
-void round_to_15_digits(json& value) {
-  if (value.is_number_float()) {
-    const double exact = value.get<double>();
-    if (std::isfinite(exact)) value = std::strtod(fmt::format("{:.15g}", exact).c_str(), nullptr);
-  } else if (value.is_structured()) {
-    for (json& element : value) round_to_15_digits(element);
+/// With a point or an exponent, so that it reads back as a number of the same kind.
+std::string number_text(double value) {
+  if (!std::isfinite(value)) return "null";
+  std::string text = fmt::format("{:.15g}", value);
+  if (text.find_first_of(".e") == text.npos) text += ".0";
+  return text;
+}
+
+std::string scalar_text(const json& value) {
+  if (value.is_number_float()) return number_text(value.get<double>());
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+/// The library's own writer gives some numbers one digit too many, so that of numbers is ours.
+/// `indent` below zero: all on one line.
+void append(std::string& out, const json& value, int indent, int depth) {
+  if (!value.is_structured() || value.empty()) {
+    out += value.is_structured() ? (value.is_object() ? "{}" : "[]") : scalar_text(value);
+    return;
   }
+  const auto new_line = [&](int levels) {
+    if (indent < 0) return;
+    out += '\n';
+    out.append(static_cast<std::size_t>(indent * levels), ' ');
+  };
+  const bool object = value.is_object();
+  out += object ? '{' : '[';
+  bool first = true;
+  for (const auto& [key, element] : value.items()) {
+    if (!first) out += ',';
+    first = false;
+    new_line(depth + 1);
+    if (object) out += scalar_text(key) + (indent < 0 ? ":" : ": ");
+    append(out, element, indent, depth + 1);
+  }
+  new_line(depth);
+  out += object ? '}' : ']';
 }
 
 }  // namespace
 
-std::string exact_text(const json& document) {
-  return document.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+std::string text(const json& document) {
+  std::string out;
+  append(out, document, 2, 0);
+  return out + "\n";
 }
 
-std::string text(json document) {
-  round_to_15_digits(document);
-  return exact_text(document);
+std::string line_text(const json& value) {
+  std::string out;
+  append(out, value, -1, 0);
+  return out;
 }
 
 json report_json(const bearing::SolveReport& report) {
@@ -37,7 +69,7 @@ json report_json(const bearing::SolveReport& report) {
           {"recovered_load_error", report.recovered_load_error}};
 }
 
-json friction_json(const fit::Model& model, const fit::FrictionPrediction& f) {
+json friction_json(const model::Model& model, const model::FrictionPrediction& f) {
   json parts = {{"load_Nmm", f.load / N_mm}, {"viscous_Nmm", f.viscous / N_mm}};
   for (std::size_t i = 0; i < f.effects.size(); ++i)
     parts[std::string(model.effects[i].description->id) + "_Nmm"] = f.effects[i] / N_mm;

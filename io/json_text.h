@@ -4,25 +4,25 @@
 #include <string>
 
 #include "bearing/solve.h"
-#include "fit/model.h"
-#include "fit/prediction.h"
+#include "model/model.h"
+#include "model/prediction.h"
 
-/// Shared by the writers of results; not for other code.
+/// The one writer of numbers as JSON; shared by the writers of results, not for other code.
 namespace raceway::io {
 
 using json = nlohmann::ordered_json;
 
-/// Two blanks of indent. Numbers that are not finite become null; bytes that are no UTF-8 (file
-/// names) are replaced.
-[[nodiscard]] std::string exact_text(const json& document);
+/// Two blanks of indent, 15 digits (see with_15_digits()). Numbers that are not finite become null;
+/// bytes that are no UTF-8 (file names) are replaced.
+[[nodiscard]] std::string text(const json& document);
 
-/// The same with 15 digits, which takes the rounding of a change of unit off: 6000 rpm are not
-/// 6000.000000000001.
-[[nodiscard]] std::string text(json document);
+/// The same on one line, without a line end.
+[[nodiscard]] std::string line_text(const json& value);
 
 [[nodiscard]] json report_json(const bearing::SolveReport& report);
 
 /// Parts of a friction torque by name.
-[[nodiscard]] json friction_json(const fit::Model& model, const fit::FrictionPrediction& friction);
+[[nodiscard]] json friction_json(const model::Model& model,
+                                 const model::FrictionPrediction& friction);
 
 }  // namespace raceway::io

@@ -12,14 +12,14 @@ double in_rpm(double speed) { return std::round(speed / rpm * 1e6) / 1e6; }
 
 }  // namespace
 
-std::string kinematic_law_json(const fit::KinematicLawFit& fit, const std::string& statement,
+std::string kinematic_law_json(const shaft::KinematicLawFit& fit, const std::string& statement,
                                const std::optional<LawAtSpeed>& at) {
   json parameters = json::object();
-  for (const fit::FittedParameter& p : fit.parameters)
+  for (const record::Parameter& p : fit.parameters)
     parameters[p.name] = {{"value", p.value},
                           {"std", p.std},
                           {"unit", p.unit},
-                          {"at_bound", p.at_bound != fit::Bound::none},
+                          {"at_bound", p.at_bound != record::Bound::none},
                           {"identifiable", p.identifiable}};
   json document = {{"law", "u = A n^(1 - B exp(-C n)), u in um, n in rpm"},
                    {"parameters", parameters},
@@ -35,7 +35,7 @@ std::string kinematic_law_json(const fit::KinematicLawFit& fit, const std::strin
                    {"rows_at_standstill", fit.rows_at_standstill},
                    {"valid_from_rpm", in_rpm(fit.law.lowest_speed)},
                    {"valid_to_rpm", in_rpm(fit.law.highest_speed)},
-                   {"verdict", fit::name(fit.verdict)},
+                   {"verdict", shaft::name(fit.verdict)},
                    {"statement", statement},
                    {"notes", fit.notes},
                    {"report", {{"status", fit::name(fit.status)}, {"iterations", fit.iterations}}}};
@@ -43,7 +43,7 @@ std::string kinematic_law_json(const fit::KinematicLawFit& fit, const std::strin
     document["at"] = {{"speed_rpm", in_rpm(at->speed)},
                       {"axial_displacement_um", at->value.displacement / um},
                       {"slope_um_rpm", at->value.slope / (um / rpm)}};
-  return exact_text(document);
+  return text(std::move(document));
 }
 
 }  // namespace raceway::io

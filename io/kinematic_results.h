@@ -3,18 +3,18 @@
 #include <optional>
 #include <string>
 
-#include "fit/fit_kinematic_law.h"
+#include "shaft/fit_kinematic_law.h"
 
-/// The fit of the kinematic law as a JSON document (DESIGN.md, Commands); see results.h.
+/// The fit of the kinematic law as a JSON document (docs/files.md); see results.h.
 namespace raceway::io {
 
 /// The law at one speed that was asked for.
 struct LawAtSpeed {
   double speed;  ///< [rad/s]
-  fit::KinematicDisplacement value;
+  shaft::KinematicDisplacement value;
 };
 
-[[nodiscard]] std::string kinematic_law_json(const fit::KinematicLawFit& fit,
+[[nodiscard]] std::string kinematic_law_json(const shaft::KinematicLawFit& fit,
                                              const std::string& statement,
                                              const std::optional<LawAtSpeed>& at);
 

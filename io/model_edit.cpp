@@ -8,32 +8,39 @@
 
 #include "io/error.h"
 #include "io/model_file.h"
+#include "io/number_text.h"
+#include "model/parameters.h"
+
+// Last: see io/toml_text.h.
 #include "io/toml_text.h"
 
 // Changes a model file and leaves all else as the user wrote it.
 namespace raceway::io {
 namespace {
 
-/// "effect[0].f" as {"effect", "0", "f"} and where the indices are.
+/// "effect.0.f" as {"effect" with its index 0} and "f".
 struct KeyPath {
   struct Step {
     std::string name;
-    std::optional<std::size_t> index;  ///< into a list of tables
+    std::optional<std::size_t> index = {};  ///< into a list of tables
   };
   std::vector<Step> tables;
   std::string key;
 };
 
+bool is_index(std::string_view text) {
+  return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == text.npos;
+}
+
 KeyPath parse_path(const std::string& text) {
   KeyPath path;
   std::size_t begin = 0;
   for (std::size_t dot; (dot = text.find('.', begin)) != text.npos; begin = dot + 1) {
-    KeyPath::Step step{text.substr(begin, dot - begin), std::nullopt};
-    if (const std::size_t bracket = step.name.find('['); bracket != step.name.npos) {
-      step.index = std::stoul(step.name.substr(bracket + 1));
-      step.name.resize(bracket);
-    }
-    path.tables.push_back(std::move(step));
+    const std::string step = text.substr(begin, dot - begin);
+    if (!path.tables.empty() && !path.tables.back().index && is_index(step))
+      path.tables.back().index = std::stoul(step);
+    else
+      path.tables.push_back({step});
   }
   path.key = text.substr(begin);
   return path;
@@ -73,50 +80,49 @@ std::string toml_float(double value) {
   return text;
 }
 
-std::string with_value(std::string text, const KeyValue& change) {
-  const std::string value = toml_float(change.value);
-  const KeyPath path = parse_path(change.key);
-  const toml::table root = parse_toml(text, "model");
-  const toml::table* const table = find_table(root, path);
-  const std::string_view line_end = text.find("\r\n") != text.npos ? "\r\n" : "\n";
-  const std::string assignment = fmt::format("{} = {}", path.key, value);
+std::string_view line_end_of(std::string_view text) {
+  return text.find("\r\n") != text.npos ? "\r\n" : "\n";
+}
 
-  if (!table) {
-    if (path.tables.size() != 1 || path.tables[0].index)
-      throw InputError(fmt::format("{}: there is no such table in the model", change.key));
-    if (!text.empty() && text.back() != '\n') text += line_end;
-    return fmt::format("{}{}[{}]{}{}{}", text, line_end, path.tables[0].name, line_end, assignment,
-                       line_end);
-  }
-  if (const toml::node* node = table->get(path.key)) {
-    // A parameter of a user's own effect is a table with a value.
-    if (node->is_table()) node = node->as_table()->get("value");
-    if (!node || !node->is_number())
-      throw InputError(
-          fmt::format("{} = {}: is not a number", change.key, shown(*table->get(path.key))));
-    const std::size_t begin = byte_of(text, node->source().begin);
-    return text.replace(begin, byte_of(text, node->source().end) - begin, value);
-  }
+/// The number of a key; a parameter of a user's own effect is a table with a value. Null where
+/// there is no key.
+const toml::node* find_number(const toml::table& table, const KeyPath& path) {
+  const toml::node* const node = table.get(path.key);
+  return node && node->is_table() ? node->as_table()->get("value") : node;
+}
 
-  // A new key goes behind the last one of its table, written as that one is.
-  const toml::key* last_key = nullptr;
-  const toml::node* last = nullptr;
+std::string with_new_table(std::string text, const KeyPath& path, const std::string& assignment) {
+  const std::string line_end(line_end_of(text));
+  if (!text.empty() && text.back() != '\n') text += line_end;
+  return fmt::format("{}{}[{}]{}{}{}", text, line_end, path.tables[0].name, line_end, assignment,
+                     line_end);
+}
+
+/// The key of a table that stands last in it, with its value; null where it has none.
+std::pair<const toml::key*, const toml::node*> last_of(const toml::table& table) {
   const auto ends_before = [](const toml::node& a, const toml::node& b) {
     const auto x = a.source().end, y = b.source().end;
     return x.line != y.line ? x.line < y.line : x.column < y.column;
   };
-  for (const auto& [key, node] : *table) {
+  std::pair<const toml::key*, const toml::node*> last{};
+  for (const auto& [key, node] : table) {
     const bool elsewhere =
         (node.is_table() && !node.as_table()->is_inline()) || node.is_array_of_tables();
-    if (elsewhere || (last && ends_before(node, *last))) continue;
-    last = &node;
-    last_key = &key;
+    if (!elsewhere && !(last.second && ends_before(node, *last.second))) last = {&key, &node};
   }
-  if (table->is_inline()) {
+  return last;
+}
+
+/// A new key goes behind the last one of its table, written as that one is.
+std::string with_new_key(std::string text, const toml::table& table,
+                         const std::string& assignment) {
+  const auto [last_key, last] = last_of(table);
+  if (table.is_inline()) {
     if (last) return text.insert(byte_of(text, last->source().end), ", " + assignment);
-    return text.insert(byte_of(text, table->source().begin) + 1, " " + assignment + " ");
+    return text.insert(byte_of(text, table.source().begin) + 1, " " + assignment + " ");
   }
-  const std::size_t line = last ? last->source().end.line : table->source().begin.line;
+  const std::string line_end(line_end_of(text));
+  const std::size_t line = last ? last->source().end.line : table.source().begin.line;
   std::string before;
   if (last) {
     const std::size_t begin = line_start(text, last_key->source().begin.line);
@@ -129,7 +135,27 @@ std::string with_value(std::string text, const KeyValue& change) {
   } else {
     ++at;
   }
-  return text.insert(at, before + assignment + std::string(line_end));
+  return text.insert(at, before + assignment + line_end);
+}
+
+std::string with_value(std::string text, const KeyValue& change) {
+  const std::string value = toml_float(change.value);
+  const KeyPath path = parse_path(change.key);
+  const toml::table root = parse_toml(text, "model");
+  const toml::table* const table = find_table(root, path);
+  const std::string assignment = fmt::format("{} = {}", path.key, value);
+  if (!table) {
+    if (path.tables.size() != 1 || path.tables[0].index)
+      throw InputError(fmt::format("{}: there is no such table in the model", change.key));
+    return with_new_table(std::move(text), path, assignment);
+  }
+  if (!table->get(path.key)) return with_new_key(std::move(text), *table, assignment);
+  const toml::node* const node = find_number(*table, path);
+  if (!node || !node->is_number())
+    throw InputError(
+        fmt::format("{} = {}: is not a number", change.key, shown(*table->get(path.key))));
+  const std::size_t begin = byte_of(text, node->source().begin);
+  return text.replace(begin, byte_of(text, node->source().end) - begin, value);
 }
 
 /// Writes the comment of a change whose value stands already.
@@ -149,21 +175,6 @@ std::string with_comment(std::string text, const KeyValue& change) {
 
 }  // namespace
 
-std::vector<std::string> file_keys(const fit::ModelParameter& parameter) {
-  using fit::ShaftNumber;
-  if (parameter.shaft == ShaftNumber::preload) return {"arrangement." + parameter.name};
-  if (parameter.shaft == ShaftNumber::conformity)
-    return {"bearing.inner_conformity", "bearing.outer_conformity"};
-  if (parameter.shaft != ShaftNumber::none) return {"bearing." + parameter.name};
-  return {file_key(parameter)};
-}
-
-std::string file_key(const fit::ModelParameter& parameter) {
-  if (parameter.effect < 0) return "friction." + parameter.name;
-  return fmt::format("effect[{}].{}", parameter.effect,
-                     parameter.name.substr(parameter.name.find('.') + 1));
-}
-
 std::string with_values(std::string_view text, std::span<const KeyValue> changes) {
   const bool marked = text.starts_with(utf8_mark);
   if (marked) text.remove_prefix(utf8_mark.size());
@@ -177,8 +188,7 @@ std::string with_values(std::string_view text, std::span<const KeyValue> changes
   for (const KeyValue& change : changes) {
     const KeyPath path = parse_path(change.key);
     const toml::table* const table = find_table(root, path);
-    const toml::node* node = table ? table->get(path.key) : nullptr;
-    if (node && node->is_table()) node = node->as_table()->get("value");
+    const toml::node* const node = table ? find_number(*table, path) : nullptr;
     if (!node || node->value<double>() != change.value)
       throw InputError(fmt::format("{}: its place in the model was not found", change.key));
   }
@@ -187,7 +197,7 @@ std::string with_values(std::string_view text, std::span<const KeyValue> changes
 }
 
 std::string with_effect(std::string_view text, const effects::Effect& effect) {
-  const std::string_view line_end = text.find("\r\n") != text.npos ? "\r\n" : "\n";
+  const std::string_view line_end = line_end_of(text);
   std::string result(text);
   if (!result.empty() && result.back() != '\n') result += line_end;
   const effects::Description& d = *effect.description;
@@ -209,6 +219,30 @@ std::string with_effect(std::string_view text, const effects::Effect& effect) {
     result += fmt::format(" }}{}", line_end);
   }
   return result;
+}
+
+std::string with_model(const ModelFile& file, const model::Model& fitted) {
+  const auto in_file = [&](const effects::Effect& effect) {
+    return std::any_of(
+        file.model.effects.begin(), file.model.effects.end(),
+        [&](const effects::Effect& e) { return e.description->id == effect.description->id; });
+  };
+  std::string text = file.text;
+  for (effects::Effect effect : fitted.effects) {
+    if (in_file(effect)) continue;
+    for (double& value : effect.values) value = with_15_digits(value);
+    text = with_effect(text, effect);
+  }
+  const std::vector<record::Parameter> written = model::parameters(file.model);
+  std::vector<KeyValue> changes;
+  for (const record::Parameter& p : model::parameters(fitted)) {
+    const auto old = std::find_if(written.begin(), written.end(),
+                                  [&](const record::Parameter& w) { return w.name == p.name; });
+    if (old == written.end() || old->value == p.value) continue;
+    for (const std::string& address : old->addresses)
+      changes.push_back({address, with_15_digits(p.value)});
+  }
+  return with_values(text, changes);
 }
 
 }  // namespace raceway::io

@@ -5,24 +5,23 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/free_parameters.h"
-#include "fit/model.h"
 #include "io/catalogue_file.h"
+#include "model/model.h"
 
 namespace raceway::io {
 
 /// A model as read from its file.
 struct ModelFile {
-  fit::Model model;
+  model::Model model;
   std::string source;  ///< file name, for messages
-  std::string text;    ///< of the file, to be edited with with_values()
+  std::string text;    ///< of the file, to be edited with with_values() or with_model()
   /// Full name of the row that [bearing] catalogue picked; empty where it picks none.
   std::string catalogue = {};
   /// Every default that was used, e.g. `solver.tilt = "locked" (default)`.
   std::vector<std::string> defaults;
 };
 
-/// Reads a TOML model (keys with their units: DESIGN.md, Files) into SI.
+/// Reads a TOML model (keys with their units: docs/files.md) into SI.
 ///
 /// Throws InputError naming file, line, key, value and allowed range: text that is no TOML, unknown
 /// and missing keys and tables, wrong types, values out of range, bearings that cannot be, formulas
@@ -32,15 +31,11 @@ struct ModelFile {
 /// The same from text; `source` stands in messages.
 [[nodiscard]] ModelFile parse_model(std::string text, const std::string& source);
 
-/// Where a parameter of the law or of an effect stands in its file, as KeyValue::key.
-[[nodiscard]] std::string file_key(const fit::ModelParameter& parameter);
-
-/// The same for any parameter that may be fitted; both grooves for the conformity of both.
-[[nodiscard]] std::vector<std::string> file_keys(const fit::ModelParameter& parameter);
-
 /// A new value for a number of a model file, in the unit of its key.
 struct KeyValue {
-  std::string key;  ///< "friction.f0", or "effect[0].friction_coefficient" for the first [[effect]]
+  /// An address of record::Parameter: "friction.f0", or "effect.0.friction_coefficient" for the
+  /// first [[effect]].
+  std::string key;
   double value;
   /// Put behind the value in place of the comment there; empty leaves that one. Not written into
   /// tables in braces.
@@ -56,6 +51,11 @@ struct KeyValue {
 /// The text with this effect as one more [[effect]] at its end; nothing else changed. It reads back
 /// as it is. Throws std::invalid_argument for a value that is not finite.
 [[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
+
+/// The text of a file with every number of model::parameters() as `fitted` has it, at all its
+/// addresses, and the effects that the file lacks; nothing else changed. Numbers that differ from
+/// those of the file have the 15 digits that results show. Throws as with_values().
+[[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 
 /// A commented model of a catalogue bearing, with every default written out.
 [[nodiscard]] std::string new_model_text(const CatalogueBearing& row);

@@ -35,16 +35,6 @@ inline std::string range(const Key& key) {
                      with_unit(fmt::format("{}", key.upper), key.unit));
 }
 
-inline std::string listed(const Names& names, std::string_view last_word = "and") {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0                  ? ""
-             : i + 1 == names.size() ? fmt::format(" {} ", last_word)
-                                     : ", ") +
-            names[i];
-  return text;
-}
-
 inline std::string_view kind(const toml::node& node) {
   if (node.is_string()) return "a text";
   if (node.is_number()) return "a number";

@@ -7,7 +7,7 @@ namespace raceway::io {
 
 std::string new_model_text(const CatalogueBearing& row) {
   const bearing::BearingGeometry& g = row.geometry;
-  const fit::Rig rig;
+  const model::Rig rig;
   const auto number = [](double value) { return fmt::format("{:.10g}", value); };
   std::string text = fmt::format(
       R"(# Model of a {0} on a rig. Every default is written out: change what you know better.

@@ -35,6 +35,15 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
   return std::nullopt;
 }
 
+std::string listed(std::span<const std::string> names, std::string_view last_word) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " " + std::string(last_word) + " " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
 std::string suggestion(std::string_view name, std::span<const std::string> known) {
   const auto near = nearest_name(name, known);
   return near ? "; did you mean " + *near + "?" : "";

@@ -2,81 +2,122 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <unordered_map>
 
-#include "fit/estimated_noise.h"
-#include "fit/model_changes.h"
-#include "fit/verdict_model.h"
 #include "io/diagnosis_results.h"
-#include "io/error.h"
 #include "io/report_document.h"
 #include "io/report_rows.h"
-#include "io/report_template.h"
 #include "io/results.h"
+#include "model/model_changes.h"
+#include "model/model_subject.h"
 
 namespace raceway::io {
 namespace {
 
-using json = nlohmann::ordered_json;
+/// Measured channels that the page does not draw, in words.
+template <typename Result, typename ChannelOf>
+void add_others(Document& document, const std::vector<Result>& channels, ChannelOf channel_of) {
+  json others = json::array();
+  for (std::size_t c = 1; c < channels.size(); ++c) others.push_back(channel_of(channels[c]).words);
+  if (!others.empty()) document.add("other_channels", std::move(others));
+}
 
-/// A number of each row of the data, from the errors of a comparison, which may stand in another
-/// order: rows are known by their line.
-template <typename Value>
-std::vector<double> by_row(const fit::Comparison& comparison, const fit::DataSet& data,
-                           Value value) {
-  std::unordered_map<int, double> by_line;
-  for (const fit::RowError& e : comparison.errors) by_line[e.line] = value(e);
-  std::vector<double> values;
-  for (const fit::Row& row : data.rows) {
-    const auto found = by_line.find(row.line);
-    values.push_back(found == by_line.end() ? unset : found->second);
+/// Standard deviation of every row of a page, as it is known beforehand or was estimated.
+std::vector<double> std_of_rows(const fit::Comparison& comparison, const record::Record& record,
+                                const ReportRows& rows) {
+  using fit::NoiseSource;
+  const NoiseSource source = comparison.noise.source;
+  if (source == NoiseSource::repeats)
+    return std::vector<double>(rows.rows().size(), comparison.noise.rms);
+  std::vector<double> std;
+  if (source == NoiseSource::none) {
+    for (const fit::RowError& e : comparison.errors) std.push_back(e.std);
+    return rows.by_row(comparison, std);
   }
-  return values;
+  const record::Column& deviation = *record.deviation_of(*comparison.channel);
+  for (const std::size_t row : rows.rows()) std.push_back(deviation.values[row]);
+  return std;
 }
 
-std::vector<double> predicted_rows(const fit::Comparison& comparison, const fit::DataSet& data) {
-  return by_row(comparison, data, [](const fit::RowError& e) { return e.predicted; });
+/// The same from a noise model, which is in the order of the comparison.
+std::vector<double> std_of_rows(const fit::NoiseModel& noise, const fit::Comparison& comparison,
+                                const ReportRows& rows) {
+  const Eigen::VectorXd& std = noise.whitening.std();
+  return rows.by_row(comparison, std::span(std.data(), static_cast<std::size_t>(std.size())));
 }
 
-/// Standard deviation of each row from a noise model, which is in the order of the comparison.
-std::vector<double> noise_rows(const fit::NoiseModel& noise, const fit::Comparison& comparison,
-                               const fit::DataSet& data) {
-  return by_row(comparison, data, [&](const fit::RowError& e) {
-    return noise.whitening.std()[static_cast<Eigen::Index>(e.row)];
+/// A comparison with other predictions in the place of its own.
+fit::Comparison with_readings(fit::Comparison comparison, std::span<const double> readings) {
+  double square = 0.0;
+  for (std::size_t i = 0; i < comparison.errors.size(); ++i) {
+    fit::RowError& e = comparison.errors[i];
+    e.predicted = readings[i];
+    e.residual = readings[i] - e.measured;
+    square += e.residual * e.residual;
+  }
+  comparison.rmse = std::sqrt(square / static_cast<double>(comparison.errors.size()));
+  const std::size_t most = comparison.worst.size();
+  comparison.worst = comparison.errors;
+  std::partial_sort(comparison.worst.begin(),
+                    comparison.worst.begin() + static_cast<std::ptrdiff_t>(most),
+                    comparison.worst.end(), [](const fit::RowError& a, const fit::RowError& b) {
+                      return std::abs(a.residual) > std::abs(b.residual);
+                    });
+  comparison.worst.resize(most);
+  return comparison;
+}
+
+std::string ids_of(const fit::ExplainedReadings& explained) {
+  std::string ids;
+  for (const fit::EffectShare& e : explained.effects) ids += (ids.empty() ? "" : " and ") + e.id;
+  return ids;
+}
+
+/// True for an effect alone that stands in the explanation of the verdict already.
+bool is_in_verdict(const fit::ExplainedReadings& e, const fit::Diagnosis& d) {
+  if (!d.verdict_is_explained || &e == &d.explained.front()) return false;
+  const std::vector<fit::EffectShare>& verdict = d.explained.front().effects;
+  return std::all_of(e.effects.begin(), e.effects.end(), [&](const fit::EffectShare& one) {
+    return std::any_of(verdict.begin(), verdict.end(),
+                       [&](const fit::EffectShare& v) { return v.id == one.id; });
   });
 }
 
-/// Only the rows that were used: a diagnosis thins large files and leaves out what has no balance.
-fit::DataSet used_rows(const fit::DataSet& data, const std::vector<double>& predicted) {
-  fit::DataSet used = data;
-  used.rows.clear();
-  for (std::size_t i = 0; i < data.rows.size(); ++i)
-    if (!std::isnan(predicted[i])) used.rows.push_back(data.rows[i]);
-  return used;
+/// What an effect adds, without the rounding of the two readings whose difference it is.
+std::vector<double> share_of(const fit::EffectShare& share, const std::vector<double>& total) {
+  constexpr double rounding = 1e-12;
+  double largest = 0.0;
+  for (const double v : total) largest = std::fmax(largest, std::abs(v));
+  std::vector<double> result = share.readings;
+  for (double& v : result)
+    if (std::abs(v) < rounding * largest) v = 0.0;
+  return result;
 }
 
-/// Columns of what each explanation is made of.
-json explanations_json(const std::vector<fit::EffectModel>& explanations, ReportRows& rows) {
+/// Columns of what each explanation is made of. Readings are those of the first channel, which
+/// comes first in them.
+json explanations_json(const fit::Diagnosis& d, ReportRows& rows) {
+  const fit::Comparison& baseline = d.channels.front().baseline;
   json list = json::array();
   int effect = 0;
-  for (const fit::EffectModel& e : explanations) {
+  for (const fit::ExplainedReadings& e : d.explained) {
+    if (is_in_verdict(e, d)) continue;
     json effects = json::array();
     for (const fit::EffectShare& share : e.effects)
       effects.push_back(
           {{"id", share.id},
-           {"column", rows.add_readings("effect_" + std::to_string(effect++), share.readings)}});
+           {"column", rows.add_readings("effect_" + std::to_string(effect++),
+                                        rows.by_row(baseline, share_of(share, e.total)))}});
     const std::string of = std::to_string(list.size());
     list.push_back({{"effects", effects},
-                    {"base", rows.add_readings("base_" + of, e.base)},
-                    {"total", rows.add_readings("with_" + of, e.readings)}});
+                    {"base", rows.add_readings("base_" + of, rows.by_row(baseline, e.base))},
+                    {"total", rows.add_readings("with_" + of, rows.by_row(baseline, e.total))}});
   }
   return list;
 }
 
-json step_json(const fit::ModelChanges& changes) {
+json step_json(const model::ModelChanges& changes) {
   json numbers = json::array();
-  for (const fit::ChangedNumber& n : changes.numbers)
+  for (const model::ChangedNumber& n : changes.numbers)
     numbers.push_back(
         {{"name", n.name}, {"unit", n.unit}, {"before", n.before}, {"after", n.after}});
   return {{"added", changes.added}, {"removed", changes.removed}, {"numbers", numbers}};
@@ -84,103 +125,63 @@ json step_json(const fit::ModelChanges& changes) {
 
 }  // namespace
 
-bool report_available() { return !report_template().empty(); }
-
-std::string report_page(const std::string& document) {
-  constexpr std::string_view mark = "@DOCUMENT@";
-  const std::string_view page = report_template();
-  if (page.empty())
-    throw InputError(
-        "this program was built without reports (-DRACEWAY_REPORT=OFF); build it with Node and npm "
-        "and -DRACEWAY_REPORT=ON");
-  const std::size_t at = page.find(mark);
-  std::string text;
-  text.reserve(page.size() + document.size() + document.size() / 16);
-  text += page.substr(0, at);
-  // In JSON these occur within strings only, where the escape means the same character.
-  for (const char c : document) {
-    if (c == '<')
-      text += "\\u003c";
-    else if (c == '>')
-      text += "\\u003e";
-    else if (c == '&')
-      text += "\\u0026";
-    else
-      text += c;
-  }
-  return text += page.substr(at + mark.size());
-}
-
 std::string comparison_report(const std::vector<std::string>& model_files,
-                              const std::vector<fit::Model>& models,
-                              const std::vector<fit::Comparison>& comparisons,
-                              const fit::DataSet& data) {
+                              const std::vector<model::Model>& models,
+                              const std::vector<std::vector<fit::Comparison>>& comparisons,
+                              const record::Record& record) {
   Document document("compare");
-  document.add("results", comparison_json(model_files, comparisons, data));
-  const fit::Noise& noise = comparisons.front().noise;
-  const bool by_row =
-      noise.source == fit::NoiseSource::declared || noise.source == fit::NoiseSource::regression;
-  std::vector<double> std;
-  for (const fit::Row& row : data.rows) std.push_back(by_row ? row.std : noise.rms);
-  if (std::isnan(noise.rms))
-    if (const auto estimated = fit::estimate_noise_as_diagnosis(models.back(), data)) {
-      std = estimated->std;
-      document.add("estimated_noise", dump(estimated->rms / fit::text_of(data.quantity).factor));
-    }
+  document.add_text("results", comparison_json(model_files, comparisons, record));
   json steps = json::array();
   for (std::size_t i = 1; i < models.size(); ++i)
-    steps.push_back(step_json(fit::model_changes(models[i - 1], models[i])));
-  document.add("steps", dump(steps));
-  ReportRows rows(data, std);
-  std::vector<Predicted> predicted;
+    steps.push_back(step_json(model::model_changes(models[i - 1], models[i])));
+  document.add("steps", std::move(steps));
+  const fit::Comparison& last = comparisons.back().front();
+  ReportRows rows(record, *last.channel, rows_read(record, *last.channel));
+  rows.add_std(std_of_rows(last, record, rows));
   for (std::size_t i = 0; i < comparisons.size(); ++i)
-    predicted.push_back({model_files[i], predicted_rows(comparisons[i], data)});
-  rows.add_models(predicted, document);
+    rows.add_model(model_files[i], comparisons[i].front());
   rows.finish(document);
+  add_others(document, comparisons.back(),
+             [](const fit::Comparison& c) -> const record::Channel& { return *c.channel; });
   return report_page(document.text());
 }
 
-std::string diagnosis_report(const std::string& model_file, const fit::Model& model,
-                             const fit::DataSet& all, const fit::Diagnosis& d) {
+std::string diagnosis_report(const std::string& model_file, const fit::Subject& subject,
+                             const record::Record& record, const fit::Diagnosis& d) {
   Document document("diagnose");
-  document.add("results", diagnosis_json(model_file, all, d));
-  if (model.shaft) document.add("preload_N", dump(model.shaft->arrangement.preload()));
-  const fit::DataSet data = used_rows(all, predicted_rows(d.baseline, all));
-  const std::vector<double> base = predicted_rows(d.baseline, data);
-  ReportRows rows(data, noise_rows(d.noise, d.baseline, data));
-  std::vector<Predicted> models{{"refitted, nothing added", base}};
-  const std::optional<fit::EffectModel> verdict = fit::verdict_model(model, data, d);
-  if (verdict) {
-    std::string ids;
-    for (const fit::EffectShare& e : verdict->effects) ids += (ids.empty() ? "" : " and ") + e.id;
-    models.push_back({"with " + ids, verdict->readings});
+  document.add_text("results", diagnosis_json(model_file, record, d));
+  if (const auto* known = dynamic_cast<const model::ModelSubject*>(&subject))
+    if (const auto& shaft = known->model().shaft)
+      document.add("preload_N", shaft->arrangement.preload());
+  const fit::ChannelDiagnosis& first = d.channels.front();
+  // A diagnosis thins large records and leaves out what has no balance.
+  ReportRows rows(record, first.channel(), rows_compared(first.baseline));
+  rows.add_std(std_of_rows(first.noise, first.baseline, rows));
+  rows.add_model("refitted, nothing added", first.baseline);
+  if (d.verdict_is_explained) {
+    const fit::ExplainedReadings& verdict = d.explained.front();
+    rows.add_model("with " + ids_of(verdict), with_readings(first.baseline, verdict.total));
   }
-  rows.add_models(models, document);
-  std::vector<fit::EffectModel> explanations;
-  if (verdict) explanations.push_back(*verdict);
-  for (const fit::RankedEffect& effect : d.effects) {
-    const bool shown = verdict && std::any_of(verdict->effects.begin(), verdict->effects.end(),
-                                              [&](const auto& e) { return e.id == effect.id; });
-    if (shown) continue;
-    if (auto with = fit::model_with(effect, model, data, d))
-      explanations.push_back(*std::move(with));
-  }
-  document.add("explanations", dump(explanations_json(explanations, rows)));
+  document.add("explanations", explanations_json(d, rows));
   rows.finish(document);
+  add_others(document, d.channels,
+             [](const fit::ChannelDiagnosis& c) -> const record::Channel& { return c.channel(); });
   return report_page(document.text());
 }
 
-std::string add_report(const std::string& model_file, const fit::DataSet& all,
+std::string add_report(const std::string& model_file, const record::Record& record,
                        const fit::AddResult& r) {
   Document document("add");
-  document.add("results", add_json(model_file, all, r));
-  document.add("noise_rms", dump(r.noise.rms / fit::text_of(all.quantity).factor));
-  const fit::DataSet data = used_rows(all, predicted_rows(r.before, all));
-  ReportRows rows(data, noise_rows(r.noise, r.before, data));
-  rows.add_models({{"before, refitted", predicted_rows(r.before, data)},
-                   {"after", predicted_rows(r.after, data)}},
-                  document);
+  document.add_text("results", add_json(model_file, record, r));
+  const fit::ChannelGain& first = r.channels.front();
+  document.add("noise_rms", first.noise.rms / first.channel().factor);
+  ReportRows rows(record, first.channel(), rows_compared(first.before));
+  rows.add_std(std_of_rows(first.noise, first.before, rows));
+  rows.add_model("before, refitted", first.before);
+  rows.add_model("after", first.after);
   rows.finish(document);
+  add_others(document, r.channels,
+             [](const fit::ChannelGain& c) -> const record::Channel& { return c.channel(); });
   return report_page(document.text());
 }
 

@@ -6,58 +6,58 @@
 #include <utility>
 #include <vector>
 
-#include "effects/effect.h"
 #include "fit/add.h"
 #include "fit/compare.h"
-#include "fit/data_set.h"
-#include "fit/diagnose.h"
-#include "fit/fit_kinematic_law.h"
-#include "fit/model.h"
-#include "fit/prediction.h"
-#include "fit/shaft_prediction.h"
+#include "fit/diagnosis.h"
 #include "friction/stribeck_table.h"
+#include "model/model.h"
+#include "model/prediction.h"
+#include "record/record.h"
+#include "shaft/fit_kinematic_law.h"
+#include "shaft/shaft_prediction.h"
 
 /// Results as one HTML page with pictures that needs no network. It holds the document that
 /// `--json` prints, the rows behind the pictures, and the script that draws them (io/report/). The
-/// same results give the same bytes.
+/// same results give the same bytes. Of several measured channels a page draws the first.
 namespace raceway::io {
 
 /// False in a program built with -DRACEWAY_REPORT=OFF; the functions below then throw InputError.
 [[nodiscard]] bool report_available();
 
-/// The models in the order in which they were made, as they were compared.
-[[nodiscard]] std::string comparison_report(const std::vector<std::string>& model_files,
-                                            const std::vector<fit::Model>& models,
-                                            const std::vector<fit::Comparison>& comparisons,
-                                            const fit::DataSet& data);
+/// The models in the order in which they were made, as they were compared; of each the comparisons
+/// of its measured channels.
+[[nodiscard]] std::string comparison_report(
+    const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
+    const std::vector<std::vector<fit::Comparison>>& comparisons, const record::Record& record);
 
-/// `model` is the one that was diagnosed.
-[[nodiscard]] std::string diagnosis_report(const std::string& model_file, const fit::Model& model,
-                                           const fit::DataSet& data,
+/// `subject` is the one that was diagnosed.
+[[nodiscard]] std::string diagnosis_report(const std::string& model_file,
+                                           const fit::Subject& subject,
+                                           const record::Record& record,
                                            const fit::Diagnosis& diagnosis);
 
-[[nodiscard]] std::string add_report(const std::string& model_file, const fit::DataSet& data,
+[[nodiscard]] std::string add_report(const std::string& model_file, const record::Record& record,
                                      const fit::AddResult& result);
 
 /// What is drawn around a bearing, beside the curves: points with their predicted balance.
-using BearingStates = std::vector<std::pair<bearing::OperatingPoint, fit::FrictionPrediction>>;
+using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
 
-/// `measured` may be null; its torque is that of all bearings of the rig.
-[[nodiscard]] std::string table_report(const std::string& model_file, const fit::Model& model,
+/// `measured` may be null. Friction torque in it is that of all bearings of the rig.
+[[nodiscard]] std::string table_report(const std::string& model_file, const model::Model& model,
                                        const friction::StribeckTable& table,
-                                       const BearingStates& states, const fit::DataSet* measured);
+                                       const BearingStates& states, const record::Record* measured);
 
 /// The fitted law of a shaft's displacement, or why there is none.
 struct LawOfReport {
-  std::optional<fit::KinematicLawFit> fit;
+  std::optional<shaft::KinematicLawFit> fit;
   std::string statement;  ///< how well it follows the curve, or why none was fitted
 };
 
 /// `warnings` are what the command says of the bearings and of speeds without balance.
 [[nodiscard]] std::string displacement_report(const std::string& model_file,
-                                              const fit::Model& model,
-                                              std::span<const fit::ShaftPoint> points,
-                                              std::span<const fit::ShaftPrediction> predictions,
+                                              const model::Model& model,
+                                              std::span<const shaft::ShaftPoint> points,
+                                              std::span<const shaft::ShaftPrediction> predictions,
                                               const LawOfReport& law,
                                               const std::vector<std::string>& warnings);
 

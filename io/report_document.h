@@ -6,21 +6,14 @@
 
 namespace raceway::io {
 
-/// JSON on one line; text that is no UTF-8 is kept as far as it is.
-inline std::string dump(const json& value) {
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);
-}
-
-/// The document of a report in the making: its members in order, each of them JSON already.
+/// The document of a report in the making: its members in order.
 class Document {
  public:
-  explicit Document(const std::string& kind) {
-    add("raceway_report", "1");
-    add("program", dump("raceway " RACEWAY_VERSION));
-    add("kind", dump(kind));
-  }
-  void add(const std::string& key, const std::string& value) {
-    text_ += (text_.empty() ? "{" : ",\n") + dump(key) + ":" + value;
+  explicit Document(const std::string& kind);
+  void add(const std::string& key, json value) { add_text(key, line_text(std::move(value))); }
+  /// A member that is JSON already.
+  void add_text(const std::string& key, const std::string& value) {
+    text_ += (text_.empty() ? "{" : ",\n") + line_text(key) + ":" + value;
   }
   [[nodiscard]] std::string text() const { return text_ + "\n}"; }
 

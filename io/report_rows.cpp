@@ -1,24 +1,27 @@
 #include "io/report_rows.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "fit/misfit_map.h"
+#include "io/number_text.h"
 
 namespace raceway::io {
 namespace {
 
-/// In the unit of the file, from the edge of a range.
-double in_file_unit(fit::Variable variable, double value) {
-  if (variable == fit::Variable::speed) return value / rpm;
-  return variable == fit::Variable::temperature ? celsius(value) : value;
-}
+using record::Channel;
+
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
 json axis_json(const std::vector<fit::ErrorRange>& ranges) {
   json list = json::array();
   for (const fit::ErrorRange& r : ranges) {
-    if (r.variable == fit::Variable::run)
+    if (r.is_run())
       list.push_back({{"run", r.run}});
     else
       list.push_back(
-          {{"from", in_file_unit(r.variable, r.from)}, {"to", in_file_unit(r.variable, r.to)}});
+          {{"from", value_in_unit(*r.channel, r.from)}, {"to", value_in_unit(*r.channel, r.to)}});
   }
   return list;
 }
@@ -32,82 +35,134 @@ json map_json(const fit::MisfitMap& map, double unit) {
                      {"bias", c.bias / unit},
                      {"sigmas", c.sigmas},
                      {"significant", c.significant}});
-  return {{"up_variable", fit::name(map.up_variable)},
+  const auto column = [](const Channel* c) { return c ? c->name : std::string_view(); };
+  return {{"across_column", column(map.across_channel)},
+          {"up_column", column(map.up_channel)},
           {"across", axis_json(map.across)},
           {"up", axis_json(map.up)},
           {"needed_sigmas", map.needed_sigmas},
           {"cells", cells}};
 }
 
-}  // namespace
-
-ReportRows::ReportRows(const fit::DataSet& data, std::vector<double> std)
-    : data_(data),
-      quantity_(fit::text_of(data.quantity)),
-      std_(std::move(std)),
-      columns_(data.rows.size()) {
-  add("line", [](const fit::Row& r) { return r.line; });
-  if (data.runs.size() > 1) add("run", [](const fit::Row& r) { return r.run; });
-  if (known(&fit::Row::time)) add("time_s", [](const fit::Row& r) { return r.time; });
-  add_input("speed_rpm", [](const fit::Row& r) { return r.point.speed / rpm; });
-  add_input("axial_load_N", [](const fit::Row& r) { return r.point.axial_load; });
-  // A shaft has thrust alone, and a lubricant only where it was measured.
-  const bool shaft = data.quantity == fit::Quantity::axial_displacement;
-  if (!shaft)
-    add_input("radial_load_N",
-              [](const fit::Row& r) { return value_of(fit::Variable::radial_load, r); });
-  const bool many_temperatures =
-      std::any_of(data.rows.begin(), data.rows.end(), [&](const fit::Row& r) {
-        return r.point.temperature != data.rows.front().point.temperature;
-      });
-  if (!shaft || many_temperatures)
-    add_input("temperature_C", [](const fit::Row& r) { return celsius(r.point.temperature); });
-  if (known(&fit::Row::inner_ring_temperature))
-    add_input("inner_ring_temperature_C",
-              [](const fit::Row& r) { return celsius(r.inner_ring_temperature); });
-  if (known(&fit::Row::outer_ring_temperature))
-    add_input("outer_ring_temperature_C",
-              [](const fit::Row& r) { return celsius(r.outer_ring_temperature); });
-  if (known(&fit::Row::preload))
-    add_input("preload_N", [](const fit::Row& r) { return r.preload; });
-  std::vector<double> measured;
-  for (const fit::Row& row : data.rows) measured.push_back(row.measured);
-  add_readings("measured", measured);
-  add_readings("std", std_);
+/// Exactly, where a record's own varies() asks for a step.
+bool differ(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [&](double v) { return v != values.front(); });
 }
 
-std::string ReportRows::add_readings(const std::string& name, const std::vector<double>& values) {
-  std::vector<double> in_unit = values;
-  for (double& v : in_unit) v /= quantity_.factor;
-  std::string column = name + "_" + std::string(quantity_.key_unit);
-  columns_.add(column, std::move(in_unit));
+}  // namespace
+
+ReportRows::ReportRows(const record::Record& record, const Channel& channel,
+                       std::vector<std::size_t> rows)
+    : record_(record),
+      channel_(channel),
+      rows_(std::move(rows)),
+      place_(record.rows(), nowhere),
+      columns_(rows_.size()) {
+  for (std::size_t k = 0; k < rows_.size(); ++k) place_[rows_[k]] = k;
+  std::vector<double> lines, runs;
+  for (const std::size_t row : rows_) {
+    lines.push_back(record.line(row));
+    runs.push_back(record.run_of(row));
+  }
+  columns_.add("line", std::move(lines));
+  if (record.runs.size() > 1) columns_.add("run", std::move(runs));
+  add_inputs();
+  add_readings("measured", picked(record.values(channel)));
+}
+
+std::vector<double> ReportRows::picked(std::span<const double> values) const {
+  std::vector<double> result;
+  result.reserve(rows_.size());
+  for (const std::size_t row : rows_) result.push_back(values[row]);
+  return result;
+}
+
+/// What was known of it. A shaft has thrust alone, and a lubricant only where it was measured.
+bool ReportRows::shows(const record::Column& input) const {
+  const std::vector<double> values = picked(input.values);
+  if (std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
+    return false;
+  if (!(channel_ == record::axial_displacement)) return true;
+  if (*input.channel == record::radial_load) return false;
+  return !(*input.channel == record::temperature) || differ(values);
+}
+
+void ReportRows::add_inputs() {
+  const auto add = [&](const record::Column& column) {
+    std::vector<double> values = picked(column.values);
+    for (double& v : values) v = value_in_unit(*column.channel, v);
+    columns_.add(std::string(column.channel->name), std::move(values));
+  };
+  for (const record::Column& c : record_.columns)
+    if (c.channel->role == record::Role::time && shows(c)) add(c);
+  for (const record::Column& c : record_.columns) {
+    if (!c.channel->is_input() || !shows(c)) continue;
+    add(c);
+    inputs_.emplace_back(c.channel->name);
+  }
+}
+
+std::vector<double> ReportRows::by_row(const fit::Comparison& comparison,
+                                       std::span<const double> values) const {
+  std::vector<double> result(rows_.size(), unset);
+  for (std::size_t i = 0; i < comparison.errors.size(); ++i)
+    if (const std::size_t k = place_[comparison.errors[i].row]; k != nowhere) result[k] = values[i];
+  return result;
+}
+
+std::string ReportRows::add_readings(const std::string& name, std::vector<double> values) {
+  for (double& v : values) v = channel_.in_unit(v);
+  std::string column = name + "_" + std::string(channel_.key_unit());
+  columns_.add(column, std::move(values));
   return column;
 }
 
-void ReportRows::add_models(const std::vector<Predicted>& models, Document& document) {
-  json list = json::array();
-  for (const Predicted& model : models) {
-    const std::string column =
-        add_readings("predicted_" + std::to_string(list.size()), model.readings);
-    const fit::Comparison comparison = fit::compare(model.readings, data_);
-    for (const fit::RowError& e : comparison.worst) columns_.keep(e.row);
-    std::vector<double> std;
-    for (const fit::RowError& e : comparison.errors) std.push_back(std_[e.row]);
-    list.push_back({{"name", model.name},
-                    {"column", column},
-                    {"rmse", comparison.rmse / quantity_.factor},
-                    {"map", map_json(fit::misfit_map(comparison, data_, std), quantity_.factor)}});
+void ReportRows::add_std(std::vector<double> std) {
+  std_ = std;
+  for (double& v : std) v /= channel_.factor;
+  columns_.add("std_" + std::string(channel_.key_unit()), std::move(std));
+}
+
+void ReportRows::add_model(const std::string& name, const fit::Comparison& comparison) {
+  std::vector<double> predicted, std;
+  for (const fit::RowError& e : comparison.errors) {
+    predicted.push_back(e.predicted);
+    std.push_back(place_[e.row] == nowhere ? unset : std_.at(place_[e.row]));
   }
-  document.add("models", dump(list));
+  for (const fit::RowError& e : comparison.worst)
+    if (place_[e.row] != nowhere) columns_.keep(place_[e.row]);
+  const std::string column =
+      add_readings("predicted_" + std::to_string(models_.size()), by_row(comparison, predicted));
+  models_.push_back(
+      {{"name", name},
+       {"column", column},
+       {"rmse", comparison.rmse / channel_.factor},
+       {"map", map_json(fit::misfit_map(comparison, record_, std), channel_.factor)}});
 }
 
 void ReportRows::finish(Document& document) const {
-  document.add("quantity", dump({{"name", quantity_.name},
-                                 {"in_words", quantity_.in_words},
-                                 {"unit", quantity_.key_unit}}));
-  document.add("inputs", dump(inputs_));
-  document.add("runs", dump(data_.runs));
-  document.add("rows", columns_.json());
+  if (!models_.empty()) document.add("models", models_);
+  document.add(
+      "quantity",
+      {{"name", channel_.variable}, {"in_words", channel_.words}, {"unit", channel_.key_unit()}});
+  document.add("inputs", inputs_);
+  document.add("runs", record_.runs);
+  document.add_text("rows", columns_.json());
+}
+
+std::vector<std::size_t> rows_read(const record::Record& record, const Channel& channel) {
+  std::vector<std::size_t> rows;
+  const std::span<const double> readings = record.values(channel);
+  for (std::size_t row = 0; row < readings.size(); ++row)
+    if (!std::isnan(readings[row])) rows.push_back(row);
+  return rows;
+}
+
+std::vector<std::size_t> rows_compared(const fit::Comparison& comparison) {
+  std::vector<std::size_t> rows;
+  for (const fit::RowError& e : comparison.errors) rows.push_back(e.row);
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 }  // namespace raceway::io

@@ -1,62 +1,59 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "fit/data_set.h"
-#include "fit/quantity.h"
+#include "fit/compare.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
+#include "record/record.h"
 
 namespace raceway::io {
 
-/// What one model says of all rows.
-struct Predicted {
-  std::string name;
-  std::vector<double> readings;  ///< SI, NaN where there is none
-};
-
-/// Rows of a data set as columns of a report: what was set, what was read, its noise, what models
-/// say. Names of columns end with the unit; readings are in that of the measured quantity.
+/// Rows of a record as columns of a report: what was set, what one channel read, its noise, what
+/// models say. Names of columns end with the unit; readings are in that of the channel.
 class ReportRows {
  public:
-  /// `std` of each row in SI, NaN where not known.
-  ReportRows(const fit::DataSet& data, std::vector<double> std);
+  /// `rows` of the record, rising.
+  ReportRows(const record::Record& record, const record::Channel& channel,
+             std::vector<std::size_t> rows);
 
-  /// A column of readings, here in SI. Returns its name, which is `name` and the unit.
-  std::string add_readings(const std::string& name, const std::vector<double>& values);
+  [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
+  /// Numbers in the order of the errors of a comparison, by row of the page; NaN elsewhere.
+  [[nodiscard]] std::vector<double> by_row(const fit::Comparison& comparison,
+                                           std::span<const double> values) const;
 
-  /// Columns `predicted_0_UNIT`, ... and, for each, where the model errs on the plan.
-  void add_models(const std::vector<Predicted>& models, Document& document);
+  /// A column of readings by row of the page [SI]. Returns its name, which is `name` and the unit.
+  std::string add_readings(const std::string& name, std::vector<double> values);
+  /// The standard deviation of each reading [SI], NaN where not known.
+  void add_std(std::vector<double> std);
+  /// What a model predicts, as the next of the columns `predicted_0_UNIT`, ..., and where it errs
+  /// on the plan. After add_std().
+  void add_model(const std::string& name, const fit::Comparison& comparison);
 
   void finish(Document& document) const;
 
  private:
-  template <typename Value>
-  void add(const std::string& name, Value value) {
-    std::vector<double> values;
-    values.reserve(data_.rows.size());
-    for (const fit::Row& r : data_.rows) values.push_back(static_cast<double>(value(r)));
-    columns_.add(name, std::move(values));
-  }
-  /// What was set, and may explain an error.
-  template <typename Value>
-  void add_input(const std::string& name, Value value) {
-    add(name, value);
-    inputs_.push_back(name);
-  }
-  [[nodiscard]] bool known(double fit::Row::*member) const {
-    return std::any_of(data_.rows.begin(), data_.rows.end(),
-                       [&](const fit::Row& r) { return !std::isnan(r.*member); });
-  }
+  void add_inputs();
+  [[nodiscard]] bool shows(const record::Column& input) const;
+  [[nodiscard]] std::vector<double> picked(std::span<const double> values) const;
 
-  const fit::DataSet& data_;
-  fit::QuantityText quantity_;
+  const record::Record& record_;
+  const record::Channel& channel_;
+  std::vector<std::size_t> rows_, place_;  // of the record by row of the page, and the other way
   std::vector<double> std_;
   std::vector<std::string> inputs_;
+  json models_ = json::array();
   ReportColumns columns_;
 };
+
+/// Rows of a record at which a channel was read.
+[[nodiscard]] std::vector<std::size_t> rows_read(const record::Record& record,
+                                                 const record::Channel& channel);
+
+/// Rows of a record that a comparison compares, rising.
+[[nodiscard]] std::vector<std::size_t> rows_compared(const fit::Comparison& comparison);
 
 }  // namespace raceway::io

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bearing/units.h"
-#include "fit/shaft_balance.h"
 #include "io/column_unit.h"
 #include "io/csv_text.h"
 #include "io/json_text.h"
+#include "record/units.h"
+#include "shaft/shaft_balance.h"
 
 namespace raceway::io {
 namespace {
@@ -22,7 +22,7 @@ std::string_view side_name(Side side) { return side == Side::front ? "front" : "
 /// A number of one bearing, by the name of its column or key, in SI.
 struct BearingColumn {
   const char* name;
-  double (*value)(const fit::ShaftPrediction& p, std::size_t i);
+  double (*value)(const shaft::ShaftPrediction& p, std::size_t i);
 };
 
 constexpr BearingColumn bearing_columns[] = {
@@ -52,7 +52,7 @@ constexpr BearingColumn bearing_columns[] = {
 /// A number of the whole shaft.
 struct ShaftColumn {
   const char* name;
-  double (*value)(const fit::ShaftPrediction& p);
+  double (*value)(const shaft::ShaftPrediction& p);
 };
 
 constexpr ShaftColumn shaft_columns[] = {
@@ -65,8 +65,8 @@ constexpr ShaftColumn shaft_columns[] = {
 
 double in_unit(double value, std::string_view name) { return value / column_unit(name); }
 
-json arrangement_json(const fit::Model& model) {
-  const Arrangement a = fit::mounted_arrangement(model);
+json arrangement_json(const model::Model& model) {
+  const Arrangement a = shaft::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
   return {{"preload_N", a.preload()},
           {"front_displacement_um", a.displacement(Side::front) / um},
@@ -75,8 +75,8 @@ json arrangement_json(const fit::Model& model) {
           {"rear_lift_off_load_N", free.rear}};
 }
 
-json row_json(const fit::Model& model, const fit::ShaftPoint& point,
-              const fit::ShaftPrediction& p) {
+json row_json(const model::Model& model, const shaft::ShaftPoint& point,
+              const shaft::ShaftPrediction& p) {
   json row = {{"speed_rpm", point.speed / rpm},
               {"external_load_N", point.external_load},
               {"temperature_C", celsius(point.temperature)}};
@@ -113,19 +113,19 @@ std::vector<DisplacementColumn> displacement_columns(const Arrangement& a) {
   std::vector<DisplacementColumn> columns;
   for (const ShaftColumn& c : shaft_columns)
     columns.push_back(
-        {c.name, [c](const fit::ShaftPrediction& p) { return in_unit(c.value(p), c.name); }});
+        {c.name, [c](const shaft::ShaftPrediction& p) { return in_unit(c.value(p), c.name); }});
   for (std::size_t i = 0; i < a.bearings().size(); ++i)
     for (const BearingColumn& c : bearing_columns)
       columns.push_back({fmt::format("{}_{}", bearing_place(a, i), c.name),
-                         [c, i](const fit::ShaftPrediction& p) {
+                         [c, i](const shaft::ShaftPrediction& p) {
                            return p.equilibrium.report.converged() ? in_unit(c.value(p, i), c.name)
                                                                    : unset;
                          }});
   return columns;
 }
 
-std::string displacement_text(const fit::Model& model, std::span<const fit::ShaftPoint> points,
-                              std::span<const fit::ShaftPrediction> predictions,
+std::string displacement_text(const model::Model& model, std::span<const shaft::ShaftPoint> points,
+                              std::span<const shaft::ShaftPrediction> predictions,
                               std::string_view model_text) {
   const std::vector<DisplacementColumn> columns = displacement_columns(model.shaft->arrangement);
   fmt::memory_buffer out;
@@ -148,8 +148,8 @@ std::string displacement_text(const fit::Model& model, std::span<const fit::Shaf
   return fmt::to_string(out);
 }
 
-std::string displacement_json(const fit::Model& model, std::span<const fit::ShaftPoint> points,
-                              std::span<const fit::ShaftPrediction> predictions) {
+std::string displacement_json(const model::Model& model, std::span<const shaft::ShaftPoint> points,
+                              std::span<const shaft::ShaftPrediction> predictions) {
   json rows = json::array();
   for (std::size_t k = 0; k < points.size(); ++k)
     rows.push_back(row_json(model, points[k], predictions[k]));
@@ -158,8 +158,8 @@ std::string displacement_json(const fit::Model& model, std::span<const fit::Shaf
                {"rows", std::move(rows)}});
 }
 
-std::string shaft_solve_json(const fit::Model& model, const fit::ShaftPoint& point,
-                             const fit::ShaftPrediction& prediction) {
+std::string shaft_solve_json(const model::Model& model, const shaft::ShaftPoint& point,
+                             const shaft::ShaftPrediction& prediction) {
   json document = {{"bearing", model.name}, {"arrangement", arrangement_json(model)}};
   document.update(row_json(model, point, prediction));
   return text(std::move(document));

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/shaft_prediction.h"
+#include "shaft/shaft_prediction.h"
 
-/// Results of a shaft as CSV and as JSON, keys with their units (DESIGN.md, Commands). What has no
+/// Results of a shaft as CSV and as JSON, keys with their units (docs/files.md). What has no
 /// balance is empty or null.
 namespace raceway::io {
 
@@ -18,7 +18,7 @@ namespace raceway::io {
 /// A number of a shaft: its column with unit, and its value in that unit, NaN without balance.
 struct DisplacementColumn {
   std::string name;
-  std::function<double(const fit::ShaftPrediction&)> value;
+  std::function<double(const shaft::ShaftPrediction&)> value;
 };
 
 /// Numbers of the shaft and of each of its bearings, as displacement_text() has them between speed
@@ -29,18 +29,19 @@ struct DisplacementColumn {
 /// Shaft position against speed as CSV: `#` lines with title, version and the model's text, then
 /// speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,
 /// friction_torque_Nmm, power_loss_W, columns of every bearing and the status. 12 digits.
-[[nodiscard]] std::string displacement_text(const fit::Model& model,
-                                            std::span<const fit::ShaftPoint> points,
-                                            std::span<const fit::ShaftPrediction> predictions,
+[[nodiscard]] std::string displacement_text(const model::Model& model,
+                                            std::span<const shaft::ShaftPoint> points,
+                                            std::span<const shaft::ShaftPrediction> predictions,
                                             std::string_view model_text);
 
 /// The same as JSON: {"rows": [...]} with what stands still at its head.
-[[nodiscard]] std::string displacement_json(const fit::Model& model,
-                                            std::span<const fit::ShaftPoint> points,
-                                            std::span<const fit::ShaftPrediction> predictions);
+[[nodiscard]] std::string displacement_json(const model::Model& model,
+                                            std::span<const shaft::ShaftPoint> points,
+                                            std::span<const shaft::ShaftPrediction> predictions);
 
 /// One of these rows, with all digits of friction and heat of its bearings.
-[[nodiscard]] std::string shaft_solve_json(const fit::Model& model, const fit::ShaftPoint& point,
-                                           const fit::ShaftPrediction& prediction);
+[[nodiscard]] std::string shaft_solve_json(const model::Model& model,
+                                           const shaft::ShaftPoint& point,
+                                           const shaft::ShaftPrediction& prediction);
 
 }  // namespace raceway::io

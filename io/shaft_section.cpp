@@ -1,13 +1,12 @@
-#include "io/shaft_section.h"
-
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
-#include "bearing/units.h"
+#include "record/units.h"
 
 // Last: see io/toml_text.h.
-#include "io/model_section.h"
+#include "io/shaft_section.h"
 
 namespace raceway::io {
 namespace {
@@ -43,7 +42,7 @@ class ShaftReader {
  public:
   ShaftReader(const Section& section, const ShaftContext& context) : s_(section), in_(context) {}
 
-  fit::Shaft read() {
+  model::Shaft read() {
     s_.allow_only(known());
     read_layout();
     d_.front = read_set("front", *count(front_count));
@@ -254,7 +253,7 @@ class ShaftReader {
 
 }  // namespace
 
-fit::Shaft read_shaft(const Section& section, const ShaftContext& context) {
+model::Shaft read_shaft(const Section& section, const ShaftContext& context) {
   return ShaftReader(section, context).read();
 }
 

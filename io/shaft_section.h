@@ -1,22 +1,16 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <string>
+#include <string_view>
 
-#include "fit/model.h"
-#include "io/catalogue_file.h"
-#include "io/model_section.h"
+#include "model/model.h"
+
+// Last: see io/toml_text.h.
+#include "io/bearing_section.h"
 
 /// The table [arrangement] of a model file; shared with the reader of models, not for other code.
 namespace raceway::io {
-
-/// A bearing as a table of the file describes it, and the row of the catalogue that it started
-/// from.
-struct NamedBearing {
-  bearing::Bearing bearing;
-  std::string name;
-  std::optional<CatalogueBearing> row = {};
-};
 
 /// What the reader of models lends to that of its [arrangement].
 struct ShaftContext {
@@ -27,6 +21,6 @@ struct ShaftContext {
 };
 
 /// Throws InputError as read_model() does.
-[[nodiscard]] fit::Shaft read_shaft(const Section& section, const ShaftContext& context);
+[[nodiscard]] model::Shaft read_shaft(const Section& section, const ShaftContext& context);
 
 }  // namespace raceway::io

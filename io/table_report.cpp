@@ -3,13 +3,14 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "bearing/units.h"
 #include "io/column_unit.h"
 #include "io/report.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
 #include "io/report_rows.h"
 #include "io/shaft_results.h"
+#include "model/prediction.h"
+#include "record/units.h"
 
 namespace raceway::io {
 namespace {
@@ -19,8 +20,8 @@ double short_number(double value) {
   return std::isfinite(value) ? std::strtod(fmt::format("{:.7g}", value).c_str(), nullptr) : unset;
 }
 
-json state_json(const fit::Model& model, const bearing::OperatingPoint& point,
-                const fit::FrictionPrediction& prediction) {
+json state_json(const model::Model& model, const bearing::OperatingPoint& point,
+                const model::FrictionPrediction& prediction) {
   const bearing::Bearing& bearing = prediction.bearing ? *prediction.bearing : model.bearing;
   json azimuth = json::array(), inner_angle = json::array(), outer_angle = json::array(),
        inner_load = json::array(), outer_load = json::array(), inner_pressure = json::array(),
@@ -49,27 +50,22 @@ json state_json(const fit::Model& model, const bearing::OperatingPoint& point,
           {"outer_pressure_MPa", outer_pressure}};
 }
 
-}  // namespace
-
-std::string table_report(const std::string& model_file, const fit::Model& model,
-                         const friction::StribeckTable& table, const BearingStates& states,
-                         const fit::DataSet* measured) {
-  Document document("table");
+/// Names of columns that add up to the torque.
+json part_names(const model::Model& model) {
   json parts = json::array();
   if (model.shaft) {
     const bearing::Arrangement& arrangement = model.shaft->arrangement;
     for (std::size_t i = 0; i < arrangement.bearings().size(); ++i)
       parts.push_back(bearing_place(arrangement, i) + "_friction_torque_Nmm");
-  } else {
-    parts = {"load_Nmm", "viscous_Nmm"};
-    for (const effects::Effect& e : model.effects)
-      parts.push_back(std::string(e.description->id) + "_Nmm");
+    return parts;
   }
-  document.add("results",
-               dump({{"model", model_file},
-                     {"bearing", model.name},
-                     {"parts", parts},
-                     {"contact_angle_deg", model.bearing.geometry().contact_angle / degree}}));
+  parts = {"load_Nmm", "viscous_Nmm"};
+  for (const effects::Effect& e : model.effects)
+    parts.push_back(std::string(e.description->id) + "_Nmm");
+  return parts;
+}
+
+std::string rows_json(const friction::StribeckTable& table) {
   ReportColumns rows(table.friction_moment.size());
   const auto add = [&](const std::string& name, auto value) {
     std::vector<double> values;
@@ -84,21 +80,42 @@ std::string table_report(const std::string& model_file, const fit::Model& model,
   for (std::size_t c = 0; c < table.columns.size(); ++c)
     add(table.columns[c],
         [&](std::size_t i) { return table.row(i)[c] / column_unit(table.columns[c]); });
-  document.add("rows", rows.json());
+  return rows.json();
+}
+
+/// The readings of the first measured channel; a torque is that of one bearing of the rig, as the
+/// curves are.
+void add_measured(Document& document, record::Record record, const model::Rig& rig) {
+  record::Column* readings = nullptr;
+  for (record::Column& c : record.columns)
+    if (!readings && c.channel->role == record::Role::measured) readings = &c;
+  if (!readings) return;
+  if (*readings->channel == record::friction_torque)
+    for (double& v : readings->values) v /= model::rig_torque(rig, 1.0);
+  Document part("measured");
+  const ReportRows rows(record, *readings->channel, rows_read(record, *readings->channel));
+  rows.finish(part);
+  document.add_text("measured", part.text());
+  document.add("data", record.source);
+}
+
+}  // namespace
+
+std::string table_report(const std::string& model_file, const model::Model& model,
+                         const friction::StribeckTable& table, const BearingStates& states,
+                         const record::Record* measured) {
+  Document document("table");
+  document.add("results", {{"model", model_file},
+                           {"bearing", model.name},
+                           {"parts", part_names(model)},
+                           {"contact_angle_deg", model.bearing.geometry().contact_angle / degree}});
+  document.add_text("rows", rows_json(table));
   json list = json::array();
   for (const auto& [point, prediction] : states)
     list.push_back(state_json(model, point, prediction));
-  document.add("states", dump(list));
-  if (measured != nullptr) {
-    fit::DataSet of_one_bearing = *measured;
-    for (fit::Row& row : of_one_bearing.rows) row.measured /= model.rig.bearings;
-    Document part("measured");
-    const ReportRows measured_rows(of_one_bearing,
-                                   std::vector<double>(measured->rows.size(), unset));
-    measured_rows.finish(part);
-    document.add("measured", part.text());
-    document.add("data", dump(measured->source));
-  }
+  document.add("states", std::move(list));
+  if (model.shaft) document.add("preload_N", model.shaft->arrangement.preload());
+  if (measured) add_measured(document, *measured, model.rig);
   return report_page(document.text());
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "bearing/units.h"
+#include "record/units.h"
 #include "tests/bearing/expect.h"
 #include "tests/reference_table.h"
 

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/cli/sample.h"
 
 namespace raceway::tests {
@@ -13,8 +15,7 @@ using testing::StartsWith;
 class Report : public testing::Test {
  protected:
   void SetUp() override {
-    if (run("compare --help").out.find("RACEWAY_REPORT=OFF") != std::string::npos)
-      GTEST_SKIP() << "built with -DRACEWAY_REPORT=OFF";
+    if (!has_reports()) GTEST_SKIP() << "built with -DRACEWAY_REPORT=OFF";
   }
   ScratchFolder scratch_;
   std::string model_ = scratch_.write("my.toml", model_text);
@@ -70,6 +71,24 @@ TEST_F(Report, OfARefusedEffectShowsWhy) {
   ASSERT_TRUE(d["refused"]) << r.out;
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(file_text(page_), HasSubstr(d["reason"].get<std::string>().substr(0, 20)));
+}
+
+TEST_F(Report, DrawsMeasuredDisplacementOfAShaftAsItWasRead) {
+  // Of a rig with three bearings a torque is shown per bearing; a shaft has one position.
+  const std::string model =
+      scratch_.write("shaft.toml", file_text(shaft_) + "\n[rig]\nbearings = 3\n");
+  const std::string data =
+      scratch_.write("u.csv",
+                     "speed_rpm,axial_load_N,axial_displacement_um\n2000,0,0.2\n5000,0,1.9\n"
+                     "8000,0,4.1\n10000,0,5.4\n");
+  const Result r =
+      run("table " + model + " --speed 0:10000:5000 --data " + data + " --report " + page_);
+  ASSERT_EQ(r.status, 0) << r.err;
+  const json columns = page_document(page_)["measured"]["rows"]["columns"];
+  const auto measured = std::find_if(columns.begin(), columns.end(),
+                                     [](const json& c) { return c["name"] == "measured_um"; });
+  ASSERT_NE(measured, columns.end()) << columns;
+  EXPECT_EQ((*measured)["values"], json({0.2, 1.9, 4.1, 5.4}));
 }
 
 TEST_F(Report, MeasuredPointsNeedAReportToBeDrawnIn) {

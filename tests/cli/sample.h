@@ -13,7 +13,7 @@ namespace raceway::tests {
 
 using json = nlohmann::json;
 
-/// The model of DESIGN.md, as short as it may be.
+/// A model file (docs/files.md) without the catalogue, as short as it may be.
 inline const std::string model_text = R"([bearing]
 name = "7014"
 ball_count = 20
@@ -59,6 +59,23 @@ inline std::set<std::string> keys(const json& object) {
   std::set<std::string> names;
   for (const auto& [name, value] : object.items()) names.insert(name);
   return names;
+}
+
+/// False in a program built with -DRACEWAY_REPORT=OFF.
+inline bool has_reports() {
+  return run("compare --help").out.find("RACEWAY_REPORT=OFF") == std::string::npos;
+}
+
+/// What a page of --report is made of.
+inline json page_document(const std::string& page) {
+  const std::string text = file_text(page), mark = "id=\"document\">";
+  const std::size_t begin = text.find(mark), end = text.find("</script>", begin);
+  EXPECT_TRUE(begin != text.npos && end != text.npos) << "no page";
+  if (end == text.npos) return {};
+  const json document =
+      json::parse(text.substr(begin + mark.size(), end - begin - mark.size()), nullptr, false);
+  EXPECT_FALSE(document.is_discarded());
+  return document;
 }
 
 /// One message with this text, exit status 1, nothing on stdout.

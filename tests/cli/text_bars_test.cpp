@@ -23,6 +23,13 @@ TEST(TextBars, ShowAMarkWhetherTheyReachItOrNot) {
   EXPECT_EQ(bar(2.0, 8.0, 8, 9.0), "##") << "outside";
 }
 
+TEST(TextBars, ShowASecondMarkBesideTheFirst) {
+  EXPECT_EQ(bar(6.0, 8.0, 8, 2.0, 5.0), "#|##:#");
+  EXPECT_EQ(bar(2.0, 8.0, 8, 3.0, 5.0), "##| :");
+  EXPECT_EQ(bar(2.0, 8.0, 8, 5.0, 5.0), "##  :") << "at the same place";
+  EXPECT_EQ(bar(2.0, 8.0, 8, 3.0, std::nan("")), "##|");
+}
+
 TEST(TextBars, OfNumbersThatAreNotKnownAreEmpty) {
   EXPECT_EQ(bar(std::nan(""), 8.0, 8), "");
   EXPECT_EQ(bar(1.0, 0.0, 8), "");

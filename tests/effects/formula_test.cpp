@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "fit/calibrate.h"
-#include "tests/fit/synthetic.h"
+#include "tests/support/loop.h"
+#include "tests/support/synthetic.h"
 
 namespace raceway::effects {
 namespace {
@@ -29,9 +30,9 @@ FormulaError error_of(const std::string& formula) {
 }
 
 TEST(Formula, AddsItsMomentInTheUnitsOfTheFiles) {
-  fit::Model model = fit::synthetic_model();
+  model::Model model = fit::synthetic_model();
   model.effects.push_back(make_effect(windage("c * (speed_rpm/1000)^2")));
-  const auto f = fit::predict_friction(model, {.speed = 5000 * rpm, .axial_load = 600});
+  const auto f = model::predict_friction(model, {.speed = 5000 * rpm, .axial_load = 600});
   EXPECT_NEAR(f.effects[0], 50.0 * N_mm, 1e-15);
   EXPECT_EQ(f.torque, f.load + f.viscous + f.effects[0]);
   EXPECT_EQ(model.effects[0].description->step(), "moment");
@@ -40,14 +41,14 @@ TEST(Formula, AddsItsMomentInTheUnitsOfTheFiles) {
 }
 
 TEST(Formula, OutlivesTheModelItWasReadWith) {
-  fit::Model copy = fit::synthetic_model();
+  model::Model copy = fit::synthetic_model();
   {
-    fit::Model model = fit::synthetic_model();
+    model::Model model = fit::synthetic_model();
     model.effects.push_back(make_effect(windage("c * speed_rpm")));
     copy = model;
   }
   EXPECT_EQ(copy.effects[0].description->id, "my-windage");
-  EXPECT_TRUE(fit::predict_friction(copy, {.speed = 500, .axial_load = 100}).predicted());
+  EXPECT_TRUE(model::predict_friction(copy, {.speed = 500, .axial_load = 100}).predicted());
 }
 
 TEST(Formula, KnowsEveryVariable) {
@@ -68,16 +69,42 @@ TEST(Formula, KnowsEveryVariable) {
                                                     {"ball_diameter_mm", 11.906},
                                                     {"ball_count", 20},
                                                     {"contact_angle_deg", 25},
-                                                    {"static_load_rating_N", 43000}};
+                                                    {"static_load_rating_N", 43000},
+                                                    {"preload_N", 250}};
+  record::Record columns;
+  columns.set(record::preload, {250});
   for (const Formula::Variable& v : Formula::variables()) {
-    fit::Model model = fit::synthetic_model();
+    model::Model model = fit::synthetic_model();
     model.effects.push_back(make_effect(windage(std::string(v.name))));
-    const auto f = fit::predict_friction(model, row.point, false, fit::record_of(row));
+    Record record = fit::record_of(row);
+    record.rows = &columns;
+    const auto f = model::predict_friction(model, row.point, false, record);
     const double value = v.name == "load_torque_Nmm"      ? f.load / N_mm
                          : v.name == "viscous_torque_Nmm" ? f.viscous / N_mm
                                                           : expected.at(v.name);
     EXPECT_NEAR(f.effects[0] / N_mm, value, 1e-9 * value) << v.name;
   }
+}
+
+TEST(Formula, MayUseEveryInputOfTheTable) {
+  for (const record::Channel& channel : record::channels) {
+    if (!channel.is_input()) continue;
+    SCOPED_TRACE(std::string(channel.name));
+    const auto is = [&](const Formula::Variable& v) { return v.name == channel.name; };
+    const auto variables = Formula::variables();
+    EXPECT_EQ(std::count_if(variables.begin(), variables.end(), is), 1);
+  }
+}
+
+TEST(Formula, SaysWhichChannelsItNeeds) {
+  const Effect preloaded = make_effect(windage("c * preload_N * time_s"));
+  const Description& d = *preloaded.description;
+  ASSERT_EQ(d.needs.size(), 1u);
+  EXPECT_EQ(d.needs[0], Need::time);
+  ASSERT_EQ(d.channels.size(), 1u);
+  EXPECT_EQ(*d.channels[0], record::preload);
+  EXPECT_EQ(text(*d.channels[0]), "preload_N of every row");
+  EXPECT_TRUE(make_effect(windage("c * speed_rpm")).description->channels.empty());
 }
 
 TEST(Formula, SaysWhatIsWrongAndWhere) {
@@ -95,36 +122,36 @@ TEST(Formula, SaysWhatIsWrongAndWhere) {
 }
 
 TEST(Formula, WithoutANumberThereIsNoPrediction) {
-  fit::Model model = fit::synthetic_model();
+  model::Model model = fit::synthetic_model();
   model.effects.push_back(make_effect(windage("c * time_s")));
-  EXPECT_FALSE(fit::predict_friction(model, {.speed = 500, .axial_load = 100}).predicted());
+  EXPECT_FALSE(model::predict_friction(model, {.speed = 500, .axial_load = 100}).predicted());
   EXPECT_EQ(model.effects[0].description->needs.front(), Need::time);
   model.effects[0] = make_effect(windage("c * log(axial_load_N - 200)"));
-  EXPECT_FALSE(fit::predict_friction(model, {.speed = 500, .axial_load = 100}).predicted());
+  EXPECT_FALSE(model::predict_friction(model, {.speed = 500, .axial_load = 100}).predicted());
 }
 
 TEST(Formula, MayBeUsedByManyThreads) {
-  fit::Model model = fit::synthetic_model();
+  model::Model model = fit::synthetic_model();
   model.effects.push_back(make_effect(windage("c * (speed_rpm/1000)^2")));
   tbb::parallel_for(1, 2000, [&](int n) {
-    const auto f = fit::predict_friction(model, {.speed = n * rpm, .axial_load = 600});
+    const auto f = model::predict_friction(model, {.speed = n * rpm, .axial_load = 600});
     EXPECT_NEAR(f.effects[0], 2e-6 * n * n * N_mm, 1e-12);
   });
 }
 
 TEST(Formula, IsFittedLikeTheOthers) {
-  fit::Model truth = fit::synthetic_model();
+  model::Model truth = fit::synthetic_model();
   truth.effects.push_back(make_effect(windage("c * (speed_rpm/1000)^2")));
   truth.effects[0].values = {0.7};
   fit::DataSet data = fit::factorial_plan({500, 3000, 8000, 12000}, {100, 600}, {25, 50});
   std::mt19937 random(2);
   fit::measure(truth, 0.0, random, data);
-  fit::Model model = truth;
+  model::Model model = truth;
   model.effects[0].values = {0.0};
   model.free = {"f0", "z", "my-windage.c"};
   const fit::Calibration fit = fit::calibrate(model, data);
   ASSERT_TRUE(fit.converged());
-  EXPECT_NEAR(fit.model.effects[0].values[0], 0.7, 1e-8);
+  EXPECT_NEAR(fit::model_of(fit).effects[0].values[0], 0.7, 1e-8);
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "fit/prediction.h"
+#include "model/prediction.h"
 #include "tests/reference_table.h"
 
 namespace raceway {
 namespace {
 
-fit::Model known_model(bool bore_70) {
+model::Model known_model(bool bore_70) {
   bearing::BearingGeometry g{.ball_count = 20,
                              .ball_diameter = 11.906 * mm,
                              .pitch_diameter = 90 * mm,
@@ -38,7 +38,7 @@ fit::Model known_model(bool bore_70) {
 
 /// Torque that a program of its own computed for an effect of known size, in data/hidden-effect.
 /// The files print the torque to 1e-4 N mm and the temperature to 0.01 K.
-void expect_torque_of(const std::string& file, fit::Model model,
+void expect_torque_of(const std::string& file, model::Model model,
                       const std::vector<std::pair<const char*, std::vector<double>>>& hidden) {
   for (const auto& [id, values] : hidden) {
     ASSERT_NE(effects::find(id), nullptr);
@@ -52,7 +52,7 @@ void expect_torque_of(const std::string& file, fit::Model model,
                                   .axial_load = row["axial_load_N"]};
     const auto torque = [&](double temperature) {
       point.temperature = kelvin(temperature);
-      return fit::predict_friction(model, point).reading / N_mm;
+      return model::predict_friction(model, point).reading / N_mm;
     };
     const double T = row["temperature_C"], truth = row["torque_Nmm"];
     const double warm = torque(T + 0.005), cold = torque(T - 0.005);

@@ -7,7 +7,8 @@
 
 #include "effects/catalogue.h"
 #include "effects/formula.h"
-#include "tests/fit/synthetic.h"
+#include "tests/support/loop.h"
+#include "tests/support/synthetic.h"
 
 namespace raceway::fit {
 namespace {
@@ -35,12 +36,12 @@ TEST(Add, CalibratesTheEffectTogetherWithTheBase) {
   const AddResult result = add(synthetic_model(), drag, measured_with_drag(40.0));
   ASSERT_TRUE(result.calibration.converged());
   EXPECT_FALSE(result.refused) << result.reason;
-  const Model& model = result.calibration.model;
+  const Model& model = model_of(result.calibration);
   ASSERT_EQ(model.effects.size(), 1U);
   EXPECT_NEAR(model.effects[0].values[0], 40.0, 3.0);
   EXPECT_NEAR(model.law_values[0], 1.5, 0.03);
-  EXPECT_LT(result.after.rmse, 0.7 * result.before.rmse);
-  EXPECT_LT(result.rmse_held_out_after, 0.7 * result.rmse_held_out_before);
+  EXPECT_LT(result.channels[0].after.rmse, 0.7 * result.channels[0].before.rmse);
+  EXPECT_LT(result.channels[0].rmse_held_out_after, 0.7 * result.channels[0].rmse_held_out_before);
   EXPECT_GE(result.hold_out.size(), 3U);
 }
 
@@ -55,7 +56,7 @@ TEST(Add, RefusesAnEffectWhereAnotherOneExplainsTheData) {
   const std::vector<std::string> slip{"gyroscopic-slip"};
   const AddResult result = add(synthetic_model(), slip, measured_with_drag(40.0));
   EXPECT_TRUE(result.refused);
-  EXPECT_LT(result.rmse_held_out_after, result.rmse_held_out_before);
+  EXPECT_LT(result.channels[0].rmse_held_out_after, result.channels[0].rmse_held_out_before);
   EXPECT_THAT(result.reason, HasSubstr("explains these data to the noise"));
 }
 
@@ -69,8 +70,8 @@ TEST(Add, TakesAnEffectOfTheUsersOwnThatStandsInTheModel) {
   const std::vector<std::string> mine{"my-drag"};
   const AddResult result = add(model, mine, measured_with_drag(40.0));
   EXPECT_FALSE(result.refused) << result.reason;
-  ASSERT_EQ(result.calibration.model.effects.size(), 1U);
-  EXPECT_NEAR(result.calibration.model.effects[0].values[0], 40.0, 3.0);
+  ASSERT_EQ(model_of(result.calibration).effects.size(), 1U);
+  EXPECT_NEAR(model_of(result.calibration).effects[0].values[0], 40.0, 3.0);
 }
 
 TEST(Add, SaysWhatIsWrongWithTheRequest) {
@@ -86,7 +87,7 @@ TEST(Add, SaysWhatIsWrongWithTheRequest) {
   EXPECT_THAT(message(synthetic_model(), {"lubricant-drug"}), HasSubstr("lubricant-drag"));
   EXPECT_THAT(message(synthetic_model(), {"torque-gain"}), HasSubstr("torque"));
   EXPECT_THAT(message(synthetic_model(), {"torque-time-drift"}), HasSubstr("time"));
-  EXPECT_THAT(message(add(synthetic_model(), drag, data).calibration.model, drag),
+  EXPECT_THAT(message(model_of(add(synthetic_model(), drag, data).calibration), drag),
               HasSubstr("already"));
   EXPECT_THAT(message(synthetic_model(), {}), HasSubstr("no effect"));
 }

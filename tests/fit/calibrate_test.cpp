@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "tests/fit/synthetic.h"
+#include "tests/support/loop.h"
+#include "tests/support/synthetic.h"
 
 namespace raceway::fit {
 namespace {
@@ -30,13 +31,13 @@ TEST(Calibrate, FindsParametersOfNoiselessDataFromAFarStart) {
   ASSERT_TRUE(fit.converged());
   ASSERT_EQ(fit.parameters.size(), 3U);
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_NEAR(fit.model.law_values[k], truth.law_values[k], 1e-7 * truth.law_values[k]);
-    EXPECT_EQ(fit.parameters[k].value, fit.model.law_values[k]);
+    EXPECT_NEAR(model_of(fit).law_values[k], truth.law_values[k], 1e-7 * truth.law_values[k]);
+    EXPECT_EQ(fit.parameters[k].value, model_of(fit).law_values[k]);
     EXPECT_EQ(fit.parameters[k].start, model.law_values[k]);
     EXPECT_EQ(fit.parameters[k].at_bound, Bound::none);
     EXPECT_TRUE(fit.parameters[k].identifiable);
   }
-  EXPECT_LT(fit.rmse_after, 1e-7 * fit.rmse_before);
+  EXPECT_LT(fit.channels[0].rmse_after, 1e-7 * fit.channels[0].rmse_before);
 }
 
 TEST(Calibrate, StatesAnUncertaintyThatCoversTheTruth) {
@@ -55,10 +56,9 @@ TEST(Calibrate, StatesAnUncertaintyThatCoversTheTruth) {
       if (declared) declare_noise(3.0 * N_mm, data);
       const Calibration fit = calibrate(model, data);
       ASSERT_TRUE(fit.converged());
-      EXPECT_EQ(fit.weighted, declared);
-      EXPECT_EQ(std::isfinite(fit.reduced_chi_square), declared);
+      EXPECT_TRUE(std::isfinite(fit.reduced_chi_square));
       for (std::size_t k = 0; k < 3; ++k) {
-        const FittedParameter& p = fit.parameters[k];
+        const Parameter& p = fit.parameters[k];
         const double t = (p.value - truth.law_values[k]) / p.std;
         square[k] += t * t / sets;
         if (std::abs(t) < 1.96) ++inside;
@@ -159,9 +159,8 @@ TEST(Calibrate, WidensStandardErrorsWhereTheModelMissesSomething) {
   const Calibration right = calibrate(truth, data);
   for (Row& row : data.rows) row.measured += 20.0 * N_mm * std::pow(row.point.speed / 1000.0, 2);
   const Calibration wrong = calibrate(truth, data);
-  EXPECT_EQ(right.excess_scatter > 0.0, right.reduced_chi_square > 1.0);
   EXPECT_GT(wrong.reduced_chi_square, 10.0);
-  EXPECT_NEAR(wrong.excess_scatter, wrong.rmse_after, 0.1 * wrong.rmse_after);
+  EXPECT_NEAR(right.reduced_chi_square, 1.0, 0.3);
   EXPECT_GT(wrong.parameters[0].std, 3.0 * right.parameters[0].std);
   EXPECT_THAT(wrong.messages, Contains(HasSubstr("standard errors are widened")));
 }
@@ -180,7 +179,8 @@ TEST(Calibrate, IsNotBentToTheQuietestRowsWhereTheModelMissesSomething) {
   const Calibration fit = calibrate(truth, data);
   ASSERT_TRUE(fit.converged());
   for (Row& row : data.rows) row.std = unset;
-  EXPECT_NEAR(fit.rmse_after, calibrate(truth, data).rmse_after, 0.05 * fit.rmse_after);
+  EXPECT_NEAR(fit.channels[0].rmse_after, calibrate(truth, data).channels[0].rmse_after,
+              0.05 * fit.channels[0].rmse_after);
 }
 
 TEST(Calibrate, FitsParametersOfAnEffectAndOfARigWithTwoBearings) {
@@ -196,9 +196,9 @@ TEST(Calibrate, FitsParametersOfAnEffectAndOfARigWithTwoBearings) {
   model.free = {"f0", "z", "spin-friction.friction_coefficient"};
   const Calibration fit = calibrate(model, data);
   ASSERT_TRUE(fit.converged());
-  EXPECT_NEAR(fit.model.law_values[0], 1.5, 1e-5);
-  EXPECT_NEAR(fit.model.law_values[1], 0.001, 1e-8);
-  EXPECT_NEAR(fit.model.effects[0].values[0], 0.07, 1e-6);
+  EXPECT_NEAR(model_of(fit).law_values[0], 1.5, 1e-5);
+  EXPECT_NEAR(model_of(fit).law_values[1], 0.001, 1e-8);
+  EXPECT_NEAR(model_of(fit).effects[0].values[0], 0.07, 1e-6);
 }
 
 TEST(Calibrate, FitsTheSkfLaw) {
@@ -212,8 +212,8 @@ TEST(Calibrate, FitsTheSkfLaw) {
   model.law_values = {0.15, 0.05, 6e-8};
   const Calibration fit = calibrate(model, data);
   ASSERT_TRUE(fit.converged());
-  EXPECT_NEAR(fit.model.law_values[1], 0.07, 1e-7);
-  EXPECT_NEAR(fit.model.law_values[2], 3e-8, 1e-12);
+  EXPECT_NEAR(model_of(fit).law_values[1], 0.07, 1e-7);
+  EXPECT_NEAR(model_of(fit).law_values[2], 3e-8, 1e-12);
 }
 
 TEST(Calibrate, LeavesOutRowsWithoutBalanceAndListsThem) {
@@ -226,7 +226,7 @@ TEST(Calibrate, LeavesOutRowsWithoutBalanceAndListsThem) {
   const Calibration fit = calibrate(model, data);
   EXPECT_TRUE(fit.converged());
   EXPECT_EQ(fit.rows, static_cast<int>(data.rows.size()) - 1);
-  EXPECT_EQ(fit.rows_not_predicted, std::vector<int>{data.rows[4].line});
+  EXPECT_EQ(fit.rows_not_predicted, std::vector<std::size_t>{4});
 }
 
 TEST(Calibrate, RefusesFewerRowsThanParameters) {

@@ -9,7 +9,8 @@
 #include <functional>
 
 #include "effects/catalogue.h"
-#include "tests/fit/synthetic.h"
+#include "tests/support/loop.h"
+#include "tests/support/synthetic.h"
 
 namespace raceway::fit {
 namespace {
@@ -128,14 +129,14 @@ TEST(Diagnose, NamesAnEffectWithItsSizeAndWhatItHadBeenHiding) {
   const Diagnosis d = diagnose(belief(), measured(with_effect("lubricant-drag", {40.0}), 1));
   EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
   ASSERT_EQ(named(d), std::vector<std::string>{"lubricant-drag"});
-  const EffectSize& size = d.effects.front().parameters.front();
+  const Parameter& size = d.effects.front().parameters.front();
   EXPECT_NEAR(size.value, 40.0, 4.0 * size.std);
   EXPECT_TRUE(size.plausible);
-  EXPECT_LT(d.rmse_after, 0.7 * d.rmse_before);
-  EXPECT_NEAR(d.noise.relative, 0.02, 0.004);
-  ASSERT_EQ(d.base_shifts.size(), 2U);
-  EXPECT_GT(d.base_shifts[0].before, 1.05 * 1.5);
-  EXPECT_NEAR(d.base_shifts[0].after, 1.5, 4.0 * d.base_shifts[0].std);
+  EXPECT_LT(d.channels[0].rmse_after, 0.7 * d.channels[0].rmse_before);
+  EXPECT_NEAR(d.channels[0].noise.relative, 0.02, 0.004);
+  ASSERT_EQ(d.base.size(), 2U);
+  EXPECT_GT(d.base[0].start, 1.05 * 1.5);
+  EXPECT_NEAR(d.base[0].value, 1.5, 4.0 * d.base[0].std);
   EXPECT_THAT(d.sentence, HasSubstr("Consistent with lubricant-drag"));
 }
 
@@ -189,7 +190,7 @@ TEST(Diagnose, DoesNotDependOnOrderOrParametrisation) {
   std::mt19937 random(6);
   std::shuffle(shuffled.rows.begin(), shuffled.rows.end(), random);
   DiagnoseOptions reversed;
-  for (const effects::Description& d : effects::catalogue()) reversed.candidates.push_back(&d);
+  for (const effects::Description& d : effects::catalogue()) reversed.candidates.emplace_back(d.id);
   std::reverse(reversed.candidates.begin(), reversed.candidates.end());
   Model far = belief();
   far.law_values = {5.0, 0.003, 0.33};
@@ -236,11 +237,10 @@ TEST(Diagnose, SaysWhatCouldHaveBeenFoundAndWhatNot) {
 
 TEST(Diagnose, FlagsOutliersAndKeepsThem) {
   DataSet data = measured(with_effect("lubricant-drag", {40.0}), 10);
-  data.rows[17].line = 1000;
   data.rows[17].measured *= 1.4;
   const Diagnosis d = diagnose(belief(), data);
   EXPECT_EQ(d.rows, 120);
-  EXPECT_THAT(d.outlier_lines, testing::Contains(1000));
+  EXPECT_THAT(d.outliers, testing::Contains(17));
   EXPECT_THAT(named(d), testing::Contains("lubricant-drag"));
 }
 

@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "tests/fit/synthetic.h"
+#include "tests/support/loop.h"
+#include "tests/support/synthetic.h"
 
 namespace raceway::fit {
 namespace {
@@ -22,8 +23,9 @@ TEST(EstimatedNoise, IsThatOfTheReadingsHoweverWrongTheModel) {
   DataSet data = plan();
   std::mt19937 random(11);
   measure(truth, 5.0 * N_mm, random, data);
-  const auto noise = estimate_noise_as_diagnosis(synthetic_model(), data);
-  ASSERT_TRUE(noise);
+  const auto channels = estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data);
+  ASSERT_TRUE(channels);
+  const EstimatedNoise* noise = &channels->front();
   // About 40 degrees of freedom remain of 72 rows: 11 % of scatter, three times that.
   EXPECT_NEAR(noise->rms, 5.0 * N_mm, 1.7 * N_mm);
   ASSERT_EQ(noise->std.size(), data.rows.size());
@@ -38,8 +40,9 @@ TEST(EstimatedNoise, IsThereForRowsThatADiagnosisOfManyLeavesOut) {
   std::mt19937 random(5);
   measure(synthetic_model(), 5.0 * N_mm, random, data);
   ASSERT_GT(data.rows.size(), 4000U);
-  const auto noise = estimate_noise_as_diagnosis(synthetic_model(), data);
-  ASSERT_TRUE(noise);
+  const auto channels = estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data);
+  ASSERT_TRUE(channels);
+  const EstimatedNoise* noise = &channels->front();
   // A row beyond 3.5 standard deviations has its own: 2 of 4500 by chance.
   const auto others = std::count_if(noise->std.begin(), noise->std.end(), [](double s) {
     return !(std::abs(s - 5.0 * N_mm) < 1.0 * N_mm);
@@ -52,10 +55,10 @@ TEST(EstimatedNoise, IsNothingWhereTheDataCannotCarryADiagnosis) {
   std::mt19937 random(11);
   measure(synthetic_model(), 5.0 * N_mm, random, data);
   data.rows.resize(6);
-  EXPECT_FALSE(estimate_noise_as_diagnosis(synthetic_model(), data));
+  EXPECT_FALSE(estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data));
   data = plan();
   data.quantity = Quantity::axial_displacement;
-  EXPECT_FALSE(estimate_noise_as_diagnosis(synthetic_model(), data));
+  EXPECT_FALSE(estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data));
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "tests/fit/synthetic.h"
+#include "tests/support/loop.h"
+#include "tests/support/synthetic.h"
 
 namespace raceway::fit {
 namespace {
@@ -25,7 +26,7 @@ MisfitMap map_of(DataSet data, Error error, double std = 1.0 * N_mm) {
 TEST(MisfitMap, HasTheMeanErrorOfEveryPartOfThePlan) {
   const MisfitMap map = map_of(factorial_plan(speeds, loads, {40}, 3),
                                [](double n, double load) { return (n / 1000.0 + load) * N_mm; });
-  EXPECT_EQ(map.up_variable, Variable::axial_load);
+  EXPECT_TRUE(*map.up_channel == record::axial_load);
   ASSERT_EQ(map.across.size(), 4U);
   ASSERT_EQ(map.up.size(), 3U);
   ASSERT_EQ(map.cells.size(), 12U);
@@ -42,7 +43,7 @@ TEST(MisfitMap, OfADisplacementLiesOverItsPreloads) {
   for (std::size_t i = 0; i < data.rows.size(); ++i)
     data.rows[i].preload = i < speeds.size() ? 300.0 : 600.0;
   const MisfitMap map = map_of(data, [](double n, double) { return n * 1e-9; });
-  EXPECT_EQ(map.up_variable, Variable::preload);
+  EXPECT_TRUE(*map.up_channel == record::preload);
   ASSERT_EQ(map.up.size(), 2U);
   EXPECT_EQ(map.up[0].from, 300.0);
   EXPECT_EQ(map.cells[0].rows, 1);
@@ -75,8 +76,8 @@ TEST(MisfitMap, RaisesAFalseAlarmInOneOfTwentyMapsOfPureNoise) {
 
 TEST(MisfitMap, TakesAnotherInputWhereTheLoadDoesNotVary) {
   const auto none = [](double, double) { return 1.0 * N_mm; };
-  EXPECT_EQ(map_of(factorial_plan(speeds, {300}, {30, 60}), none).up_variable,
-            Variable::temperature);
+  EXPECT_TRUE(*map_of(factorial_plan(speeds, {300}, {30, 60}), none).up_channel ==
+              record::temperature);
   const MisfitMap line = map_of(factorial_plan(speeds, {300}, {40}), none);
   EXPECT_EQ(line.up.size(), 1U);
   EXPECT_EQ(line.cells.size(), 4U);

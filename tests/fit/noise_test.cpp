@@ -2,16 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/fit/synthetic.h"
+#include "record/repeats.h"
+#include "tests/support/rows.h"
+#include "tests/support/synthetic.h"
 
 namespace raceway::fit {
 namespace {
 
 TEST(Repeats, AreFoundWhereverTheyStandInTheFile) {
   const DataSet data = factorial_plan({1000, 5000}, {300, 600}, {40}, 3);
-  const std::vector<RepeatGroup> groups = find_repeats(data);
+  const std::vector<record::RepeatGroup> groups = record::find_repeats(data);
   ASSERT_EQ(groups.size(), 4U);
-  for (const RepeatGroup& group : groups) {
+  for (const record::RepeatGroup& group : groups) {
     ASSERT_EQ(group.size(), 3U);
     for (const std::size_t i : group) {
       EXPECT_EQ(data.rows[i].point.speed, data.rows[group[0]].point.speed);
@@ -22,18 +24,18 @@ TEST(Repeats, AreFoundWhereverTheyStandInTheFile) {
 
 TEST(Repeats, AllowForTheScatterOfASetValueOnly) {
   DataSet data = factorial_plan({5000, 5002, 5050}, {300, 310}, {40});
-  EXPECT_EQ(find_repeats(data).size(), 2U);  // 5000 and 5002 at either load
+  EXPECT_EQ(record::find_repeats(data).size(), 2U);  // 5000 and 5002 at either load
   data.rows[1].point.temperature += 1.0;
-  EXPECT_EQ(find_repeats(data).size(), 1U);
+  EXPECT_EQ(record::find_repeats(data).size(), 1U);
   data.rows[4].inner_ring_temperature = kelvin(45.0);
-  EXPECT_TRUE(find_repeats(data).empty());
+  EXPECT_TRUE(record::find_repeats(data).empty());
 }
 
 TEST(Noise, OfRepeatsIsTheirScatter) {
   std::mt19937 random(3);
   DataSet data = factorial_plan({1000, 2000, 5000, 8000, 10000}, {300, 600, 900}, {30, 50}, 10);
   measure(synthetic_model(), 2.0 * N_mm, random, data);
-  const Noise noise = estimate_noise(data);
+  const Noise noise = estimate_noise(data, data.measured());
   EXPECT_EQ(noise.source, NoiseSource::repeats);
   EXPECT_EQ(noise.degrees_of_freedom, 270);
   EXPECT_NEAR(noise.rms, 2.0 * N_mm, 0.2 * N_mm);  // 2.3 standard deviations at 270 degrees
@@ -44,19 +46,19 @@ TEST(Noise, ThatIsDeclaredComesFirst) {
   DataSet data = factorial_plan({1000, 5000}, {300, 600}, {40}, 3);
   measure(synthetic_model(), 2.0 * N_mm, random, data);
   declare_noise(1.5 * N_mm, data);
-  EXPECT_EQ(estimate_noise(data).source, NoiseSource::declared);
-  EXPECT_DOUBLE_EQ(estimate_noise(data).rms, 1.5 * N_mm);
+  EXPECT_EQ(estimate_noise(data, data.measured()).source, NoiseSource::declared);
+  EXPECT_DOUBLE_EQ(estimate_noise(data, data.measured()).rms, 1.5 * N_mm);
   data.noise = NoiseSource::regression;
-  EXPECT_EQ(name(estimate_noise(data).source), "regression");
+  EXPECT_EQ(name(estimate_noise(data, data.measured()).source), "regression");
   data.rows[0].std = unset;  // one row without: the declared values do not cover the set
-  EXPECT_EQ(estimate_noise(data).source, NoiseSource::repeats);
+  EXPECT_EQ(estimate_noise(data, data.measured()).source, NoiseSource::repeats);
 }
 
 TEST(Noise, IsUnknownWithoutStdAndRepeats) {
   std::mt19937 random(5);
   DataSet data = factorial_plan({1000, 3000, 5000}, {300}, {40});
   measure(synthetic_model(), 2.0 * N_mm, random, data);
-  const Noise noise = estimate_noise(data);
+  const Noise noise = estimate_noise(data, data.measured());
   EXPECT_EQ(noise.source, NoiseSource::none);
   EXPECT_TRUE(std::isnan(noise.rms));
 }

@@ -6,20 +6,21 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "tests/fit/synthetic.h"
+#include "tests/support/loop.h"
+#include "tests/support/synthetic.h"
 
 namespace raceway::fit {
 namespace {
 
 constexpr int rows = 60;
 
-FitParameter parameter(const char* name, double start, double lower, double upper, double scale) {
+Parameter parameter(const char* name, double start, double lower, double upper, double scale) {
   return {
       .name = name, .unit = "1", .start = start, .lower = lower, .upper = upper, .scale = scale};
 }
 
 /// y = a + b exp(-t / τ) at t = 0, 1, 2 ...
-Response decay(const FitParameter& amplitude, const FitParameter& time) {
+Response decay(const Parameter& amplitude, const Parameter& time) {
   Response response;
   response.parameters = {parameter("a", 1.0, -10.0, 10.0, 1.0), amplitude, time};
   response.readings = [](const Eigen::VectorXd& x) {
@@ -93,6 +94,22 @@ TEST(FitResponse, AsksForOtherShapesWhereAnAmplitudeIsZero) {
   EXPECT_LT(fit.values[2], 2.0);
 }
 
+// All trial points beyond both bounds would lie on one chord.
+TEST(Response, IsNotTakenForAffineWhereItsRangeIsNarrow) {
+  Response response;
+  response.parameters = {parameter("x", 0.52, 0.5, 0.7, 0.52)};
+  response.readings = [](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(rows, std::pow(x[0] - 0.5, 2)));
+  };
+  response.find_affine_form();
+  EXPECT_FALSE(response.affine);
+  response.readings = [](const Eigen::VectorXd& x) {
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(rows, 3.0 * x[0] + 1.0));
+  };
+  response.find_affine_form();
+  EXPECT_TRUE(response.affine);
+}
+
 TEST(ModelResponse, IsThatOfANewOneWhateverWasAskedBefore) {
   Model model = synthetic_model();
   for (const char* id : {"thermal-preload", "inlet-shear-heating", "spin-friction", "seal-friction",
@@ -103,18 +120,24 @@ TEST(ModelResponse, IsThatOfANewOneWhateverWasAskedBefore) {
     effect.values = effects::initial_values(*effect.description);
     model.effects.push_back(effect);
   }
-  const DataSet data = factorial_plan({1000.0, 8000.0, 16000.0}, {300.0, 1500.0}, {25.0, 60.0});
+  DataSet data = factorial_plan({1000.0, 8000.0, 16000.0}, {300.0, 1500.0}, {25.0, 60.0});
+  for (Row& row : data.rows) row.measured = 1.0;
   std::vector<std::string> names{"f0", "z"};
   for (const effects::Effect& e : model.effects)
     for (const effects::Parameter& p : e.description->parameters)
       names.push_back(std::string(e.description->id) + "." + std::string(p.name));
-  const Response walked = model_response(model, data, names);
+  const auto subject = subject_of(model);
+  const auto rows = std::make_shared<const Record>(data);
+  const Observations all = observe(subject->measured(), *rows, predict(*subject, *rows));
+  const auto response = [&] {
+    return response_of(*subject, rows, all, names, subject->prepare(*rows));
+  };
+  const Response walked = response();
   Eigen::VectorXd x = walked.start();
   (void)walked.readings(x);
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     x[k] += 0.01 * walked.parameters[static_cast<std::size_t>(k)].scale;
-    const Eigen::VectorXd fresh =
-        model_response(model, data, names, entered_balances(model, data)).readings(x);
+    const Eigen::VectorXd fresh = response().readings(x);
     const Eigen::VectorXd again = walked.readings(x);
     EXPECT_LE((again - fresh).cwiseAbs().maxCoeff(), 1e-12 * fresh.cwiseAbs().maxCoeff())
         << names[static_cast<std::size_t>(k)];

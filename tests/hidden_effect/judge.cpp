@@ -7,13 +7,12 @@
 #include <sstream>
 #include <utility>
 
-#include "bearing/units.h"
 #include "effects/catalogue.h"
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
-#include "fit/prediction.h"
 #include "io/data_file.h"
 #include "io/model_file.h"
+#include "io/subject.h"
 
 namespace hidden_effect {
 namespace {
@@ -45,14 +44,62 @@ std::string with_other_start(std::string model) {
 std::vector<double> exponents_of(const fit::Shape& shape) {
   std::vector<double> out(3, 0.0);
   constexpr std::string_view names[] = {"a", "b", "d"};
-  for (const fit::EffectSize& c : shape.coefficients)
+  for (const fit::Parameter& c : shape.coefficients)
     for (std::size_t k = 0; k < 3; ++k)
       if (c.name == names[k]) out[k] = c.value;
   return out;
 }
 
-fit::DataSet read(const std::string& csv, const fit::Rig& rig) {
-  return std::get<fit::DataSet>(io::parse_measurement(csv, "train.csv", rig));
+std::shared_ptr<const model::ModelSubject> subject_of(const std::string& model_text) {
+  return io::make_subject(io::parse_model(model_text, "model.toml").model);
+}
+
+record::Record read(const std::string& csv, const model::ModelSubject& subject) {
+  return io::parse_record(csv, "train.csv", subject);
+}
+
+/// A suggested point in the generator's units.
+Point point_of(const fit::SuggestedMeasurement& m) {
+  const auto value = [&](const record::Channel& channel) {
+    for (const fit::Setting& s : m.point)
+      if (*s.channel == channel) return channel.in_unit(s.value);
+    return unset;
+  };
+  return {value(record::speed), value(record::axial_load), value(record::temperature), 0.0};
+}
+
+void fill(Answer& answer, const fit::Diagnosis& d) {
+  answer.verdict = fit::name(d.verdict);
+  answer.sentence = d.sentence;
+  for (const fit::RankedEffect& e : d.effects)
+    if (e.in_verdict) answer.names.push_back(e.id);
+  // By rank: a verdict lists the base law's own exponents first whatever their gain.
+  const auto best = std::max_element(
+      d.effects.begin(), d.effects.end(),
+      [](const fit::RankedEffect& a, const fit::RankedEffect& b) { return a.gain < b.gain; });
+  if (best != d.effects.end()) answer.first = best->id;
+  for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
+    answer.suggested.insert(answer.suggested.end(), static_cast<std::size_t>(m.repeats),
+                            point_of(m));
+  if (d.shape) {
+    answer.shape = d.shape->formula;
+    answer.exponents = exponents_of(*d.shape);
+  }
+}
+
+/// Root mean square of prediction minus reading over sigma; `relative`: of prediction over true
+/// torque - 1.
+double rms_error(const fit::Subject& subject, const record::Record& record,
+                 const std::vector<Reading>& rows, bool relative) {
+  const std::vector<double> predicted = fit::predict(subject, record);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double torque = predicted[i] / N_mm;
+    const double error =
+        relative ? torque / rows[i].torque - 1.0 : (torque - rows[i].measured) / rows[i].sigma;
+    sum += error * error;
+  }
+  return std::sqrt(sum / static_cast<double>(rows.size()));
 }
 
 }  // namespace
@@ -61,37 +108,18 @@ Answer ask(const std::string& model_text, const std::string& train_text,
            const Presentation& presentation) {
   Answer answer;
   try {
-    const fit::Model model =
-        io::parse_model(presentation.other_start ? with_other_start(model_text) : model_text,
-                        "model.toml")
-            .model;
-    const fit::DataSet data =
-        read(presentation.reversed_rows ? reversed_rows(train_text) : train_text, model.rig);
+    const auto subject =
+        subject_of(presentation.other_start ? with_other_start(model_text) : model_text);
+    const record::Record data =
+        read(presentation.reversed_rows ? reversed_rows(train_text) : train_text, *subject);
     fit::DiagnoseOptions options;
-    if (presentation.reversed_catalogue) {
-      for (const effects::Description& d : effects::catalogue())
-        options.candidates.insert(options.candidates.begin(), &d);
-    }
+    if (presentation.reversed_catalogue)
+      for (const fit::Candidate& c : subject->candidates())
+        options.candidates.insert(options.candidates.begin(), c.id);
     const std::clock_t start = std::clock();
-    const fit::Diagnosis d = fit::diagnose(model, data, options);
+    const fit::Diagnosis d = fit::diagnose(*subject, data, options);
     answer.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    answer.verdict = fit::name(d.verdict);
-    answer.sentence = d.sentence;
-    for (const fit::RankedEffect& e : d.effects)
-      if (e.in_verdict) answer.names.push_back(e.id);
-    // By rank: a verdict lists the base law's own exponents first whatever their gain.
-    const auto best = std::max_element(
-        d.effects.begin(), d.effects.end(),
-        [](const fit::RankedEffect& a, const fit::RankedEffect& b) { return a.gain < b.gain; });
-    if (best != d.effects.end()) answer.first = best->id;
-    for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
-      for (int i = 0; i < m.repeats; ++i)
-        answer.suggested.push_back(
-            {m.point.speed / rpm, m.point.axial_load, m.point.temperature - celsius_zero, 0.0});
-    if (d.shape) {
-      answer.shape = d.shape->formula;
-      answer.exponents = exponents_of(*d.shape);
-    }
+    fill(answer, d);
   } catch (const std::exception& e) {
     answer.verdict = "failed";
     answer.message = e.what();
@@ -105,7 +133,7 @@ Answer ask(const Rig& rig, std::span<const Reading> readings, const Presentation
 
 Improvement improve(const Rig& rig, std::span<const std::string> names) {
   Improvement out;
-  fit::Model model = io::parse_model(model_text(rig), "model.toml").model;
+  model::Model model = io::parse_model(model_text(rig), "model.toml").model;
   for (const std::string& id : names) {
     const effects::Description* d = effects::find(id);
     if (d == nullptr) return out;
@@ -113,27 +141,19 @@ Improvement improve(const Rig& rig, std::span<const std::string> names) {
     for (const effects::Parameter& p : d->parameters)
       model.free.push_back(id + "." + std::string(p.name));
   }
-  fit::DataSet data = read(measurement_text(rig.train), model.rig);
-  data.noise = fit::NoiseSource::declared;
-  for (std::size_t i = 0; i < data.rows.size(); ++i) data.rows[i].std = rig.train[i].sigma * N_mm;
-  const fit::Calibration fitted = fit::calibrate(model, data);
+  const auto subject = io::make_subject(model);
+  record::Record data = read(measurement_text(rig.train), *subject);
+  std::vector<double> sigma;
+  for (const Reading& r : rig.train) sigma.push_back(r.sigma * N_mm);
+  data.set(record::torque_deviation, std::move(sigma));
+  const fit::Calibration fitted = fit::calibrate(*subject, data);
   out.converged = fitted.converged();
-  out.f0 = fitted.model.law_values[0];
-  out.z = fitted.model.law_values[1];
-  const auto rms_of = [&](const std::vector<Reading>& rows, const fit::DataSet& set,
-                          bool relative) {
-    const std::vector<fit::FrictionPrediction> p = fit::predict_rows(fitted.model, set);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const double torque = p[i].reading / N_mm;
-      const double error =
-          relative ? torque / rows[i].torque - 1.0 : (torque - rows[i].measured) / rows[i].sigma;
-      sum += error * error;
-    }
-    return std::sqrt(sum / static_cast<double>(rows.size()));
-  };
-  out.in_sample = rms_of(rig.train, data, false);
-  out.validation = rms_of(rig.test, read(measurement_text(rig.test), model.rig), true);
+  const model::Model& after = model::model_of(*fitted.subject);
+  out.f0 = after.law_values[0];
+  out.z = after.law_values[1];
+  out.in_sample = rms_error(*fitted.subject, data, rig.train, false);
+  out.validation =
+      rms_error(*fitted.subject, read(measurement_text(rig.test), *subject), rig.test, true);
   return out;
 }
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bearing/units.h"
+#include "record/units.h"
 #include "tests/io/message_of.h"
 
 namespace raceway::io {

@@ -1,134 +1,181 @@
 #include "io/data_file.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 
-#include "bearing/units.h"
+#include "io/subject.h"
+#include "record/units.h"
 #include "tests/io/message_of.h"
+#include "tests/support/shafts.h"
 
 namespace raceway::io {
 namespace {
 
+using record::Record;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-fit::Rig loaded_rig() {
-  fit::Rig rig;
+std::shared_ptr<const model::ModelSubject> on(const model::Rig& rig) {
+  model::Model model = fit::synthetic_model();
+  model.rig = rig;
+  return make_subject(model);
+}
+
+model::Rig loaded_rig() {
+  model::Rig rig;
   rig.axial_load = 100;
   return rig;
 }
 
-fit::Rig flywheel() {
-  fit::Rig rig;
+model::Rig flywheel() {
+  model::Rig rig;
   rig.axial_load = 0;
   rig.inertia = 0.85;
   rig.minimum_speed = 40 * rpm;
   return rig;
 }
 
-fit::DataSet data_of(const std::string& text, const fit::Rig& rig = loaded_rig()) {
-  return std::get<fit::DataSet>(parse_measurement(text, "d.csv", rig));
+Record record_of(const std::string& text, const model::Rig& rig = loaded_rig()) {
+  return parse_record(text, "d.csv", *on(rig));
 }
 
-fit::CoastDownRecord record_of(const std::string& text, const fit::Rig& rig = flywheel()) {
-  return std::get<fit::CoastDownRecord>(parse_measurement(text, "d.csv", rig));
+std::string error_of(const std::string& text, const model::Rig& rig = loaded_rig()) {
+  return message_of([&] { (void)record_of(text, rig); });
 }
 
-std::string error_of(const std::string& text, const fit::Rig& rig = loaded_rig()) {
-  return message_of([&] { (void)parse_measurement(text, "d.csv", rig); });
-}
+/// A bearing that reads torque and displacement at once.
+class TwoSensors : public model::ModelSubject {
+ public:
+  TwoSensors() : ModelSubject(fit::synthetic_model()) {}
+  [[nodiscard]] std::vector<fit::Measured> measured() const override {
+    return {{.channel = &record::friction_torque}, {.channel = &record::axial_displacement}};
+  }
+  void require(const Record&) const override {}
+  [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
+      const Record&, const std::vector<std::string>&,
+      const std::shared_ptr<const void>&) const override {
+    return nullptr;
+  }
+  [[nodiscard]] model::Expected expected() const override {
+    model::Expected e;
+    e.defaults = {{&record::speed, unset, ""}};
+    e.measured = {&record::friction_torque, &record::axial_displacement};
+    return e;
+  }
+
+ private:
+  [[nodiscard]] std::unique_ptr<ModelSubject> with(model::Model,
+                                                   std::vector<std::string>) const override {
+    return nullptr;
+  }
+};
 
 TEST(DataFile, UnitsBecomeSI) {
-  const fit::DataSet data = data_of(
+  const Record r = record_of(
       "speed_rpm,axial_load_N,radial_load_N,temperature_C,inner_ring_temperature_C,"
       "outer_ring_temperature_C,time_s,preload_N,friction_torque_Nmm,std_Nmm\n"
       "3000,600,20,25,30,28,1.5,300,120,2\n");
-  ASSERT_EQ(data.rows.size(), 1u);
-  const fit::Row& row = data.rows[0];
-  EXPECT_DOUBLE_EQ(row.point.speed, 100 * pi);
-  EXPECT_DOUBLE_EQ(row.point.axial_load, 600);
-  EXPECT_DOUBLE_EQ(row.point.radial_load, 20);
-  EXPECT_DOUBLE_EQ(row.point.temperature, 298.15);
-  EXPECT_DOUBLE_EQ(row.inner_ring_temperature, 303.15);
-  EXPECT_DOUBLE_EQ(row.outer_ring_temperature, 301.15);
-  EXPECT_DOUBLE_EQ(row.time, 1.5);
-  EXPECT_DOUBLE_EQ(row.preload, 300);
-  EXPECT_DOUBLE_EQ(row.measured, 0.12);
-  EXPECT_DOUBLE_EQ(row.std, 0.002);
-  EXPECT_EQ(row.run, -1);
-  EXPECT_EQ(row.line, 2);
-  EXPECT_EQ(data.noise, fit::NoiseSource::declared);
-  EXPECT_TRUE(data.notes.empty());
+  ASSERT_EQ(r.rows(), 1u);
+  EXPECT_DOUBLE_EQ(r.value(record::speed, 0), 100 * pi);
+  EXPECT_DOUBLE_EQ(r.value(record::axial_load, 0), 600);
+  EXPECT_DOUBLE_EQ(r.value(record::radial_load, 0), 20);
+  EXPECT_DOUBLE_EQ(r.value(record::temperature, 0), 298.15);
+  EXPECT_DOUBLE_EQ(r.value(record::inner_ring_temperature, 0), 303.15);
+  EXPECT_DOUBLE_EQ(r.value(record::outer_ring_temperature, 0), 301.15);
+  EXPECT_DOUBLE_EQ(r.value(record::time, 0), 1.5);
+  EXPECT_DOUBLE_EQ(r.value(record::preload, 0), 300);
+  EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.12);
+  EXPECT_DOUBLE_EQ(r.value(record::torque_deviation, 0), 0.002);
+  EXPECT_FALSE(r.deviation_of(record::friction_torque)->known);
+  EXPECT_EQ(r.run_of(0), -1);
+  EXPECT_EQ(r.place(0), "line 2");
+  EXPECT_TRUE(r.notes.empty());
 }
 
 TEST(DataFile, DisplacementIsAQuantityOfItsOwn) {
-  const fit::DataSet data = data_of("speed_rpm,axial_displacement_um,std_um\n1000,-12,0.5\n");
-  EXPECT_EQ(data.quantity, fit::Quantity::axial_displacement);
-  EXPECT_DOUBLE_EQ(data.rows[0].measured, -12e-6);
-  EXPECT_DOUBLE_EQ(data.rows[0].std, 0.5e-6);
+  const Record r = record_of("speed_rpm,axial_displacement_um,std_um\n1000,-12,0.5\n");
+  EXPECT_FALSE(r.has(record::friction_torque));
+  EXPECT_DOUBLE_EQ(r.value(record::axial_displacement, 0), -12e-6);
+  EXPECT_DOUBLE_EQ(r.value(record::displacement_deviation, 0), 0.5e-6);
 }
 
 TEST(DataFile, WhatTheFileLacksComesFromTheRigAndIsNoted) {
-  const fit::DataSet data = data_of("speed_rpm,friction_torque_Nmm\n1000,50\n");
-  EXPECT_EQ(data.noise, fit::NoiseSource::none);
-  EXPECT_DOUBLE_EQ(data.rows[0].point.axial_load, 100);
-  EXPECT_DOUBLE_EQ(data.rows[0].point.temperature, 313.15);
-  EXPECT_THAT(data.notes, Contains("no column axial_load_N: 100 N for all rows, from [rig]"));
-  EXPECT_THAT(data.notes, Contains("no column temperature_C: 40 C for all rows, from [rig]"));
+  const Record r = record_of("speed_rpm,friction_torque_Nmm\n1000,50\n");
+  EXPECT_EQ(r.deviation_of(record::friction_torque), nullptr);
+  EXPECT_DOUBLE_EQ(r.value(record::axial_load, 0), 100);
+  EXPECT_DOUBLE_EQ(r.value(record::temperature, 0), 313.15);
+  EXPECT_THAT(r.notes, Contains("no column axial_load_N: 100 N for all rows, from [rig]"));
+  EXPECT_THAT(r.notes, Contains("no column temperature_C: 40 C for all rows, from [rig]"));
 }
 
 TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
-  const auto one =
-      std::make_shared<const bearing::Bearing>(bearing::BearingGeometry{.ball_count = 20,
-                                                                        .ball_diameter = 0.0119,
-                                                                        .pitch_diameter = 0.09,
-                                                                        .contact_angle = 0.4,
-                                                                        .inner_conformity = 0.52,
-                                                                        .outer_conformity = 0.52},
-                                               bearing::steel(), bearing::steel());
-  const fit::Shaft shaft{
-      .arrangement = bearing::Arrangement(
-          {.front = {{one}}, .rear = {{one}}, .preload = bearing::PreloadForce{500}}),
-      .external_load = 70};
-  const fit::Rig rig;
-  const auto read = [&](const std::string& text) {
-    return std::get<fit::DataSet>(parse_measurement(text, "d.csv", rig, &shaft));
-  };
-  const fit::DataSet filled = read("speed_rpm,axial_displacement_um\n1000,2\n");
-  EXPECT_DOUBLE_EQ(filled.rows[0].point.axial_load, 70);
+  model::Model model = fit::two_against_one();
+  model.shaft->external_load = 70;
+  const auto shaft = make_subject(model);
+  const auto read = [&](const std::string& text) { return parse_record(text, "d.csv", *shaft); };
+  const Record filled = read("speed_rpm,axial_displacement_um\n1000,2\n");
+  EXPECT_DOUBLE_EQ(filled.value(record::axial_load, 0), 70);
   EXPECT_THAT(filled.notes, Contains("no column axial_load_N: 70 N for all rows, from "
                                      "external_load_N of [arrangement]"));
   EXPECT_THAT(
       read("speed_rpm,inner_ring_temperature_C,axial_displacement_um\n1000,30,2\n").notes,
       Contains("no column outer_ring_temperature_C: that of [arrangement] for all rows, else "
                "as mounted"));
-  const fit::DataSet both = read(
-      "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm,axial_displacement_um\n"
-      "1000,-40,10,90,2\n");
-  EXPECT_DOUBLE_EQ(both.rows[0].point.axial_load, -40);
-  EXPECT_EQ(both.quantity, fit::Quantity::axial_displacement);
+  const Record both = read(
+      "speed_rpm,axial_load_N,radial_load_N,friction_torque_Nmm,std_Nmm,axial_displacement_um\n"
+      "1000,-40,10,90,1,2\n");
+  EXPECT_DOUBLE_EQ(both.value(record::axial_load, 0), -40);
+  EXPECT_TRUE(both.has(record::axial_displacement));
+  EXPECT_FALSE(both.has(record::friction_torque) || both.has(record::torque_deviation));
   EXPECT_THAT(both.notes, Contains("two measured columns: axial_displacement_um is used, "
                                    "friction_torque_Nmm is not"));
   EXPECT_THAT(both.notes, Contains(HasSubstr("radial_load_N is not used")));
 }
 
+TEST(DataFile, BesideAnotherSensorACellMayBeEmpty) {
+  const std::string text =
+      "speed_rpm,friction_torque_Nmm,std_Nmm,axial_displacement_um\n"
+      "1000,50,1,\n2000,,,3\n3000,60,1,4\n";
+  const Record r = parse_record(text, "d.csv", TwoSensors());
+  EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.05);
+  EXPECT_TRUE(std::isnan(r.value(record::friction_torque, 1)));
+  EXPECT_TRUE(std::isnan(r.value(record::torque_deviation, 1)));
+  EXPECT_TRUE(std::isnan(r.value(record::axial_displacement, 0)));
+  EXPECT_DOUBLE_EQ(r.value(record::axial_displacement, 1), 3e-6);
+  EXPECT_TRUE(r.notes.empty());
+  const auto refused = [](const std::string& cells, const model::ModelSubject& subject) {
+    return message_of([&] {
+      (void)parse_record(
+          "speed_rpm,axial_load_N,friction_torque_Nmm,std_Nmm,axial_displacement_um\n" + cells,
+          "d.csv", subject);
+    });
+  };
+  // What was read has a deviation, inputs stand in every row, and a channel alone is always read.
+  EXPECT_EQ(refused("1000,9,50,,2\n", TwoSensors()), "d.csv:2: std_Nmm = \"\": is empty");
+  EXPECT_EQ(refused("1000,,50,1,2\n", TwoSensors()), "d.csv:2: axial_load_N = \"\": is empty");
+  EXPECT_EQ(refused("1000,9,,1,2\n", *on(loaded_rig())),
+            "d.csv:2: friction_torque_Nmm = \"\": is empty");
+}
+
 TEST(DataFile, RunsAreNumberedInOrderOfAppearance) {
-  const fit::DataSet data = data_of("run_id,speed_rpm,friction_torque_Nmm\nb,1,1\na,1,1\nb,2,1\n");
-  EXPECT_THAT(data.runs, ElementsAre("b", "a"));
-  EXPECT_EQ(data.rows[1].run, 1);
-  EXPECT_EQ(data.rows[2].run, 0);
+  const Record r = record_of("run_id,speed_rpm,friction_torque_Nmm\nb,1,1\na,1,1\nb,2,1\n");
+  EXPECT_THAT(r.runs, ElementsAre("b", "a"));
+  EXPECT_EQ(r.run_of(1), 1);
+  EXPECT_EQ(r.run_of(2), 0);
 }
 
 TEST(DataFile, SemicolonsDecimalCommasMarkAndCarriageReturnsAreReadWithANote) {
   const std::string path = testing::TempDir() + "german.csv";
   std::ofstream(path, std::ios::binary)
       << "\xef\xbb\xbfspeed_rpm;friction_torque_Nmm\r\n1000;50,5\r\n";
-  const auto data = std::get<fit::DataSet>(read_measurement(path, loaded_rig()));
-  EXPECT_DOUBLE_EQ(data.rows[0].measured, 0.0505);
-  EXPECT_EQ(data.notes[0],
+  const Record r = read_record(path, *on(loaded_rig()));
+  EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.0505);
+  EXPECT_EQ(r.notes[0],
             "read with semicolons, decimal commas, a byte order mark and CRLF line ends");
 }
 
@@ -138,7 +185,7 @@ TEST(DataFile, DecimalPointsAndCommasInOneFileAreAnError) {
             "them");
   EXPECT_THAT(error_of("speed_rpm;friction_torque_Nmm\n1000;1.234,5\n"), HasSubstr("ambiguous"));
   // A name is no number, whatever it looks like.
-  EXPECT_EQ(data_of("run_id;speed_rpm;friction_torque_Nmm\n5.28;1000;50,5\n").runs[0], "5.28");
+  EXPECT_EQ(record_of("run_id;speed_rpm;friction_torque_Nmm\n5.28;1000;50,5\n").runs[0], "5.28");
 }
 
 TEST(DataFile, BadCellsAreAllReportedWithTheirLines) {
@@ -191,7 +238,7 @@ TEST(DataFile, MissingColumnsAreNamed) {
 
 TEST(DataFile, AnAxialLoadMustStandSomewhere) {
   for (const char* text : {"speed_rpm,friction_torque_Nmm\n1,1\n", "time_s,speed_rpm\n1,100\n"}) {
-    fit::Rig rig;
+    model::Rig rig;
     rig.inertia = 1;
     EXPECT_THAT(error_of(text, rig), HasSubstr("write axial_load_N under [rig]"));
   }
@@ -201,25 +248,50 @@ TEST(DataFile, MisspeltColumnsAreErrorsAndForeignOnesAreNoted) {
   EXPECT_EQ(error_of("speed_rpm,friction_torque_Nm\n1,1\n"),
             "d.csv:1: column friction_torque_Nm is unknown; did you mean friction_torque_Nmm?");
   EXPECT_THAT(error_of("speed,friction_torque_Nmm\n1,1\n"), HasSubstr("did you mean speed_rpm?"));
-  const auto data = data_of("speed_rpm,friction_torque_Nmm,samples_in_median\n1,1,50\n");
+  const Record data = record_of("speed_rpm,friction_torque_Nmm,samples_in_median\n1,1,50\n");
   EXPECT_THAT(data.notes, Contains("column samples_in_median is unknown and ignored"));
 }
 
 TEST(DataFile, TimeThatGoesBackIsNoted) {
-  const auto data = data_of("time_s,speed_rpm,friction_torque_Nmm\n2,1,1\n1,1,1\n");
+  const Record data = record_of("time_s,speed_rpm,friction_torque_Nmm\n2,1,1\n1,1,1\n");
   EXPECT_THAT(data.notes, Contains("time_s goes back at line 3; rows are taken as they stand"));
 }
 
-TEST(DataFile, ACoastDownIsReadAndSlowRowsAreCounted) {
-  const auto record =
-      record_of("run_id,time_s,speed_rpm\na,0,1000\na,1,900\na,2,30\nb,0,800\nb,1,700\n");
-  EXPECT_EQ(record.samples.size(), 4u);
-  EXPECT_THAT(record.runs, ElementsAre("a", "b"));
-  EXPECT_DOUBLE_EQ(record.samples[0].speed, 1000 * rpm);
-  EXPECT_EQ(record.samples[2].line, 5);
-  EXPECT_DOUBLE_EQ(record.samples[0].point.axial_load, 0.0);
-  EXPECT_DOUBLE_EQ(record.samples[0].point.speed, record.samples[0].speed);
-  EXPECT_THAT(record.notes, Contains("1 of 5 rows below minimum_speed_rpm = 40 left out"));
+/// Rows of a run that slows down from 1000 rpm, a second apart.
+std::string falling(const std::string& run, int rows, double step = 9.0) {
+  std::string text;
+  for (int k = 0; k < rows; ++k) text += fmt::format("{},{},{:.3f}\n", run, k, 1000.0 - step * k);
+  return text;
+}
+
+TEST(DataFile, ACoastDownBecomesTorqueAndSlowRowsAreCounted) {
+  const std::string text =
+      "run_id,time_s,speed_rpm\n" + falling("a", 60) + "a,60,30\n" + falling("b", 60, 10.0);
+  const Record r = record_of(text, flywheel());
+  EXPECT_THAT(r.runs, ElementsAre("a", "b"));
+  EXPECT_THAT(r.notes, Contains("1 of 121 rows below minimum_speed_rpm = 40 left out"));
+  EXPECT_THAT(r.notes, Contains(HasSubstr("run a: ")));
+  ASSERT_GT(r.rows(), 8u);
+  EXPECT_TRUE(r.deviation_of(record::friction_torque)->known);
+  for (std::size_t i = 0; i < r.rows(); ++i) {
+    const double step = r.run_of(i) == 0 ? 9.0 : 10.0;
+    EXPECT_NEAR(r.value(record::friction_torque, i), 0.85 * step * rpm, 1e-6);
+    EXPECT_DOUBLE_EQ(r.value(record::axial_load, i), 0.0);
+    EXPECT_GE(r.line(i), r.run_of(i) == 0 ? 2 : 63);
+  }
+}
+
+TEST(DataFile, ACoastDownWithoutRunIdIsOneRun) {
+  std::string text = "time_s,speed_rpm\n";
+  for (int k = 0; k < 60; ++k) text += fmt::format("{},{}\n", k, 1000 - 9 * k);
+  const Record r = record_of(text, flywheel());
+  EXPECT_THAT(r.runs, ElementsAre("1"));
+  EXPECT_THAT(r.notes, Contains("no column run_id: all rows are taken as one run"));
+}
+
+TEST(DataFile, ACoastDownThatGivesNoTorqueIsAnErrorOfTheFile) {
+  EXPECT_EQ(error_of("run_id,time_s,speed_rpm\n" + falling("a", 5), flywheel()),
+            "d.csv: run a: 5 samples are too few for a torque, at least 7 are needed");
 }
 
 TEST(DataFile, ACoastDownNeedsTheInertia) {
@@ -240,10 +312,13 @@ TEST(DataFile, ACoastDownBelowTheMinimumSpeedIsAnError) {
 TEST(DataFile, TheFlywheelRecordIsRead) {
   const std::string path =
       std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/flywheel_unloaded.csv";
-  const auto record = std::get<fit::CoastDownRecord>(read_measurement(path, flywheel()));
-  EXPECT_EQ(record.runs.size(), 1u);
-  EXPECT_GT(record.samples.size(), 400u);
-  for (const auto& sample : record.samples) EXPECT_GE(sample.speed, 40 * rpm);
+  const Record r = read_record(path, *on(flywheel()));
+  EXPECT_EQ(r.runs.size(), 1u);
+  EXPECT_GT(r.rows(), 20u);
+  for (std::size_t i = 0; i < r.rows(); ++i) {
+    EXPECT_GE(r.value(record::speed, i), 40 * rpm);
+    EXPECT_GT(r.value(record::friction_torque, i), 0.0);
+  }
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST(DisplacementCurve, NamesTheColumnThatWasMeant) {
 TEST(DisplacementTableText, ReadsBackAsACurve) {
   const DisplacementCurve curve =
       parsed("speed_rpm,axial_displacement_um\n0,0\n1000,0.1\n2000,0.5\n3000,1.5\n4000,1.6\n");
-  const fit::DisplacementTable table = fit::make_displacement_table(curve.points);
+  const shaft::DisplacementTable table = shaft::make_displacement_table(curve.points);
   const std::string text = displacement_table_text(table, "u.csv");
   EXPECT_THAT(text, HasSubstr("speed_rpm,axial_displacement_um,slope_um_rpm\n0,0,"));
   EXPECT_THAT(text, HasSubstr("monotone"));

@@ -4,9 +4,10 @@
 #include <random>
 #include <stdexcept>
 
-#include "bearing/units.h"
 #include "effects/catalogue.h"
 #include "io/input_file.h"
+#include "model/parameters.h"
+#include "record/units.h"
 #include "tests/io/message_of.h"
 
 namespace raceway::io {
@@ -77,7 +78,7 @@ std::string error_of(const std::string& text) {
 
 TEST(ModelFile, EveryKeyIsReadInSI) {
   const ModelFile file = parse_model(complete, "m.toml");
-  const fit::Model& m = file.model;
+  const model::Model& m = file.model;
   const auto& g = m.bearing.geometry();
   EXPECT_EQ(m.name, "7014");
   EXPECT_EQ(g.ball_count, 20);
@@ -227,7 +228,7 @@ c = { value = 0.5, unit = "N mm", lower = 0.0 }
 )";
 
 TEST(ModelFile, AnEffectMayBeAFormula) {
-  const fit::Model m = parse_model(complete + windage, "m.toml").model;
+  const model::Model m = parse_model(complete + windage, "m.toml").model;
   ASSERT_EQ(m.effects.size(), 2u);
   const effects::Description& d = *m.effects[1].description;
   EXPECT_EQ(d.id, "my-windage");
@@ -263,6 +264,32 @@ TEST(ModelFile, AWrongFormulaIsShownWithItsPlace) {
 TEST(ModelFile, AnEffectsParameterMayBeFreeByItsNameAlone) {
   const auto file = parse_model(changed("spin-friction.friction", "friction"), "m.toml");
   EXPECT_THAT(file.model.free, ElementsAre("z", "spin-friction.friction_coefficient"));
+}
+
+TEST(ModelFile, ToleranceOfWhatIsPredictedIsReadInSI) {
+  const auto with = [](const std::string& loop, const std::string& further = "") {
+    return complete + "\n[loop]\n" + loop + "\n" + further;
+  };
+  const std::string sets = "[arrangement]\nlayout = \"O\"\nfront = 1\nrear = 1\npreload_N = 600\n";
+  EXPECT_TRUE(parse_model(complete, "m.toml").model.tolerances.empty());
+  const auto torque = parse_model(with("tolerance_Nmm = 2.5"), "m.toml").model.tolerances;
+  ASSERT_EQ(torque.size(), 1u);
+  EXPECT_EQ(torque[0].name, "friction_torque_Nmm");
+  EXPECT_DOUBLE_EQ(torque[0].value, 2.5e-3);
+  const auto position = parse_model(with("tolerance_um = 1", sets), "m.toml").model.tolerances;
+  ASSERT_EQ(position.size(), 1u);
+  EXPECT_EQ(position[0].name, "axial_displacement_um");
+  EXPECT_DOUBLE_EQ(position[0].value, 1e-6);
+  EXPECT_EQ(error_of(with("tolerance_um = 1")),
+            "m.toml:46: tolerance_um = 1: this model predicts friction torque, and nothing in um");
+  EXPECT_EQ(error_of(with("tolerance_K = 0.5", sets)),
+            "m.toml:46: tolerance_K = 0.5: this model predicts axial displacement, and nothing in "
+            "K");
+  EXPECT_EQ(error_of(with("tolerance_Nmm = 0")),
+            "m.toml:46: tolerance_Nmm = 0 Nmm: must be above 0");
+  EXPECT_THAT(error_of(with("tolerance_Nmm = -1")), HasSubstr("must be from 0 to 1000000000 Nmm"));
+  EXPECT_THAT(error_of(with("tolerance_Nmm = 2e9")), HasSubstr("must be from 0 to 1000000000 Nmm"));
+  EXPECT_THAT(error_of(with("tolerance_nmm = 2")), HasSubstr("did you mean tolerance_Nmm?"));
 }
 
 TEST(ModelFile, MutilatedModelsAreErrorsAndNothingElse) {
@@ -393,10 +420,10 @@ TEST(ModelEdit, AKeyLeftToItsDefaultIsAddedToItsTable) {
 
 TEST(ModelEdit, EffectsAreEditedByTheirPlace) {
   const std::string text = "[[effect]]\nid = \"a\"\nx = 1\n[[effect]]\nid = \"b\" # second\n";
-  EXPECT_EQ(edited(text, {{"effect[0].x", 0.25}, {"effect[1].y", 1e-9}}),
+  EXPECT_EQ(edited(text, {{"effect.0.x", 0.25}, {"effect.1.y", 1e-9}}),
             "[[effect]]\nid = \"a\"\nx = 0.25\n[[effect]]\nid = \"b\" # second\ny = 1e-09\n");
   EXPECT_THAT(message_of([&] {
-                (void)edited(text, {{"effect[2].x", 1}});
+                (void)edited(text, {{"effect.2.x", 1}});
               }),
               HasSubstr("no such table"));
 }
@@ -412,14 +439,14 @@ TEST(ModelEdit, EveryValueReadsBackExactly) {
 
 TEST(ModelEdit, TheEditedModelHoldsTheNewValues) {
   const std::string text =
-      edited(complete, {{"friction.f0", 2.125}, {"effect[0].friction_coefficient", 0.0625}});
-  const fit::Model m = parse_model(text, "m.toml").model;
+      edited(complete, {{"friction.f0", 2.125}, {"effect.0.friction_coefficient", 0.0625}});
+  const model::Model m = parse_model(text, "m.toml").model;
   EXPECT_EQ(m.law_values[0], 2.125);
   EXPECT_EQ(m.effects[0].values[0], 0.0625);
 }
 
 TEST(ModelEdit, TheValueOfAFormulasParameterIsEditedInItsTable) {
-  const std::string text = edited(complete + windage, {{"effect[1].c", 0.75}});
+  const std::string text = edited(complete + windage, {{"effect.1.c", 0.75}});
   EXPECT_THAT(text, HasSubstr("c = { value = 0.75, unit = \"N mm\", lower = 0.0 }"));
 }
 
@@ -431,7 +458,7 @@ TEST(ModelEdit, AnAddedEffectReadsBackAsItIs) {
   text = with_effect(text, drag);
   text = with_effect(text, parse_model(complete + windage, "m.toml").model.effects[1]);
   EXPECT_TRUE(text.starts_with(complete));
-  const fit::Model m = parse_model(text, "m.toml").model;
+  const model::Model m = parse_model(text, "m.toml").model;
   ASSERT_EQ(m.effects.size(), 3u);
   EXPECT_EQ(m.effects[1].description, drag.description);
   EXPECT_EQ(m.effects[1].values, drag.values);
@@ -444,62 +471,23 @@ TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
   const std::string bearing = complete.substr(0, complete.find("[calibration]"));
   const std::string shaft =
       bearing + "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n";
-  for (const effects::Subject subject : {effects::Subject::bearing, effects::Subject::shaft})
-    for (const effects::Description& d : effects::catalogue(subject)) {
+  for (const effects::Form form : {effects::Form::rig, effects::Form::shaft})
+    for (const effects::Description& d : effects::catalogue(form)) {
       SCOPED_TRACE(d.id);
+      const bool on_shaft = form == effects::Form::shaft;
       const effects::Effect effect{.description = &d, .values = effects::initial_values(d)};
-      const std::string text =
-          with_effect(subject == effects::Subject::shaft ? shaft : bearing, effect);
-      if (!d.belongs_to(subject)) {
+      const std::string text = with_effect(on_shaft ? shaft : bearing, effect);
+      if (!d.belongs_to(form)) {
         EXPECT_THAT(error_of(text),
-                    HasSubstr(subject == effects::Subject::shaft
-                                  ? "acts on a bearing on a rig, but this model is of a shaft"
-                                  : "but this model has no [arrangement]"));
+                    HasSubstr(on_shaft ? "acts on a bearing on a rig, but this model is of a shaft"
+                                       : "but this model has no [arrangement]"));
         continue;
       }
-      const fit::Model m = parse_model(text, "m.toml").model;
+      const model::Model m = parse_model(text, "m.toml").model;
       ASSERT_EQ(m.effects.size(), 1u);
       EXPECT_EQ(m.effects[0].description, &d);
       EXPECT_EQ(m.effects[0].values, effect.values);
     }
-}
-
-TEST(ModelEdit, EveryParameterOfAModelHasItsPlaceInTheFile) {
-  const ModelFile file = parse_model(complete, "m.toml");
-  std::vector<KeyValue> changes;
-  for (const fit::ModelParameter& p : fit::model_parameters(file.model))
-    changes.push_back({file_key(p), p.initial + 0.25 * (p.upper - p.initial)});
-  const fit::Model m = parse_model(with_values(complete, changes), "m.toml").model;
-  const auto parameters = fit::model_parameters(m);
-  ASSERT_EQ(parameters.size(), 4u);
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    EXPECT_EQ(parameters[k].get(m), changes[k].value) << changes[k].key;
-}
-
-TEST(ModelEdit, EveryParameterOfAShaftHasItsPlaceInTheFile) {
-  const std::string text = complete +
-                           "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\n"
-                           "preload_N = 600\n";
-  const fit::Model before = parse_model(text, "m.toml").model;
-  int numbers = 0;
-  for (const fit::ModelParameter& p : fit::model_parameters(before)) {
-    if (p.shaft == fit::ShaftNumber::none) continue;
-    ++numbers;
-    const double value = 1.01 * p.get(before);
-    std::vector<KeyValue> changes;
-    for (const std::string& key : file_keys(p)) changes.push_back({key, value});
-    const fit::Model after = parse_model(with_values(text, changes), "m.toml").model;
-    EXPECT_NEAR(p.get(after), value, 1e-12 * value) << p.name;
-    fit::Model set = before;
-    p.set(set, value);
-    EXPECT_NEAR(set.shaft->arrangement.displacement(bearing::Side::rear),
-                after.shaft->arrangement.displacement(bearing::Side::rear), 1e-15)
-        << p.name;
-  }
-  EXPECT_GE(numbers, 4);
-  const std::string own = text + "[arrangement.rear_bearing]\ncontact_angle_deg = 20\n";
-  for (const fit::ModelParameter& p : fit::model_parameters(parse_model(own, "m.toml").model))
-    EXPECT_TRUE(p.shaft == fit::ShaftNumber::none || p.shaft == fit::ShaftNumber::preload);
 }
 
 }  // namespace

@@ -35,5 +35,12 @@ TEST(Names, NamesThatAreFarFromAllHaveNoNearest) {
   EXPECT_EQ(suggestion("ball_cont", keys), "; did you mean ball_count?");
 }
 
+TEST(Names, AreListedWithAWordBeforeTheLast) {
+  EXPECT_EQ(listed(std::vector<std::string>{}), "");
+  EXPECT_EQ(listed(std::vector<std::string>{"a"}), "a");
+  EXPECT_EQ(listed(std::vector<std::string>{"a", "b", "c"}), "a, b and c");
+  EXPECT_EQ(listed(std::vector<std::string>{"a", "b"}, "or"), "a or b");
+}
+
 }  // namespace
 }  // namespace raceway::io

@@ -76,6 +76,27 @@ TEST(Report, NoTextOfTheDocumentCanEndItsData) {
   EXPECT_THAT(page, Not(HasSubstr("alert(1)</script>")));
 }
 
+TEST(Report, OfSeveralChannelsThePageDrawsTheFirstAndNamesTheOthers) {
+  if (!report_available()) GTEST_SKIP() << "built with -DRACEWAY_REPORT=OFF";
+  record::Record record{.source = "d.csv", .columns = {}, .runs = {}, .lines = {}, .notes = {}};
+  record.set(record::speed, rising(20));
+  record.set(record::friction_torque, rising(20));
+  record.set(record::axial_displacement, rising(20));
+  record.find(record::friction_torque)->values[3] = unset;
+  const std::vector<double> predicted(20, 1.0);
+  std::vector<fit::Comparison> channels;
+  for (const record::Channel* c : {&record::friction_torque, &record::axial_displacement})
+    channels.push_back(fit::compare(predicted, record, {.channel = c}));
+  const std::string page = comparison_report({"m.toml"}, {}, {channels}, record);
+  const std::string open = "id=\"document\">";
+  const std::size_t begin = page.find(open) + open.size();
+  const json d = json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  EXPECT_EQ(d["quantity"]["name"], "friction_torque");
+  EXPECT_EQ(d["other_channels"], json({"axial displacement"}));
+  EXPECT_EQ(d["rows"]["total"], 19) << "rows in which the first was read";
+  EXPECT_EQ(d["results"]["channels"].size(), 2u);
+}
+
 TEST(Report, ThePageAllowsItsOwnScriptAndStyleAlone) {
   if (!report_available()) GTEST_SKIP() << "built with -DRACEWAY_REPORT=OFF";
   const std::string page = report_page("{}");

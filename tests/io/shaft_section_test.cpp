@@ -60,7 +60,7 @@ TEST(ShaftSection, ReadsEveryKeyIntoSi) {
       "shaft_expansion_1e6_K = 12\nhousing_expansion_1e6_K = 10.5\nmounting_temperature_C = 22\n"
       "inner_ring_temperature_C = 40\nouter_ring_temperature_C = 36\nball_temperature_C = 39\n"
       "shaft_temperature_C = 41\nhousing_temperature_C = 33\n");
-  const fit::Shaft& shaft = *file.model.shaft;
+  const model::Shaft& shaft = *file.model.shaft;
   const bearing::ArrangementDesign& d = shaft.arrangement.design();
   EXPECT_EQ(d.layout, bearing::Layout::face_to_face);
   EXPECT_EQ(d.front.size(), 3u);

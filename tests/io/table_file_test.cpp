@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bearing/units.h"
+#include "record/units.h"
 #include "tests/io/message_of.h"
 
 namespace raceway::io {

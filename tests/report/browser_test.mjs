@@ -62,6 +62,7 @@ before(async () => {
   write('shafttable', 'table', spindle, '--speed', '0:16000:1000', '--axial-load', '0,500');
   write('displacement', 'displacement', spindle, '--speed', '0:16000:250', '-o', file('kinematic.csv'));
   measureShaft();
+  write('shaftdata', 'table', file('shaft.toml'), '--speed', '0:16000:1000', '--axial-load', '0', '--data', file('shaft.csv'));
   raceway('calibrate', file('shaft.toml'), file('shaft.csv'), '-o', file('fitted.toml'));
   write('comparedshaft', 'compare', file('shaft.toml'), file('fitted.toml'), file('shaft.csv'));
   write('shaftdiagnosis', 'diagnose', file('shaft.toml'), file('grown.csv'));
@@ -150,6 +151,7 @@ const expected = {
   comparedshaft: { ladder: 2, parity: 48, 'residual-speed': 48, 'residual-preload': 48, 'residual-order-of-the-rows': 48, map: 24 },
   table: { stribeck: 34, parts: 51, angles: 136, balls: 68, around: 100 },
   shafttable: { stribeck: 33, parts: 51 },
+  shaftdata: { stribeck: 16, position: 32, parts: 51 },
   displacement: { displacement: 11, 'law-residual': 11, forces: 22, stiffness: 11, 'contact-angles': 44, 'ball-loads': 44, pressures: 44, torque: 33, power: 33, heat: 44 },
   coastdown: { ladder: 1, ranking: 12, share: 41, hidden: 27, parity: 41, 'residual-speed': 41, 'residual-order-of-the-rows': 41, map: 8, plan: 41, detectable: 14 },
   several: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 123, detectable: 20 },
@@ -214,6 +216,27 @@ test('table: holds the numbers that --json prints', async () => {
   await close();
 });
 
+test('table of a shaft: measured displacement is drawn as it is, at the preload of the model', async () => {
+  const { page, faults, close } = await open('shaftdata');
+  const { measured, preload_N: preload } = await documentOf(page);
+  const column = (name) => measured.rows.columns.find((c) => c.name === name);
+  const lines = readFileSync(file('shaft.csv'), 'utf8').trim().split('\n').slice(1).map((line) => line.split(','));
+  assert.equal(measured.quantity.unit, 'um');
+  assert.deepEqual(column('measured_um').values, lines.map((cells) => Number(cells[3])));
+  assert.equal(preload, 600);
+  const told = new Set();
+  await page.locator('#position .chart').scrollIntoViewIfNeeded();
+  for (const [x, y] of await shapes(page, 'position')) {
+    await page.mouse.move(x, y);
+    await page.waitForTimeout(20);
+    for (const text of await page.$$eval('#position .tip', (tips) => tips.map((t) => t.textContent))) told.add(text);
+  }
+  assert.ok([...told].some((text) => /measured, line \d+/.test(text)), [...told].join('; '));
+  for (const text of told) assert.doesNotMatch(text, /preload(300|1200)/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test('displacement: holds the numbers that --json and fit-law print, and the law is that of its parameters', async () => {
   const { page, faults, close } = await open('displacement');
   const held = await documentOf(page);
@@ -267,17 +290,19 @@ test('displacement: warnings stand on the page as the command says them, and wit
 
 test('compare: the ladder shows every model in its order against the noise, and what each has that the last had not', async () => {
   const { page, faults, close } = await open('compare');
-  const { estimated_noise: noise, steps } = await documentOf(page);
+  const { steps } = await documentOf(page);
   const { models } = results.compare;
   assert.equal(models[0].noise.rms, null);
+  // The page states what the JSON states.
+  const noise = models[models.length - 1].noise.estimated_rms;
   // The rows have 2 % of noise; a diagnosis of other rows of the same rig finds 10.1 N mm.
   assert.ok(Math.abs(noise / results.diagnose.noise.rms - 1) < 0.3, `${noise}`);
   assert.deepEqual((await tableOf(page, 'ladder')).map((row) => [row[1], row[4]]), models.map((m) => [m.rmse, m.rmse / noise]));
   assert.ok(models[0].rmse > models[1].rmse && models[1].rmse > models[2].rmse);
   assert.deepEqual(steps.map((s) => s.added), [[], ['lubricant-drag']]);
   const told = await page.$$eval('#steps tbody tr', (rows) => rows.map((r) => r.lastChild.textContent));
-  assert.match(told[0], /^f0 2 → 1\.7\d+, z 0\.0008 → 0\.0009\d+$/);
-  assert.match(told[1], /^\+ lubricant-drag, f0 1\.7\d+ → 1\.498, z .*, lubricant-drag\.torque_at_10000_rpm_Nmm = 65\.25 N mm$/);
+  assert.match(told[0], /^f0 2 → 1\.6\d+, z 0\.0008 → 0\.0009\d+$/);
+  assert.match(told[1], /^\+ lubricant-drag, f0 1\.6\d+ → 1\.498, z .*, lubricant-drag\.torque_at_10000_rpm_Nmm = 65\.12 N mm$/);
   assert.deepEqual(faults, []);
   await close();
 });

@@ -1,7 +1,9 @@
 // What the pictures share: axes, legends, bands, bars with a line.
-import type { Option } from './figure';
+import type { EChartsCoreOption } from 'echarts/core';
 import type { Look } from './look';
 import { plain } from './text';
+
+export type Option = EChartsCoreOption;
 
 const letter = 6.6; // about the width of a character at 12 px
 const gap = 12; // between the entries of a legend

@@ -28,7 +28,8 @@ export interface MisfitCell {
 }
 
 export interface MisfitMap {
-  up_variable: string;
+  across_column: string;
+  up_column: string;
   across: AxisRange[];
   up: AxisRange[];
   needed_sigmas: number;
@@ -63,7 +64,7 @@ export interface Comparison {
   max_abs: number;
   bias: number;
   fit_percent: number | null;
-  noise: { rms: number | null; source: string };
+  noise: { rms: number | null; source: string; estimated_rms?: number };
   lack_of_fit: { statistic: number | null; p_value: number | null };
   statement: string;
   where: ErrorRange[];
@@ -138,6 +139,9 @@ export interface Diagnosis {
   not_testable: { id: string; missing: string }[];
   suggested_measurements: Suggested[];
   messages: string[];
+  /// With a tolerance: whether the refitted model is good enough on rows left out.
+  within_tolerance?: boolean;
+  significant_but_immaterial?: string[];
   /// With the formula under the name of the reading, torque_Nmm.
   shape?: {
     coefficients: Record<string, Size>;
@@ -199,6 +203,7 @@ interface WithRows extends Common {
   inputs: string[]; // columns of what was set
   models: Predicted[];
   runs: string[];
+  other_channels?: string[]; // measured as well, and not drawn
 }
 
 /// What changed from one model to the next.
@@ -220,7 +225,6 @@ export interface CompareReport extends WithRows {
   kind: 'compare';
   results: Comparison | { models: Comparison[] };
   steps: Step[]; // between the models
-  estimated_noise?: number; // where the data do not tell it
 }
 
 export interface DiagnoseReport extends WithRows {
@@ -241,7 +245,8 @@ export interface TableReport extends Common {
   results: TableResults;
   states: BearingState[];
   data?: string;
-  measured?: { rows: ColumnData };
+  measured?: { rows: ColumnData; quantity: MeasuredQuantity };
+  preload_N?: number; // of the model of a shaft
 }
 
 export interface KinematicLaw {

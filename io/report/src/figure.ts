@@ -10,9 +10,10 @@ import {
   VisualMapComponent,
 } from 'echarts/components';
 import * as echarts from 'echarts/core';
-import type { ECharts, EChartsCoreOption } from 'echarts/core';
+import type { ECharts } from 'echarts/core';
 import { CanvasRenderer, SVGRenderer } from 'echarts/renderers';
 import { fonts } from './chart';
+import type { Option } from './chart';
 import { darkQuery, look, printQuery, setPrinting } from './look';
 import type { Look } from './look';
 import { dash, el, number } from './text';
@@ -34,7 +35,6 @@ echarts.use([
   VisualMapComponent,
 ]);
 
-export type Option = EChartsCoreOption;
 export type Cell = string | number | null;
 
 /// Columns with units; a cell is text or a number in full.

@@ -1,8 +1,9 @@
 // The rows of a data set against one of several models: measured against predicted, residuals, map.
 import { band, categoryAxis, errorBars, legend, valueAxis } from './chart';
+import type { Option } from './chart';
 import type { AxisRange, Predicted, ReportOfRows } from './document';
 import { Rows } from './document';
-import type { Cell, Hit, Option, Table } from './figure';
+import type { Cell, Hit, Table } from './figure';
 import { choice, Figure, tooltip } from './figure';
 import type { Group } from './groups';
 import { groups, mean, rms, thinned } from './groups';
@@ -365,11 +366,20 @@ function cellLabels(values: number[], most: number, width: number): { texts: str
   return undefined;
 }
 
-export function misfitMap(view: FitView): HTMLElement {
+/// "axial load [N]" of a column; runs have names.
+function planTitle(column: string): string {
+  return column === 'run_id' ? 'run' : axisTitle(column);
+}
+
+/// Undefined where nothing was swept.
+export function misfitMap(view: FitView): HTMLElement | undefined {
   const map = () => (view.report.models[view.model] as Predicted).map;
+  if (map().cells.length === 0) return undefined;
   const known = map().cells.some((c) => c.sigmas !== null);
-  const up = () => map().up_variable.replace('_', ' ');
-  const unit = () => ({ axial_load: ' [N]', radial_load: ' [N]', preload: ' [N]', temperature: ' [°C]' })[map().up_variable] ?? '';
+  const acrossTitle = () => planTitle(map().across_column);
+  const upTitle = () => planTitle(map().up_column);
+  /// A range with its unit, or a run.
+  const place = (range: AxisRange, column: string) => `${rangeText(range)} ${quantity(column).unit}`.trim();
   return view.add(
     new Figure({
       id: 'map',
@@ -395,21 +405,21 @@ export function misfitMap(view: FitView): HTMLElement {
             const c = cells[hit.dataIndex];
             if (!c) return null;
             return [
-              `${rangeText(across[c.across] as AxisRange)} rpm, ${up()} ${rangeText(rows[c.up] as AxisRange)}${unit().replace(/[[\]]/g, '')}`,
+              `${place(across[c.across] as AxisRange, map().across_column)}, ${upTitle().replace(/ \[.*/, '')} ${place(rows[c.up] as AxisRange, map().up_column)}`,
               ['mean of predicted − measured', `${signed(c.bias)} ${view.unit}`],
               ['rows', String(c.rows)],
               ...(c.sigmas === null ? [] : ([['in standard errors', signed(c.sigmas, 3)], ['needed', number(map().needed_sigmas, 3)]] as [string, string][])),
             ];
           }),
           xAxis: categoryAxis(across.map(rangeText), l, {
-            name: 'speed [rpm]',
+            name: acrossTitle(),
             nameLocation: 'middle',
             nameGap: slanted ? 50 : 28,
             nameTextStyle: { color: l.muted },
             axisLabel: { color: l.muted, fontSize: 11, interval: 0, rotate: slanted ? 40 : 0 },
           }),
           yAxis: categoryAxis(rows.map(rangeText), l, {
-            name: up() + unit(),
+            name: upTitle(),
             nameTextStyle: { color: l.muted, align: 'left', padding: [0, 0, 0, -left + 8] },
             nameGap: 10,
             axisLabel: { color: l.muted, fontSize: 11, interval: 0 },
@@ -450,7 +460,7 @@ export function misfitMap(view: FitView): HTMLElement {
         };
       },
       table: () => ({
-        columns: ['speed [rpm]', up() + unit(), 'rows', `mean of predicted − measured [${view.unit}]`, 'in standard errors', 'beyond chance'],
+        columns: [acrossTitle(), upTitle(), 'rows', `mean of predicted − measured [${view.unit}]`, 'in standard errors', 'beyond chance'],
         rows: map().cells.map((c) => [
           rangeText(map().across[c.across] as AxisRange),
           rangeText(map().up[c.up] as AxisRange),

@@ -1,7 +1,7 @@
 // Builds the page from the document inside it: one function for each command that writes reports.
 import { detectable, effectNodes, plan, ranking } from './diagnosis';
 import { readDocument, Rows } from './document';
-import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, DisplacementReport, Report, TableReport } from './document';
+import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, Diagnosis, DisplacementReport, Report, TableReport } from './document';
 import { drawAll } from './figure';
 import type { Figure } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
@@ -57,10 +57,27 @@ function fitSection(view: FitView): HTMLElement {
   const thinning = drawnNote(view);
   return section(
     'Where it fits, and where not',
+    others(view),
     choices(view),
     thinning ? el('p', { class: 'note', id: 'thinned' }, thinning) : undefined,
     grid(parity(view), ...residuals(view), misfitMap(view)),
   );
+}
+
+/// Says what else was measured: the pictures are of one channel.
+function others(view: FitView): HTMLElement | undefined {
+  const { other_channels: words = [] } = view.report;
+  return words.length ? el('p', { class: 'note', id: 'others' }, `Measured as well, and not drawn here: ${words.join(', ')}. The results as JSON have all channels.`) : undefined;
+}
+
+/// What does not matter to whoever uses the model, and the error on rows left out that it is held against.
+function toleranceFacts(d: Diagnosis, { unit, key }: FitView): [string, string][] {
+  const [tolerance, held] = [`tolerance_${key}`, `rmse_held_out_${key}`].map((name) => (d as unknown as Record<string, unknown>)[name]);
+  if (typeof tolerance !== 'number') return [];
+  return [
+    ['tolerance', `${number(tolerance, 3)} ${unit}`],
+    ['on rows left out', typeof held === 'number' ? `${number(held, 3)} ${unit}` : dash],
+  ];
 }
 
 /// A diagnosis estimates the noise, unless the torques of a coast-down brought theirs.
@@ -85,8 +102,8 @@ function compare(report: CompareReport): Node[] {
   const several = comparisons.length > 1;
   const view = new FitView(report, comparisons.length - 1);
   const { unit } = view;
-  const estimated = first.noise.rms === null && report.estimated_noise !== undefined;
-  const noise = first.noise.rms ?? report.estimated_noise ?? null;
+  const estimated = first.noise.rms === null && last.noise.estimated_rms !== undefined;
+  const noise = first.noise.rms ?? last.noise.estimated_rms ?? null;
   const source = estimated ? 'estimated' : first.noise.source;
   const floor = noise === null ? '' : `; noise ${number(noise, 3)} ${unit}${estimated ? ', estimated' : ''}`;
   const steps = report.steps.map((step, k) => [
@@ -145,6 +162,7 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
       [`noise, ${sourceIn(d.baseline)}`, `${number(d.noise.rms, 3)} ${unit}`],
       ['rows', String(d.rows)],
       ['misfit by chance', probability(d.p_value)],
+      ...toleranceFacts(d, view),
       ...(effects.length ? ([['the rest by chance', probability(d.remaining_p_value)]] as [string, string][]) : []),
     ]),
     section(

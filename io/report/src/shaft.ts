@@ -1,8 +1,8 @@
 // A shaft against speed: its displacement and the law of it, forces of the sets, every bearing.
 import { legend, valueAxis } from './chart';
+import type { Option } from './chart';
 import type { DisplacementReport } from './document';
 import { Rows } from './document';
-import type { Option } from './figure';
 import { Figure, tooltip } from './figure';
 import { thinned } from './groups';
 import type { Look } from './look';

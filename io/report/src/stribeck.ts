@@ -1,8 +1,8 @@
 // A Stribeck table: torque, its parts and contact angles against speed, loads around the bearing.
 import { legend, valueAxis } from './chart';
+import type { Option } from './chart';
 import type { BearingState, TableReport } from './document';
 import { Rows } from './document';
-import type { Option } from './figure';
 import { choice, Figure, tooltip } from './figure';
 import { thinned } from './groups';
 import { dashes, ordered, symbols } from './look';
@@ -25,16 +25,33 @@ interface Slice {
   rows: number[];
 }
 
+const pointsNote = 'Points: measured within 10 % of the loads of a curve and 5 K of its temperature.';
+
+/// What is drawn against speed, and readings of it.
+interface CurvesOf {
+  id: string;
+  title: string;
+  column: string;
+  points: Rows | undefined;
+  reading: string; // column of the points
+  note: string;
+  choices: HTMLElement[];
+}
+
 export function tableFigures(report: TableReport): Figure[] {
   const rows = new Rows(report.rows);
   const axials = distinct(rows.get('axial_load_N'));
   const radials = distinct(rows.get('radial_load_N'));
   const temperatures = distinct(rows.get('temperature_C'));
+  const measured = report.measured ? new Rows(report.measured.rows) : undefined;
+  const torques = measured?.has('measured_Nmm') ? measured : undefined;
+  const positions = measured?.has('measured_um') && rows.has('axial_displacement_um') ? measured : undefined;
   const chosen = { radial: 0, temperature: 0, axial: axials.length - 1, logarithmic: false };
   const figures: Figure[] = [];
   const note = [
     axials.length > mostCurves ? `${mostCurves} of ${axials.length} axial loads are drawn, the table has all.` : '',
-    report.measured ? 'Points: measured within 10 % of the loads of a curve and 5 K of its temperature.' : '',
+    torques ? pointsNote : '',
+    measured && !torques && !positions ? `The table has no ${report.measured?.quantity.in_words}: what was measured is not drawn.` : '',
   ].join(' ').trim();
   const redraw = () => {
     for (const figure of figures) figure.draw();
@@ -64,33 +81,36 @@ export function tableFigures(report: TableReport): Figure[] {
     rows: Array.from({ length: rows.count }, (_, k) => ['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C', ...names].map((name) => (Number.isFinite(rows.at(name, k)) ? rows.at(name, k) : null))),
   });
 
-  const measured = report.measured ? new Rows(report.measured.rows) : undefined;
-  /// Measured points that belong to a curve.
-  const near = (axial: number): number[] => {
-    if (!measured) return [];
+  /// Measured points that belong to a curve; what was not recorded is as the curve has it.
+  const near = (points: Rows | undefined, axial: number): number[] => {
+    if (!points) return [];
+    const curve: [string, number | undefined, (value: number) => number][] = [
+      ['axial_load_N', axial, (load) => 0.1 * Math.abs(load) + 1],
+      ['radial_load_N', radials[chosen.radial], (load) => 0.1 * load + 1],
+      ['temperature_C', temperatures[chosen.temperature], () => 5],
+      ['preload_N', report.preload_N, (load) => 0.1 * load],
+    ];
     const list: number[] = [];
-    const temperature = temperatures[chosen.temperature] as number;
-    const radial = radials[chosen.radial] as number;
-    for (let k = 0; k < measured.count; ++k) {
-      const load = measured.at('axial_load_N', k);
-      if (Math.abs(load - axial) <= 0.1 * axial + 1 && Math.abs(measured.at('radial_load_N', k) - radial) <= 0.1 * radial + 1 && Math.abs(measured.at('temperature_C', k) - temperature) <= 5) list.push(k);
-    }
+    for (let k = 0; k < points.count; ++k)
+      if (curve.every(([name, value, width]) => value === undefined || !points.has(name) || Math.abs(points.at(name, k) - value) <= width(value))) list.push(k);
     return list;
   };
-  figures.push(
+  /// Curves of a column for each axial load, and what was measured of it.
+  const against = ({ id, title, column, points, reading, note: below, choices }: CurvesOf): Figure =>
     new Figure({
-      id: 'stribeck',
-      title: 'Stribeck curves',
-      note,
+      id,
+      title,
+      note: below,
       wide: true,
       height: 420,
       marks: rows.count / 4,
-      controls: [...controls(), choice('Speed axis', ['linear', 'logarithmic'], 0, (k) => ((chosen.logarithmic = k === 1), redraw()))],
+      controls: choices,
       option: (l, width) => {
         const curves = shown();
         const names = curves.map((c) => `${plain(c.axial)} N`);
         const colours = ordered(curves.length, l);
         const top = legend(names, width, l, curves.map((_, k) => symbols[k % symbols.length]));
+        const { label, unit } = quantity(column);
         const series: Option[] = curves.map((c, k) => ({
           type: 'line',
           name: names[k],
@@ -98,7 +118,7 @@ export function tableFigures(report: TableReport): Figure[] {
           symbolSize: 4,
           lineStyle: { color: colours[k], width: 2.2, type: dashes[k % dashes.length] },
           itemStyle: { color: colours[k] },
-          data: c.rows.filter((row) => !chosen.logarithmic || rows.at('speed_rpm', row) > 0).map((row) => [rows.at('speed_rpm', row), rows.at('friction_torque_Nmm', row), row]),
+          data: c.rows.filter((row) => !chosen.logarithmic || rows.at('speed_rpm', row) > 0).map((row) => [rows.at('speed_rpm', row), rows.at(column, row), row]),
         }));
         curves.forEach((c, k) =>
           series.push({
@@ -108,7 +128,7 @@ export function tableFigures(report: TableReport): Figure[] {
             symbolSize: 9,
             z: 6,
             itemStyle: { color: colours[k], borderColor: l.ink, borderWidth: 1 },
-            data: thinned(near(c.axial), 400).map((row) => [measured?.at('speed_rpm', row), measured?.at('measured_Nmm', row), row, 'measured']),
+            data: thinned(near(points, c.axial), 400).map((row) => [points?.at('speed_rpm', row), points?.at(reading, row), row, 'measured']),
           }),
         );
         return {
@@ -116,23 +136,45 @@ export function tableFigures(report: TableReport): Figure[] {
           grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
           tooltip: tooltip(l, (hit) => {
             const value = hit.value as (number | string)[];
-            const source = value[3] === 'measured' && measured ? measured : rows;
+            const source = value[3] === 'measured' && points ? points : rows;
             const k = value[2] as number;
             return [
               source === rows ? 'computed' : `measured, line ${plain(source.at('line', k))}`,
-              ...['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C'].map((name): [string, string] => [quantity(name).label, withUnit(source.at(name, k), name)]),
-              ['friction torque', `${number(value[1] as number)} N mm`],
+              ...['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C', 'preload_N'].filter((name) => source.has(name)).map((name): [string, string] => [quantity(name).label, withUnit(source.at(name, k), name)]),
+              [label, `${number(value[1] as number)} ${unit}`],
             ];
           }),
           xAxis: valueAxis(axisTitle('speed_rpm'), l, 'x', chosen.logarithmic ? { type: 'log' } : {}),
-          yAxis: valueAxis(`friction torque [N mm], ${place()}`, l, 'y', { scale: false }),
+          yAxis: valueAxis(`${axisTitle(column)}, ${place()}`, l, 'y', { scale: false }),
           series,
         };
       },
-      table: columns(['friction_torque_Nmm']),
+      table: columns([column]),
       csv: columns(rows.names.slice(4)),
+    });
+  figures.push(
+    against({
+      id: 'stribeck',
+      title: 'Stribeck curves',
+      column: 'friction_torque_Nmm',
+      points: torques,
+      reading: 'measured_Nmm',
+      note,
+      choices: [...controls(), choice('Speed axis', ['linear', 'logarithmic'], 0, (k) => ((chosen.logarithmic = k === 1), redraw()))],
     }),
   );
+  if (positions)
+    figures.push(
+      against({
+        id: 'position',
+        title: 'Displacement of the shaft',
+        column: 'axial_displacement_um',
+        points: positions,
+        reading: 'measured_um',
+        note: `Positive towards the tool. ${pointsNote}${positions.has('preload_N') ? ' Of other preloads than that of the model none are drawn.' : ''}`,
+        choices: [],
+      }),
+    );
 
   const parts = report.results.parts.filter((name) => rows.has(name));
   figures.push(

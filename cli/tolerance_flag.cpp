@@ -1,0 +1,89 @@
+#include "cli/tolerance_flag.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "io/csv.h"
+#include "io/error.h"
+#include "io/number_text.h"
+#include "io/subject.h"
+
+namespace raceway::cli {
+namespace {
+
+struct Tolerance {
+  double value = unset;
+  std::string unit = {};
+};
+
+[[noreturn]] void refuse(const std::string& text, const std::string& why) {
+  throw io::InputError(fmt::format("--tolerance: {}: {}", io::quoted(text), why));
+}
+
+/// "2 N mm" is 2 and "Nmm".
+Tolerance parsed(const std::string& text) {
+  Tolerance t;
+  std::string packed = text;
+  std::erase(packed, ' ');
+  const char* const last = packed.data() + packed.size();
+  const auto [end, error] = std::from_chars(packed.data(), last, t.value);
+  if (error != std::errc() || end == last)
+    refuse(text, "write a number and its unit, as 2Nmm or 2um,0.5K");
+  if (!std::isfinite(t.value) || t.value <= 0.0) refuse(text, "must be a number above 0");
+  t.unit.assign(end, last);
+  return t;
+}
+
+std::string allowed(const std::vector<fit::Measured>& measured) {
+  std::vector<std::string> units;
+  for (const fit::Measured& m : measured)
+    units.push_back(fmt::format("{} ({})", io::difference_unit(*m.channel), m.channel->words));
+  return fmt::format("{}", fmt::join(units, ", "));
+}
+
+bool has_tolerance(const model::Model& model, const record::Channel& channel) {
+  return std::any_of(model.tolerances.begin(), model.tolerances.end(),
+                     [&](const record::NamedValue& t) { return t.name == channel.name; });
+}
+
+}  // namespace
+
+void ToleranceFlag::declare(CLI::App& command) {
+  command
+      .add_option("--tolerance", text,
+                  "error on held-out rows below which nothing matters, e.g. 2Nmm or\n"
+                  "2um,0.5K; default [loop] of the model")
+      ->type_name("VALUES");
+}
+
+void ToleranceFlag::set(io::ModelFile& file) const {
+  if (text.empty()) return;
+  const std::vector<fit::Measured> measured = io::make_subject(file.model)->measured();
+  std::istringstream items(text);
+  for (std::string item; std::getline(items, item, ',');) {
+    const Tolerance given = parsed(item);
+    bool known = false;
+    for (const fit::Measured& m : measured) {
+      const record::Channel& channel = *m.channel;
+      if (io::difference_unit(channel) != given.unit) continue;
+      known = true;
+      if (!std::isnan(m.tolerance))
+        refuse(item, fmt::format("two of them: {} stands under [loop] of {}",
+                                 io::tolerance_key(channel), file.source));
+      if (has_tolerance(file.model, channel))
+        refuse(item, fmt::format("two of them in {}", given.unit));
+      file.model.tolerances.push_back({std::string(channel.name), given.value * channel.factor});
+    }
+    if (!known)
+      refuse(item, fmt::format("nothing of {} is measured in {}; allowed: {}", file.source,
+                               given.unit, allowed(measured)));
+  }
+}
+
+}  // namespace raceway::cli

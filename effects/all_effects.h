@@ -1,0 +1,52 @@
+#pragma once
+
+#include <tuple>
+
+#include "effects/ball_material.h"
+#include "effects/cage_friction.h"
+#include "effects/centrifugal_ring_growth.h"
+#include "effects/churning.h"
+#include "effects/differential_slip.h"
+#include "effects/elastic_hysteresis.h"
+#include "effects/film_self_heating.h"
+#include "effects/grease_churning.h"
+#include "effects/gyroscopic_slip.h"
+#include "effects/inlet_shear_heating.h"
+#include "effects/interference_fit.h"
+#include "effects/load_exponent.h"
+#include "effects/load_offset.h"
+#include "effects/lubricant_drag.h"
+#include "effects/misalignment.h"
+#include "effects/mixed_lubrication.h"
+#include "effects/mounting.h"
+#include "effects/replenishment_starvation.h"
+#include "effects/rig_viscous_drag.h"
+#include "effects/seal_friction.h"
+#include "effects/sensor_drift.h"
+#include "effects/sensor_gain.h"
+#include "effects/sensor_offset.h"
+#include "effects/shaft_contraction.h"
+#include "effects/shear_thinning.h"
+#include "effects/spin_friction.h"
+#include "effects/thermal_preload.h"
+#include "effects/thermal_ring_growth.h"
+#include "effects/viscous_exponent.h"
+#include "effects/windage.h"
+
+namespace raceway::effects {
+
+/// Every effect there is, where it has two forms one after the other. A new one is its file and its
+/// name here. Effects on the lubricant act in this order: the film finds its temperature before
+/// shares of the viscous moment are taken.
+using Catalogue = std::tuple<
+    ViscousExponent, LoadExponent, SpinFriction, DifferentialSlip, ElasticHysteresis,
+    GyroscopicSlip, FilmSelfHeating, InletShearHeating, ReplenishmentStarvation, ShearThinning,
+    MixedLubrication, SealFriction, LoadOffset, LubricantDrag, Churning, Windage, CageFriction,
+    ThermalPreload, ShaftThermalPreload, ThermalRingGrowth, ShaftThermalRingGrowth,
+    CentrifugalRingGrowth, ShaftCentrifugalRingGrowth, InterferenceFit, Misalignment, BallMaterial,
+    OtherMounting, ShaftContraction, GreaseChurning, SensorGain<torque_gain, Need::torque_standard>,
+    SensorOffset<torque_offset>, SensorTemperatureDrift<torque_temperature_drift>,
+    SensorTimeDrift<torque_time_drift>, RigViscousDrag, SensorOffset<displacement_offset>,
+    SensorTemperatureDrift<displacement_temperature_drift>>;
+
+}  // namespace raceway::effects

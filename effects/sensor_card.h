@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// What a fault of the sensor of one channel is called and how large it may be. The laws, the same
+/// for every channel, are in sensor_offset.h, sensor_gain.h and sensor_drift.h.
+template <std::size_t confused>
+struct SensorCard {
+  const record::Channel& channel;  ///< what the sensor measures
+  std::string_view id, title, mechanism, formula;
+  std::string_view source = "definition";
+  std::array<std::string_view, confused> confused_with;
+  Parameter size;
+  bool follows_heat = false;
+};
+
+/// What an effect has from its card.
+template <const auto& card>
+struct SensorFault {
+  static constexpr const record::Channel& channel = card.channel;
+  static constexpr std::string_view id = card.id;
+  static constexpr std::string_view title = card.title;
+  static constexpr std::string_view mechanism = card.mechanism;
+  static constexpr std::string_view formula = card.formula;
+  static constexpr std::string_view source = card.source;
+  static constexpr auto confused_with = card.confused_with;
+  static constexpr std::array parameters{card.size};
+  static constexpr bool follows_heat = card.follows_heat;
+};
+
+}  // namespace raceway::effects

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "effects/sensor_card.h"
+
+namespace raceway::effects {
+
+/// What a sensor adds as it gets warm, or what its fixture grows by [SI unit of its channel].
+///
+///   x_read = x + c (T - 40 °C)/10 K
+///
+/// Source:   definition.
+/// Domain:   every reading; T is the temperature of the row (temperature_C), not that of a ring.
+template <const auto& card>
+struct SensorTemperatureDrift : SensorFault<card> {
+  static constexpr std::array needs{Need::viscosity_levels};
+
+  static double reading(const ReadingInputs& in, std::span<const double> values) {
+    return values[0] * card.channel.factor * (in.point.temperature - kelvin(40.0)) / 10.0;
+  }
+};
+
+/// What a sensor adds as time goes by [SI unit of its channel].
+///
+///   x_read = x + c t/1 h
+///
+/// Source:   definition. Points measured in random order keep it apart from speed and load.
+/// Domain:   a time of each row, by the clock of the file.
+template <const auto& card>
+struct SensorTimeDrift : SensorFault<card> {
+  static constexpr std::array needs{Need::time};
+
+  static double reading(const ReadingInputs& in, std::span<const double> values) {
+    return values[0] * card.channel.factor * in.record.time / 3600.0;
+  }
+};
+
+/// Data sheets of torque sensors give 0.05 to 0.5 % of full scale per 10 K.
+inline constexpr SensorCard<3> torque_temperature_drift{
+    .channel = record::friction_torque,
+    .id = "torque-temperature-drift",
+    .title = "zero of the torque sensor drifts with temperature",
+    .mechanism = "The zero of the sensor moves with temperature, whatever speed and load are.",
+    .formula = "M_read = M + c (T - 40 C)/10 K",
+    .confused_with = {"seal-friction", "churning", "cage-friction"},
+    .size = {.name = "torque_per_10_K_Nmm",
+             .unit = "N mm",
+             .initial = 0.0,
+             .lower = -1e5,
+             .upper = 1e5,
+             .plausible_lower = -20.0,
+             .plausible_upper = 20.0}};
+
+inline constexpr SensorCard<1> torque_time_drift{
+    .channel = record::friction_torque,
+    .id = "torque-time-drift",
+    .title = "zero of the torque sensor drifts with time",
+    .mechanism =
+        "The zero of the sensor moves steadily from the start of the measurement to its end.",
+    .formula = "M_read = M + c t/1 h",
+    .confused_with = {"grease-churning"},
+    .size = {.name = "torque_per_hour_Nmm",
+             .unit = "N mm",
+             .initial = 0.0,
+             .lower = -1e5,
+             .upper = 1e5,
+             .plausible_lower = -20.0,
+             .plausible_upper = 20.0}};
+
+/// Eddy-current transducers drift by 0.02 to 0.05 % of full scale per kelvin [lit], 1 to 5 um per
+/// 10 K at 1 mm. Ring temperatures act through the balance of the sets, not through this.
+inline constexpr SensorCard<3> displacement_temperature_drift{
+    .channel = record::axial_displacement,
+    .id = "displacement-temperature-drift",
+    .title = "zero of the displacement transducer drifts with warmth",
+    .mechanism = "Transducer and fixture move with temperature, whatever the speed is.",
+    .formula = "u_read = u + c (T - 40 C)/10 K",
+    .source = "definition; data sheets of eddy-current transducers",
+    .confused_with = {"thermal-preload", "thermal-ring-growth", "displacement-offset"},
+    .size = {.name = "displacement_per_10_K_um",
+             .unit = "um",
+             .initial = 0.0,
+             .lower = -1e4,
+             .upper = 1e4,
+             .plausible_lower = -5.0,
+             .plausible_upper = 5.0},
+    .follows_heat = true};
+
+}  // namespace raceway::effects

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "effects/sensor_card.h"
+
+namespace raceway::effects {
+
+/// What a sensor adds in proportion to what it measures [SI unit of its channel].
+///
+///   x_read = (1 + g) x        x counted from the zero of the channel's unit
+///
+/// Source:   definition. `standard` is what fixes the scale of the channel.
+/// Domain:   every reading.
+template <const auto& card, Need standard>
+struct SensorGain : SensorFault<card> {
+  static constexpr std::array needs{standard};
+
+  static double reading(const ReadingInputs& in, std::span<const double> values) {
+    return values[0] * (in.value - card.channel.offset);
+  }
+};
+
+/// Torque alone never shows it: it acts like a common factor on all moments.
+inline constexpr SensorCard<2> torque_gain{
+    .channel = record::friction_torque,
+    .id = "torque-gain",
+    .title = "gain error of the torque sensor",
+    .mechanism =
+        "The sensor reads all torques a fixed share too high or too low. Only a known "
+        "torque shows it.",
+    .formula = "M_read = (1 + g) M",
+    .confused_with = {"f0", "z"},
+    .size = {.name = "gain_error",
+             .unit = "1",
+             .initial = 0.0,
+             .lower = -0.5,
+             .upper = 0.5,
+             .plausible_lower = -0.01,
+             .plausible_upper = 0.01}};
+
+}  // namespace raceway::effects

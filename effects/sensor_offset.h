@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "effects/sensor_card.h"
+
+namespace raceway::effects {
+
+/// What a sensor shows at zero [SI unit of its channel].
+///
+///   x_read = x + c
+///
+/// Source:   definition.
+/// Domain:   every reading.
+template <const auto& card>
+struct SensorOffset : SensorFault<card> {
+  static constexpr std::array<Need, 0> needs{};
+
+  static double reading(const ReadingInputs&, std::span<const double> values) {
+    return values[0] * card.channel.factor;
+  }
+};
+
+/// The same as seal-friction with slope zero; turning the other way round separates them.
+inline constexpr SensorCard<3> torque_offset{
+    .channel = record::friction_torque,
+    .id = "torque-offset",
+    .title = "zero error of the torque sensor",
+    .mechanism =
+        "The sensor shows a torque where there is none. Readings at standstill before and "
+        "after, or turning the other way round, show it.",
+    .formula = "M_read = M + c",
+    .confused_with = {"seal-friction", "load-offset", "mixed-lubrication"},
+    .size = {.name = "torque_Nmm",
+             .unit = "N mm",
+             .initial = 0.0,
+             .lower = -1e5,
+             .upper = 1e5,
+             .plausible_lower = -100.0,
+             .plausible_upper = 100.0}};
+
+/// Of a transducer that was zeroed on a warm or turning shaft, or before it had settled in its
+/// seats.
+inline constexpr SensorCard<3> displacement_offset{
+    .channel = record::axial_displacement,
+    .id = "displacement-offset",
+    .title = "zero error of the displacement transducer",
+    .mechanism =
+        "The transducer was zeroed somewhere else than on the cold shaft at standstill. "
+        "Readings at standstill before and after show it.",
+    .formula = "u_read = u + c",
+    .confused_with = {"displacement-temperature-drift", "preload_N", "thermal-ring-growth"},
+    .size = {.name = "displacement_um",
+             .unit = "um",
+             .initial = 0.0,
+             .lower = -1e4,
+             .upper = 1e4,
+             .plausible_lower = -5.0,
+             .plausible_upper = 5.0}};
+
+}  // namespace raceway::effects

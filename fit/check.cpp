@@ -1,0 +1,64 @@
+#include "fit/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "fit/calibrate.h"
+
+namespace raceway::fit {
+
+namespace {
+
+Check::Column summary(const record::Column& column) {
+  std::set<long long> levels;
+  Check::Column c{.channel = column.channel};
+  for (const double v : column.values) {
+    if (std::isnan(v)) continue;
+    c.lower = std::fmin(c.lower, v);
+    c.upper = std::fmax(c.upper, v);
+    levels.insert(std::llround(column.channel->in_unit(v) * 1e3));
+  }
+  c.levels = static_cast<int>(levels.size());
+  return c;
+}
+
+}  // namespace
+
+Check check(const Subject& subject, const Record& record) {
+  Check result;
+  result.rows = static_cast<int>(record.rows());
+  result.runs = static_cast<int>(record.runs.size());
+  for (const record::Column& column : record.columns) {
+    if (column.channel->role != record::Role::measured) continue;
+    const auto read = std::count_if(column.values.begin(), column.values.end(),
+                                    [](double v) { return std::isfinite(v); });
+    result.measured.push_back(
+        {column.channel, static_cast<int>(read), estimate_noise(record, *column.channel)});
+  }
+  const std::vector<Measured> predicted = subject.measured();
+  std::stable_partition(result.measured.begin(), result.measured.end(), [&](const auto& m) {
+    return std::any_of(predicted.begin(), predicted.end(),
+                       [&](const Measured& p) { return *p.channel == *m.channel; });
+  });
+  for (const record::Column& column : record.columns) {
+    if (column.channel->role == record::Role::run) continue;
+    if (const Check::Column c = summary(column); c.levels > 0) result.columns.push_back(c);
+  }
+  try {
+    result.free = calibrate(subject, record).parameters;
+  } catch (const std::invalid_argument& e) {
+    result.problem = e.what();  // fewer rows than parameters, for example
+    for (const std::string& name : subject.free()) {
+      Parameter p{.name = name, .unit = {}};
+      p.identifiable = false;
+      result.free.push_back(std::move(p));
+    }
+  }
+  for (const std::string& id : subject.catalogue())
+    result.catalogue.push_back({id, subject.lacks(id, record), subject.lacks_levels(id, record)});
+  return result;
+}
+
+}  // namespace raceway::fit

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/noise.h"
+#include "fit/subject.h"
+
+namespace raceway::fit {
+
+/// What a record holds, and what it can tell of a subject.
+struct Check {
+  struct Column {
+    const Channel* channel = nullptr;
+    double lower = unset, upper = unset;  ///< SI
+    int levels = 0;                       ///< different values, as far as files distinguish them
+  };
+  struct MeasuredChannel {
+    const Channel* channel = nullptr;
+    int rows = 0;  ///< at which it was read
+    Noise noise{};
+  };
+  struct Testable {
+    std::string id;
+    std::string missing;  ///< what the record or the subject lack; empty if testable
+    std::string levels;   ///< without which base parameters do nearly the same; empty if none
+  };
+  int rows = 0, runs = 0;
+  std::vector<MeasuredChannel> measured;  ///< what the subject predicts first, then all else
+  std::vector<Column> columns;
+  std::vector<Parameter> free;      ///< identifiable or not
+  std::string problem;              ///< why the free parameters cannot be fitted; empty if they can
+  std::vector<Testable> catalogue;  ///< in the order of Subject::catalogue()
+};
+
+[[nodiscard]] Check check(const Subject& subject, const Record& record);
+
+}  // namespace raceway::fit

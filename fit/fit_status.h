@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+
+namespace raceway::fit {
+
+enum class FitStatus {
+  not_run,
+  converged,
+  iteration_limit,
+  failed,         ///< the search gave up; the values are where it stopped
+  nothing_to_fit  ///< the data depend on none of the free parameters
+};
+
+/// The status in the words of the JSON results, e.g. "iteration_limit".
+[[nodiscard]] constexpr std::string_view name(FitStatus status) {
+  switch (status) {
+    case FitStatus::not_run:
+      return "not_run";
+    case FitStatus::converged:
+      return "converged";
+    case FitStatus::iteration_limit:
+      return "iteration_limit";
+    case FitStatus::failed:
+      return "failed";
+    case FitStatus::nothing_to_fit:
+      return "nothing_to_fit";
+  }
+  return "unknown";
+}
+
+}  // namespace raceway::fit

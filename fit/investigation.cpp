@@ -1,0 +1,422 @@
+#include "fit/investigation.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "fit/effect_sizes.h"
+#include "fit/next_points.h"
+#include "fit/unknown_shape.h"
+#include "fit/verdict_text.h"
+#include "fit/visibility.h"
+
+namespace raceway::fit {
+
+namespace {
+
+constexpr std::size_t ranked = 6;       // effects with a hold-out of their own
+constexpr std::size_t most_rivals = 4;  // between which points are chosen
+
+void add_once(std::vector<std::string>& list, const std::string& word) {
+  if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
+}
+
+template <typename T>
+bool contains(const std::vector<T>& list, const T& value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+}  // namespace
+
+Investigation::Investigation(const Subject& subject, const Record& record,
+                             const DiagnoseOptions& options)
+    : record_(record),
+      options_(options),
+      evidence_(
+          gather_evidence(subject, record, {options.candidates, options.most_rows, options.noise})),
+      problem_(evidence_.problem),
+      attribution_(evidence_),
+      blockings_(blocks_of_observations(subject, *problem_.record, problem_.observed)) {}
+
+const std::string& Investigation::id(std::size_t candidate) const {
+  return problem_.candidates[candidate].id();
+}
+
+std::string Investigation::id_of(const Explanation& e) const {
+  return joined(search_->ids_of(e), "and");
+}
+
+bool Investigation::cancelled() const { return options_.cancelled && options_.cancelled->load(); }
+
+void Investigation::step(double share, std::string_view what) const {
+  if (cancelled()) throw Cancelled();
+  if (options_.progress) options_.progress(share, what);
+}
+
+double Investigation::degrees() const {
+  return static_cast<double>(problem_.observed.size() - evidence_.base.tangent.cols());
+}
+
+void Investigation::look() {
+  describe_channels();
+  describe_base();
+  Visibility seen = what_can_be_seen(evidence_, attribution_);
+  result_.candidates_tried =
+      static_cast<int>(seen.would_have_been_found.size()) + options_.tried_before;
+  result_.would_have_been_found = std::move(seen.would_have_been_found);
+  result_.not_testable = std::move(seen.not_testable);
+  result_.aliases = std::move(seen.aliases);
+  result_.needed_gain = std::log(static_cast<double>(problem_.observed.size())) +
+                        2.0 * std::log(std::max(1, result_.candidates_tried));
+  result_.p_value = attribution_.gate().p_value();
+  result_.remaining_p_value = result_.p_value;
+  search_.emplace(evidence_, attribution_, blockings_,
+                  SearchLimits{.needed_gain = result_.needed_gain,
+                               .tried = result_.candidates_tried,
+                               .pairs = options_.pairs,
+                               .step = [this](double s, std::string_view what) { step(s, what); },
+                               .cancelled = [this] { return cancelled(); }});
+  for (const Measured& m : problem_.observed.channels)
+    if (!hidden_) hidden_ = find_hidden_input(*problem_.record, m);
+  if (!result_.tolerance_limited()) return;
+  share_of_tolerance_ = search_->share_of_tolerance(evidence_.response, evidence_.base);
+  result_.within_tolerance = share_of_tolerance_ <= 1.0;
+  const std::vector<double> errors =
+      held_out_within_range(evidence_, evidence_.response, evidence_.base, blockings_);
+  for (std::size_t c = 0; c < errors.size(); ++c)
+    result_.channels[c].rmse_held_out_before = errors[c];
+  if (std::isnan(share_of_tolerance_))
+    result_.messages.emplace_back(
+        "these rows have no blocks to be held out: whether the tolerance is met cannot be told");
+}
+
+void Investigation::describe_channels() {
+  const Observations& observed = problem_.observed;
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    std::vector<double> predicted(record_.rows(), unset);
+    const std::span<const std::size_t> rows = observed.rows(c);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      predicted[i] = evidence_.base.prediction[observed.first[c] + static_cast<Eigen::Index>(i)];
+    // Over the rows used, in their order.
+    std::vector<double> by_row(problem_.record->rows(), unset);
+    for (std::size_t i = 0; i < rows.size(); ++i) by_row[rows[i]] = predicted[i];
+    ChannelDiagnosis& d = result_.channels.emplace_back();
+    d.baseline = compare(by_row, *problem_.record, observed.channels[c],
+                         static_cast<int>(evidence_.base.tangent.cols()));
+    d.noise = evidence_.noise[c];
+    d.tolerance = observed.channels[c].tolerance;
+    d.rmse_before = d.rmse_after =
+        rms(observed.of(c, Eigen::VectorXd(observed.measured - evidence_.base.prediction)));
+    const Eigen::VectorXd& std = d.noise.whitening.std();
+    for (auto* errors : {&d.baseline.errors, &d.baseline.worst})
+      for (RowError& e : *errors) e.row = problem_.rows[e.row];
+    for (std::size_t i = 0; i < d.baseline.errors.size(); ++i)
+      d.baseline.errors[i].std = std[static_cast<Eigen::Index>(i)];
+    for (const std::size_t i : d.noise.outliers) result_.outliers.push_back(problem_.rows[rows[i]]);
+  }
+}
+
+/// Declared standard deviations are not the scatter that is found.
+void Investigation::tell_declared_noise() {
+  for (const ChannelDiagnosis& d : result_.channels) {
+    if (d.baseline.noise.source != NoiseSource::declared) continue;
+    const double declared = d.baseline.noise.rms, ratio = d.noise.rms / declared;
+    if (ratio < 1.5 && ratio > 1.0 / 1.5) continue;
+    result_.messages.push_back(fmt::format(
+        "std_{} weighs the rows against each other; the noise is what a saturated regression "
+        "leaves, {} where {:.3g} are declared",
+        d.channel().key_unit(), reading_text(d.channel(), d.noise.rms),
+        declared / d.channel().factor));
+  }
+}
+
+bool Investigation::base_is_identifiable() const {
+  Eigen::MatrixXd columns = evidence_.base.tangent;
+  if (columns.cols() == 0) return true;
+  columns.colwise().normalize();
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  qr.setThreshold(1e-4);
+  return qr.rank() == columns.cols();
+}
+
+void Investigation::describe_base() {
+  const auto tell = [this](std::string text) { result_.messages.push_back(std::move(text)); };
+  result_.rows = static_cast<int>(evidence_.rows());
+  result_.rows_not_predicted = problem_.not_predicted;
+  std::vector<std::size_t>& outliers = result_.outliers;
+  std::sort(outliers.begin(), outliers.end(),
+            [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
+  if (!outliers.empty())
+    tell(
+        fmt::format("{} row(s) stand more than 3.5 standard deviations apart and count with less "
+                    "weight, first {}",
+                    outliers.size(), record_.place(outliers.front())));
+  const std::size_t left_out = result_.rows_not_predicted.size();
+  if (evidence_.rows() + left_out < evidence_.rows_in_record)
+    tell(fmt::format("{} of {} rows were used, evenly spread in time", result_.rows,
+                     evidence_.rows_in_record));
+  if (left_out > 0)
+    tell(fmt::format("{} row(s) without balance were left out, first {}", left_out,
+                     record_.place(result_.rows_not_predicted.front())));
+  for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
+    if (evidence_.base.at_bound[k])
+      tell(evidence_.response.parameters[k].name +
+           " ends at a bound: the model lacks something, or is far off");
+  if (!evidence_.hint.empty()) tell(evidence_.hint);
+  for (const std::string& note : evidence_.notes) tell(note);
+  tell_declared_noise();
+  for (const std::string& name : evidence_.idle)
+    tell("the readings do not depend on " + name + ", which stays as it is");
+  if (!base_is_identifiable())
+    tell(joined(problem_.base, "and") +
+         " cannot all be told apart on these data: their values mean little; free fewer of them "
+         "under [calibration]");
+  for (const ChannelDiagnosis& d : result_.channels)
+    if (d.noise.repeats_p_value < passed)
+      tell(fmt::format(
+          "repeated rows scatter {:.2g} times as much as the noise found otherwise (p = {:.1g})",
+          std::sqrt(d.noise.repeats_statistic), d.noise.repeats_p_value));
+}
+
+bool Investigation::is_anything_missing() const {
+  if (outside_the_inputs()) return true;
+  if (result_.tolerance_limited() && !std::isnan(share_of_tolerance_))
+    return !result_.within_tolerance;
+  return attribution_.gate().alarm();
+}
+
+void Investigation::attribute() {
+  step(0.2, "refitting with each effect");
+  search_->refit_singles();
+  for (const Explanation& single : search_->singles())
+    if (!single.fit.converged)
+      result_.messages.push_back(fmt::format(
+          "the fit with {} did not converge: it takes no part in the verdict", id_of(single)));
+  if (outside_the_inputs()) return;
+  const bool by_tolerance = result_.tolerance_limited() && !std::isnan(share_of_tolerance_);
+  finding_ = by_tolerance ? search_->explain_within_tolerance() : search_->explain();
+  result_.shape = search_->shape();
+}
+
+void Investigation::hold_out(const Explanation& best) {
+  const Observations& observed = problem_.observed;
+  for (const Blocking& b : blockings_)
+    result_.hold_out.push_back(compare_held_out(
+        held_out_errors(evidence_.response, evidence_.base, observed.measured, evidence_.std(), b),
+        held_out_errors(best.response, best.fit, observed.measured, evidence_.std(), b),
+        evidence_.std(), observed, b));
+  const auto error = result_.tolerance_limited() ? held_out_within_range : held_out;
+  const std::vector<double> before =
+      error(evidence_, evidence_.response, evidence_.base, blockings_);
+  const std::vector<double> after = error(evidence_, best.response, best.fit, blockings_);
+  for (std::size_t c = 0; c < before.size(); ++c) {
+    result_.channels[c].rmse_held_out_before = before[c];
+    result_.channels[c].rmse_held_out_after = after[c];
+  }
+  holds_ = result_.tolerance_limited() || confirmed(result_.hold_out);
+}
+
+void Investigation::confirm() {
+  switch (finding_.kind) {
+    case Finding::Kind::single:
+      return confirm_single();
+    case Finding::Kind::pair:
+      return confirm_pair();
+    case Finding::Kind::bent:
+      result_.verdict = Verdict::effect_like;
+      return fill(finding_.set, *finding_.set.front());
+    case Finding::Kind::partly:
+      result_.verdict = Verdict::effect_like;
+      hold_out(*finding_.set.front());
+      return fill(finding_.set, *finding_.set.front());
+    case Finding::Kind::none:
+      result_.verdict = Verdict::not_in_catalogue;
+      fill({}, search_->singles().empty() ? Explanation{} : search_->singles().front());
+  }
+}
+
+void Investigation::confirm_single() {
+  // A size that nobody would believe is no rival of one that can be.
+  Set& set = finding_.set;
+  const auto is_plausible = [this](const Explanation* e) { return sizes_plausible(problem_, *e); };
+  plausible_ = std::any_of(set.begin(), set.end(), is_plausible);
+  if (plausible_) std::erase_if(set, [&](const Explanation* e) { return !is_plausible(e); });
+  hold_out(*set.front());
+  fill(set, *set.front());
+  if (!plausible_ || !holds_) {
+    result_.verdict = Verdict::effect_like;
+    result_.shape = find_unknown_shape(evidence_);
+  } else {
+    result_.verdict = set.size() == 1 ? Verdict::effect : Verdict::ambiguous;
+  }
+}
+
+void Investigation::confirm_pair() {
+  hold_out(*finding_.set.front());
+  fill(finding_.set, *finding_.set.front());
+  result_.verdict = holds_ ? Verdict::several_effects : Verdict::not_in_catalogue;
+  if (!holds_) result_.shape = find_unknown_shape(evidence_);
+}
+
+std::vector<double> Investigation::rms_of(const Explanation& e) const {
+  const Eigen::VectorXd left = problem_.measured() - e.fit.prediction;
+  std::vector<double> result;
+  for (std::size_t c = 0; c < problem_.observed.channels.size(); ++c)
+    result.push_back(rms(problem_.observed.of(c, left)));
+  return result;
+}
+
+/// Effects of the verdict first, the best set leading, then the others by rank.
+void Investigation::fill(const Set& set, const Explanation& best) {
+  if (!set.empty()) {
+    const std::vector<double> errors = rms_of(best);
+    for (std::size_t c = 0; c < errors.size(); ++c) result_.channels[c].rmse_after = errors[c];
+    result_.remaining_p_value = best.rechecked ? best.recheck.p_value() : unset;
+    result_.base = base_with(evidence_, best);
+    for (std::size_t k = 0; k < problem_.base.size(); ++k)
+      if (best.fit.at_bound[k])
+        result_.messages.push_back(best.parameters[k].name + " ends at a bound");
+  }
+  fill_verdict(set);
+  fill_ranking();
+  fill_explained(set);
+}
+
+void Investigation::fill_verdict(const Set& set) {
+  for (const Explanation* e : set) {
+    result_.sets.push_back(search_->ids_of(*e));
+    for (const std::size_t k : e->members) {
+      if (std::any_of(result_.effects.begin(), result_.effects.end(),
+                      [&](const RankedEffect& r) { return r.id == id(k); }))
+        continue;
+      RankedEffect effect = rank(*e, k, true);
+      effect.in_verdict = true;
+      effect.parameters[problem_.candidates[k].candidate.size].interval =
+          size_interval(evidence_, *e, k);
+      // Whatever stands in its place in another set of the verdict.
+      for (const Explanation* other : set) {
+        if (contains(other->members, k)) continue;
+        for (const std::size_t j : other->members)
+          if (!contains(e->members, j)) add_once(effect.indistinguishable_from, id(j));
+      }
+      result_.effects.push_back(std::move(effect));
+    }
+  }
+}
+
+void Investigation::fill_ranking() {
+  std::set<std::string> listed;
+  for (const RankedEffect& effect : result_.effects) listed.insert(effect.id);
+  std::size_t count = 0;
+  for (const Explanation& single : search_->singles()) {
+    const std::size_t k = single.members.front();
+    if (single.fit.converged && listed.insert(id(k)).second)
+      result_.effects.push_back(rank(single, k, ++count <= ranked));
+  }
+}
+
+/// What the readings are made of: by the best set, then by every single effect not in it.
+void Investigation::fill_explained(const Set& set) {
+  const Explanation* const best = set.empty() || set.front()->elastic ? nullptr : set.front();
+  if (best) {
+    result_.explained.push_back(explained_readings(evidence_, *best));
+    result_.verdict_is_explained = true;
+  }
+  for (const RankedEffect& effect : result_.effects)
+    for (const Explanation& single : search_->singles()) {
+      const std::size_t k = single.members.front();
+      if (!single.fit.converged || id(k) != effect.id || (best && contains(best->members, k)))
+        continue;
+      result_.explained.push_back(explained_readings(evidence_, single));
+    }
+}
+
+RankedEffect Investigation::rank(const Explanation& e, std::size_t member, bool validate) const {
+  RankedEffect effect{.id = id(member)};
+  effect.gain = e.gain;
+  effect.rmse = rms_of(e);
+  const auto error = result_.tolerance_limited() ? held_out_within_range : held_out;
+  if (validate) effect.rmse_held_out = error(evidence_, e.response, e.fit, blockings_);
+  effect.parameters = sizes_of(problem_, e, member);
+  effect.base = base_with(evidence_, e);
+  if (e.rechecked) effect.remaining_p_value = e.recheck.p_value();
+  for (const auto& group : result_.aliases)
+    if (contains(group, effect.id))
+      for (const std::string& other : group)
+        if (other != effect.id) add_once(effect.indistinguishable_from, other);
+  return effect;
+}
+
+void Investigation::propose() {
+  const bool choice = result_.verdict == Verdict::ambiguous ||
+                      (result_.verdict == Verdict::several_effects && finding_.set.size() > 1);
+  if (!choice) return;
+  step(0.9, "choosing the next measurements");
+  const Set few(finding_.set.begin(),
+                finding_.set.begin() +
+                    static_cast<std::ptrdiff_t>(std::min(most_rivals, finding_.set.size())));
+  NextPoints next = next_points(evidence_, few);
+  result_.suggested_measurements = std::move(next.points);
+  result_.axes = std::move(next.axes);
+  result_.predicted_separation = next.predicted_separation;
+  result_.separation_by_repetition = next.separation_by_repetition;
+  std::vector<std::string> not_testable;
+  for (const Screened& s : problem_.candidates)
+    if (!s.not_testable.empty()) not_testable.push_back(s.id());
+  result_.records_needed =
+      problem_.subject->records_needed(*problem_.record, result_.sets, not_testable);
+}
+
+/// Effects that are certain and better on held-out blocks, where the model is good enough without.
+void Investigation::find_immaterial() {
+  search_->refit_singles();
+  for (const Explanation& single : search_->singles()) {
+    if (!single.fit.converged || !(single.gain > result_.needed_gain)) continue;
+    if (search_->share_of_tolerance(single.response, single.fit) < share_of_tolerance_)
+      result_.significant_but_immaterial.push_back(id_of(single));
+  }
+  fill({}, Explanation{});
+}
+
+/// Of a thinned record: the error over every row, with the numbers found on those that were used.
+void Investigation::tell_of_all_rows() {
+  const std::size_t used = evidence_.rows() + problem_.not_predicted.size();
+  if (used >= record_.rows() || finding_.set.empty() || finding_.set.front()->elastic) return;
+  const Explanation& best = *finding_.set.front();
+  std::vector<const Screened*> on;
+  for (const std::size_t k : best.members) on.push_back(&problem_.candidates[k]);
+  const auto before = fitted_subject(problem_, {}, evidence_.response, evidence_.base.values);
+  const auto after = fitted_subject(problem_, on, best.response, best.fit.values);
+  const std::vector<double> a = predict(*before, record_), b = predict(*after, record_);
+  for (std::size_t c = 0; c < problem_.observed.channels.size(); ++c) {
+    const Channel& channel = *problem_.observed.channels[c].channel;
+    const std::size_t first = problem_.observed.place[c] * record_.rows();
+    const std::span<const double> readings = record_.values(channel);
+    double square_before = 0.0, square_after = 0.0;
+    int rows = 0;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      const double x = a[first + i] - readings[i], y = b[first + i] - readings[i];
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      ++rows;
+      square_before += x * x;
+      square_after += y * y;
+    }
+    result_.messages.push_back(fmt::format(
+        "over all {} rows that can be predicted the error falls from {:.3g} to {} with the numbers "
+        "found on those that were used",
+        rows, std::sqrt(square_before / rows) / channel.factor,
+        reading_text(channel, std::sqrt(square_after / rows))));
+  }
+}
+
+Diagnosis Investigation::conclude() {
+  if (!is_anything_missing() && result_.tolerance_limited()) find_immaterial();
+  result_.sentence = sentence();
+  tell_of_all_rows();
+  return std::move(result_);
+}
+
+}  // namespace raceway::fit

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/response.h"
+
+namespace raceway::fit {
+
+/// A candidate as the data show it.
+struct Screened {
+  Candidate candidate{};
+  bool one_sided = false;  ///< only one sign of the size is physical
+  double unit_size = 1.0;  ///< a typical amount of the size, from neutral
+  /// Readings per `unit_size`, at the neutral point: one column per trial value of the shapes, not
+  /// whitened [SI].
+  Eigen::MatrixXd scores{};
+  /// What the most of it that is met in practice changes, where that is no multiple of the scores:
+  /// one column or none.
+  Eigen::MatrixXd most{};
+  std::string not_testable{};  ///< what the data lack; empty where it can be tested
+
+  [[nodiscard]] const std::string& id() const { return candidate.id; }
+  /// The parameter that gives it its size.
+  [[nodiscard]] const Parameter& size() const { return candidate.parameters[candidate.size]; }
+};
+
+/// A model, the readings it can predict, and what may be missing.
+struct Problem {
+  std::shared_ptr<const Subject> subject{};
+  std::shared_ptr<const Record> record{};    ///< the rows used, in the one order
+  std::vector<std::size_t> rows{};           ///< of the record handed in, by row of this one
+  std::vector<std::size_t> not_predicted{};  ///< rows of the record handed in
+  Observations observed{};
+  std::vector<std::string> base{};     ///< free parameters of the model
+  std::vector<Screened> candidates{};  ///< by id, so that their order does not matter
+  std::shared_ptr<const void> prepared{};
+
+  [[nodiscard]] const Eigen::VectorXd& measured() const { return observed.measured; }
+};
+
+/// Readings of the problem's model with some candidates switched on: base parameters first, then
+/// those of each candidate.
+[[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on);
+
+/// The same at the rows of another record, of which `observed` were taken.
+[[nodiscard]] Response response_with(const Problem& problem, std::span<const Screened* const> on,
+                                     const std::shared_ptr<const Record>& record,
+                                     const Observations& observed);
+
+/// The model of the problem with candidates switched on and the fitted values of `fit`, whose
+/// parameters are those of response_with().
+[[nodiscard]] std::shared_ptr<const Subject> fitted_subject(const Problem& problem,
+                                                            std::span<const Screened* const> on,
+                                                            const Response& response,
+                                                            const Eigen::VectorXd& values);
+
+/// Candidates of these ids (all where empty) with what is known of them before any data.
+[[nodiscard]] std::vector<Screened> make_candidates(const Subject& subject,
+                                                    std::span<const std::string> ids);
+
+/// Fills in what the candidates need to be screened: scores at the base values `base_values`, and
+/// whether they can be tested at all.
+void screen_candidates(Problem& problem, const Saturation& saturation,
+                       const Eigen::VectorXd& base_values);
+
+}  // namespace raceway::fit

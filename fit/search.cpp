@@ -1,0 +1,196 @@
+#include "fit/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fit/effect_sizes.h"
+#include "fit/unknown_shape.h"
+
+namespace raceway::fit {
+
+namespace {
+
+constexpr double beaten = 3.84;            // in -2 ln L: 95 % of one degree of freedom
+constexpr double loss_of_a_member = 60.0;  // of a pair, in -2 ln L
+constexpr std::size_t most_bent = 3;       // candidates whose laws are bent
+constexpr double most_of_it = 0.5;         // of the mean square that a part of an answer takes
+constexpr double as_near = 1.2;            // of a held-out error: no reason to prefer the better
+
+}  // namespace
+
+Search::Search(const Evidence& evidence, const Attribution& attribution,
+               const std::vector<Blocking>& blockings, SearchLimits limits)
+    : evidence_(evidence),
+      problem_(evidence.problem),
+      attribution_(attribution),
+      blockings_(blockings),
+      limits_(std::move(limits)) {}
+
+void Search::refit_singles() { singles_ = attribution_.singles(); }
+
+std::vector<std::string> Search::ids_of(const Explanation& e) const {
+  std::vector<std::string> ids;
+  for (const std::size_t k : e.members) ids.push_back(problem_.candidates[k].id());
+  return ids;
+}
+
+bool Search::is_base_law(const Explanation& single) const {
+  return problem_.candidates[single.members.front()].candidate.base_law;
+}
+
+/// Candidates admitted and within reach of the best; the first is the best.
+std::vector<const Explanation*> Search::within_reach_of_best(const Ranked& list,
+                                                             double needed) const {
+  std::vector<const Explanation*> set;
+  for (const Explanation& e : list)
+    if (e.fit.converged && e.gain > needed && e.gain >= list.front().gain - within_reach)
+      set.push_back(&e);
+  return set;
+}
+
+bool Search::any_passes(Ranked& list, const std::vector<const Explanation*>& set) const {
+  bool passes = false;
+  for (Explanation& e : list) {
+    if (std::find(set.begin(), set.end(), &e) == set.end()) continue;
+    attribution_.recheck(e);
+    passes = passes || e.recheck.p_value() >= passed;
+  }
+  return passes;
+}
+
+Finding Search::explain() {
+  if (auto found = one_candidate()) return *std::move(found);
+  if (auto found = both_base_laws()) return *std::move(found);
+  if (auto found = two_candidates()) return *std::move(found);
+  return bent_law();
+}
+
+std::optional<Finding> Search::one_candidate() {
+  std::vector<const Explanation*> set = within_reach_of_best(singles_, limits_.needed_gain);
+  // The base law's own corrections come before physics.
+  std::stable_partition(set.begin(), set.end(),
+                        [this](const Explanation* e) { return is_base_law(*e); });
+  if (!any_passes(singles_, set)) return std::nullopt;
+  return Finding{Finding::Kind::single, std::move(set)};
+}
+
+/// The base law with two of its own corrections comes before two effects of physics, and each needs
+/// no more than what admits a single effect.
+std::optional<Finding> Search::both_base_laws() {
+  std::vector<std::size_t> members;
+  double alone = 0.0;
+  for (const Explanation& single : singles_)
+    if (is_base_law(single) && single.fit.converged) {
+      members.push_back(single.members.front());
+      alone = std::max(alone, single.gain);
+    }
+  if (members.size() != 2) return std::nullopt;
+  std::sort(members.begin(), members.end());
+  Explanation pair = attribution_.refit(members);
+  if (!pair.fit.converged || pair.gain < alone + limits_.needed_gain) return std::nullopt;
+  attribution_.recheck(pair);
+  if (pair.recheck.p_value() < passed) return std::nullopt;
+  pair.least_loss = pair.gain - alone;
+  pairs_ = {std::move(pair)};
+  return Finding{Finding::Kind::pair, {&pairs_.front()}};
+}
+
+std::optional<Finding> Search::two_candidates() {
+  if (!limits_.pairs || singles_.size() < 2) return std::nullopt;
+  limits_.step(0.5, "refitting with pairs of effects");
+  pairs_ = attribution_.pairs(singles_, limits_.cancelled);
+  limits_.step(0.8, "checking what is left");
+  // Dropping either member must cost more than chance would pay for it.
+  const double needed =
+      std::log(static_cast<double>(problem_.measured().size())) +
+      2.0 * std::log(std::max(1, limits_.tried - 1)) +
+      (singles_.front().fit.converged ? std::max(0.0, singles_.front().gain) : 0.0);
+  const std::vector<const Explanation*> two = within_reach_of_best(pairs_, needed);
+  if (!any_passes(pairs_, two)) return std::nullopt;
+  std::vector<const Explanation*> strong;
+  for (const Explanation* e : two)
+    if (e->least_loss >= loss_of_a_member) strong.push_back(e);
+  if (!strong.empty() && strong.front() == two.front())
+    return Finding{Finding::Kind::pair, std::move(strong)};
+  for (const Explanation* e : two) weak_pairs_.push_back(ids_of(*e));
+  return std::nullopt;
+}
+
+/// True if a law bent to its limit is beaten by a plain power of the inputs, which has as many
+/// free numbers: what is missing then acts like something else.
+bool Search::bent_too_far(const Explanation& bent) const {
+  return bent.bent_to_a_bound() && shape_ && shape_->gain > bent.gain + beaten;
+}
+
+Finding Search::bent_law() {
+  limits_.step(0.85, "bending the laws of the best");
+  shape_ = find_unknown_shape(evidence_);
+  for (std::size_t k = 0; k < singles_.size() && k < most_bent; ++k) {
+    if (!singles_[k].fit.converged || singles_[k].gain < limits_.needed_gain) continue;
+    Explanation e = attribution_.elastic(singles_[k]);
+    if (!e.fit.converged || bent_too_far(e)) continue;
+    attribution_.recheck(e);
+    if (e.recheck.p_value() >= passed) bent_.push_back(std::move(e));
+  }
+  std::stable_sort(bent_.begin(), bent_.end(),
+                   [](const Explanation& a, const Explanation& b) { return a.gain > b.gain; });
+  Finding finding;
+  for (const Explanation& e : bent_)
+    if (e.gain >= bent_.front().gain - within_reach) finding.set.push_back(&e);
+  if (!finding.set.empty()) finding.kind = Finding::Kind::bent;
+  return finding;
+}
+
+double Search::share_of_tolerance(const Response& response, const ResponseFit& fit) const {
+  const std::vector<double> errors = held_out_within_range(evidence_, response, fit, blockings_);
+  double share = errors.empty() ? unset : 0.0;
+  for (std::size_t c = 0; c < errors.size(); ++c)
+    if (const double tolerance = problem_.observed.channels[c].tolerance; std::isfinite(tolerance))
+      share = std::fmax(share, errors[c] / tolerance);
+  return share;
+}
+
+/// Explanations of certain gain and believable size whose held-out error is within the tolerance
+/// and at most `most` of it; beside the best all that come as near, whether or not they are within.
+/// By that error.
+std::vector<const Explanation*> Search::good_enough(const Ranked& list, double most) const {
+  std::vector<std::pair<double, const Explanation*>> order;
+  for (const Explanation& e : list)
+    if (e.fit.converged && e.gain > limits_.needed_gain && sizes_plausible(problem_, e))
+      order.emplace_back(share_of_tolerance(e.response, e.fit), &e);
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const Explanation*> set;
+  if (order.empty() || !(order.front().first <= std::min(1.0, most))) return set;
+  for (const auto& [share, e] : order)
+    if (share <= as_near * order.front().first) set.push_back(e);
+  return set;
+}
+
+Finding Search::explain_within_tolerance() {
+  if (auto set = good_enough(singles_, 1.0); !set.empty())
+    return {Finding::Kind::single, std::move(set)};
+  double best = std::numeric_limits<double>::infinity();
+  const Explanation* nearest = nullptr;
+  for (const Explanation& single : singles_) {
+    if (!single.fit.converged || !sizes_plausible(problem_, single)) continue;
+    const double share = share_of_tolerance(single.response, single.fit);
+    if (!(share < best)) continue;
+    best = share;
+    nearest = &single;
+  }
+  if (limits_.pairs && singles_.size() >= 2) {
+    limits_.step(0.5, "refitting with pairs of effects");
+    pairs_ = attribution_.pairs(singles_, limits_.cancelled);
+    if (auto set = good_enough(pairs_, best / as_near); !set.empty())
+      return {Finding::Kind::pair, std::move(set)};
+  }
+  limits_.step(0.85, "looking for a shape");
+  shape_ = find_unknown_shape(evidence_);
+  const double base = share_of_tolerance(evidence_.response, evidence_.base);
+  if (!nearest || !(best * best <= most_of_it * base * base)) return {};
+  return {Finding::Kind::partly, {nearest}};
+}
+
+}  // namespace raceway::fit

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/attribution.h"
+#include "fit/diagnosis.h"
+
+namespace raceway::fit {
+
+/// The explanation of a misfit that stands, and those within reach of it.
+struct Finding {
+  enum class Kind {
+    none,    ///< nothing explains it
+    single,  ///< one candidate
+    pair,    ///< two at once
+    bent,    ///< one whose law is bent
+    partly   ///< one that takes most of the misfit, but not enough to meet the tolerance
+  };
+  Kind kind = Kind::none;
+  std::vector<const Explanation*> set{};  ///< the best first
+};
+
+/// What decides between explanations.
+struct SearchLimits {
+  double needed_gain = unset;  ///< fall of -2 ln L that admits a candidate
+  int tried = 0;               ///< candidates, for the multiplicity
+  bool pairs = true;
+  std::function<void(double share, std::string_view step)> step{};
+  std::function<bool()> cancelled{};
+};
+
+/// Looks for what explains a misfit: each candidate alone, both corrections of the base law, pairs,
+/// bent laws, in this order, until what is left is noise. With a tolerance, until what is left does
+/// not matter on blocks that the fit did not see.
+class Search {
+ public:
+  Search(const Evidence& evidence, const Attribution& attribution,
+         const std::vector<Blocking>& blockings, SearchLimits limits);
+
+  /// Refits every candidate alone.
+  void refit_singles();
+  [[nodiscard]] const std::vector<Explanation>& singles() const { return singles_; }
+  /// What explains the misfit to the noise.
+  [[nodiscard]] Finding explain();
+  /// What brings the error on held-out blocks within the tolerance.
+  [[nodiscard]] Finding explain_within_tolerance();
+
+  /// Pairs that would do without being shown, and the shape of what is missing: filled in on the
+  /// way.
+  [[nodiscard]] const std::vector<std::vector<std::string>>& weak_pairs() const {
+    return weak_pairs_;
+  }
+  [[nodiscard]] std::optional<Shape>& shape() { return shape_; }
+  [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
+  /// The error of an explanation on held-out blocks, the largest share of a channel's tolerance.
+  [[nodiscard]] double share_of_tolerance(const Response& response, const ResponseFit& fit) const;
+
+ private:
+  using Ranked = std::vector<Explanation>;
+  [[nodiscard]] bool is_base_law(const Explanation& single) const;
+  [[nodiscard]] std::vector<const Explanation*> within_reach_of_best(const Ranked& list,
+                                                                     double needed) const;
+  [[nodiscard]] bool any_passes(Ranked& list, const std::vector<const Explanation*>& set) const;
+  [[nodiscard]] std::optional<Finding> one_candidate();
+  [[nodiscard]] std::optional<Finding> both_base_laws();
+  [[nodiscard]] std::optional<Finding> two_candidates();
+  [[nodiscard]] Finding bent_law();
+  [[nodiscard]] bool bent_too_far(const Explanation& bent) const;
+  [[nodiscard]] std::vector<const Explanation*> good_enough(const Ranked& list, double most) const;
+
+  const Evidence& evidence_;
+  const Problem& problem_;
+  const Attribution& attribution_;
+  const std::vector<Blocking>& blockings_;
+  SearchLimits limits_;
+  Ranked singles_, pairs_, bent_;
+  std::vector<std::vector<std::string>> weak_pairs_;
+  std::optional<Shape> shape_;
+};
+
+constexpr double within_reach = 6.0;  ///< of the best, in -2 ln L
+constexpr double passed = 0.01;       ///< of the gate
+
+}  // namespace raceway::fit

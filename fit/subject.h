@@ -1,0 +1,200 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "record/parameter.h"
+#include "record/record.h"
+
+/// The loop: how far a model is from what was measured, what is missing, what adding it buys. It
+/// knows records, channels and parameters, and nothing of what they stand for.
+namespace raceway::fit {
+
+using record::Bound;
+using record::Channel;
+using record::Interval;
+using record::NamedValue;
+using record::Parameter;
+using record::Record;
+
+/// A channel that a subject predicts, and what is known of its readings beforehand.
+struct Measured {
+  const Channel* channel = nullptr;
+  /// Share of the rms of all readings below which errors no longer shrink with the reading: 1 where
+  /// a sensor scatters alike whatever it reads.
+  double floor = 1.0;
+  /// Relative scatter at equal settings that no sensor of this kind has: more comes from an input
+  /// that nobody recorded. NaN where nothing is known.
+  double most_scatter = unset;
+  /// Up to this what the model leaves is its own coarseness, not something missing [SI].
+  double model_error = 0.0;
+  /// Below this an error does not matter to whoever uses the model [SI]; NaN where nobody said.
+  double tolerance = unset;
+};
+
+/// Readings of a record predicted again and again, with other parameter values. It owns its copy of
+/// the model and remembers whatever a parameter leaves alone; rows may be independent, or one
+/// simulation through time.
+class Predictor {
+ public:
+  virtual ~Predictor() = default;
+  /// Readings of every measured channel at every row, channel by channel [SI]; NaN where there is
+  /// none, and throughout for values that the model cannot take.
+  virtual void readings(std::span<const double> values, std::span<double> out) = 0;
+};
+
+/// Something that may be missing in a subject.
+struct Candidate {
+  std::string id;
+  std::vector<Parameter> parameters{};  ///< named "id.name"
+  std::size_t size = 0;      ///< which of them is its size: at `neutral` it changes nothing
+  bool base_law = false;     ///< corrects the law of the subject itself, which comes before physics
+  bool of_the_user = false;  ///< nothing is known of its size
+
+  /// The name of a parameter without the id.
+  [[nodiscard]] std::string short_name(std::size_t parameter) const {
+    return parameters[parameter].name.substr(id.size() + 1);
+  }
+};
+
+/// What a smooth misfit of unknown origin may look like: the typical reading times a sum of
+/// products of powers of some inputs.
+struct Surface {
+  struct Input {
+    std::vector<double> values;  ///< by row, on the scale on which it is smooth
+    double least = 0.0;          ///< variation below which it counts as constant
+  };
+  std::vector<Input> inputs{};
+  std::vector<std::vector<int>> terms{};  ///< the exponent of each input
+};
+
+/// How a regression is made up that must hold whatever may be missing, so that what it leaves is
+/// noise. Few rows do not hold all columns: what comes first wins.
+struct Saturation {
+  Surface surface{};
+  std::vector<const Channel*> levels{};  ///< that may each have a value of their own
+  bool levels_before_candidates = false;
+  /// Every candidate changes readings in proportion to its size, so that its scores are all of it.
+  bool proportional = false;
+};
+
+/// A number by row of a record that a law may be bent with, as a power of it.
+struct Factor {
+  std::string name;            ///< for people: "speed"
+  std::vector<double> values;  ///< by row
+};
+
+/// How a shape that is in no catalogue is written as a formula.
+struct Formula {
+  struct Input {
+    std::string word;            ///< in the formula: "speed_rpm"
+    std::string exponent;        ///< its name: "a"
+    std::vector<double> values;  ///< by row, in the unit of the word
+  };
+  std::string key;      ///< under which a file takes it
+  std::string unit;     ///< of its size
+  double factor = 1.0;  ///< reading [SI] for one of that unit
+  std::vector<Input> inputs{};
+};
+
+/// A value of one input.
+struct Setting {
+  const Channel* channel = nullptr;
+  double value = unset;  ///< SI; NaN: as it is
+};
+
+/// Values of an input at which one could measure.
+struct Axis {
+  const Channel* channel = nullptr;
+  std::vector<double> levels{};  ///< SI; NaN: as it is
+  bool told = true;              ///< in words; otherwise in results alone
+};
+
+/// Rows held out together, block by block.
+struct Blocking {
+  std::string variable;      ///< Channel::variable of what is held out
+  std::vector<int> block{};  ///< of each row
+  int blocks = 0;
+  bool ordered =
+      false;  ///< blocks rise with an input: the first and the last are ends of its range
+};
+
+/// What the loop asks of a model. All rows are those of the record that is handed in.
+class Subject {
+ public:
+  virtual ~Subject() = default;
+
+  // What it predicts.
+  [[nodiscard]] virtual std::vector<Measured> measured() const = 0;
+  /// Throws std::invalid_argument where the record is not of what the model stands for.
+  virtual void require(const Record& record) const = 0;
+  /// True where a reading depends on the rows before it. Then rows are neither sorted nor left out
+  /// before they are predicted.
+  [[nodiscard]] virtual bool has_memory() const { return false; }
+  /// What predictors of one record may share.
+  [[nodiscard]] virtual std::shared_ptr<const void> prepare(const Record& record) const;
+  /// By the values of the parameters of these names. `prepared` may be null; it and the record
+  /// outlive the predictor.
+  [[nodiscard]] virtual std::unique_ptr<Predictor> predictor(
+      const Record& record, const std::vector<std::string>& names,
+      const std::shared_ptr<const void>& prepared) const = 0;
+
+  // Its numbers.
+  [[nodiscard]] virtual std::vector<Parameter> parameters() const = 0;
+  /// Names of those that may be fitted.
+  [[nodiscard]] virtual std::vector<std::string> free() const = 0;
+  [[nodiscard]] virtual std::unique_ptr<Subject> with_values(
+      std::span<const NamedValue> values) const = 0;
+
+  // What may be missing in it.
+  [[nodiscard]] virtual std::vector<Candidate> candidates() const = 0;
+  /// Ids of all that it knows of, also of what cannot be missing here. Default: the candidates.
+  [[nodiscard]] virtual std::vector<std::string> catalogue() const;
+  /// Itself with these switched on, in this order, at their initial values. Throws
+  /// std::invalid_argument for one that is no candidate, with the nearest names.
+  [[nodiscard]] virtual std::unique_ptr<Subject> with_candidates(
+      std::span<const std::string> ids) const = 0;
+  /// What an id of catalogue() cannot be felt without and model or record do not have; empty if
+  /// nothing.
+  [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
+  /// The levels without which parameters of the model do nearly the same; empty if nothing.
+  [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
+
+  // How its records are judged.
+  /// Default: a polynomial in the first input that varies, to the fourth degree; of every other its
+  /// square and its products with the first.
+  [[nodiscard]] virtual Saturation saturation(const Record& record) const;
+  /// By which the law of a candidate may be bent. Default: inputs that vary.
+  [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
+  /// Nothing where no formula can be given.
+  [[nodiscard]] virtual std::optional<Formula> formula(const Record& record) const;
+  /// Default: a level, or range of levels, of one input at a time; runs where there are few inputs.
+  [[nodiscard]] virtual std::vector<Blocking> blockings(const Record& record) const;
+  /// What it looks like where readings are in another unit or of the other sign; empty if not.
+  [[nodiscard]] virtual std::string doubt(const Record& record,
+                                          std::span<const double> predicted) const;
+
+  // What to measure next.
+  /// Default: over the range of every setting. Empty where single points say nothing.
+  [[nodiscard]] virtual std::vector<Axis> axes(const Record& record) const;
+  /// A point in words. Default: "995 rpm, 100 N".
+  [[nodiscard]] virtual std::string words(std::span<const Setting> point) const;
+  /// What should be recorded beside, so that the rivals are told apart.
+  [[nodiscard]] virtual std::vector<std::string> records_needed(
+      const Record& record, const std::vector<std::vector<std::string>>& rivals,
+      const std::vector<std::string>& not_testable) const;
+};
+
+/// The parameters of these names, in their order. Throws std::invalid_argument for a name that the
+/// subject does not have (with the nearest ones), one given twice, and two that stand for the same
+/// number.
+[[nodiscard]] std::vector<Parameter> find_parameters(const Subject& subject,
+                                                     const std::vector<std::string>& names);
+
+/// Readings of every measured channel at every row, channel by channel [SI], as the subject stands.
+[[nodiscard]] std::vector<double> predict(const Subject& subject, const Record& record);
+
+}  // namespace raceway::fit

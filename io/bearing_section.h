@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bearing/bearing.h"
+#include "io/catalogue_file.h"
+
+// Last: see io/toml_text.h.
+#include "io/model_tables.h"
+
+/// Tables of bearings in a model file, and of what they are made of; shared with the reader of
+/// models, not for other code.
+namespace raceway::io {
+
+/// A bearing as a table of the file describes it, and the row of the catalogue that it started
+/// from.
+struct NamedBearing {
+  bearing::Bearing bearing;
+  std::string name;
+  std::optional<CatalogueBearing> row = {};
+};
+
+inline constexpr Key static_load_rating{"static_load_rating_N", "N", 1, 1e9};
+
+class BearingReader {
+ public:
+  /// Reads the tables [material.NAME]. Throws InputError as read_model() does.
+  explicit BearingReader(ModelTables& tables);
+
+  /// A table of a bearing; where there is a `base`, the keys that are left out are its own.
+  /// `further` keys are allowed in it.
+  [[nodiscard]] NamedBearing read(const Section& s, const NamedBearing* base,
+                                  const Names& further = {});
+
+ private:
+  struct Draft;
+  void read_material(const toml::key& key, const toml::node& node);
+  [[nodiscard]] const bearing::Material* find_material(std::string_view name) const;
+  void take_catalogue_row(const Section& s, const NamedBearing* base, Draft& draft) const;
+  void read_geometry(const Section& s, Draft& draft);
+  void read_envelope(const Section& s, const Names& known, bearing::BearingGeometry& g);
+  [[nodiscard]] bearing::Material material(const Section& s, const char* key,
+                                           const bearing::Material* inherited);
+
+  ModelTables& tables_;
+  std::vector<bearing::Material> materials_;
+};
+
+}  // namespace raceway::io

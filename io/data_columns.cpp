@@ -1,0 +1,125 @@
+#include "io/data_columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/error.h"
+#include "io/names.h"
+
+namespace raceway::io {
+namespace {
+
+using record::Channel;
+using record::Role;
+
+std::string place_of_header(const CsvTable& table) {
+  return fmt::format("{}:{}", table.source, table.header_line);
+}
+
+/// Places of what is known; what is not is an error where it looks misspelt.
+void find_places(const CsvTable& table, DataColumns& columns) {
+  std::vector<std::string> known{std::string(record::run.name)};
+  for (const Channel& channel : record::channels) {
+    if (const auto place = table.column(channel.name)) columns.places.push_back({&channel, *place});
+    if (!(channel == record::run)) known.emplace_back(channel.name);
+  }
+  for (const std::string& name : table.header) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (const auto near = nearest_name(name, known))
+      throw InputError(fmt::format("{}: column {} is unknown; did you mean {}?",
+                                   place_of_header(table), name, *near));
+    columns.notes.push_back(fmt::format("column {} is unknown and ignored", name));
+  }
+}
+
+/// Of the measured columns keeps those that are predicted, or the first that the model may refuse.
+void choose_measured(const model::ModelSubject& subject, const model::Expected& expected,
+                     DataColumns& columns) {
+  const auto take = [&](const Channel& channel) {
+    if (columns.find(channel) && !columns.keeps(channel)) columns.measured.push_back(&channel);
+  };
+  for (const fit::Measured& m : subject.measured()) take(*m.channel);
+  for (const Channel* channel : expected.measured)
+    if (columns.measured.empty()) take(*channel);
+  if (columns.measured.empty()) return;
+  for (const DataColumns::Place& p : columns.places)
+    if (p.channel->role == Role::measured && !columns.keeps(*p.channel))
+      columns.unused.push_back(p.channel);
+}
+
+void require_measured(const CsvTable& table, const model::Expected& expected,
+                      const DataColumns& columns) {
+  if (!columns.measured.empty()) return;
+  std::vector<std::string> names;
+  for (const Channel& channel : record::channels)
+    if (std::any_of(expected.measured.begin(), expected.measured.end(),
+                    [&](const Channel* c) { return *c == channel; }))
+      names.emplace_back(channel.name);
+  const std::string wanted = fmt::format("{}: no measured column: {} is expected",
+                                         place_of_header(table), listed(names, "or"));
+  if (!columns.find(record::time))
+    throw InputError(fmt::format("{}, or {} for a coast-down; the header has {}", wanted,
+                                 record::time.name, listed(table.header)));
+  if (!expected.coast_down)
+    throw InputError(
+        fmt::format("{}; for a coast-down ({} and {} alone) the model needs inertia_kgm2 under "
+                    "[rig]",
+                    wanted, record::time.name, record::speed.name));
+}
+
+void require_what_deviates(const CsvTable& table, const DataColumns& columns) {
+  for (const DataColumns::Place& p : columns.places) {
+    const Channel& c = *p.channel;
+    if (c.role == Role::deviation && !columns.find(*record::find_channel(c.of)))
+      throw InputError(
+          fmt::format("{}: column {} has no {} beside it", place_of_header(table), c.name, c.of));
+  }
+}
+
+/// A number that has no default must stand in a column, unless a model may give it.
+void require_inputs(const CsvTable& table, const model::Expected& expected,
+                    const DataColumns& columns, bool may_stand_in_model) {
+  for (const model::Expected::Default& d : expected.defaults) {
+    const Channel& c = *d.channel;
+    if (!std::isnan(d.value) || columns.find(c) || d.from.empty() == may_stand_in_model) continue;
+    if (!may_stand_in_model)
+      throw InputError(fmt::format("{}: column {} is missing; the header has {}",
+                                   place_of_header(table), c.name, listed(table.header)));
+    const std::string none =
+        c.kind.empty() ? "" : fmt::format(", 0 if the {} is unknown or none", c.kind);
+    throw InputError(fmt::format(
+        "{0}: the {1} is neither in a column {2} nor in the model; write {2} under {3}{4}",
+        place_of_header(table), c.words, c.name, d.from, none));
+  }
+}
+
+}  // namespace
+
+const DataColumns::Place* DataColumns::find(const Channel& channel) const {
+  for (const Place& p : places)
+    if (*p.channel == channel) return &p;
+  return nullptr;
+}
+
+bool DataColumns::keeps(const Channel& channel) const {
+  const std::string_view name = channel.role == Role::deviation ? channel.of : channel.name;
+  if (channel.role != Role::measured && channel.role != Role::deviation) return true;
+  return std::any_of(measured.begin(), measured.end(),
+                     [&](const Channel* m) { return m->name == name; });
+}
+
+DataColumns find_columns(const CsvTable& table, const model::ModelSubject& subject,
+                         const model::Expected& expected) {
+  DataColumns columns;
+  find_places(table, columns);
+  choose_measured(subject, expected, columns);
+  require_inputs(table, expected, columns, false);
+  require_measured(table, expected, columns);
+  require_what_deviates(table, columns);
+  require_inputs(table, expected, columns, true);
+  return columns;
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/fit_objects.h"
+#include "io/number_text.h"
+#include "io/results.h"
+
+namespace raceway::io {
+namespace {
+
+json range_object(const fit::ErrorRange& r, double factor) {
+  json range = {{"variable", r.channel->variable}};
+  if (r.is_run()) {
+    range["from"] = range["to"] = r.run;
+  } else {
+    range["from"] = value_in_unit(*r.channel, r.from);
+    range["to"] = value_in_unit(*r.channel, r.to);
+  }
+  range["unit"] = r.channel->unit;
+  range["rows"] = r.rows;
+  range["rmse"] = r.rmse / factor;
+  range["bias"] = r.bias / factor;
+  return range;
+}
+
+json worst_rows(const fit::Comparison& c, double factor) {
+  json list = json::array();
+  for (const fit::RowError& r : c.worst)
+    list.push_back({{"line", r.line},
+                    {"predicted", r.predicted / factor},
+                    {"measured", r.measured / factor},
+                    {"residual", r.residual / factor},
+                    {"sigmas", r.sigmas}});
+  return list;
+}
+
+/// What a comparison says of one channel.
+json compared_channel(const fit::Comparison& c, const record::Record& record) {
+  const double factor = c.channel->factor;
+  json noise = {{"rms", c.noise.rms / factor}, {"source", fit::name(c.noise.source)}};
+  if (!std::isnan(c.estimated_noise)) noise["estimated_rms"] = c.estimated_noise / factor;
+  json where = json::array();
+  for (const fit::ErrorRange& r : c.where) where.push_back(range_object(r, factor));
+  json result = channel_object(*c.channel);
+  result.update({{"rows", c.rows},
+                 {"rows_not_predicted", lines_of(record, c.rows_not_predicted)},
+                 {"rmse", c.rmse / factor},
+                 {"mae", c.mae / factor},
+                 {"max_abs", c.max_abs / factor},
+                 {"bias", c.bias / factor},
+                 {"fit_percent", c.fit_percent},
+                 {"noise", noise},
+                 {"lack_of_fit",
+                  {{"statistic", c.lack_of_fit.statistic}, {"p_value", c.lack_of_fit.p_value}}}});
+  if (!std::isnan(c.tolerance)) {
+    result[tolerance_key(*c.channel)] = c.tolerance / factor;
+    result["within_tolerance"] = c.rmse <= c.tolerance;
+  }
+  result.update(
+      {{"statement", c.statement}, {"where", where}, {"worst_rows", worst_rows(c, factor)}});
+  return result;
+}
+
+json calibrated_parameters(const fit::Calibration& c) {
+  json parameters = json::object();
+  for (const record::Parameter& p : c.parameters)
+    parameters[p.name] = {{"value", p.value},
+                          {"std", p.std},
+                          {"unit", p.unit},
+                          {"start", p.start},
+                          {"lower", p.lower},
+                          {"upper", p.upper},
+                          {"at_bound", p.at_bound != record::Bound::none},
+                          {"identifiable", p.identifiable}};
+  return parameters;
+}
+
+json calibrated_channel(const fit::ChannelError& c) {
+  json result = channel_object(*c.channel);
+  result["rmse_before"] = c.rmse_before / c.channel->factor;
+  result["rmse"] = c.rmse_after / c.channel->factor;
+  return result;
+}
+
+json checked_channel(const fit::Check::MeasuredChannel& m) {
+  json result = channel_object(*m.channel);
+  result["rows"] = m.rows;
+  result["noise"] = {{"rms", m.noise.rms / m.channel->factor},
+                     {"source", fit::name(m.noise.source)}};
+  return result;
+}
+
+}  // namespace
+
+json channel_object(const record::Channel& channel) {
+  return {{"quantity", channel.variable}, {"unit", channel.key_unit()}};
+}
+
+void add_channels(json& document, json channels) {
+  if (channels.size() > 1) document["channels"] = std::move(channels);
+}
+
+json lines_of(const record::Record& record, const std::vector<std::size_t>& rows) {
+  std::vector<int> lines;
+  for (const std::size_t row : rows) lines.push_back(record.line(row));
+  return lines;
+}
+
+json hold_out_object(const std::vector<fit::HoldOut>& hold_out,
+                     const std::vector<const record::Channel*>& channels) {
+  json list = json::array();
+  for (const fit::HoldOut& h : hold_out) {
+    json errors = json::array();
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      json error = channel_object(*channels[c]);
+      error["rmse_before"] = h.rmse_before.at(c) / channels[c]->factor;
+      error["rmse_after"] = h.rmse_after.at(c) / channels[c]->factor;
+      errors.push_back(error);
+    }
+    json one = {{"left_out", h.variable},
+                {"rmse_before", errors[0]["rmse_before"]},
+                {"rmse_after", errors[0]["rmse_after"]},
+                {"improvement", h.improvement},
+                {"improvement_from", h.lower},
+                {"improvement_to", h.upper}};
+    add_channels(one, std::move(errors));
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+json comparison_object(const std::string& model_file,
+                       const std::vector<const fit::Comparison*>& channels,
+                       const record::Record& record) {
+  json list = json::array();
+  for (const fit::Comparison* c : channels) list.push_back(compared_channel(*c, record));
+  json document = {{"model", model_file}};
+  document.update(list.at(0));
+  document["data"] = record.source;
+  add_channels(document, std::move(list));
+  return document;
+}
+
+json calibration_object(const fit::Calibration& c, const record::Record& record) {
+  json correlation = json::array();
+  for (Eigen::Index i = 0; i < c.correlation.rows(); ++i) {
+    json row = json::array();
+    for (Eigen::Index j = 0; j < c.correlation.cols(); ++j) row.push_back(c.correlation(i, j));
+    correlation.push_back(row);
+  }
+  json document = {{"parameters", calibrated_parameters(c)},
+                   {"correlation", correlation},
+                   {"rows", c.rows},
+                   {"rows_not_predicted", lines_of(record, c.rows_not_predicted)},
+                   {"degrees_of_freedom", c.degrees_of_freedom},
+                   {"reduced_chi_square", c.reduced_chi_square}};
+  json channels = json::array();
+  for (const fit::ChannelError& e : c.channels) channels.push_back(calibrated_channel(e));
+  if (!channels.empty()) document.update(channels[0]);
+  add_channels(document, std::move(channels));
+  document["messages"] = c.messages;
+  document["report"] = {{"status", fit::name(c.status)}, {"iterations", c.iterations}};
+  return document;
+}
+
+std::string calibration_json(const fit::Calibration& calibration, const record::Record& record) {
+  return text(calibration_object(calibration, record));
+}
+
+std::string comparison_json(const std::vector<std::string>& model_files,
+                            const std::vector<std::vector<fit::Comparison>>& comparisons,
+                            const record::Record& record) {
+  json documents = json::array();
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    std::vector<const fit::Comparison*> channels;
+    for (const fit::Comparison& c : comparisons[i]) channels.push_back(&c);
+    documents.push_back(comparison_object(model_files.at(i), channels, record));
+  }
+  if (documents.size() == 1) return text(documents[0]);
+  return text({{"models", documents}});
+}
+
+std::string check_json(const std::string& model_name, const fit::Check& check,
+                       const std::vector<std::string>& defaults,
+                       const std::vector<std::string>& notes) {
+  json columns = json::array();
+  for (const fit::Check::Column& c : check.columns)
+    columns.push_back({{"name", c.channel->name},
+                       {"from", value_in_unit(*c.channel, c.lower)},
+                       {"to", value_in_unit(*c.channel, c.upper)},
+                       {"levels", c.levels}});
+  json effects = json::array();
+  for (const fit::Check::Testable& t : check.catalogue)
+    effects.push_back({{"id", t.id},
+                       {"testable", t.missing.empty()},
+                       {"missing", t.missing},
+                       {"hard_without", t.levels}});
+  json parameters = json::array();
+  for (const record::Parameter& p : check.free)
+    parameters.push_back({{"name", p.name}, {"identifiable", p.identifiable}});
+  json channels = json::array();
+  for (const fit::Check::MeasuredChannel& m : check.measured)
+    channels.push_back(checked_channel(m));
+  const json first = check.measured.empty()
+                         ? json{{"quantity", nullptr}, {"unit", nullptr}, {"noise", nullptr}}
+                         : checked_channel(check.measured.front());
+  json document = {{"model", model_name},   {"quantity", first["quantity"]},
+                   {"rows", check.rows},    {"runs", check.runs},
+                   {"unit", first["unit"]}, {"noise", first["noise"]},
+                   {"columns", columns},    {"free_parameters", parameters},
+                   {"effects", effects},    {"defaults", defaults},
+                   {"notes", notes}};
+  add_channels(document, std::move(channels));
+  return text(std::move(document));
+}
+
+}  // namespace raceway::io

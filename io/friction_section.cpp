@@ -1,0 +1,83 @@
+#include <cmath>
+#include <stdexcept>
+
+#include "io/catalogue_defaults.h"
+#include "record/units.h"
+
+// Last: see io/toml_text.h.
+#include "io/friction_section.h"
+
+namespace raceway::io {
+namespace {
+
+using friction::FrictionLaw;
+
+constexpr Key viscosity_40C{"viscosity_40C_mm2_s", "mm2/s", 1, 1e5};
+constexpr Key viscosity_100C{"viscosity_100C_mm2_s", "mm2/s", 0.5, 1e5};
+
+void refuse_values_of_other_law(const Section& s, FrictionLaw law) {
+  const FrictionLaw other = law == FrictionLaw::palmgren ? FrictionLaw::skf : FrictionLaw::palmgren;
+  for (const friction::Parameter& p : friction::parameters(other))
+    if (const toml::node* const node = s.find(p.name))
+      s.fail(p.name, fmt::format("{} = {}: belongs to law = \"{}\", but the law is \"{}\"", p.name,
+                                 shown(*node), friction::name(other), friction::name(law)));
+}
+
+double catalogue_value(const friction::Parameter& p) {
+  return p.name == "f0"  ? catalogue_f0
+         : p.name == "z" ? catalogue_z
+         : p.name == "y" ? catalogue_y
+                         : p.initial;
+}
+
+}  // namespace
+
+friction::Lubricant read_lubricant(const ModelTables& tables) {
+  const Section s =
+      tables.required_section("lubricant", "viscosity_40C_mm2_s and viscosity_100C_mm2_s");
+  const Names known{"viscosity_40C_mm2_s", "viscosity_100C_mm2_s"};
+  s.allow_only(known);
+  try {
+    return {s.required(viscosity_40C) * mm2_per_s, s.required(viscosity_100C) * mm2_per_s};
+  } catch (const std::invalid_argument& error) {
+    // "viscosity_40C" and "viscosity_100C" are the libraries' names of the two keys.
+    s.fail(error, known);
+  }
+}
+
+LawOfFile read_friction(ModelTables& tables, bool from_catalogue) {
+  const Section s = from_catalogue
+                        ? tables.section("friction")
+                        : tables.required_section("friction", "the base law and its factors");
+  const Names laws{std::string(friction::name(FrictionLaw::palmgren)),
+                   std::string(friction::name(FrictionLaw::skf))};
+  LawOfFile result{.law = tables.choice_or(s, "law", laws, laws[0]) == laws[0]
+                              ? FrictionLaw::palmgren
+                              : FrictionLaw::skf,
+                   .values = {}};
+  refuse_values_of_other_law(s, result.law);
+  Names known{"law"};
+  for (const friction::Parameter& p : friction::parameters(result.law)) known.emplace_back(p.name);
+  s.allow_only(known);
+  // The factors of the SKF law are published constants; those of Palmgren depend on the bearing,
+  // and only a catalogue's user may leave them out.
+  const bool required = result.law == FrictionLaw::palmgren && !from_catalogue;
+  for (const friction::Parameter& p : friction::parameters(result.law)) {
+    const Key key{p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper};
+    result.values.push_back(required ? s.required(key)
+                                     : tables.number_or(s, key, catalogue_value(p)));
+  }
+  return result;
+}
+
+void require_data(FrictionLaw law, const bearing::Bearing& bearing, const Section& s) {
+  if (law == FrictionLaw::palmgren && std::isnan(bearing.geometry().static_load_rating))
+    s.fail_missing(static_load_rating, ", which the friction law palmgren needs");
+  try {
+    friction::require_data(law, bearing);
+  } catch (const std::invalid_argument& error) {
+    s.fail(error, {"static_load_rating_N", "contact_angle_deg"});
+  }
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "friction/friction_law.h"
+#include "friction/lubricant.h"
+
+// Last: see io/toml_text.h.
+#include "io/bearing_section.h"
+
+/// [lubricant] and [friction] of a model file; shared with the reader of models, not for other
+/// code. All throw InputError as read_model() does.
+namespace raceway::io {
+
+/// A base law and its values in the order of friction::parameters(law).
+struct LawOfFile {
+  friction::FrictionLaw law = friction::FrictionLaw::palmgren;
+  std::vector<double> values;
+};
+
+[[nodiscard]] friction::Lubricant read_lubricant(const ModelTables& tables);
+
+/// With a bearing of the catalogue the law's values may be left out.
+[[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue);
+
+/// Refuses a bearing, read from `s`, that lacks what the law needs.
+void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& s);
+
+}  // namespace raceway::io

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "io/number_text.h"
+#include "io/subject.h"
+#include "model/parameters.h"
+
+// Last: see io/toml_text.h.
+#include "io/loop_section.h"
+
+namespace raceway::io {
+namespace {
+
+/// Full names by every name that a parameter may be called: that of an effect is "id.name", and
+/// `name` alone where no other has it.
+std::multimap<std::string, std::string> full_names(const model::Model& model) {
+  std::multimap<std::string, std::string> names;
+  for (const record::Parameter& p : model::parameters(model)) {
+    names.emplace(p.name, p.name);
+    if (const std::size_t dot = p.name.find('.'); dot != p.name.npos)
+      names.emplace(p.name.substr(dot + 1), p.name);
+  }
+  return names;
+}
+
+Names default_names(ModelTables& tables, const model::Model& model) {
+  Names names = model::default_free(model);
+  std::string text;
+  for (const std::string& name : names)
+    text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", name);
+  tables.note_default("calibration", "free", "[" + text + "]");
+  return names;
+}
+
+Names words_of(const std::vector<fit::Measured>& measured) {
+  Names words;
+  for (const fit::Measured& m : measured) words.emplace_back(m.channel->words);
+  return words;
+}
+
+}  // namespace
+
+Names read_free(ModelTables& tables, const model::Model& model) {
+  const Section s = tables.section("calibration");
+  s.allow_only({"free"});
+  const toml::node* const node = s.find("free");
+  if (!node) return default_names(tables, model);
+  const auto wrong = [&](const toml::node& at, const std::string& problem) {
+    throw InputError(fmt::format("{}: free = {}: {}", s.place(&at), shown(at), problem));
+  };
+  if (!node->is_array() || node->as_array()->empty())
+    wrong(*node, "must be a list of one name or more, as in [\"f0\", \"z\"]");
+  const std::multimap<std::string, std::string> known = full_names(model);
+  Names names;
+  for (const toml::node& entry : *node->as_array()) {
+    const auto name = entry.is_string() ? entry.value<std::string>() : std::nullopt;
+    if (!name) wrong(entry, "must be the name of a parameter in quotes");
+    const auto [first, last] = known.equal_range(*name);
+    if (first == last) {
+      Names all;
+      for (const auto& [called, _] : known) all.push_back(called);
+      const std::string near = suggestion(*name, all);
+      wrong(entry, "no such parameter" + (near.empty() ? "; this model has " + listed(all) : near));
+    }
+    if (std::next(first) != last) wrong(entry, "several effects have it; write effect-id." + *name);
+    if (std::find(names.begin(), names.end(), first->second) != names.end())
+      wrong(entry, "stands twice");
+    names.push_back(first->second);
+  }
+  return names;
+}
+
+std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,
+                                                const model::Model& model) {
+  const Section s = tables.section("loop");
+  if (!s.given()) return {};
+  Names known;
+  for (const record::Channel& c : record::channels)
+    if (c.role == record::Role::measured) known.push_back(tolerance_key(c));
+  // Of temperatures, which no channel of the table measures yet.
+  if (std::find(known.begin(), known.end(), "tolerance_K") == known.end())
+    known.emplace_back("tolerance_K");
+  s.allow_only(known);
+  const std::vector<fit::Measured> measured = make_subject(model)->measured();
+  std::vector<record::NamedValue> tolerances;
+  for (const std::string& name : known) {
+    if (!s.find(name)) continue;
+    const std::string unit = name.substr(name.find('_') + 1);
+    const auto value = s.number({name, unit, 0.0, 1e9});
+    if (*value == 0.0) s.fail(name, fmt::format("{} = 0 {}: must be above 0", name, unit));
+    const std::size_t before = tolerances.size();
+    for (const fit::Measured& m : measured)
+      if (tolerance_key(*m.channel) == name)
+        tolerances.push_back({std::string(m.channel->name), *value * m.channel->factor});
+    if (tolerances.size() == before)
+      s.fail(name, fmt::format("{} = {}: this model predicts {}, and nothing in {}", name, *value,
+                               listed(words_of(measured)), unit));
+  }
+  return tolerances;
+}
+
+}  // namespace raceway::io

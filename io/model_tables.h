@@ -1,0 +1,58 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "io/model_section.h"
+
+namespace raceway::io {
+
+/// The tables of a model file, and the defaults that were used in reading them.
+class ModelTables {
+ public:
+  ModelTables(std::string_view text, std::string source)
+      : root_(parse_toml(text, source)), source_(std::move(source)) {}
+
+  [[nodiscard]] const toml::table& root() const { return root_; }
+  [[nodiscard]] const std::string& source() const { return source_; }
+  [[nodiscard]] const Names& defaults() const { return defaults_; }
+  [[nodiscard]] std::string place(const toml::key& key) const {
+    return fmt::format("{}:{}", source_, key.source().begin.line);
+  }
+
+  [[nodiscard]] Section section(std::string_view name) const {
+    return Section(source_, std::string(name), root_[name].as_table());
+  }
+  [[nodiscard]] Section required_section(std::string_view name, std::string_view holds) const {
+    Section result = section(name);
+    if (!result.given())
+      throw InputError(fmt::format("{}: table [{}] is missing; it holds {}", source_, name, holds));
+    return result;
+  }
+
+  void note_default(std::string_view table, std::string_view key, const std::string& value,
+                    std::string_view why = "default") {
+    defaults_.push_back(fmt::format("{}.{} = {} ({})", table, key, value, why));
+  }
+  double number_or(const Section& s, const Key& key, double fallback) {
+    if (const auto value = s.number(key)) return *value;
+    note_default(s.name(), key.name, fmt::format("{:.10g}", fallback));
+    return fallback;
+  }
+  std::string choice_or(const Section& s, std::string_view key, const Names& allowed,
+                        const std::string& fallback) {
+    if (auto value = s.choice(key, allowed)) return *value;
+    note_default(s.name(), key, fmt::format("\"{}\"", fallback));
+    return fallback;
+  }
+
+ private:
+  toml::table root_;
+  std::string source_;
+  Names defaults_;
+};
+
+}  // namespace raceway::io

@@ -1,0 +1,30 @@
+#include "io/number_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace raceway::io {
+
+double with_15_digits(double value) {
+  if (!std::isfinite(value)) return value;
+  const double rounded = std::strtod(fmt::format("{:.15g}", value).c_str(), nullptr);
+  return std::isfinite(rounded) ? rounded : value;  // the largest double rounds up
+}
+
+double value_in_unit(const record::Channel& channel, double si) {
+  const double value = channel.in_unit(si);
+  constexpr double digits = 1e9;
+  return channel.offset == 0.0 ? value : std::round(value * digits) / digits;
+}
+
+std::string_view difference_unit(const record::Channel& channel) {
+  return channel.offset == 0.0 ? channel.key_unit() : "K";
+}
+
+std::string tolerance_key(const record::Channel& channel) {
+  return "tolerance_" + std::string(difference_unit(channel));
+}
+
+}  // namespace raceway::io

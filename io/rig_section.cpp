@@ -1,0 +1,50 @@
+#include "record/units.h"
+
+// Last: see io/toml_text.h.
+#include "io/rig_section.h"
+
+namespace raceway::io {
+namespace {
+
+constexpr Key inertia{"inertia_kgm2", "kg m2", 1e-9, 1e6};
+constexpr Key bearings{"bearings", "", 1, 100};
+constexpr Key axial_load{"axial_load_N", "N", 0, 1e8};
+constexpr Key radial_load{"radial_load_N", "N", 0, 1e8};
+constexpr Key temperature{"temperature_C", "C", -273, 500};
+constexpr Key minimum_speed{"minimum_speed_rpm", "rpm", 0, 1e6};
+
+}  // namespace
+
+model::Rig read_rig(ModelTables& tables) {
+  const Section s = tables.section("rig");
+  Names known;
+  for (const Key& key : {inertia, bearings, axial_load, radial_load, temperature, minimum_speed})
+    known.emplace_back(key.name);
+  s.allow_only(known);
+  model::Rig rig;
+  if (const auto value = s.number(inertia)) rig.inertia = *value;
+  if (const auto value = s.number(axial_load)) rig.axial_load = *value;
+  if (const auto value = s.whole_number(bearings))
+    rig.bearings = *value;
+  else
+    tables.note_default("rig", bearings.name, fmt::format("{}", rig.bearings));
+  rig.radial_load = tables.number_or(s, radial_load, rig.radial_load);
+  rig.temperature = kelvin(tables.number_or(s, temperature, celsius(rig.temperature)));
+  rig.minimum_speed = tables.number_or(s, minimum_speed, rig.minimum_speed / rpm) * rpm;
+  return rig;
+}
+
+bearing::EquilibriumOptions read_solver(ModelTables& tables) {
+  const Section s = tables.section("solver");
+  s.allow_only({"race_control", "tilt"});
+  bearing::EquilibriumOptions options;
+  options.race_control = tables.choice_or(s, "race_control", {"outer", "inner"}, "outer") == "outer"
+                             ? bearing::RaceControl::outer
+                             : bearing::RaceControl::inner;
+  options.tilt = tables.choice_or(s, "tilt", {"locked", "free"}, "locked") == "locked"
+                     ? bearing::Tilt::locked
+                     : bearing::Tilt::free;
+  return options;
+}
+
+}  // namespace raceway::io

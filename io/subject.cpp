@@ -1,0 +1,13 @@
+#include "io/subject.h"
+
+#include "rig/rig_subject.h"
+#include "shaft/shaft_subject.h"
+
+namespace raceway::io {
+
+std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model) {
+  if (model.shaft) return std::make_shared<shaft::ShaftSubject>(model);
+  return std::make_shared<rig::RigSubject>(model);
+}
+
+}  // namespace raceway::io

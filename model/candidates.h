@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/subject.h"
+#include "model/model.h"
+
+namespace raceway::model {
+
+/// Ids of effects of the user's own that change nothing yet, a size of zero: they stand in the
+/// model only to be tried. One without a size is none of them, nor one of which something is free.
+[[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);
+
+/// An effect as something that may be missing; nothing for one without a size. On the rig of a
+/// coast-down what grows with the rotor has no upper end of plausibility.
+[[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
+                                                         const Rig& rig);
+
+}  // namespace raceway::model

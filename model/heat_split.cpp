@@ -1,0 +1,23 @@
+#include "model/heat_split.h"
+
+#include "model/steps.h"
+
+namespace raceway::model {
+
+friction::HeatSplit heat_split(const Model& model, const bearing::OperatingPoint& point,
+                               const bearing::BearingEquilibrium& equilibrium,
+                               const FrictionPrediction& prediction) {
+  friction::HeatSources sources{.load = prediction.load, .viscous = prediction.viscous};
+  for (std::size_t i = 0; i < prediction.effects.size(); ++i) {
+    const effects::Effect& effect = model.effects[i];
+    if (effect.description->spin)
+      sources.spin_coefficient += effect.values[0];
+    else
+      sources.viscous += prediction.effects[i];
+  }
+  friction::BearingState<double> state = bearing_state(model, point, &equilibrium);
+  if (prediction.bearing) state.bearing = prediction.bearing.get();  // whose balls these are
+  return friction::split_heat(state, sources);
+}
+
+}  // namespace raceway::model

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "friction/heat.h"
+#include "model/prediction.h"
+
+namespace raceway::model {
+
+/// Heat of a predicted friction by ring; that of an effect of spin where the balls spin, of all
+/// other effects as film shear. `equilibrium` is that of the prediction. The sum over the rings is
+/// torque times speed, to rounding.
+[[nodiscard]] friction::HeatSplit heat_split(const Model& model,
+                                             const bearing::OperatingPoint& point,
+                                             const bearing::BearingEquilibrium& equilibrium,
+                                             const FrictionPrediction& prediction);
+
+}  // namespace raceway::model

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bearing/arrangement_equilibrium.h"
+#include "bearing/bearing.h"
+#include "bearing/bearing_equilibrium.h"
+#include "effects/effect.h"
+#include "friction/friction_law.h"
+#include "friction/lubricant.h"
+#include "record/parameter.h"
+
+namespace raceway::model {
+
+/// What is known of the test rig; it fills in what a record does not carry.
+struct Rig {
+  double inertia = unset;           ///< of all that coasts down [kg m²]
+  int bearings = 1;                 ///< equal bearings whose torque the rig sees [1]
+  double axial_load = unset;        ///< per bearing, for rows without that column [N]
+  double radial_load = 0.0;         ///< per bearing [N]
+  double temperature = kelvin(40);  ///< [K]
+  double minimum_speed = 0.0;       ///< slower coast-down rows are left out [rad/s]
+};
+
+/// The shaft that a model stands for, where it is more than one bearing on a rig.
+struct Shaft {
+  bearing::Arrangement arrangement;
+  double external_load = 0.0;  ///< axial, positive towards the tool [N]
+  /// What is not measured is left at the mounting temperature.
+  std::optional<bearing::SetTemperatures> temperatures = {};
+  /// A set has bearings of its own: what the model says of its bearing is not of all.
+  bool own_bearings = false;
+};
+
+/// What the user believes of a bearing on a rig, or of the sets on a shaft. What the loop asks of
+/// it is answered by rig::RigSubject and shaft::ShaftSubject.
+struct Model {
+  std::string name;
+  bearing::Bearing bearing;
+  friction::Lubricant lubricant;
+  friction::FrictionLaw law = friction::FrictionLaw::palmgren;
+  std::vector<double> law_values;        ///< in the order of friction::parameters(law)
+  std::vector<effects::Effect> effects;  ///< what has been added so far, in order
+  bearing::EquilibriumOptions solver;
+  Rig rig;
+  /// Names of what may be re-fitted, as parameters() has them; default_free() where empty.
+  std::vector<std::string> free;
+  /// The first bearing of its front set is `bearing`.
+  std::optional<Shaft> shaft = {};
+  /// Errors that do not matter to whoever uses the model, by the name of the measured channel [SI].
+  std::vector<record::NamedValue> tolerances = {};
+
+  /// The form of the effects that it may have.
+  [[nodiscard]] effects::Form form() const {
+    return shaft ? effects::Form::shaft : effects::Form::rig;
+  }
+};
+
+}  // namespace raceway::model

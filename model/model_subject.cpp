@@ -1,0 +1,160 @@
+#include "model/model_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "effects/catalogue.h"
+#include "model/candidates.h"
+#include "model/needs.h"
+#include "record/nearest_names.h"
+
+namespace raceway::model {
+namespace {
+
+Model without(Model model, const std::vector<std::string>& ids) {
+  std::erase_if(model.effects, [&](const effects::Effect& e) {
+    return std::find(ids.begin(), ids.end(), e.description->id) != ids.end();
+  });
+  return model;
+}
+
+template <typename SomeModel>  // const or not
+auto* find_effect(SomeModel& model, std::string_view id) {
+  const auto found = std::find_if(model.effects.begin(), model.effects.end(),
+                                  [&](const auto& e) { return e.description->id == id; });
+  return found == model.effects.end() ? nullptr : &*found;
+}
+
+/// `known`: effects of the user's own.
+[[noreturn]] void refuse_unknown(const std::string& id, std::vector<std::string> known,
+                                 effects::Form form) {
+  for (const effects::Description& d : effects::catalogue(form))
+    if (d.moves(form)) known.emplace_back(d.id);
+  throw std::invalid_argument(
+      fmt::format("unknown effect \"{}\"; nearest: {}", id, record::nearest_names(id, known, 3)));
+}
+
+}  // namespace
+
+ModelSubject::ModelSubject(const Model& model) : ModelSubject(model, waiting_effects(model)) {}
+
+ModelSubject::ModelSubject(Model model, std::vector<std::string> waiting)
+    : model_(std::move(model)), active_(without(model_, waiting)), waiting_(std::move(waiting)) {}
+
+bool ModelSubject::waits(std::string_view id) const {
+  return std::find(waiting_.begin(), waiting_.end(), id) != waiting_.end();
+}
+
+std::vector<fit::Parameter> ModelSubject::parameters() const {
+  std::vector<fit::Parameter> list = model::parameters(model_);
+  std::erase_if(list, [&](const fit::Parameter& p) {
+    const std::size_t dot = p.name.find('.');
+    return dot != p.name.npos && waits(std::string_view(p.name).substr(0, dot));
+  });
+  return list;
+}
+
+std::vector<std::string> ModelSubject::free() const {
+  return model_.free.empty() ? default_free(model_) : model_.free;
+}
+
+std::unique_ptr<fit::Subject> ModelSubject::with_values(
+    std::span<const fit::NamedValue> values) const {
+  Model changed = model_;
+  for (const fit::NamedValue& v : values)
+    set(changed, fit::find_parameters(*this, {v.name}).front(), v.value);
+  return with(std::move(changed), waiting_);
+}
+
+std::vector<fit::Candidate> ModelSubject::candidates() const {
+  std::vector<fit::Candidate> list;
+  const auto add = [&](const effects::Description& d) {
+    if (auto candidate = candidate_of(d, model_.rig)) list.push_back(*std::move(candidate));
+  };
+  for (const effects::Effect& e : model_.effects)
+    if (waits(e.description->id)) add(*e.description);
+  for (const effects::Description& d : effects::catalogue(model_.form()))
+    if (d.moves(model_.form()) && !find_effect(model_, d.id)) add(d);
+  std::sort(list.begin(), list.end(),
+            [](const fit::Candidate& a, const fit::Candidate& b) { return a.id < b.id; });
+  return list;
+}
+
+std::vector<std::string> ModelSubject::catalogue() const {
+  std::vector<std::string> ids;
+  for (const effects::Description& d : effects::catalogue(model_.form())) ids.emplace_back(d.id);
+  ids.insert(ids.end(), waiting_.begin(), waiting_.end());
+  return ids;
+}
+
+std::unique_ptr<fit::Subject> ModelSubject::with_candidates(
+    std::span<const std::string> ids) const {
+  Model extended = model_;
+  std::vector<std::string> waiting = waiting_;
+  for (auto id = ids.begin(); id != ids.end(); ++id) {
+    if (std::find(ids.begin(), id, *id) != id)
+      throw std::invalid_argument(fmt::format("{} is listed twice", *id));
+    if (waits(*id)) {
+      effects::Effect& own = *find_effect(extended, *id);
+      own.values = effects::initial_values(*own.description);
+      std::erase(waiting, *id);
+    } else {
+      extended.effects.push_back(from_catalogue(*id));
+    }
+  }
+  return with(std::move(extended), std::move(waiting));
+}
+
+effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
+  const effects::Form form = model_.form();
+  if (find_effect(model_, id))
+    throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
+  const effects::Description* const d = effects::find(id, form);
+  if (!d) refuse_unknown(id, waiting_, form);
+  if (!d->moves(form))
+    throw std::invalid_argument(fmt::format("{}: does not change the {}, which is measured", id,
+                                            measured().front().channel->words));
+  if (!candidate_of(*d, model_.rig))
+    throw std::invalid_argument("an effect without a size cannot be added");
+  return {.description = d, .values = effects::initial_values(*d)};
+}
+
+std::string ModelSubject::lacks(const std::string& id, const fit::Record& record) const {
+  const effects::Description* const d = description(id);
+  return d ? missing_need(*d, active_, record) : std::string();
+}
+
+std::string ModelSubject::lacks_levels(const std::string& id, const fit::Record& record) const {
+  const effects::Description* const d = description(id);
+  return d ? missing_levels(*d, active_, record) : std::string();
+}
+
+std::vector<ParameterPlace> ModelSubject::places(const std::vector<std::string>& names) const {
+  std::vector<ParameterPlace> list;
+  const std::vector<fit::Parameter> known = model::parameters(active_);
+  for (const fit::Parameter& chosen : fit::find_parameters(*this, names))
+    list.emplace_back(active_, *std::find_if(known.begin(), known.end(),
+                                             [&](const auto& p) { return p.name == chosen.name; }));
+  return list;
+}
+
+fit::Measured ModelSubject::with_tolerance(fit::Measured measured) const {
+  for (const record::NamedValue& t : model_.tolerances)
+    if (t.name == measured.channel->name) measured.tolerance = t.value;
+  return measured;
+}
+
+const effects::Description* ModelSubject::description(const std::string& id) const {
+  const effects::Effect* const own = find_effect(model_, id);
+  return own ? own->description : effects::find(id, model_.form());
+}
+
+const Model& model_of(const fit::Subject& subject) {
+  const auto* const known = dynamic_cast<const ModelSubject*>(&subject);
+  if (!known) throw std::invalid_argument("the subject is no model of a bearing or a shaft");
+  return known->model();
+}
+
+}  // namespace raceway::model

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/subject.h"
+#include "model/model.h"
+#include "model/parameters.h"
+
+namespace raceway::model {
+
+/// What a reader of measurements for a model must know.
+struct Expected {
+  /// What a column that is not there stands for.
+  struct Default {
+    const record::Channel* channel;
+    double value;      ///< in every row [SI]; NaN: the column is required
+    std::string from;  ///< where the value stands: "[rig]"
+  };
+  /// A column that is not there though its partner is.
+  struct Partner {
+    const record::Channel* channel;
+    const record::Channel* partner;
+    std::string from;  ///< what stands in its place, in words
+  };
+  std::vector<Default> defaults{};
+  std::vector<Partner> partners{};
+  /// The first of these that has a column is used; the model may refuse it.
+  std::vector<const record::Channel*> measured{};
+  std::vector<const record::Channel*> signed_inputs{};  ///< may be below zero here
+  bool coast_down = false;     ///< time and speed alone make a record of friction torque
+  double minimum_speed = 0.0;  ///< of a coast-down: slower rows are left out [rad/s]
+  /// Columns that are read but not used, with what to say of them.
+  std::vector<std::pair<const record::Channel*, std::string>> unused{};
+};
+
+/// A model as the loop sees it; what rig and shaft share.
+///
+/// Effects of the user's own that wait to be tried (see waiting_effects()) stay in the model at
+/// their place, so that addresses are those of its file, but take no part until they are switched
+/// on. A candidate of the catalogue that is switched on comes last.
+class ModelSubject : public fit::Subject {
+ public:
+  /// As the user wrote it, effects that wait included.
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] virtual Expected expected() const = 0;
+
+  [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
+  [[nodiscard]] std::vector<std::string> free() const override;
+  [[nodiscard]] std::unique_ptr<fit::Subject> with_values(
+      std::span<const fit::NamedValue> values) const override;
+
+  /// The catalogue's that change what is measured and are not in the model, and the user's own.
+  [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
+  /// All effects of the catalogue in the form for the model, and the user's own.
+  [[nodiscard]] std::vector<std::string> catalogue() const override;
+  [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
+      std::span<const std::string> ids) const override;
+  /// Also of an effect of the catalogue that changes nothing that is measured.
+  [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
+  [[nodiscard]] std::string lacks_levels(const std::string& id,
+                                         const fit::Record& record) const override;
+
+ protected:
+  explicit ModelSubject(const Model& model);
+  ModelSubject(Model model, std::vector<std::string> waiting);
+
+  /// The same kind of subject.
+  [[nodiscard]] virtual std::unique_ptr<ModelSubject> with(
+      Model model, std::vector<std::string> waiting) const = 0;
+
+  /// Without the effects that wait: what is predicted.
+  [[nodiscard]] const Model& active() const { return active_; }
+  /// Places in active() of the parameters of these names. Throws as fit::find_parameters().
+  [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
+  /// With the tolerance that the model has for it.
+  [[nodiscard]] fit::Measured with_tolerance(fit::Measured measured) const;
+  /// The effect of that id, of the model or of the catalogue; null if there is none.
+  [[nodiscard]] const effects::Description* description(const std::string& id) const;
+
+ private:
+  [[nodiscard]] bool waits(std::string_view id) const;
+  /// At its initial values. Throws as with_candidates() does.
+  [[nodiscard]] effects::Effect from_catalogue(const std::string& id) const;
+
+  Model model_, active_;
+  std::vector<std::string> waiting_;  // ids
+};
+
+/// The model of a subject. Throws std::invalid_argument for one that is no ModelSubject.
+[[nodiscard]] const Model& model_of(const fit::Subject& subject);
+
+}  // namespace raceway::model

@@ -1,0 +1,101 @@
+#include "model/needs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/steps.h"
+
+namespace raceway::model {
+namespace {
+
+using effects::Need;
+
+constexpr double other_level = 0.01;       // of the highest value
+constexpr double other_temperature = 1.0;  // [K]
+
+/// Whether values differ by more than these; NaN is passed over.
+bool vary(std::span<const double> values, double relative, double absolute) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double v : values) {
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  return high - low > relative * std::abs(high) + absolute;
+}
+
+bool is_for_levels(Need need) {
+  return need == Need::speed_levels || need == Need::load_levels || need == Need::preload_levels ||
+         need == Need::viscosity_levels;
+}
+
+bool every_row_is_loaded(const record::Record& record) {
+  for (std::size_t i = 0; i < record.rows(); ++i)
+    if (!(record.value(record::axial_load, i) > 0.0) &&
+        !(std::abs(record.value(record::radial_load, i)) > 0.0))
+      return false;
+  return true;
+}
+
+bool has_levels(const record::Channel& channel, const record::Record& record) {
+  return channel.ratio ? vary(record.values(channel), other_level, 0.0)
+                       : vary(record.values(channel), 0.0, other_temperature);
+}
+
+bool is_met(Need need, const Model& model, const record::Record& record) {
+  switch (need) {
+    case Need::speed_levels:
+      return has_levels(record::speed, record);
+    case Need::load_levels:
+      return has_levels(record::axial_load, record) || has_levels(record::radial_load, record);
+    case Need::preload_levels:
+      return has_levels(record::preload, record);
+    case Need::viscosity_levels:
+      return has_levels(record::temperature, record);
+    case Need::time:
+      return record.complete(record::time);
+    case Need::ring_temperatures:
+      return record.complete(record::inner_ring_temperature) &&
+             record.complete(record::outer_ring_temperature);
+    case Need::loads:
+      return model.shaft || every_row_is_loaded(record);  // the sets load each other
+    case Need::ball_load_law:
+      return model.shaft || needs_equilibrium(model);
+    case Need::opposed_sets:
+      return model.shaft && !model.shaft->arrangement.design().rear.empty();
+    case Need::palmgren_law:
+      return model.law == friction::FrictionLaw::palmgren;
+    case Need::torque_standard:
+      return false;
+  }
+  return true;
+}
+
+std::string first_unmet(const effects::Description& effect, const Model& model,
+                        const record::Record& record, bool levels) {
+  for (const Need need : effect.needs)
+    if (is_for_levels(need) == levels && !is_met(need, model, record))
+      return std::string(effects::text(need));
+  return {};
+}
+
+}  // namespace
+
+std::string missing_need(const effects::Description& effect, const Model& model,
+                         const record::Record& record) {
+  if (!effect.moves(model.form()))
+    return model.form() == effects::Form::rig
+               ? "axial displacement of a shaft, on which alone it acts"
+               : "friction torque, on which alone it acts";
+  if (std::string unmet = first_unmet(effect, model, record, false); !unmet.empty()) return unmet;
+  for (const record::Channel* channel : effect.channels)
+    if (!record.complete(*channel)) return effects::text(*channel);
+  return {};
+}
+
+std::string missing_levels(const effects::Description& effect, const Model& model,
+                           const record::Record& record) {
+  return first_unmet(effect, model, record, true);
+}
+
+}  // namespace raceway::model

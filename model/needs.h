@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "effects/effect.h"
+#include "model/model.h"
+#include "record/record.h"
+
+namespace raceway::model {
+
+/// What an effect cannot be felt without and the model or the record do not have, in words; empty
+/// if there is nothing. A need for several levels is not among these: whether base parameters do
+/// the same is found out on the data themselves.
+[[nodiscard]] std::string missing_need(const effects::Description& effect, const Model& model,
+                                       const record::Record& record);
+
+/// The levels an effect wants and the record does not have: without them base parameters do nearly
+/// the same; empty if there is nothing.
+[[nodiscard]] std::string missing_levels(const effects::Description& effect, const Model& model,
+                                         const record::Record& record);
+
+}  // namespace raceway::model

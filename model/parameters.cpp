@@ -1,0 +1,249 @@
+#include "model/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+namespace raceway::model {
+namespace {
+
+using record::Parameter;
+
+/// A number of the bearing that may be fitted, in its file and in its geometry.
+struct BearingNumber {
+  std::string_view name, unit;
+  double bearing::BearingGeometry::*member;
+  double factor;
+  double lower, upper;
+};
+
+constexpr std::array bearing_numbers{
+    BearingNumber{"inner_conformity", "1", &bearing::BearingGeometry::inner_conformity, 1.0, 0.5005,
+                  0.7},
+    BearingNumber{"outer_conformity", "1", &bearing::BearingGeometry::outer_conformity, 1.0, 0.5005,
+                  0.7},
+    BearingNumber{"contact_angle_deg", "deg", &bearing::BearingGeometry::contact_angle, degree, 1.0,
+                  65.0}};
+
+std::string address_of(const BearingNumber& number) {
+  return "bearing." + std::string(number.name);
+}
+
+/// Whether one bearing, that of the model, stands in all places of the arrangement.
+bool one_bearing(const Shaft& shaft) {
+  const auto bearings = shaft.arrangement.bearings();
+  return !shaft.own_bearings &&
+         std::all_of(bearings.begin(), bearings.end(), [&](const bearing::MountedBearing& b) {
+           return b.bearing == bearings.front().bearing;
+         });
+}
+
+bool has_preload_force(const Model& model) {
+  return model.shaft &&
+         std::holds_alternative<bearing::PreloadForce>(model.shaft->arrangement.design().preload);
+}
+
+void set_preload(Model& model, double force) {
+  bearing::ArrangementDesign design = model.shaft->arrangement.design();
+  design.preload = bearing::PreloadForce{force};
+  model.shaft->arrangement = bearing::Arrangement(std::move(design));
+}
+
+void set_geometry(Model& model, const bearing::BearingGeometry& geometry) {
+  const auto changed = std::make_shared<const bearing::Bearing>(geometry, model.bearing.balls(),
+                                                                model.bearing.rings());
+  if (model.shaft) {
+    bearing::ArrangementDesign design = model.shaft->arrangement.design();
+    for (auto* set : {&design.front, &design.rear})
+      for (bearing::MountedBearing& m : *set) m.bearing = changed;
+    model.shaft->arrangement = bearing::Arrangement(std::move(design));
+  }
+  model.bearing = *changed;
+}
+
+/// A number at these addresses; start and value are those of the model.
+Parameter parameter_at(const Model& model, std::vector<std::string> addresses, std::string name,
+                       std::string_view unit, double lower, double upper) {
+  Parameter p;
+  p.name = std::move(name);
+  p.unit = unit;
+  p.addresses = std::move(addresses);
+  p.lower = lower;
+  p.upper = upper;
+  p.start = p.value = p.initial = get(model, p);
+  return p;
+}
+
+void add(std::vector<Parameter>& list, Parameter p) {
+  p.scale = record::typical_size(p.start, p.initial, p.lower, p.upper);
+  list.push_back(std::move(p));
+}
+
+void add_law(std::vector<Parameter>& list, const Model& model) {
+  for (const friction::Parameter& n : friction::parameters(model.law)) {
+    const std::string name(n.name);
+    Parameter p = parameter_at(model, {"friction." + name}, name, n.unit, n.lower, n.upper);
+    p.initial = n.initial;
+    add(list, std::move(p));
+  }
+}
+
+void add_arrangement(std::vector<Parameter>& list, const Model& model) {
+  if (has_preload_force(model))
+    add(list, parameter_at(model, {"arrangement.preload_N"}, "preload_N", "N", 0.001, 1e8));
+  if (!model.shaft || !one_bearing(*model.shaft)) return;
+  const auto& [inner, outer, angle] = bearing_numbers;
+  const auto add_number = [&](std::string_view name, std::vector<std::string> addresses,
+                              const BearingNumber& n) {
+    add(list,
+        parameter_at(model, std::move(addresses), std::string(name), n.unit, n.lower, n.upper));
+  };
+  const bearing::BearingGeometry& g = model.bearing.geometry();
+  add_number(inner.name, {address_of(inner)}, inner);
+  add_number(outer.name, {address_of(outer)}, outer);
+  if (g.inner_conformity == g.outer_conformity)
+    add_number("conformity", {address_of(inner), address_of(outer)}, inner);
+  if (g.contact_angle > 0.0) add_number(angle.name, {address_of(angle)}, angle);
+}
+
+void add_effect(std::vector<Parameter>& list, const Model& model, std::size_t k) {
+  const effects::Description& d = *model.effects[k].description;
+  for (const effects::Parameter& n : d.parameters) {
+    const std::string name(n.name);
+    Parameter p = parameter_at(model, {"effect." + std::to_string(k) + "." + name},
+                               std::string(d.id) + "." + name, n.unit, n.lower, n.upper);
+    p.initial = n.initial;
+    p.plausible_lower = n.plausible_lower;
+    p.plausible_upper = plausible_upper(d, n, model.rig);
+    p.neutral = n.neutral;
+    add(list, std::move(p));
+  }
+}
+
+[[noreturn]] void refuse(const std::string& address) {
+  throw std::invalid_argument(address + ": the model has no such number");
+}
+
+/// Index of the number of that name.
+template <typename Numbers>
+std::size_t index_of(const Numbers& numbers, std::string_view name, const std::string& address) {
+  const auto found =
+      std::find_if(numbers.begin(), numbers.end(), [&](const auto& n) { return n.name == name; });
+  if (found == numbers.end()) refuse(address);
+  return static_cast<std::size_t>(found - numbers.begin());
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters(const Model& model) {
+  std::vector<Parameter> list;
+  add_law(list, model);
+  add_arrangement(list, model);
+  for (std::size_t k = 0; k < model.effects.size(); ++k) add_effect(list, model, k);
+  return list;
+}
+
+double plausible_upper(const effects::Description& effect, const effects::Parameter& number,
+                       const Rig& rig) {
+  return effect.grows_with_the_rotor && std::isfinite(rig.inertia) ? number.upper
+                                                                   : number.plausible_upper;
+}
+
+ParameterPlace::ParameterPlace(const Model& model, const Parameter& parameter) {
+  if (parameter.addresses.empty()) refuse(parameter.name);
+  for (const std::string& address : parameter.addresses) resolve(model, address);
+}
+
+void ParameterPlace::resolve(const Model& model, const std::string& address) {
+  const std::string_view text = address;
+  const std::size_t dot = text.find('.');
+  if (dot == text.npos) refuse(address);
+  const std::string_view table = text.substr(0, dot);
+  std::string_view name = text.substr(dot + 1);
+  if (table == "friction") {
+    kind_ = Kind::law;
+    index_ = index_of(friction::parameters(model.law), name, address);
+  } else if (table == "arrangement" && name == "preload_N" && has_preload_force(model)) {
+    kind_ = Kind::preload;
+  } else if (table == "bearing" && !(model.shaft && !one_bearing(*model.shaft))) {
+    kind_ = Kind::bearing;
+    const BearingNumber& number = bearing_numbers[index_of(bearing_numbers, name, address)];
+    members_.push_back(number.member);
+    factor_ = number.factor;
+  } else if (table == "effect") {
+    kind_ = Kind::effect;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), effect_);
+    if (error != std::errc() || end == name.data() + name.size() || *end != '.' || effect_ < 0 ||
+        static_cast<std::size_t>(effect_) >= model.effects.size())
+      refuse(address);
+    name.remove_prefix(static_cast<std::size_t>(end - name.data()) + 1);
+    index_ = index_of(model.effects[static_cast<std::size_t>(effect_)].description->parameters,
+                      name, address);
+  } else {
+    refuse(address);
+  }
+}
+
+double ParameterPlace::get(const Model& model) const {
+  switch (kind_) {
+    case Kind::law:
+      return model.law_values.at(index_);
+    case Kind::effect:
+      return model.effects.at(static_cast<std::size_t>(effect_)).values.at(index_);
+    case Kind::preload:
+      return std::get<bearing::PreloadForce>(model.shaft->arrangement.design().preload).force;
+    case Kind::bearing:
+      return model.bearing.geometry().*members_.front() / factor_;
+  }
+  return unset;
+}
+
+void ParameterPlace::set(Model& model, double value) const {
+  switch (kind_) {
+    case Kind::law:
+      model.law_values.at(index_) = value;
+      return;
+    case Kind::effect:
+      model.effects.at(static_cast<std::size_t>(effect_)).values.at(index_) = value;
+      return;
+    case Kind::preload:
+      if (value != get(model)) set_preload(model, value);
+      return;
+    case Kind::bearing: {
+      // As it reads back: a value that was read is no change.
+      bearing::BearingGeometry g = model.bearing.geometry();
+      if (std::all_of(members_.begin(), members_.end(),
+                      [&](auto member) { return g.*member / factor_ == value; }))
+        return;
+      for (const auto member : members_) g.*member = value * factor_;
+      set_geometry(model, g);
+      return;
+    }
+  }
+}
+
+double get(const Model& model, const Parameter& parameter) {
+  return ParameterPlace(model, parameter).get(model);
+}
+
+void set(Model& model, const Parameter& parameter, double value) {
+  ParameterPlace(model, parameter).set(model, value);
+}
+
+std::vector<std::string> default_free(friction::FrictionLaw law) {
+  if (law == friction::FrictionLaw::palmgren) return {"f0", "z"};
+  return {"mu_EHL", "K_rs"};
+}
+
+std::vector<std::string> default_free(const Model& model) {
+  if (has_preload_force(model)) return {"preload_N"};
+  return default_free(model.law);
+}
+
+}  // namespace raceway::model

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+#include "record/parameter.h"
+
+namespace raceway::model {
+
+/// All numbers of a model that may be fitted, with start and value as the model has them: base law
+/// first, then arrangement and bearing, then the effects in their order.
+///
+///   f0, z, y; mu_bl, ...       base law           friction.f0
+///   preload_N                  force on each side at standstill
+///                                                 arrangement.preload_N
+///   inner_conformity, outer_conformity            bearing.inner_conformity
+///   conformity                 of both grooves, where they are equal in the model
+///   contact_angle_deg          free contact angle; the force of preload stays
+///   mixed-lubrication.K_rs     "id.name" of an effect
+///                                                 effect.2.K_rs of the third effect
+///
+/// Of the bearing there are none without a shaft, and none where the sets have different bearings;
+/// its numbers are those of all bearings in the arrangement. No preload where it is not given as a
+/// force. `neutral` and the plausible range are those of effects; NaN elsewhere.
+[[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
+
+/// The upper end of the range in which a number of an effect is met: its bound where whatever turns
+/// on the shaft of a coast-down adds to it, since that has no published size.
+[[nodiscard]] double plausible_upper(const effects::Description& effect,
+                                     const effects::Parameter& number, const Rig& rig);
+
+/// Where a parameter stands in a model, its addresses resolved once: a fit sets numbers thousands
+/// of times.
+class ParameterPlace {
+ public:
+  /// Throws std::invalid_argument for an address that the model does not have.
+  ParameterPlace(const Model& model, const record::Parameter& parameter);
+
+  /// In the unit of the files. The model has the effects of the one it was made for.
+  [[nodiscard]] double get(const Model& model) const;
+  /// Throws std::invalid_argument where bearing or arrangement cannot take the value.
+  void set(Model& model, double value) const;
+  /// Index of the effect that it belongs to, -1 for all else.
+  [[nodiscard]] int effect() const { return effect_; }
+
+ private:
+  enum class Kind { law, effect, preload, bearing };
+  void resolve(const Model& model, const std::string& address);
+
+  Kind kind_ = Kind::law;
+  int effect_ = -1;
+  std::size_t index_ = 0;  // in the values of law or effect
+  std::vector<double bearing::BearingGeometry::*> members_;
+  double factor_ = 1.0;  // to the unit of the members
+};
+
+/// The number at the addresses of a parameter, in the unit of the files. Throws as ParameterPlace.
+[[nodiscard]] double get(const Model& model, const record::Parameter& parameter);
+void set(Model& model, const record::Parameter& parameter, double value);
+
+/// palmgren: f0, z (y is rarely told apart from z)      skf: mu_EHL, K_rs
+[[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
+
+/// The preload of an arrangement that is given as a force, which assembly makes uncertain;
+/// otherwise what the law has.
+[[nodiscard]] std::vector<std::string> default_free(const Model& model);
+
+}  // namespace raceway::model

@@ -1,0 +1,70 @@
+#include "model/prediction.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "model/row.h"
+#include "model/row_predictor.h"
+
+namespace raceway::model {
+namespace {
+
+constexpr std::size_t chunk = 256;  // points that a thread takes
+
+}  // namespace
+
+bool FrictionPrediction::predicted() const { return std::isfinite(torque); }
+
+double rig_torque(const Rig& rig, double bearing_torque) { return rig.bearings * bearing_torque; }
+
+FrictionPrediction predict_friction(const Model& model, const bearing::OperatingPoint& point,
+                                    bool with_equilibrium, const effects::Record& record) {
+  const Steps steps(model, with_equilibrium);
+  RowPredictor row(model, steps, point, record);
+  (void)row.predict(model, steps);
+  return row.prediction(model);
+}
+
+void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> points,
+                   std::span<FrictionPrediction> predictions, bool with_equilibrium,
+                   std::span<const effects::Record> records) {
+  if (points.size() != predictions.size())
+    throw std::invalid_argument("predict_sweep: as many predictions as points are needed");
+  if (!records.empty() && records.size() != points.size())
+    throw std::invalid_argument("predict_sweep: as many records as points are needed, or none");
+  const Steps steps(model, with_equilibrium);
+  const std::size_t chunks = (points.size() + chunk - 1) / chunk;
+  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t k) {
+    const std::size_t first = k * chunk, count = std::min(chunk, points.size() - first);
+    std::vector<RowPredictor> rows;
+    rows.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+      rows.emplace_back(model, steps, points[first + i],
+                        records.empty() ? effects::Record{} : records[first + i]);
+    solve_balances(model, steps, rows);
+    for (std::size_t i = 0; i < count; ++i) {
+      (void)rows[i].predict(model, steps);
+      predictions[first + i] = rows[i].prediction(model);
+    }
+  });
+}
+
+std::vector<FrictionPrediction> predict_rows(const Model& model, const record::Record& record) {
+  std::vector<bearing::OperatingPoint> points;
+  std::vector<effects::Record> records;
+  points.reserve(record.rows());
+  records.reserve(record.rows());
+  for (std::size_t i = 0; i < record.rows(); ++i) {
+    const Row row = row_of(record, i);
+    points.push_back(row.point);
+    records.push_back(row.record);
+  }
+  std::vector<FrictionPrediction> predictions(points.size());
+  predict_sweep(model, points, predictions, false, records);
+  return predictions;
+}
+
+}  // namespace raceway::model

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "effects/effect.h"
+#include "model/model.h"
+#include "record/record.h"
+
+namespace raceway::model {
+
+/// Friction of one bearing at one operating point, and what the rig reads of it. All numbers are
+/// NaN where an input is not known, or where the point has no balance and an effect needs it;
+/// `report` then says why. A model that needs no balls has its torque also without balance.
+struct FrictionPrediction {
+  double load = unset;  ///< load moment of the base law, at the load the bearing really sees [N m]
+  double viscous = unset;  ///< viscous moment of the base law, as the film leaves it [N m]
+  /// Added moment of each effect, in the order of the model [N m]; 0 for one that acts on
+  /// condition, lubricant or reading, and shows in the other terms.
+  std::vector<double> effects;
+  double torque = unset;      ///< sum of all these [N m]
+  double power_loss = unset;  ///< torque times speed [W]
+  double reading = unset;  ///< of the rig: torque of all its bearings, then the reading steps [N m]
+  effects::Condition condition;        ///< what effects change of the entered condition
+  double kinematic_viscosity = unset;  ///< of the film [m²/s]
+  /// The bearing as the condition makes it; null where that is the one entered.
+  std::shared_ptr<const bearing::Bearing> bearing;
+  /// Balls in balance; null where there is none, and where nobody asked for it and nothing needed
+  /// it.
+  std::shared_ptr<const bearing::BearingEquilibrium> equilibrium;
+  bearing::SolveReport report;  ///< not_run where no equilibrium was needed
+
+  [[nodiscard]] bool predicted() const;  ///< torque is a number
+};
+
+/// Friction of one bearing [N m] on its way through four steps, at each of which effects may act:
+///
+///   condition    extra load, tilt, growth of rings, ball material: changes add up
+///   -> ball equilibrium, where an effect needs it or `with_equilibrium` asks for it
+///   lubricant    viscosity of the film and share of the viscous moment, in the order of the
+///                catalogue
+///   -> base law at the real load and the film's viscosity; Palmgren's with the entered bearing
+///   moment       added moments, each from the base moments before this step
+///   -> torque of all bearings of the rig
+///   reading      added to the torque, each from that before this step
+///
+/// so the order of effects in the model changes nothing.
+[[nodiscard]] FrictionPrediction predict_friction(const Model& model,
+                                                  const bearing::OperatingPoint& point,
+                                                  bool with_equilibrium = false,
+                                                  const effects::Record& record = {});
+
+/// The same for many points, solved side by side and shared among threads: neither the number of
+/// threads nor the other points change a digit. `records` may be empty. Throws
+/// std::invalid_argument if the sizes differ.
+void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> points,
+                   std::span<FrictionPrediction> predictions, bool with_equilibrium = false,
+                   std::span<const effects::Record> records = {});
+
+/// Friction of one bearing at every row of a record, in its order.
+[[nodiscard]] std::vector<FrictionPrediction> predict_rows(const Model& model,
+                                                           const record::Record& record);
+
+/// Torque of all bearings of a rig, which turn on one shaft, M = bearings * M_bearing [N m]; the
+/// steps of reading not included.
+[[nodiscard]] double rig_torque(const Rig& rig, double bearing_torque);
+
+}  // namespace raceway::model

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+
+#include "bearing/operating_point.h"
+#include "effects/effect.h"
+#include "record/record.h"
+
+namespace raceway::model {
+
+/// One row of a record as predictions look at it.
+struct Row {
+  bearing::OperatingPoint
+      point;               ///< radial load along y; of a shaft: axial load is the external one
+  effects::Record record;  ///< looks into the record, which must outlive it
+  double preload = unset;  ///< of the sets at standstill [N]
+};
+
+/// NaN where the record has no such column, but a temperature of 40 °C.
+[[nodiscard]] Row row_of(const record::Record& record, std::size_t row);
+
+}  // namespace raceway::model

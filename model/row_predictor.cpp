@@ -1,0 +1,266 @@
+#include "model/row_predictor.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/changed_bearing.h"
+#include "model/tilted_equilibrium.h"
+
+namespace raceway::model {
+namespace {
+
+using effects::Condition;
+using effects::Effect;
+
+constexpr std::size_t chunk = 256;  // rows that a thread takes
+
+bool finite(const bearing::OperatingPoint& p) {
+  return std::isfinite(p.speed) && std::isfinite(p.axial_load) && std::isfinite(p.radial_load) &&
+         std::isfinite(p.radial_load_z) && std::isfinite(p.moment_y) && std::isfinite(p.moment_z) &&
+         std::isfinite(p.temperature);
+}
+
+/// An angular contact bearing cannot be pulled: the extra load ends where the entered one is gone.
+double with_extra(double axial_load, double extra) {
+  return std::copysign(std::max(std::abs(axial_load) + extra, 0.0), axial_load);
+}
+
+bearing::BearingEquilibrium solve_from(const bearing::BearingCase& asked,
+                                       const bearing::EquilibriumOptions& options,
+                                       const bearing::BearingEquilibrium* neighbour) {
+  return neighbour ? solve_bearing_equilibrium(*asked.bearing, asked.point, options, *neighbour)
+                   : solve_bearing_equilibrium(*asked.bearing, asked.point, options);
+}
+
+/// True if somebody has tried to solve it.
+bool known_report(const bearing::SolveReport& report) {
+  return report.status != bearing::SolveStatus::not_run &&
+         report.status != bearing::SolveStatus::not_finite;
+}
+
+}  // namespace
+
+RowPredictor::RowPredictor(const Model& model, const Steps& steps,
+                           const bearing::OperatingPoint& point, const effects::Record& record,
+                           Balance known, const Condition& given,
+                           std::shared_ptr<const bearing::Bearing> bearing)
+    : point_(point),
+      record_(record),
+      given_(given),
+      entered_viscosity_(model.lubricant.kinematic_viscosity(point.temperature)),
+      radial_load_(std::hypot(point.radial_load, point.radial_load_z)) {
+  units_.assign(steps.moment.size(), unset);
+  if (!known) return;
+  condition_ = given;
+  bearing_ = std::move(bearing);
+  report_ = known->report;
+  equilibrium_ = std::move(known);
+}
+
+friction::BearingState<double> RowPredictor::state(const Model& model) const {
+  return {.bearing = &model.bearing,
+          .equilibrium = equilibrium_.get(),
+          .race_control = model.solver.race_control,
+          .speed = point_.speed,
+          .axial_load = with_extra(point_.axial_load, condition_.extra_axial_load),
+          .radial_load = radial_load_,
+          .temperature = point_.temperature,
+          .kinematic_viscosity = film_.kinematic_viscosity};
+}
+
+bool RowPredictor::find_condition(const Model& model, const Steps& steps,
+                                  Condition& condition) const {
+  if (!finite(point_)) return false;
+  friction::BearingState<double> entered = state(model);
+  entered.equilibrium = nullptr;
+  entered.axial_load = with_extra(point_.axial_load, 0.0);
+  entered.kinematic_viscosity = entered_viscosity_;
+  condition = condition_of(model, steps, entered, point_, record_, given_);
+  return condition.finite();
+}
+
+std::optional<bearing::BearingCase> RowPredictor::question(const Model& model) {
+  bearing_ = nullptr;
+  equilibrium_ = nullptr;
+  report_ = {};
+  if (condition_.changes_bearing()) {
+    bearing_ = changed_bearing(model.bearing, condition_);
+    if (!bearing_) {
+      report_.status = bearing::SolveStatus::no_equilibrium;
+      return {};
+    }
+  }
+  bearing::BearingCase asked{bearing_ ? bearing_.get() : &model.bearing, point_};
+  asked.point.axial_load = with_extra(point_.axial_load, condition_.extra_axial_load);
+  return asked;
+}
+
+void RowPredictor::solve(const Model& model) {
+  // Started from the row's own last balance.
+  const Balance last = equilibrium_;
+  const bearing::BearingEquilibrium* start =
+      last && last->report.converged() ? last.get() : nullptr;
+  const auto asked = question(model);
+  if (!asked) return;
+  equilibrium_ = std::make_shared<const bearing::BearingEquilibrium>(
+      condition_.tilt != 0.0
+          ? solve_tilted(*asked->bearing, asked->point, model.solver, condition_.tilt, start)
+          : solve_from(*asked, model.solver, start));
+  report_ = equilibrium_->report;
+}
+
+std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const Steps& steps) {
+  Condition condition;
+  if (!steps.equilibrium || !find_condition(model, steps, condition) || condition.tilt != 0.0)
+    return {};
+  if (condition == condition_ && known_report(report_)) return {};
+  condition_ = condition;
+  return question(model);
+}
+
+void RowPredictor::answer(bearing::BearingEquilibrium&& equilibrium) {
+  report_ = equilibrium.report;
+  equilibrium_ = std::make_shared<const bearing::BearingEquilibrium>(std::move(equilibrium));
+}
+
+bool RowPredictor::find_balance(const Model& model, const Steps& steps) {
+  Condition condition;
+  if (!find_condition(model, steps, condition)) {
+    report_.status = bearing::SolveStatus::not_finite;
+    return false;
+  }
+  const bool solved = condition == condition_ && known_report(report_);
+  condition_ = condition;
+  if (steps.equilibrium && !solved) solve(model);
+  return true;
+}
+
+void RowPredictor::find_film(const Model& model, const Steps& steps,
+                             friction::BearingState<double>& s) {
+  film_ = {.kinematic_viscosity = entered_viscosity_};
+  s.kinematic_viscosity = entered_viscosity_;
+  const effects::BaseLaw law{model.law, model.law_values};
+  const effects::LubricantInputs inputs{.lubricant = model.lubricant, .state = s, .base = law};
+  for (const std::size_t k : steps.lubricant)
+    model.effects[k].description->lubricant(inputs, model.effects[k].values, film_);
+  s.kinematic_viscosity = film_.kinematic_viscosity;
+}
+
+void RowPredictor::add_moments(const Model& model, const Steps& steps, Stage from,
+                               const friction::BearingState<double>& s) {
+  const effects::MomentInputs inputs{.state = s, .base = base_, .record = record_};
+  torque_ = base_.load + base_.viscous;
+  for (std::size_t m = 0; m < steps.moment.size(); ++m) {
+    const Effect& effect = model.effects[steps.moment[m]];
+    if (!effect.description->unit_moment) {
+      torque_ += effect.moment(inputs);
+      continue;
+    }
+    if (from <= Stage::lubricant) units_[m] = effect.description->unit_moment(inputs);
+    torque_ += effect.values[0] * units_[m];
+  }
+}
+
+void RowPredictor::read(const Model& model, const Steps& steps) {
+  const double rig = rig_torque(model.rig, torque_);
+  reading_ = rig;
+  const effects::ReadingInputs inputs{.value = rig, .point = point_, .record = record_};
+  for (const std::size_t k : steps.reading)
+    reading_ += model.effects[k].description->reading(inputs, model.effects[k].values);
+}
+
+double RowPredictor::predict(const Model& model, const Steps& steps, Stage from) {
+  // Where there was no prediction, nothing is known to start from.
+  if (!std::isfinite(reading_)) from = Stage::condition;
+  if (from <= Stage::moment) torque_ = unset;
+  reading_ = unset;
+  if (from == Stage::condition && !find_balance(model, steps)) return reading_;
+  if (steps.needs_balls && !report_.converged()) return reading_;
+
+  friction::BearingState<double> s = state(model);
+  if (from <= Stage::lubricant) find_film(model, steps, s);
+  if (from <= Stage::base) {
+    base_ = effects::BaseLaw{model.law, model.law_values}.moments(s);
+    base_.viscous *= film_.viscous_share;
+  }
+  if (from <= Stage::moment) {
+    // Laws of ball loads look at the bearing as it is, base laws at the one entered.
+    if (bearing_) s.bearing = bearing_.get();
+    add_moments(model, steps, from, s);
+  }
+  read(model, steps);
+  return reading_;
+}
+
+FrictionPrediction RowPredictor::prediction(const Model& model) const {
+  FrictionPrediction p;
+  p.condition = condition_;
+  p.bearing = bearing_;
+  if (report_.converged()) p.equilibrium = equilibrium_;
+  p.report = report_;
+  p.effects.assign(model.effects.size(), unset);
+  if (std::isnan(reading_) && std::isnan(torque_)) {
+    if (report_.status == bearing::SolveStatus::not_run)
+      p.report.status = bearing::SolveStatus::not_finite;
+    return p;
+  }
+  p.load = base_.load;
+  p.viscous = base_.viscous;
+  p.torque = torque_;
+  p.power_loss = torque_ * point_.speed;
+  p.reading = reading_;
+  p.kinematic_viscosity = film_.kinematic_viscosity;
+  friction::BearingState<double> s = state(model);
+  if (bearing_) s.bearing = bearing_.get();
+  const effects::MomentInputs inputs{.state = s, .base = base_, .record = record_};
+  for (std::size_t k = 0; k < model.effects.size(); ++k)
+    p.effects[k] = model.effects[k].moment(inputs);
+  return p;
+}
+
+void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows) {
+  if (!steps.equilibrium) return;
+  std::vector<bearing::BearingCase> asked;
+  std::vector<std::size_t> asking;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (const auto question = rows[i].ask(model, steps)) {
+      asked.push_back(*question);
+      asking.push_back(i);
+    }
+  if (asked.empty()) return;
+  std::vector<bearing::BearingEquilibrium> solved(asked.size());
+  bearing::solve_many(asked, solved, model.solver);
+  for (std::size_t n = 0; n < asked.size(); ++n) rows[asking[n]].answer(std::move(solved[n]));
+}
+
+void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
+                 std::span<double> readings, Stage from) {
+  if (from == Stage::condition) solve_balances(model, steps, rows);
+  const auto predict = [&](std::size_t k) {
+    const std::size_t end = std::min((k + 1) * chunk, rows.size());
+    for (std::size_t i = k * chunk; i < end; ++i) readings[i] = rows[i].predict(model, steps, from);
+  };
+  if (rows.size() <= chunk) return predict(0);
+  tbb::parallel_for(std::size_t{0}, (rows.size() + chunk - 1) / chunk, predict);
+}
+
+std::vector<Balance> entered_balances(const Model& model,
+                                      std::span<const bearing::OperatingPoint> points) {
+  Model plain = model;
+  plain.effects.clear();
+  const Steps steps(plain, true);
+  std::vector<RowPredictor> rows;
+  rows.reserve(points.size());
+  for (const bearing::OperatingPoint& point : points)
+    rows.emplace_back(plain, steps, point, effects::Record{});
+  solve_balances(plain, steps, rows);
+  std::vector<Balance> balances;
+  balances.reserve(rows.size());
+  for (const RowPredictor& row : rows) balances.push_back(row.equilibrium());
+  return balances;
+}
+
+}  // namespace raceway::model

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bearing/solve_many.h"
+#include "model/prediction.h"
+#include "model/steps.h"
+
+namespace raceway::model {
+
+/// Balls in balance, shared by all that look at them.
+using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
+
+/// One row that is predicted again and again with other numbers of the same model. It remembers the
+/// equilibrium, solved again only where the condition has moved, and whatever else a number leaves
+/// alone. See predict_friction() for the steps on the way.
+class RowPredictor {
+ public:
+  /// `known`: the balance under the condition `given`, where somebody has it: as entered, or that
+  /// of a bearing in its set on a shaft. `given` is a condition beside what the effects in `steps`
+  /// make of it. `bearing`: whose balls are in that balance, where it is not the model's.
+  RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
+               const effects::Record& record, Balance known = nullptr,
+               const effects::Condition& given = {},
+               std::shared_ptr<const bearing::Bearing> bearing = nullptr);
+
+  /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered; values of
+  /// the model that act before `from` must be those of the last call.
+  double predict(const Model& model, const Steps& steps, Stage from = Stage::condition);
+
+  /// The balance that predict() will need, for callers that solve many at once and answer() before
+  /// they call it; nothing where it needs none, remembers it, or needs one at an imposed tilt.
+  [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
+  void answer(bearing::BearingEquilibrium&& equilibrium);
+
+  /// All that the last predict() found.
+  [[nodiscard]] FrictionPrediction prediction(const Model& model) const;
+  [[nodiscard]] const Balance& equilibrium() const { return equilibrium_; }
+
+ private:
+  [[nodiscard]] bool find_condition(const Model& model, const Steps& steps,
+                                    effects::Condition& condition) const;
+  [[nodiscard]] friction::BearingState<double> state(const Model& model) const;
+  std::optional<bearing::BearingCase> question(const Model& model);
+  void solve(const Model& model);
+  // The steps; each from what those before it have left in the members below.
+  [[nodiscard]] bool find_balance(const Model& model, const Steps& steps);
+  void find_film(const Model& model, const Steps& steps, friction::BearingState<double>& s);
+  void add_moments(const Model& model, const Steps& steps, Stage from,
+                   const friction::BearingState<double>& s);
+  void read(const Model& model, const Steps& steps);
+
+  bearing::OperatingPoint point_;
+  effects::Record record_;
+  effects::Condition given_;
+  double entered_viscosity_, radial_load_;
+
+  effects::Condition condition_;
+  std::shared_ptr<const bearing::Bearing> bearing_;  // null: as entered
+  Balance equilibrium_;
+  bearing::SolveReport report_;
+  effects::Film film_;
+  friction::BaseMoments<double> base_{unset, unset};
+  std::vector<double> units_;  // unit moments of Steps::moment, NaN where it has none
+  double torque_ = unset, reading_ = unset;
+};
+
+/// Solves the balances that rows ask for side by side.
+void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
+
+/// predict() for all rows, the balances they need solved side by side and the rows shared among
+/// threads: each row is predicted by itself, so that the number of threads changes no digit.
+void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
+                 std::span<double> readings, Stage from = Stage::condition);
+
+/// Balances of points as entered, without any effect.
+[[nodiscard]] std::vector<Balance> entered_balances(
+    const Model& model, std::span<const bearing::OperatingPoint> points);
+
+}  // namespace raceway::model

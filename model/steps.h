@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "effects/effect.h"
+#include "model/model.h"
+
+namespace raceway::model {
+
+/// True if an effect of the model uses ball loads or angles. The base laws do not, so a bearing
+/// whose load is only assumed can be compared without a solve.
+[[nodiscard]] bool needs_equilibrium(const Model& model);
+
+/// Which effects of a model act where; found once for many predictions.
+struct Steps {
+  /// Indices into Model::effects; `reading` is that of the channel that is read.
+  std::vector<std::size_t> condition, lubricant, moment, reading;
+  bool equilibrium = false;  ///< to be solved
+  bool needs_balls = false;  ///< without it there is no prediction
+  explicit Steps(const Model& model, bool with_equilibrium = false,
+                 const record::Channel& read = record::friction_torque);
+};
+
+/// The first thing that a changed number of a model can change.
+enum class Stage { condition, lubricant, base, moment, reading };
+
+/// The stage that a number of the base law (`effect` < 0) or of an effect acts on first.
+[[nodiscard]] Stage first_stage(const Model& model, const Steps& steps, int effect);
+
+/// The state of one bearing that friction laws and effects look at, as entered; `equilibrium` may
+/// be null.
+[[nodiscard]] friction::BearingState<double> bearing_state(
+    const Model& model, const bearing::OperatingPoint& point,
+    const bearing::BearingEquilibrium* equilibrium);
+
+/// What the effects of a model change of the condition of a bearing in the state `entered`, beside
+/// what is `given`; not finite where an input is not known. The bearing may be another one than the
+/// model's.
+[[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
+                                              const friction::BearingState<double>& entered,
+                                              const bearing::OperatingPoint& point,
+                                              const effects::Record& record,
+                                              const effects::Condition& given = {});
+
+}  // namespace raceway::model

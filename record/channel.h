@@ -1,0 +1,200 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "record/units.h"
+
+namespace raceway::record {
+
+/// What a column is for.
+enum class Role {
+  setting,    ///< set by whoever measures; may explain a reading
+  recorded,   ///< recorded beside; may explain a reading
+  measured,   ///< what a model predicts
+  deviation,  ///< standard deviation of a measured one
+  time,
+  run  ///< index of the run that a row belongs to
+};
+
+/// A quantity that can stand in a column. All that reads, shows or sorts by columns looks here, so
+/// that a new one is a line of the table below.
+struct Channel {
+  std::string_view name;             ///< of the column, its unit at the end: "speed_rpm"
+  std::string_view variable = name;  ///< without unit, as in results: "speed"
+  std::string_view words = name;     ///< for people: "axial load"
+  std::string_view unit = {};        ///< for people: "N mm"
+  double factor = 1.0;               ///< SI = factor * value + offset
+  double offset = 0.0;
+  double lower = 0.0, upper = 0.0;  ///< what a cell may be, closed, in the unit of the column
+  Role role = Role::setting;
+  /// Values closer than this are one level: a share of the largest of them where `ratio`, otherwise
+  /// in SI.
+  double step = 0.0;
+  bool ratio = false;               ///< a scale on which differences count against the size
+  std::string_view kind = {};       ///< channels of one kind are compared with the largest of them
+  std::string_view place = {};      ///< how a place on it is named: "rpm", "N axial load"
+  std::string_view of = {};         ///< of a deviation: the measured channel
+  std::string_view direction = {};  ///< of a measured one, where its sign means something
+
+  [[nodiscard]] constexpr double to_SI(double value) const { return value * factor + offset; }
+  [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
+  /// The unit as names of columns and keys have it: "Nmm".
+  [[nodiscard]] constexpr std::string_view key_unit() const {
+    return name.size() > variable.size() ? name.substr(variable.size() + 1) : std::string_view();
+  }
+  /// Whether it may explain a reading.
+  [[nodiscard]] constexpr bool is_input() const {
+    return role == Role::setting || role == Role::recorded;
+  }
+  [[nodiscard]] constexpr bool operator==(const Channel& other) const { return name == other.name; }
+};
+
+inline constexpr double endless = std::numeric_limits<double>::max();
+
+/// The table of quantities. The first setting is the one that records sweep.
+inline constexpr std::array channels{Channel{.name = "speed_rpm",
+                                             .variable = "speed",
+                                             .words = "speed",
+                                             .unit = "rpm",
+                                             .factor = rpm,
+                                             .lower = 0,
+                                             .upper = 1e6,
+                                             .step = 5e-3,
+                                             .ratio = true,
+                                             .place = "rpm"},
+                                     Channel{.name = "axial_load_N",
+                                             .variable = "axial_load",
+                                             .words = "axial load",
+                                             .unit = "N",
+                                             .lower = 0,
+                                             .upper = 1e8,
+                                             .step = 5e-3,
+                                             .ratio = true,
+                                             .kind = "load",
+                                             .place = "N axial load"},
+                                     Channel{.name = "radial_load_N",
+                                             .variable = "radial_load",
+                                             .words = "radial load",
+                                             .unit = "N",
+                                             .lower = 0,
+                                             .upper = 1e8,
+                                             .step = 5e-3,
+                                             .ratio = true,
+                                             .kind = "load",
+                                             .place = "N radial load"},
+                                     Channel{.name = "temperature_C",
+                                             .variable = "temperature",
+                                             .words = "temperature",
+                                             .unit = "C",
+                                             .offset = celsius_zero,
+                                             .lower = -273,
+                                             .upper = 500,
+                                             .step = 0.5,
+                                             .place = "C"},
+                                     Channel{.name = "preload_N",
+                                             .variable = "preload",
+                                             .words = "preload",
+                                             .unit = "N",
+                                             .lower = 0,
+                                             .upper = 1e8,
+                                             .step = 5e-3,
+                                             .ratio = true,
+                                             .place = "N preload"},
+                                     Channel{.name = "inner_ring_temperature_C",
+                                             .variable = "inner_ring_temperature",
+                                             .words = "inner ring temperature",
+                                             .unit = "C",
+                                             .offset = celsius_zero,
+                                             .lower = -273,
+                                             .upper = 500,
+                                             .role = Role::recorded,
+                                             .step = 0.5,
+                                             .place = "C of the inner ring"},
+                                     Channel{.name = "outer_ring_temperature_C",
+                                             .variable = "outer_ring_temperature",
+                                             .words = "outer ring temperature",
+                                             .unit = "C",
+                                             .offset = celsius_zero,
+                                             .lower = -273,
+                                             .upper = 500,
+                                             .role = Role::recorded,
+                                             .step = 0.5,
+                                             .place = "C of the outer ring"},
+                                     Channel{.name = "time_s",
+                                             .variable = "time",
+                                             .words = "time",
+                                             .unit = "s",
+                                             .lower = -endless,
+                                             .upper = endless,
+                                             .role = Role::time},
+                                     Channel{.name = "run_id",
+                                             .variable = "run",
+                                             .words = "run",
+                                             .unit = "",
+                                             .role = Role::run,
+                                             .step = 0.5},
+                                     Channel{.name = "friction_torque_Nmm",
+                                             .variable = "friction_torque",
+                                             .words = "friction torque",
+                                             .unit = "N mm",
+                                             .factor = N_mm,
+                                             .lower = -1e9,
+                                             .upper = 1e9,
+                                             .role = Role::measured},
+                                     Channel{.name = "axial_displacement_um",
+                                             .variable = "axial_displacement",
+                                             .words = "axial displacement",
+                                             .unit = "um",
+                                             .factor = um,
+                                             .lower = -1e6,
+                                             .upper = 1e6,
+                                             .role = Role::measured,
+                                             .direction = "positive towards the tool"},
+                                     // A reading without any scatter would outweigh all others.
+                                     Channel{.name = "std_Nmm",
+                                             .variable = "std",
+                                             .words = "standard deviation",
+                                             .unit = "N mm",
+                                             .factor = N_mm,
+                                             .lower = 1e-9,
+                                             .upper = 1e9,
+                                             .role = Role::deviation,
+                                             .of = "friction_torque_Nmm"},
+                                     Channel{.name = "std_um",
+                                             .variable = "std",
+                                             .words = "standard deviation",
+                                             .unit = "um",
+                                             .factor = um,
+                                             .lower = 1e-9,
+                                             .upper = 1e6,
+                                             .role = Role::deviation,
+                                             .of = "axial_displacement_um"}};
+
+/// The channel of that name in the table; null if there is none.
+[[nodiscard]] constexpr const Channel* find_channel(std::string_view name) {
+  for (const Channel& channel : channels)
+    if (channel.name == name) return &channel;
+  return nullptr;
+}
+
+// Those that code asks for by name.
+inline constexpr const Channel& speed = *find_channel("speed_rpm");
+inline constexpr const Channel& axial_load = *find_channel("axial_load_N");
+inline constexpr const Channel& radial_load = *find_channel("radial_load_N");
+inline constexpr const Channel& temperature = *find_channel("temperature_C");
+inline constexpr const Channel& preload = *find_channel("preload_N");
+inline constexpr const Channel& inner_ring_temperature = *find_channel("inner_ring_temperature_C");
+inline constexpr const Channel& outer_ring_temperature = *find_channel("outer_ring_temperature_C");
+inline constexpr const Channel& time = *find_channel("time_s");
+inline constexpr const Channel& run = *find_channel("run_id");
+inline constexpr const Channel& friction_torque = *find_channel("friction_torque_Nmm");
+inline constexpr const Channel& axial_displacement = *find_channel("axial_displacement_um");
+inline constexpr const Channel& torque_deviation = *find_channel("std_Nmm");
+inline constexpr const Channel& displacement_deviation = *find_channel("std_um");
+
+}  // namespace raceway::record

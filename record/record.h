@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "record/channel.h"
+
+namespace raceway::record {
+
+/// Values of one channel, one for each row of a record.
+struct Column {
+  const Channel* channel = nullptr;
+  std::vector<double> values;  ///< SI; NaN where nothing was read
+  /// Of a deviation: found by a regression over many more samples than there are rows, so that it
+  /// is as good as known.
+  bool known = false;
+};
+
+/// What was measured: columns over rows. Rows are known by their place here; the line of a file is
+/// kept for messages alone.
+struct Record {
+  std::string source{};              ///< file name, for messages
+  std::vector<Column> columns{};     ///< all of one length
+  std::vector<std::string> runs{};   ///< names of the runs, to which the column `run` has indices
+  std::vector<int> lines{};          ///< of the file, by row; empty where rows come from no file
+  std::vector<std::string> notes{};  ///< what the reader did that the user should know, a line each
+
+  [[nodiscard]] std::size_t rows() const {
+    return columns.empty() ? 0 : columns.front().values.size();
+  }
+  /// The column of a channel, null where there is none.
+  [[nodiscard]] const Column* find(const Channel& channel) const;
+  [[nodiscard]] Column* find(const Channel& channel);
+  [[nodiscard]] bool has(const Channel& channel) const { return find(channel) != nullptr; }
+  /// [SI] by row; empty where there is no such column.
+  [[nodiscard]] std::span<const double> values(const Channel& channel) const;
+  /// [SI]; NaN where there is no such column or nothing was read.
+  [[nodiscard]] double value(const Channel& channel, std::size_t row) const;
+  /// Index of the run of a row, -1 without.
+  [[nodiscard]] int run_of(std::size_t row) const;
+
+  /// Adds a column, or replaces the one of that channel. Throws std::invalid_argument where its
+  /// length is another than that of the others.
+  Column& set(const Channel& channel, std::vector<double> values);
+
+  /// Whether rows differ on a channel by more than its step, as a value or as a share of the
+  /// largest.
+  [[nodiscard]] bool varies(const Channel& channel) const;
+  /// The deviation of a measured channel that the record has, null where it has none.
+  [[nodiscard]] const Column* deviation_of(const Channel& measured) const;
+  /// True where every one of these rows has a number on that channel.
+  [[nodiscard]] bool complete(const Channel& channel) const;
+
+  /// These rows, in this order.
+  [[nodiscard]] Record picked(std::span<const std::size_t> rows) const;
+  /// The same columns without any row.
+  [[nodiscard]] Record without_rows() const;
+
+  /// "line 12" of a file, otherwise "row 3", counted from 1.
+  [[nodiscard]] std::string place(std::size_t row) const;
+  /// The line of a row, or its number counted from 1.
+  [[nodiscard]] int line(std::size_t row) const;
+};
+
+}  // namespace raceway::record

@@ -1,0 +1,274 @@
+#include "rig/coast_down.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+
+#include "rig/speed_regression.h"
+
+namespace raceway::rig {
+namespace {
+
+constexpr std::size_t largest_window = 32;  // blocks; longer windows are averaged to this first
+constexpr double gap_limit = 5.0;           // usual spacings, or half a window where that is more
+
+/// One torque.
+struct Torque {
+  double time, speed, torque, std;
+  Block mean;       // of its window
+  std::size_t row;  // of the coast-down
+};
+
+std::string of_run(const std::string& run) { return run.empty() ? "" : "run " + run + ": "; }
+
+/// The first few places of a list, for messages.
+std::string places_text(const record::Record& record, const std::vector<std::size_t>& rows) {
+  std::string text = record.lines.empty() ? "row" : "line";
+  text += rows.size() == 1 ? " " : "s ";
+  for (std::size_t i = 0; i < rows.size() && i < 5; ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", record.line(rows[i]));
+  if (rows.size() > 5) text += ", ...";
+  return text;
+}
+
+void check(const record::Record& record, const model::Rig& rig, const CoastDownOptions& options) {
+  if (!(rig.inertia > 0.0) || !std::isfinite(rig.inertia))
+    throw std::invalid_argument(fmt::format(
+        "inertia = {} kg m2: a coast-down becomes a torque by M = -J dw/dt; it must be above 0",
+        rig.inertia));
+  if (options.windows < 1 || options.fewest_samples < 5 ||
+      !(options.largest_fall > 0.0 && options.largest_fall < 1.0))
+    throw std::invalid_argument(
+        "coast-down options: windows from 1, fewest_samples from 5, largest_fall between 0 and 1");
+  if (record.rows() == 0)
+    throw std::invalid_argument(record.source + ": the coast-down record has no samples");
+  const auto times = record.values(record::time), speeds = record.values(record::speed);
+  for (std::size_t i = 0; i < record.rows(); ++i)
+    if (times.empty() || speeds.empty() || !std::isfinite(times[i]) || !std::isfinite(speeds[i]))
+      throw std::invalid_argument(fmt::format("{}, {}: time and speed must be finite numbers",
+                                              record.source, record.place(i)));
+}
+
+/// The rows of every run, runs in the order in which they appear.
+std::vector<std::vector<std::size_t>> rows_by_run(const record::Record& record) {
+  std::vector<int> runs;
+  std::vector<std::vector<std::size_t>> rows;
+  for (std::size_t i = 0; i < record.rows(); ++i) {
+    const auto known = std::find(runs.begin(), runs.end(), record.run_of(i));
+    const auto k = static_cast<std::size_t>(known - runs.begin());
+    if (known == runs.end()) {
+      runs.push_back(record.run_of(i));
+      rows.emplace_back();
+    }
+    rows[k].push_back(i);
+  }
+  return rows;
+}
+
+/// Turns one run into torques.
+class RunRegression {
+ public:
+  RunRegression(const record::Record& record, const model::Rig& rig,
+                const CoastDownOptions& options, std::vector<std::string>& notes)
+      : record_(record), rig_(rig), options_(options), notes_(notes) {
+    times_ = record.values(record::time);
+    speeds_ = record.values(record::speed);
+    std::size_t c = 0;
+    for (const record::Channel& channel : record::channels)
+      if (channel.is_input()) inputs_[c++] = record.values(channel);
+  }
+
+  CoastDownRun add(const std::vector<std::size_t>& rows, std::vector<Torque>& torques) {
+    summary_ = {};
+    const int run = record_.run_of(rows.front());
+    if (run >= 0) summary_.run = record_.runs.at(static_cast<std::size_t>(run));
+    const std::vector<Block> samples = samples_of(rows);
+    require_enough(samples.size());
+    const std::size_t aim =
+        std::max(fewest(), samples.size() / static_cast<std::size_t>(options_.windows));
+    const std::vector<Block> kept = without_outliers(samples, aim);
+    require_enough(kept.size());
+    summary_.samples = static_cast<int>(kept.size());
+    add_torques(cut(kept, aim), torques);
+    return summary_;
+  }
+
+ private:
+  [[nodiscard]] std::size_t fewest() const {
+    return static_cast<std::size_t>(options_.fewest_samples);
+  }
+
+  void require_enough(std::size_t count) const {
+    if (count < fewest())
+      throw std::invalid_argument(
+          fmt::format("{}: {}{} samples are too few for a torque, at least {} are needed",
+                      record_.source, of_run(summary_.run), count, fewest()));
+  }
+
+  template <typename... Arguments>
+  void note(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
+    notes_.push_back(of_run(summary_.run) +
+                     fmt::format(text, std::forward<Arguments>(arguments)...));
+  }
+
+  std::vector<Block> samples_of(const std::vector<std::size_t>& rows) {
+    std::vector<Block> samples;
+    std::vector<std::size_t> slow;
+    double last_time = -std::numeric_limits<double>::infinity();
+    for (const std::size_t i : rows) {
+      if (!(times_[i] > last_time))
+        throw std::invalid_argument(
+            fmt::format("{}, {}: time_s = {} does not grow within {} (before: {})", record_.source,
+                        record_.place(i), times_[i],
+                        summary_.run.empty() ? "the record" : "run " + summary_.run, last_time));
+      last_time = times_[i];
+      if (!(speeds_[i] > 0.0 && speeds_[i] >= rig_.minimum_speed)) {
+        slow.push_back(i);
+        continue;
+      }
+      Block& b = samples.emplace_back(Block{.time = times_[i], .speed = speeds_[i], .row = i});
+      for (std::size_t c = 0; c < input_count; ++c)
+        b.inputs[c] = inputs_[c].empty() ? unset : inputs_[c][i];
+    }
+    if (!slow.empty())
+      note("{} samples at standstill or below {:.4g} rpm left out ({})", slow.size(),
+           rig_.minimum_speed / rpm, places_text(record_, slow));
+    return samples;
+  }
+
+  std::vector<Block> without_outliers(const std::vector<Block>& samples, std::size_t aim) {
+    const std::vector<bool> outlier =
+        find_outliers(samples, std::clamp<std::size_t>(aim, 2 * fewest(), 64));
+    std::vector<std::size_t> rows;
+    std::vector<Block> kept;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (outlier[i])
+        rows.push_back(samples[i].row);
+      else
+        kept.push_back(samples[i]);
+    }
+    if (!rows.empty())
+      note("{} samples stand out of the speed curve and are left out ({})", rows.size(),
+           places_text(record_, rows));
+    summary_.outliers = static_cast<int>(rows.size());
+    return kept;
+  }
+
+  /// Windows of blocks, of which none spans a gap.
+  std::vector<std::vector<Block>> cut(const std::vector<Block>& kept, std::size_t aim) {
+    const std::size_t block = std::max<std::size_t>(1, (aim + largest_window - 1) / largest_window);
+    const std::size_t most = std::max(fewest(), aim / block);
+    const double gap = std::max(gap_limit, 0.5 * static_cast<double>(aim));
+    std::vector<std::vector<Block>> parts;
+    for (const std::span<const Block> samples : segments(kept, gap)) {
+      const std::vector<Block> segment = averaged(samples, block);
+      const auto cuts = windows(segment, fewest(), most, options_.largest_fall);
+      if (cuts.empty())
+        note("{} samples between gaps are too few for a torque, left out ({})",
+             segment.size() * block, record_.place(segment.front().row));
+      for (const std::span<const Block> part : cuts) parts.emplace_back(part.begin(), part.end());
+    }
+    if (parts.empty()) require_enough(0);
+    return parts;
+  }
+
+  void add_torques(const std::vector<std::vector<Block>>& parts, std::vector<Torque>& torques) {
+    std::vector<LocalParabola> fits;
+    fits.reserve(parts.size());
+    for (const std::vector<Block>& part : parts) fits.push_back(local_parabola(part));
+    const SpeedNoise noise = speed_noise(fits);
+    summary_.speed_noise = noise.std;
+    summary_.correlation = noise.correlation;
+    std::vector<double> deviations;
+    std::vector<std::size_t> driven;
+    for (std::size_t w = 0; w < fits.size(); ++w) {
+      const std::size_t row = parts[w][parts[w].size() / 2].row;
+      const double torque = -rig_.inertia * fits[w].slope;
+      if (torque <= 0.0 || !(fits[w].speed > 0.0)) {
+        driven.push_back(row);
+        continue;
+      }
+      deviations.push_back(rig_.inertia * slope_deviation(fits[w], noise));
+      torques.push_back({fits[w].time, fits[w].speed, torque, deviations.back(),
+                         averaged(parts[w], parts[w].size()).front(), row});
+    }
+    if (!driven.empty())
+      note("{} windows in which the speed does not fall left out ({})", driven.size(),
+           places_text(record_, driven));
+    summary_.rows = static_cast<int>(deviations.size());
+    if (deviations.empty()) return;
+    summary_.torque_std = median(deviations);
+    note(
+        "{} torques from {} speed samples by local regression, M = -J dw/dt with J = {:.6g} kg "
+        "m2; standard deviation {:.3g} N mm (speed {:.3g} rpm{})",
+        summary_.rows, summary_.samples, rig_.inertia, summary_.torque_std / N_mm, noise.std / rpm,
+        noise.correlation > 0.0 ? fmt::format(", neighbours correlate {:.2f}", noise.correlation)
+                                : "");
+  }
+
+  const record::Record& record_;
+  const model::Rig& rig_;
+  const CoastDownOptions& options_;
+  std::vector<std::string>& notes_;
+  std::span<const double> times_, speeds_;
+  std::array<std::span<const double>, input_count> inputs_;
+  CoastDownRun summary_;
+};
+
+template <typename Value>
+std::vector<double> column(const std::vector<Torque>& torques, const Value& value) {
+  std::vector<double> list;
+  list.reserve(torques.size());
+  for (const Torque& t : torques) list.push_back(value(t));
+  return list;
+}
+
+/// Columns in the order of the table of channels.
+void fill(const std::vector<Torque>& torques, const record::Record& coast_down,
+          record::Record& result) {
+  std::size_t c = 0;
+  for (const record::Channel& channel : record::channels) {
+    if (!channel.is_input()) continue;
+    const std::size_t k = c++;
+    if (channel == record::speed)
+      result.set(channel, column(torques, [](const Torque& t) { return t.speed; }));
+    else if (coast_down.has(channel))
+      result.set(channel, column(torques, [k](const Torque& t) { return t.mean.inputs[k]; }));
+  }
+  result.set(record::time, column(torques, [](const Torque& t) { return t.time; }));
+  if (coast_down.has(record::run))
+    result.set(record::run, column(torques, [&](const Torque& t) {
+                 return coast_down.value(record::run, t.row);
+               }));
+  result.set(record::friction_torque, column(torques, [](const Torque& t) { return t.torque; }));
+  result.set(record::torque_deviation, column(torques, [](const Torque& t) { return t.std; }))
+      .known = true;
+  if (!coast_down.lines.empty())
+    for (const Torque& t : torques) result.lines.push_back(coast_down.line(t.row));
+}
+
+}  // namespace
+
+CoastDownTorque coast_down_torque(const record::Record& coast_down, const model::Rig& rig,
+                                  const CoastDownOptions& options) {
+  check(coast_down, rig, options);
+  CoastDownTorque result;
+  result.record.source = coast_down.source;
+  result.record.runs = coast_down.runs;
+  result.record.notes = coast_down.notes;
+  std::vector<Torque> torques;
+  RunRegression regression(coast_down, rig, options, result.record.notes);
+  for (const std::vector<std::size_t>& rows : rows_by_run(coast_down))
+    result.runs.push_back(regression.add(rows, torques));
+  if (torques.empty())
+    throw std::invalid_argument(coast_down.source +
+                                ": the speed falls nowhere, so there is no torque");
+  fill(torques, coast_down, result.record);
+  return result;
+}
+
+}  // namespace raceway::rig

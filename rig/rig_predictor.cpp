@@ -1,0 +1,85 @@
+#include "rig/rig_predictor.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "model/row.h"
+
+namespace raceway::rig {
+namespace {
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+/// Of two points of records, which have no more than this.
+bool same_point(const bearing::OperatingPoint& a, const bearing::OperatingPoint& b) {
+  return same(a.speed, b.speed) && same(a.axial_load, b.axial_load) &&
+         same(a.radial_load, b.radial_load) && same(a.temperature, b.temperature);
+}
+
+}  // namespace
+
+EnteredBalances::EnteredBalances(const model::Model& model, const record::Record& record)
+    : model_(model) {
+  points_.reserve(record.rows());
+  for (std::size_t i = 0; i < record.rows(); ++i) points_.push_back(model::row_of(record, i).point);
+}
+
+std::span<const model::Balance> EnteredBalances::of(
+    std::span<const bearing::OperatingPoint> points) const {
+  if (!std::equal(points.begin(), points.end(), points_.begin(), points_.end(), same_point))
+    return {};
+  std::call_once(solved_, [this] {
+    // A thread that waits here for its helpers must not take up a task that asks the same.
+    tbb::this_task_arena::isolate([this] { balances_ = entered_balances(model_, points_); });
+  });
+  return balances_;
+}
+
+RigPredictor::RigPredictor(const model::Model& model, const record::Record& record,
+                           std::vector<model::ParameterPlace> places,
+                           const EnteredBalances* entered)
+    : model_(model), steps_(model_), places_(std::move(places)) {
+  std::vector<model::Row> rows;
+  std::vector<bearing::OperatingPoint> points;
+  for (std::size_t i = 0; i < record.rows(); ++i) {
+    rows.push_back(model::row_of(record, i));
+    points.push_back(rows.back().point);
+  }
+  std::span<const model::Balance> balances;
+  if (entered && steps_.equilibrium) balances = entered->of(points);
+  rows_.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows_.emplace_back(model_, steps_, rows[i].point, rows[i].record,
+                       balances.empty() ? nullptr : balances[i]);
+  for (const model::ParameterPlace& place : places_)
+    stages_.push_back(first_stage(model_, steps_, place.effect()));
+}
+
+void RigPredictor::set(std::span<const double> values, model::Stage& from) {
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    if (from != model::Stage::condition && values[k] == last_[k]) continue;
+    places_[k].set(model_, values[k]);
+    from = std::min(from, stages_[k]);
+  }
+}
+
+void RigPredictor::readings(std::span<const double> values, std::span<double> out) {
+  model::Stage from = known_ ? model::Stage::reading : model::Stage::condition;
+  known_ = false;
+  try {
+    set(values, from);
+    predict_all(model_, steps_, rows_, out, from);
+  } catch (const std::invalid_argument&) {
+    if (places_.empty()) throw;
+    std::fill(out.begin(), out.end(), unset);
+    return;
+  }
+  last_.assign(values.begin(), values.end());
+  known_ = true;
+}
+
+}  // namespace raceway::rig

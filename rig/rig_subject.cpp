@@ -1,0 +1,175 @@
+#include "rig/rig_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "fit/grid.h"
+#include "model/row.h"
+#include "rig/rig_predictor.h"
+
+namespace raceway::rig {
+namespace {
+
+// Below this share of the rms, errors of a torque sensor no longer shrink with the reading.
+constexpr double torque_floor = 0.05;
+// Rigs scatter by 1 to 5 %.
+constexpr double most_torque_scatter = 0.1;
+
+template <typename Value>
+std::vector<double> by_row(const fit::Record& record, const Value& value) {
+  std::vector<double> list;
+  list.reserve(record.rows());
+  for (std::size_t i = 0; i < record.rows(); ++i)
+    list.push_back(value(model::row_of(record, i).point));
+  return list;
+}
+
+/// Logarithm with a floor, as an unloaded or resting bearing has none.
+std::vector<double> logarithm(std::vector<double> values) {
+  double largest = 0.0;
+  for (const double v : values) largest = std::fmax(largest, std::abs(v));
+  const double floor = largest > 0.0 ? 1e-2 * largest : 1.0;
+  for (double& v : values) v = std::log(std::isnan(v) ? v : std::max(std::abs(v), floor));
+  return values;
+}
+
+/// Levels of an axis within what was measured.
+std::vector<double> levels(std::span<const double> values, int count) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double v : values) {
+    low = std::fmin(low, v);
+    high = std::fmax(high, v);
+  }
+  return std::isfinite(high - low) ? fit::grid(low, high, count) : std::vector<double>();
+}
+
+}  // namespace
+
+RigSubject::RigSubject(const model::Model& model) : ModelSubject(model) {
+  if (model.shaft)
+    throw std::invalid_argument(
+        "the model has an [arrangement]: it is that of a shaft, not of a rig");
+}
+
+RigSubject::RigSubject(const model::Model& model, std::vector<std::string> waiting)
+    : ModelSubject(model, std::move(waiting)) {}
+
+std::unique_ptr<model::ModelSubject> RigSubject::with(model::Model model,
+                                                      std::vector<std::string> waiting) const {
+  return std::unique_ptr<ModelSubject>(new RigSubject(model, std::move(waiting)));
+}
+
+std::vector<fit::Measured> RigSubject::measured() const {
+  return {with_tolerance({.channel = &record::friction_torque,
+                          .floor = torque_floor,
+                          .most_scatter = most_torque_scatter})};
+}
+
+void RigSubject::require(const fit::Record& record) const {
+  if (record.has(record::friction_torque)) return;
+  if (record.has(record::axial_displacement))
+    throw std::invalid_argument(record.source +
+                                ": holds axial displacement, which needs a model with an "
+                                "[arrangement]; of a single bearing measured friction torque is "
+                                "needed");
+  throw std::invalid_argument(record.source + ": holds no friction torque");
+}
+
+std::shared_ptr<const void> RigSubject::prepare(const fit::Record& record) const {
+  return std::make_shared<const EnteredBalances>(active(), record);
+}
+
+std::unique_ptr<fit::Predictor> RigSubject::predictor(
+    const fit::Record& record, const std::vector<std::string>& names,
+    const std::shared_ptr<const void>& prepared) const {
+  return std::make_unique<RigPredictor>(active(), record, places(names),
+                                        static_cast<const EnteredBalances*>(prepared.get()));
+}
+
+fit::Saturation RigSubject::saturation(const fit::Record& record) const {
+  fit::Saturation s{.levels_before_candidates = true, .proportional = true};
+  s.surface.inputs = {{logarithm(by_row(record, [](const auto& p) { return p.speed; })), 1e-3},
+                      {logarithm(by_row(record, [](const auto& p) { return p.axial_load; })), 1e-3},
+                      {by_row(record, [](const auto& p) { return p.temperature; }), 0.5}};
+  // Exponents of speed, axial load, temperature and radial load.
+  std::vector<std::vector<int>> terms{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 0},
+                                      {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1},
+                                      {3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {2, 1, 0}, {2, 0, 1}};
+  s.levels = {&record::speed, &record::axial_load};
+  if (record.complete(record::preload)) s.levels.push_back(&record::preload);
+  if (record.varies(record::radial_load)) {
+    s.surface.inputs.push_back(
+        {logarithm(by_row(record, [](const auto& p) { return p.radial_load; })), 1e-3});
+    for (std::vector<int>& term : terms) term.push_back(0);
+    for (const std::vector<int>& term :
+         {std::vector{0, 0, 0, 1}, {0, 0, 0, 2}, {1, 0, 0, 1}, {0, 1, 0, 1}})
+      terms.push_back(term);
+    s.levels.push_back(&record::radial_load);
+  }
+  s.surface.terms = std::move(terms);
+  return s;
+}
+
+std::vector<fit::Factor> RigSubject::factors(const fit::Record& record) const {
+  return {{"speed", by_row(record, [](const auto& p) { return p.speed; })},
+          {"load",
+           by_row(record, [](const auto& p) { return std::hypot(p.axial_load, p.radial_load); })},
+          {"viscosity", by_row(record, [&](const auto& p) {
+             return model().lubricant.kinematic_viscosity(p.temperature);
+           })}};
+}
+
+std::optional<fit::Formula> RigSubject::formula(const fit::Record& record) const {
+  fit::Formula f{.key = "torque_Nmm", .unit = "N mm", .factor = rig_torque(model().rig, N_mm)};
+  f.inputs = {{"speed_rpm", "a", by_row(record, [](const auto& p) { return p.speed / rpm; })},
+              {"axial_load_N", "b", by_row(record, [](const auto& p) { return p.axial_load; })},
+              {"viscosity_mm2_s", "d", by_row(record, [&](const auto& p) {
+                 return model().lubricant.kinematic_viscosity(p.temperature) / mm2_per_s;
+               })}};
+  return f;
+}
+
+std::vector<fit::Axis> RigSubject::axes(const fit::Record& record) const {
+  std::vector<fit::Axis> list;
+  const auto add = [&](const record::Channel& channel, int count, bool told) {
+    fit::Axis axis{&channel, levels(record.values(channel), count), told};
+    if (!axis.levels.empty()) list.push_back(std::move(axis));
+  };
+  add(record::speed, 7, true);
+  add(record::axial_load, 5, true);
+  add(record::radial_load, 3, record.varies(record::radial_load));
+  add(record::temperature, 4, true);
+  return list;
+}
+
+std::string RigSubject::words(std::span<const fit::Setting> point) const {
+  constexpr std::array in_words{
+      std::pair{&record::speed, "rpm"}, std::pair{&record::axial_load, "N"},
+      std::pair{&record::temperature, "C"}, std::pair{&record::radial_load, "N radial load"}};
+  std::string text;
+  for (const auto& [channel, unit] : in_words)
+    for (const fit::Setting& s : point)
+      if (*s.channel == *channel && std::isfinite(s.value))
+        text +=
+            fmt::format("{}{:.0f} {}", text.empty() ? "" : ", ", channel->in_unit(s.value), unit);
+  return text;
+}
+
+model::Expected RigSubject::expected() const {
+  const model::Rig& rig = model().rig;
+  model::Expected e;
+  e.defaults = {{&record::speed, unset, ""},
+                {&record::axial_load, rig.axial_load, "[rig]"},
+                {&record::radial_load, rig.radial_load, "[rig]"},
+                {&record::temperature, rig.temperature, "[rig]"}};
+  e.measured = {&record::friction_torque, &record::axial_displacement};
+  e.coast_down = rig.inertia > 0.0;
+  e.minimum_speed = rig.minimum_speed;
+  return e;
+}
+
+}  // namespace raceway::rig

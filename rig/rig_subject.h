@@ -1,0 +1,39 @@
+#pragma once
+
+#include "model/model_subject.h"
+
+namespace raceway::rig {
+
+/// A bearing on a rig that measures its friction torque, or coasts down.
+class RigSubject : public model::ModelSubject {
+ public:
+  /// Throws std::invalid_argument for the model of a shaft.
+  explicit RigSubject(const model::Model& model);
+
+  [[nodiscard]] std::vector<fit::Measured> measured() const override;
+  void require(const fit::Record& record) const override;
+  /// Balances as entered, which all predictors of effects that look at balls begin with.
+  [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
+  [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
+      const fit::Record& record, const std::vector<std::string>& names,
+      const std::shared_ptr<const void>& prepared) const override;
+
+  /// A torque times a cubic in ln speed, ln axial load and temperature with interactions; where the
+  /// radial load varies with its logarithm as well.
+  [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
+  /// Speed, load and viscosity.
+  [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
+  /// As an effect of the user's own takes it: the moment of one bearing.
+  [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
+  [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
+  [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
+
+  [[nodiscard]] model::Expected expected() const override;
+
+ private:
+  RigSubject(const model::Model& model, std::vector<std::string> waiting);
+  [[nodiscard]] std::unique_ptr<ModelSubject> with(model::Model model,
+                                                   std::vector<std::string> waiting) const override;
+};
+
+}  // namespace raceway::rig
