@@ -9,7 +9,7 @@
 namespace raceway::cli {
 namespace {
 
-int run(const std::string& filter, bool json) {
+int list_bearings(const std::string& filter, bool json) {
   const auto rows = io::matching_bearings(io::read_catalogues(), filter);
   if (json) {
     fmt::print("{}", io::bearings_json(rows));
@@ -51,7 +51,7 @@ Run setup_bearings(CLI::App& command) {
       ->type_name("");
   command.add_flag("--json", *json, "one JSON document instead of text");
   command.footer("Example:\n  raceway bearings \"S 60\"");
-  return [=] { return run(*filter, *json); };
+  return [=] { return list_bearings(*filter, *json); };
 }
 
 }  // namespace raceway::cli

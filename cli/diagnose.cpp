@@ -32,7 +32,7 @@ struct DiagnoseFlags {
 std::atomic<bool> interrupted{false};
 void interrupt(int) { interrupted = true; }
 
-void show_progress(double share, std::string_view step) {
+void show_step(double share, std::string_view step) {
   fmt::print(stderr, "\r\033[K{:3.0f} %  {}{}", 100.0 * share, step,
              share >= 1.0 ? "\r\033[K" : "");
   std::fflush(stderr);
@@ -232,7 +232,7 @@ fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const model::ModelSubjec
   options.pairs = !flags.no_pairs;
   options.tried_before = flags.tried_before;
   options.cancelled = &interrupted;
-  if (isatty(STDERR_FILENO) != 0) options.progress = show_progress;
+  if (isatty(STDERR_FILENO) != 0) options.progress = show_step;
   std::signal(SIGINT, interrupt);
   try {
     fit::Diagnosis diagnosis = fit::diagnose(subject, data, options);

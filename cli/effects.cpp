@@ -123,7 +123,7 @@ void print_page(const Description& d) {
     fmt::print("  {} = {}\n", p.name, plain(p.initial));
 }
 
-int run(const std::string& id, bool json) {
+int show(const std::string& id, bool json) {
   if (id.empty()) {
     if (json)
       fmt::print("{}", io::effects_json(effects::all_forms()));
@@ -161,7 +161,7 @@ Run setup_effects(CLI::App& command) {
   command.add_option("ID", *id, "explain this effect; without it, the list")->type_name("");
   command.add_flag("--json", *json, "one JSON document instead of text");
   command.footer("Example:\n  raceway effects thermal-preload");
-  return [=] { return run(*id, *json); };
+  return [=] { return show(*id, *json); };
 }
 
 }  // namespace raceway::cli

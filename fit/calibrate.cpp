@@ -18,10 +18,6 @@ namespace {
 constexpr double dependent = 1e-6;  // share of a unit column that others leave; below, it is theirs
 constexpr double beyond_chance = 0.01;  // of a misfit against the noise
 
-std::string with_unit(double value, const std::string& unit) {
-  return unit == "1" ? fmt::format("{:.5g}", value) : fmt::format("{:.5g} {}", value, unit);
-}
-
 /// Readings, what they are weighed by, and whether that is their noise.
 struct Weighed {
   Problem problem{};
@@ -189,14 +185,14 @@ void hold_dependent(const Response& response, const Whitening& whitening, Calibr
     }
     if (group.empty()) {
       result.messages.push_back(fmt::format("the data do not depend on {}: it stays at {}", p.name,
-                                            with_unit(p.value, p.unit)));
+                                            with_unit(p.value, p.unit, 5)));
       continue;
     }
     group.push_back(p.name);
     result.messages.push_back(
         fmt::format("{} cannot be told apart on these data: {} is held at {}, and the other {} "
                     "without a standard error",
-                    joined(group, "and"), p.name, with_unit(p.value, p.unit),
+                    joined(group, "and"), p.name, with_unit(p.value, p.unit, 5),
                     group.size() == 2 ? "value is" : "values are"));
   }
 }
@@ -269,7 +265,7 @@ class Errors {
     result_.messages.push_back(
         fmt::format("{} is not fixed by these data: its standard error would be {}, more than the "
                     "range of its bounds",
-                    p.name, with_unit(p.std, p.unit)));
+                    p.name, with_unit(p.std, p.unit, 5)));
     p.identifiable = false;
     p.std = unset;
   }
@@ -327,7 +323,7 @@ void tell_bounds(Calibration& result) {
     if (p.at_bound != Bound::none)
       result.messages.push_back(fmt::format(
           "{} ends at its {} bound, {}: the data want it beyond, or the model lacks something",
-          p.name, p.at_bound == Bound::lower ? "lower" : "upper", with_unit(p.value, p.unit)));
+          p.name, p.at_bound == Bound::lower ? "lower" : "upper", with_unit(p.value, p.unit, 5)));
 }
 
 /// The error of every channel at these readings.
@@ -427,8 +423,8 @@ std::vector<Parameter> starting(const Subject& subject, Calibration& result) {
     p.value = std::clamp(p.start, p.lower, p.upper);
     if (p.value != p.start)
       result.messages.push_back(fmt::format("{} = {} is outside its bounds: the fit starts at {}",
-                                            p.name, with_unit(p.start, p.unit),
-                                            with_unit(p.value, p.unit)));
+                                            p.name, with_unit(p.start, p.unit, 5),
+                                            with_unit(p.value, p.unit, 5)));
   }
   return parameters;
 }

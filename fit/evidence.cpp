@@ -223,6 +223,7 @@ std::vector<NoiseModel> noise_of_saturated_regression(const Evidence& evidence,
     const ChannelReadings readings = readings_of(*problem.record, observed, c);
     if (readings.known) {
       noise.push_back(known_noise_model(readings));
+      add_model_error(noise.back(), readings, observed.channels[c].model_error);
       continue;
     }
     const Eigen::VectorXd size = observed.of(c, evidence.size);
@@ -241,6 +242,7 @@ std::vector<NoiseModel> noise_of_saturated_regression(const Evidence& evidence,
     const Eigen::MatrixXd saturated = independent_columns(
         blocks, tolerance, std::max<Eigen::Index>(0, std::min(rows / 2, rows - fewest_freedom)));
     noise.push_back(estimate_noise_model(readings, size.asDiagonal() * saturated, size, options));
+    add_model_error(noise.back(), readings, observed.channels[c].model_error);
   }
   return noise;
 }

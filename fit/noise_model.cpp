@@ -369,6 +369,15 @@ Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
   return {std, readings.order, noise.correlation, noise.run_share};
 }
 
+void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error) {
+  if (!(error > 0.0)) return;
+  const Eigen::VectorXd std =
+      (noise.whitening.std().array().square() + error * error).sqrt().matrix();
+  noise.whitening = Whitening(std, readings.order, noise.correlation, noise.run_share);
+  noise.absolute = std::hypot(noise.absolute, error);
+  noise.rms = std::hypot(noise.rms, error);
+}
+
 NoiseModel estimate_noise_model(const ChannelReadings& readings, const Eigen::MatrixXd& columns,
                                 const Eigen::VectorXd& size, const NoiseOptions& options) {
   return NoiseSearch(readings, columns, size, options).run();

@@ -66,6 +66,10 @@ struct ChannelReadings {
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
 
+/// Counts what a model leaves by its own coarseness as scatter: `error` [SI], the same at every
+/// reading, beside the noise.
+void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error);
+
 /// Noise that is known beforehand: the standard deviation of every reading, readings independent.
 /// For a regression that has measured the scatter of far more samples than it gives readings.
 [[nodiscard]] NoiseModel known_noise_model(const ChannelReadings& readings);

@@ -9,7 +9,7 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr std::size_t most_levels = 12, fewest_levels = 3;
+constexpr std::size_t most_indicators = 12, fewest_indicators = 3;
 
 /// A variable centred and scaled to [-1, 1]; nothing where it does not vary by more than `least`.
 std::optional<Eigen::ArrayXd> standardised(const Eigen::VectorXd& values, double least) {
@@ -27,7 +27,7 @@ std::vector<double> narrow_levels(std::vector<double> values, double width) {
   return starts;
 }
 
-Eigen::MatrixXd joined(const std::vector<Eigen::VectorXd>& columns, Eigen::Index rows) {
+Eigen::MatrixXd matrix_of(const std::vector<Eigen::VectorXd>& columns, Eigen::Index rows) {
   Eigen::MatrixXd result(rows, static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k)
     result.col(static_cast<Eigen::Index>(k)) = columns[k];
@@ -52,7 +52,7 @@ Eigen::MatrixXd surface_columns(const Surface& surface, const Observations& obse
       }
     if (varies) columns.emplace_back(size.cwiseProduct(column.matrix()));
   }
-  return joined(columns, size.size());
+  return matrix_of(columns, size.size());
 }
 
 Eigen::MatrixXd level_columns(const std::vector<const Channel*>& channels, const Record& record,
@@ -64,13 +64,13 @@ Eigen::MatrixXd level_columns(const std::vector<const Channel*>& channels, const
     const std::span<const double> all(values.data(), static_cast<std::size_t>(values.size()));
     const std::vector<double> starts =
         narrow_levels({all.begin(), all.end()}, record::step_of(*channel, all));
-    if (starts.size() > most_levels || starts.size() < fewest_levels) continue;
+    if (starts.size() > most_indicators || starts.size() < fewest_indicators) continue;
     const std::size_t first = columns.size();
     columns.resize(first + starts.size(), Eigen::VectorXd::Zero(size.size()));
     for (Eigen::Index i = 0; i < size.size(); ++i)
       columns[first + record::level_of(values[i], starts)][i] = size[i];
   }
-  return joined(columns, size.size());
+  return matrix_of(columns, size.size());
 }
 
 }  // namespace raceway::fit

@@ -19,7 +19,7 @@ constexpr std::size_t few_blockings = 3;  // with fewer, runs are held out as we
 constexpr int levels_of_an_axis = 5;
 
 /// Levels of a channel, merged to at most eight ranges; no blocks where it does not vary.
-Blocking levels(const Channel& channel, std::span<const double> values, double width) {
+Blocking blocks_of_levels(const Channel& channel, std::span<const double> values, double width) {
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());
   std::vector<double> first = record::level_starts(sorted, width);
@@ -110,7 +110,7 @@ std::vector<Blocking> Subject::blockings(const Record& record) const {
     // A cell that was not read is a level of its own.
     std::vector<double> filled(values.begin(), values.end());
     for (double& v : filled) v = std::isnan(v) ? 0.0 : v;
-    Blocking blocking = levels(channel, filled, width);
+    Blocking blocking = blocks_of_levels(channel, filled, width);
     if (blocking.blocks >= 2) result.push_back(std::move(blocking));
   };
   for (const record::Column& c : record.columns)

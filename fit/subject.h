@@ -29,7 +29,8 @@ struct Measured {
   /// Relative scatter at equal settings that no sensor of this kind has: more comes from an input
   /// that nobody recorded. NaN where nothing is known.
   double most_scatter = unset;
-  /// Up to this what the model leaves is its own coarseness, not something missing [SI].
+  /// Up to this what the model leaves is its own coarseness, not something missing: it counts as
+  /// noise [SI].
   double model_error = 0.0;
   /// Below this an error does not matter to whoever uses the model [SI]; NaN where nobody said.
   double tolerance = unset;

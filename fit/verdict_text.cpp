@@ -7,15 +7,6 @@
 
 namespace raceway::fit {
 
-namespace {
-
-std::string with_unit(double value, const std::string& unit) {
-  return unit == "1" || unit.empty() ? fmt::format("{:.3g}", value)
-                                     : fmt::format("{:.3g} {}", value, unit);
-}
-
-}  // namespace
-
 std::string joined(const std::vector<std::string>& words, const char* last) {
   std::string text;
   for (std::size_t k = 0; k < words.size(); ++k)
@@ -24,6 +15,11 @@ std::string joined(const std::vector<std::string>& words, const char* last) {
 }
 
 std::string p_text(double p) { return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.1g}", p); }
+
+std::string with_unit(double value, const std::string& unit, int digits) {
+  return unit == "1" || unit.empty() ? fmt::format("{:.{}g}", value, digits)
+                                     : fmt::format("{:.{}g} {}", value, digits, unit);
+}
 
 std::string reading_text(const Channel& channel, double value, int digits) {
   return fmt::format("{:.{}g} {}", value / channel.factor, digits, channel.unit);

@@ -13,7 +13,9 @@ namespace raceway::fit {
 [[nodiscard]] std::string joined(const std::vector<std::string>& words, const char* last);
 [[nodiscard]] std::string p_text(double p);
 
-/// "3.21 N" or "3.21", by the unit of a channel.
+/// "3.21 N", or "3.21" where the unit is "1".
+[[nodiscard]] std::string with_unit(double value, const std::string& unit, int digits = 3);
+/// A reading in the unit of its channel, with it.
 [[nodiscard]] std::string reading_text(const Channel& channel, double value, int digits = 3);
 
 /// The sentence of `nothing_missing`: what would have been found, and what could not.

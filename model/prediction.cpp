@@ -12,7 +12,7 @@
 namespace raceway::model {
 namespace {
 
-constexpr std::size_t chunk = 256;  // points that a thread takes
+constexpr std::size_t points_of_a_thread = 256;  // points that a thread takes
 
 }  // namespace
 
@@ -36,9 +36,10 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
   if (!records.empty() && records.size() != points.size())
     throw std::invalid_argument("predict_sweep: as many records as points are needed, or none");
   const Steps steps(model, with_equilibrium);
-  const std::size_t chunks = (points.size() + chunk - 1) / chunk;
+  const std::size_t chunks = (points.size() + points_of_a_thread - 1) / points_of_a_thread;
   tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t k) {
-    const std::size_t first = k * chunk, count = std::min(chunk, points.size() - first);
+    const std::size_t first = k * points_of_a_thread,
+                      count = std::min(points_of_a_thread, points.size() - first);
     std::vector<RowPredictor> rows;
     rows.reserve(count);
     for (std::size_t i = 0; i < count; ++i)

@@ -16,8 +16,8 @@ namespace {
 using fit::FitStatus;
 using record::Bound;
 
-constexpr double bound_tolerance = 1e-6;  // [1], of the conformity
-constexpr double difference_step = 1e-4;  // [1], of the conformity
+constexpr double conformity_tolerance = 1e-6;  // [1], of the conformity
+constexpr double difference_step = 1e-4;       // [1], of the conformity
 
 bearing::Bearing with_conformity(const bearing::Bearing& bearing, double conformity) {
   bearing::BearingGeometry geometry = bearing.geometry();
@@ -64,10 +64,11 @@ ConformityFit fit_conformity(const bearing::Bearing& bearing,
   }
   fit.status = FitStatus::converged;
   fit.conformity = best;
-  if (misfit(lowest_conformity) <= cost || best - lowest_conformity < bound_tolerance) {
+  if (misfit(lowest_conformity) <= cost || best - lowest_conformity < conformity_tolerance) {
     fit.at_bound = Bound::lower;
     fit.conformity = lowest_conformity;
-  } else if (misfit(highest_conformity) <= cost || highest_conformity - best < bound_tolerance) {
+  } else if (misfit(highest_conformity) <= cost ||
+             highest_conformity - best < conformity_tolerance) {
     fit.at_bound = Bound::upper;
     fit.conformity = highest_conformity;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fit/noise_model.h"
 #include "record/repeats.h"
 #include "tests/support/rows.h"
 #include "tests/support/synthetic.h"
@@ -61,6 +62,21 @@ TEST(Noise, IsUnknownWithoutStdAndRepeats) {
   const Noise noise = estimate_noise(data, data.measured());
   EXPECT_EQ(noise.source, NoiseSource::none);
   EXPECT_TRUE(std::isnan(noise.rms));
+}
+
+TEST(Noise, CountsTheCoarsenessOfAModel) {
+  std::mt19937 random(6);
+  DataSet data = factorial_plan({1000, 3000, 5000}, {300}, {40});
+  measure(synthetic_model(), 0.0, random, data);
+  declare_noise(3.0 * N_mm, data);
+  const Record record = data;
+  const std::vector<Measured> channels{{.channel = &data.measured()}};
+  const ChannelReadings readings =
+      readings_of(record, observe(channels, record, record.values(data.measured())), 0);
+  NoiseModel noise = known_noise_model(readings);
+  add_model_error(noise, readings, 4.0 * N_mm);
+  EXPECT_NEAR(noise.rms, 5.0 * N_mm, 1e-12);
+  EXPECT_NEAR(noise.whitening.std()[1], 5.0 * N_mm, 1e-12);
 }
 
 }  // namespace

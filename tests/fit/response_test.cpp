@@ -127,10 +127,10 @@ TEST(ModelResponse, IsThatOfANewOneWhateverWasAskedBefore) {
     for (const effects::Parameter& p : e.description->parameters)
       names.push_back(std::string(e.description->id) + "." + std::string(p.name));
   const auto subject = subject_of(model);
-  const auto rows = std::make_shared<const Record>(data);
-  const Observations all = observe(subject->measured(), *rows, predict(*subject, *rows));
+  const auto record = std::make_shared<const Record>(data);
+  const Observations all = observe(subject->measured(), *record, predict(*subject, *record));
   const auto response = [&] {
-    return response_of(*subject, rows, all, names, subject->prepare(*rows));
+    return response_of(*subject, record, all, names, subject->prepare(*record));
   };
   const Response walked = response();
   Eigen::VectorXd x = walked.start();

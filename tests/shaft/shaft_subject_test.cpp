@@ -93,8 +93,8 @@ TEST(ShaftSubject, SetsTheNumbersOfItsArrangement) {
   EXPECT_THAT(subject.free(), ElementsAre("preload_N"));
   const std::vector<NamedValue> values{{"preload_N", 450.0}, {"conformity", 0.53}};
   const auto other = subject.with_values(values);
-  EXPECT_NEAR(model_of(*other).shaft->arrangement.preload(), 450.0, 1e-9);
-  EXPECT_EQ(model_of(*other).bearing.geometry().outer_conformity, 0.53);
+  EXPECT_NEAR(model::model_of(*other).shaft->arrangement.preload(), 450.0, 1e-9);
+  EXPECT_EQ(model::model_of(*other).bearing.geometry().outer_conformity, 0.53);
   const std::vector<NamedValue> wrong{{"preload", 450.0}};
   EXPECT_THROW((void)subject.with_values(wrong), std::invalid_argument);
   const std::vector<NamedValue> none{{"contact_angle_deg", 120.0}};
