@@ -194,6 +194,7 @@ model::Model refitted(const model::Model& model, const std::vector<std::string>&
   if (!calibration.converged())
     throw std::invalid_argument("the refit of " + fmt::format("{}", fmt::join(names, ", ")) +
                                 " does not converge");
+  tell(calibration.messages);
   return model::model_of(*calibration.subject);
 }
 

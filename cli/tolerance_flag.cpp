@@ -29,14 +29,14 @@ struct Tolerance {
 /// "2 N mm" is 2 and "Nmm".
 Tolerance parsed(const std::string& text) {
   Tolerance t;
-  std::string packed = text;
-  std::erase(packed, ' ');
-  const char* const last = packed.data() + packed.size();
-  const auto [end, error] = std::from_chars(packed.data(), last, t.value);
+  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data() + begin, last, t.value);
   if (error != std::errc() || end == last)
     refuse(text, "write a number and its unit, as 2Nmm or 2um,0.5K");
   if (!std::isfinite(t.value) || t.value <= 0.0) refuse(text, "must be a number above 0");
   t.unit.assign(end, last);
+  std::erase(t.unit, ' ');
   return t;
 }
 
@@ -57,8 +57,8 @@ bool has_tolerance(const model::Model& model, const record::Channel& channel) {
 void ToleranceFlag::declare(CLI::App& command) {
   command
       .add_option("--tolerance", text,
-                  "error on held-out rows below which nothing matters, e.g. 2Nmm or\n"
-                  "2um,0.5K; default [loop] of the model")
+                  "error below which nothing matters, e.g. 2Nmm or 2um,0.5K;\n"
+                  "for models without a tolerance under [loop]")
       ->type_name("VALUES");
 }
 

@@ -22,6 +22,7 @@ class Addition {
  public:
   Addition(const Subject& subject, std::span<const std::string> ids, const Record& record)
       : ids_(ids.begin(), ids.end()),
+        record_(record),
         evidence_(gather_evidence(subject, record)),
         problem_(evidence_.problem),
         attribution_(evidence_),
@@ -75,8 +76,9 @@ class Addition {
       for (std::size_t k = 0; k < found_.parameters.size(); ++k)
         values.push_back(
             {found_.parameters[k].name, found_.fit.values[static_cast<Eigen::Index>(k)]});
-    Calibration result = calibration_of(extended->with_values(values), found_.response, found_.fit,
-                                        problem_.observed, evidence_.whitening, true);
+    Calibration result =
+        calibration_of(extended->with_values(values), found_.response, found_.fit,
+                       problem_.observed, evidence_.base.prediction, evidence_.whitening);
     // Addresses are those of the model with the effects in the order asked for.
     for (const Parameter& p : extended->parameters())
       for (Parameter& own : result.parameters)
@@ -102,6 +104,9 @@ class Addition {
         comparison.errors[i].std = std[static_cast<Eigen::Index>(i)];
       }
       for (RowError& e : comparison.worst) e.row = problem_.rows[e.row];
+      for (std::size_t& row : comparison.rows_not_predicted) row = problem_.rows[row];
+      for (auto* errors : {&comparison.errors, &comparison.worst})
+        for (RowError& e : *errors) e.line = record_.line(e.row);
       return comparison;
     };
     const bool after = found_.fit.converged;
@@ -206,6 +211,7 @@ class Addition {
   }
 
   std::vector<std::string> ids_;
+  const Record& record_;
   Evidence evidence_;
   const Problem& problem_;
   Attribution attribution_;

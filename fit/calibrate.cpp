@@ -38,11 +38,16 @@ Problem plain_problem(const Subject& subject, const Record& record) {
   problem.prepared = subject.prepare(*problem.record);
   const std::vector<double> predicted = predict(subject, *problem.record);
   problem.observed = observe(subject.measured(), *problem.record, predicted);
+  std::vector<std::size_t> read;
+  for (std::size_t c = 0; c < problem.observed.channels.size(); ++c)
+    if (problem.observed.size(c) > 0) read.push_back(c);
+  if (read.size() < problem.observed.channels.size())
+    problem.observed = problem.observed.only(read);
   const std::vector<Measured>& channels = problem.observed.channels;
   for (std::size_t i = 0; i < problem.rows.size(); ++i)
     for (std::size_t c = 0; c < channels.size(); ++c)
       if (std::isfinite(problem.record->value(*channels[c].channel, i)) &&
-          !std::isfinite(predicted[c * problem.rows.size() + i]))
+          !std::isfinite(predicted[problem.observed.place[c] * problem.rows.size() + i]))
         problem.not_predicted.push_back(problem.rows[i]);
   std::sort(problem.not_predicted.begin(), problem.not_predicted.end());
   return problem;
@@ -76,7 +81,8 @@ void weigh_plainly(Weighed& weighed, std::vector<std::string>& messages) {
 /// The noise that a thinned record has shown, on all of its rows.
 void weigh_as(const Evidence& evidence, const Response& response, Weighed& weighed) {
   const Problem& problem = weighed.problem;
-  const Eigen::VectorXd size = response.at(response.start()).cwiseAbs();
+  const Eigen::VectorXd size =
+      floored(weighed.problem.observed, response.readings(evidence.base.values), 1.0);
   std::vector<Whitening> parts;
   for (std::size_t c = 0; c < problem.observed.channels.size(); ++c)
     parts.push_back(whitening_of(evidence.noise[c],
@@ -360,8 +366,8 @@ void take_fit(const Response& response, const ResponseFit& fit, const Observatio
   for (const ChannelError& c : result.channels)
     if (c.rmse_after > c.rmse_before)
       result.messages.push_back(fmt::format(
-          "the RMS error of {} rises, {:.4g} -> {}: readings are weighed by their noise, in which "
-          "what the rows of a run have in common counts once",
+          "the RMS error of {} rises, {:.4g} -> {}: readings are weighed by their noise, not all "
+          "alike",
           c.channel->words, c.rmse_before / c.channel->factor,
           reading_text(*c.channel, c.rmse_after, 4)));
   const double factor = error_factor(fit.misfit, noise_known, result);
@@ -437,8 +443,8 @@ Weighed weigh(const Subject& subject, const Record& record, const std::optional<
   Weighed weighed{.problem = plain_problem(subject, record)};
   if (evidence && evidence->noise.size() == weighed.problem.observed.channels.size())
     weigh_as(*evidence,
-             response_of(subject, weighed.problem.record, weighed.problem.observed, {},
-                         weighed.problem.prepared),
+             response_of(subject, weighed.problem.record, weighed.problem.observed,
+                         evidence->problem.base, weighed.problem.prepared),
              weighed);
   else
     weigh_plainly(weighed, messages);
@@ -453,6 +459,8 @@ Calibration calibrate(const Subject& subject, const Record& record) {
   result.parameters = starting(subject, result);
   const auto started = subject.with_values(named_values(result.parameters));
   const std::optional<Evidence> evidence = evidence_of(*started, record);
+  if (evidence)
+    result.messages.insert(result.messages.end(), evidence->notes.begin(), evidence->notes.end());
   Weighed weighed = weigh(*started, record, evidence, result.messages);
   const Problem& problem = weighed.problem;
   const Observations& observed = problem.observed;
@@ -501,12 +509,12 @@ Calibration calibrate(const Subject& subject, const Record& record) {
 
 Calibration calibration_of(std::shared_ptr<const Subject> fitted, const Response& response,
                            const ResponseFit& fit, const Observations& observed,
-                           const Whitening& whitening, bool noise_known) {
+                           const Eigen::VectorXd& before, const Whitening& whitening) {
   Calibration result{.subject = std::move(fitted)};
   result.parameters = response.parameters;
   result.rows = static_cast<int>(observed.size());
-  set_errors(observed, response.at(response.start()), &ChannelError::rmse_before, result);
-  take_fit(response, fit, observed, whitening, noise_known, result);
+  set_errors(observed, before, &ChannelError::rmse_before, result);
+  take_fit(response, fit, observed, whitening, true, result);
   return result;
 }
 

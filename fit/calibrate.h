@@ -54,11 +54,10 @@ struct Calibration {
 [[nodiscard]] Calibration calibrate(const Subject& subject, const Record& record);
 
 /// What a fit of the free parameters `response.parameters` that was made elsewhere says: values,
-/// errors, correlation. `whitening` is that of the fit; `noise_known` says that it is the noise of
-/// the data and not only a weight.
+/// errors, correlation. `before` are the readings without it, `whitening` is the noise of the data.
 [[nodiscard]] Calibration calibration_of(std::shared_ptr<const Subject> fitted,
                                          const Response& response, const ResponseFit& fit,
-                                         const Observations& observed, const Whitening& whitening,
-                                         bool noise_known);
+                                         const Observations& observed,
+                                         const Eigen::VectorXd& before, const Whitening& whitening);
 
 }  // namespace raceway::fit

@@ -59,8 +59,7 @@ std::string Investigation::sentence() const {
         "Something is missing that is in no input of the model: at nearly equal operating points "
         "runs differ by {:.0f} % ({}; {}), which no law of these inputs can do. Find what changes "
         "from run to run before adding an effect.",
-        100.0 * hidden_->scatter, p_text(hidden_->run_p_value),
-        difference_text(*problem_.record, *hidden_));
+        100.0 * hidden_->scatter, p_text(hidden_->run_p_value), difference_text(record_, *hidden_));
   switch (finding_.kind) {
     case Finding::Kind::single:
       return single_text() + hidden_text();
@@ -80,9 +79,9 @@ std::string Investigation::sentence() const {
 std::string Investigation::hidden_text() const {
   if (!hidden_) return {};
   return fmt::format(
-      " But readings at nearly equal operating points differ by {:.0f} % ({}), more than a rig "
-      "scatters: something that is in no input of the model may change from row to row.",
-      100.0 * hidden_->scatter, difference_text(*problem_.record, *hidden_));
+      " But readings at nearly equal operating points differ by {:.0f} % ({}), more than such "
+      "readings scatter: something that is in no input of the model may change from row to row.",
+      100.0 * hidden_->scatter, difference_text(record_, *hidden_));
 }
 
 /// What the explanation leaves, against the noise or what is allowed.
@@ -92,10 +91,11 @@ std::string Investigation::remains_text() const {
   std::vector<std::string> errors;
   for (const ChannelDiagnosis& c : result_.channels)
     if (std::isfinite(c.tolerance))
-      errors.push_back(fmt::format("{:.3g} of {} allowed",
-                                   c.rmse_held_out_after / c.channel().factor,
-                                   reading_text(c.channel(), c.tolerance)));
-  return fmt::format("what remains on blocks held out within the range is {}",
+      errors.push_back(
+          fmt::format("{:.3g} of {} allowed",
+                      beyond_noise(c.rmse_held_out_after, c.noise.rms) / c.channel().factor,
+                      reading_text(c.channel(), c.tolerance)));
+  return fmt::format("what remains beyond the noise on blocks held out within the range is {}",
                      joined(errors, "and"));
 }
 
@@ -121,7 +121,7 @@ std::string Investigation::single_text() const {
   }
   if (result_.tolerance_limited())
     return fmt::format(
-        "{} cannot be told apart on these data: {}, and the others come as near; one of them is "
+        "{}: {}, and the others come as near, so that these data cannot tell which of them is "
         "missing.{}",
         joined_sets(set), remains_text(), measure_text(result_));
   return fmt::format(

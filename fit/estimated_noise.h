@@ -14,9 +14,9 @@ struct EstimatedNoise {
   std::vector<double> std;  ///< by row of the record [SI]; by the reading where a row was not used
 };
 
-/// The noise of NoiseModel, of each channel of Subject::measured(), for data that declare none and
-/// repeat no rows. It comes from what a regression on smooth surfaces and all candidates leaves,
-/// not from the misfit of the subject. Nothing where the data could not carry a diagnosis.
+/// The noise of NoiseModel, of each channel that takes part in a diagnosis, for data that declare
+/// none and repeat no rows. It comes from what a regression on smooth surfaces and all candidates
+/// leaves, not from the misfit of the subject. Nothing where the data could not carry a diagnosis.
 [[nodiscard]] std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(
     const Subject& subject, const Record& record);
 

@@ -72,6 +72,9 @@ void require_rows(const Problem& problem) {
 /// Why nothing can be learnt of these readings; empty if something can.
 std::string no_use(const Channel& channel, const Eigen::VectorXd& readings) {
   if (readings.size() == 0) return fmt::format("no reading of {}", channel.words);
+  if (static_cast<std::size_t>(readings.size()) < fewest_rows)
+    return fmt::format("{} readings of {}, {} are needed", readings.size(), channel.words,
+                       fewest_rows);
   const double size = rms(readings);
   if (!(size > 0.0)) return "all readings are zero";
   if (readings.maxCoeff() - readings.minCoeff() > least_noise * size) return {};
@@ -169,21 +172,9 @@ void take_rows(const Record& record, int most_rows, Evidence& evidence) {
   std::vector<double> predicted_kept;
   for (std::size_t c = 0; c < channels.size(); ++c)
     for (const std::size_t i : kept) predicted_kept.push_back(predicted[c * order.size() + i]);
+  std::sort(problem.not_predicted.begin(), problem.not_predicted.end());
   problem.record = std::make_shared<const Record>(sorted.picked(kept));
   problem.observed = observe(channels, *problem.record, predicted_kept);
-}
-
-/// A typical size of each reading, not below `share` of the floor of its channel.
-Eigen::VectorXd floored(const Observations& observed, const Eigen::VectorXd& readings,
-                        double share) {
-  Eigen::VectorXd size = readings.cwiseAbs();
-  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
-    const double floor =
-        share * observed.channels[c].floor * rms(observed.of(c, observed.measured));
-    for (Eigen::Index i = observed.first[c]; i < observed.first[c + 1]; ++i)
-      size[i] = std::max(size[i], floor);
-  }
-  return size;
 }
 
 std::vector<Eigen::VectorXd> starts_of(const Eigen::VectorXd& x) {

@@ -81,6 +81,8 @@ void Investigation::look() {
                                .cancelled = [this] { return cancelled(); }});
   for (const Measured& m : problem_.observed.channels)
     if (!hidden_) hidden_ = find_hidden_input(*problem_.record, m);
+  if (hidden_)
+    for (std::size_t* row : {&hidden_->low, &hidden_->high}) *row = problem_.rows[*row];
   if (!result_.tolerance_limited()) return;
   share_of_tolerance_ = search_->share_of_tolerance(evidence_.response, evidence_.base);
   result_.within_tolerance = share_of_tolerance_ <= 1.0;
@@ -112,7 +114,11 @@ void Investigation::describe_channels() {
         rms(observed.of(c, Eigen::VectorXd(observed.measured - evidence_.base.prediction)));
     const Eigen::VectorXd& std = d.noise.whitening.std();
     for (auto* errors : {&d.baseline.errors, &d.baseline.worst})
-      for (RowError& e : *errors) e.row = problem_.rows[e.row];
+      for (RowError& e : *errors) {
+        e.row = problem_.rows[e.row];
+        e.line = record_.line(e.row);
+      }
+    for (std::size_t& row : d.baseline.rows_not_predicted) row = problem_.rows[row];
     for (std::size_t i = 0; i < d.baseline.errors.size(); ++i)
       d.baseline.errors[i].std = std[static_cast<Eigen::Index>(i)];
     for (const std::size_t i : d.noise.outliers) result_.outliers.push_back(problem_.rows[rows[i]]);
@@ -156,11 +162,11 @@ void Investigation::describe_base() {
                     outliers.size(), record_.place(outliers.front())));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
-    tell(fmt::format("{} of {} rows were used, evenly spread in time", result_.rows,
+    tell(fmt::format("{} of {} rows were used, evenly spread", result_.rows,
                      evidence_.rows_in_record));
   if (left_out > 0)
-    tell(fmt::format("{} row(s) without balance were left out, first {}", left_out,
-                     record_.place(result_.rows_not_predicted.front())));
+    tell(fmt::format("{} row(s) that are not read or cannot be predicted were left out, first {}",
+                     left_out, record_.place(result_.rows_not_predicted.front())));
   for (std::size_t k = 0; k < evidence_.base.at_bound.size(); ++k)
     if (evidence_.base.at_bound[k])
       tell(evidence_.response.parameters[k].name +
@@ -183,8 +189,7 @@ void Investigation::describe_base() {
 
 bool Investigation::is_anything_missing() const {
   if (outside_the_inputs()) return true;
-  if (result_.tolerance_limited() && !std::isnan(share_of_tolerance_))
-    return !result_.within_tolerance;
+  if (result_.tolerance_limited() && result_.within_tolerance) return false;
   return attribution_.gate().alarm();
 }
 
@@ -373,8 +378,12 @@ void Investigation::propose() {
 /// Effects that are certain and better on held-out blocks, where the model is good enough without.
 void Investigation::find_immaterial() {
   search_->refit_singles();
+  // By gain: the first of believable size leads, and what is beyond its reach is a poorer rival.
+  double least = result_.needed_gain;
   for (const Explanation& single : search_->singles()) {
-    if (!single.fit.converged || !(single.gain > result_.needed_gain)) continue;
+    if (!single.fit.converged || !(single.gain > least) || !sizes_plausible(problem_, single))
+      continue;
+    least = std::max(least, single.gain - within_reach);
     if (search_->share_of_tolerance(single.response, single.fit) < share_of_tolerance_)
       result_.significant_but_immaterial.push_back(id_of(single));
   }
@@ -413,7 +422,7 @@ void Investigation::tell_of_all_rows() {
 }
 
 Diagnosis Investigation::conclude() {
-  if (!is_anything_missing() && result_.tolerance_limited()) find_immaterial();
+  if (!is_anything_missing() && result_.within_tolerance) find_immaterial();
   result_.sentence = sentence();
   tell_of_all_rows();
   return std::move(result_);

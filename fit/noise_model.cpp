@@ -113,6 +113,7 @@ RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
   }
   if (steps.empty()) order.has_time = false;
   const double middle = order.has_time ? median(steps) : 1.0;
+  order.median_step = middle;
   for (double& step : order.step) step = order.has_time ? std::max(step / middle, 0.05) : infinity;
   return order;
 }
@@ -120,7 +121,9 @@ RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
 /// The order of some readings, those that are not neighbours anew.
 RowOrder order_of(const RowOrder& all, const std::vector<Eigen::Index>& some) {
   if (some.size() == all.step.size()) return all;
-  RowOrder order{.step = {}, .new_run = {}, .has_time = all.has_time, .has_runs = all.has_runs};
+  RowOrder order = all;
+  order.step.clear();
+  order.new_run.clear();
   for (std::size_t k = 0; k < some.size(); ++k) {
     const auto i = static_cast<std::size_t>(some[k]);
     const bool joined = k > 0 && some[k] == some[k - 1] + 1;
@@ -153,6 +156,7 @@ class NoiseSearch {
 
   NoiseModel run() {
     noise_.degrees_of_freedom = static_cast<double>(rows_ - columns_.cols());
+    noise_.median_step = readings_.order.median_step;
     // Size of the parts and outliers, first as if readings were independent.
     for (int round = 0; round < 3; ++round) {
       if (options_.absolute) find_share();
@@ -366,7 +370,14 @@ Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
   if (readings.std.size() > 0) own = readings.std / fit::rms(readings.std);
   const Eigen::VectorXd std =
       ((noise.relative * size).array().square() + (noise.absolute * own).array().square()).sqrt();
-  return {std, readings.order, noise.correlation, noise.run_share};
+  // The correlation belongs to the step of the readings that it was found in.
+  const double steps = readings.order.median_step / noise.median_step;
+  const double correlation = noise.correlation > 0.0 ? std::pow(noise.correlation, steps) : 0.0;
+  return {std, readings.order, correlation, noise.run_share};
+}
+
+double beyond_noise(double error, double noise) {
+  return std::sqrt(std::max(0.0, error * error - noise * noise));
 }
 
 void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double error) {

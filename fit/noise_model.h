@@ -25,6 +25,7 @@ struct NoiseModel {
   Whitening whitening{};
   std::vector<std::size_t> outliers{};  ///< readings counted with less weight, none left out
   double rms = unset;                   ///< over the readings [SI]
+  double median_step = unset;           ///< of time, to which the correlation belongs [s]
   /// Repeats against the saturated regression: F and its p; NaN below 8 degrees of freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
 };
@@ -65,6 +66,10 @@ struct ChannelReadings {
 /// The same noise on other readings of its channel, of typical sizes `size` [SI].
 [[nodiscard]] Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                                      const Eigen::VectorXd& size);
+
+/// What of an error is more than noise, both root mean squares: sqrt(error² - noise²), 0 where it
+/// is less.
+[[nodiscard]] double beyond_noise(double error, double noise);
 
 /// Counts what a model leaves by its own coarseness as scatter: `error` [SI], the same at every
 /// reading, beside the noise.

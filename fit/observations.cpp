@@ -58,6 +58,18 @@ Observations observe(const std::vector<Measured>& channels, const Record& record
   return result;
 }
 
+Eigen::VectorXd floored(const Observations& observed, const Eigen::VectorXd& readings,
+                        double share) {
+  Eigen::VectorXd size = readings.cwiseAbs();
+  for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+    const double floor =
+        share * observed.channels[c].floor * rms(observed.of(c, observed.measured));
+    for (Eigen::Index i = observed.first[c]; i < observed.first[c + 1]; ++i)
+      size[i] = std::max(size[i], floor);
+  }
+  return size;
+}
+
 double rms(const Eigen::VectorXd& v) { return v.norm() / std::sqrt(static_cast<double>(v.size())); }
 
 }  // namespace raceway::fit

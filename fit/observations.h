@@ -38,6 +38,10 @@ struct Observations {
 [[nodiscard]] Observations observe(const std::vector<Measured>& channels, const Record& record,
                                    std::span<const double> predicted);
 
+/// A typical size of each reading: its magnitude, not below `share` of the floor of its channel.
+[[nodiscard]] Eigen::VectorXd floored(const Observations& observed, const Eigen::VectorXd& readings,
+                                      double share);
+
 /// Root mean square; NaN of nothing.
 [[nodiscard]] double rms(const Eigen::VectorXd& values);
 

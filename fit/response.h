@@ -15,8 +15,8 @@ namespace raceway::fit {
 
 /// Observations predicted from a few parameters: a black box with numeric derivatives.
 ///
-/// Many models are affine in theirs. Where that holds to rounding
-/// at points spread within the bounds, `constant + slope x` is kept and no fit needs an iteration.
+/// Many models are affine in theirs. Where that holds to rounding at points spread within the
+/// bounds, `constant + slope x` is kept and no fit needs an iteration.
 struct Response {
   std::vector<Parameter> parameters{};  ///< fits begin at `start`
   /// SI, by observation; NaN where there is no prediction.

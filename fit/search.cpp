@@ -147,7 +147,7 @@ double Search::share_of_tolerance(const Response& response, const ResponseFit& f
   double share = errors.empty() ? unset : 0.0;
   for (std::size_t c = 0; c < errors.size(); ++c)
     if (const double tolerance = problem_.observed.channels[c].tolerance; std::isfinite(tolerance))
-      share = std::fmax(share, errors[c] / tolerance);
+      share = std::fmax(share, beyond_noise(errors[c], evidence_.noise[c].rms) / tolerance);
   return share;
 }
 
@@ -169,8 +169,14 @@ std::vector<const Explanation*> Search::good_enough(const Ranked& list, double m
 }
 
 Finding Search::explain_within_tolerance() {
-  if (auto set = good_enough(singles_, 1.0); !set.empty())
+  if (auto set = good_enough(singles_, 1.0); !set.empty()) {
+    // Where the best leaves nothing but noise, the likelihood tells the others from it.
+    if (any_passes(singles_, {set.front()}))
+      std::erase_if(set, [best = set.front()->gain](const Explanation* e) {
+        return e->gain < best - within_reach;
+      });
     return {Finding::Kind::single, std::move(set)};
+  }
   double best = std::numeric_limits<double>::infinity();
   const Explanation* nearest = nullptr;
   for (const Explanation& single : singles_) {

@@ -204,7 +204,8 @@ class ShapeSearch {
 std::optional<Shape> find_unknown_shape(const Evidence& evidence) {
   const std::optional<Formula> formula =
       evidence.problem.subject->formula(*evidence.problem.record);
-  if (!formula) return std::nullopt;
+  // The formula is one of the subject's first channel, which may take no part.
+  if (!formula || evidence.problem.observed.place.front() != 0) return std::nullopt;
   return ShapeSearch(evidence, *formula).run();
 }
 

@@ -46,16 +46,18 @@ std::string within_tolerance_text(const Diagnosis& d) {
   std::vector<std::string> errors;
   for (const ChannelDiagnosis& c : d.channels)
     if (std::isfinite(c.tolerance))
-      errors.push_back(fmt::format("{:.3g} of {} allowed",
-                                   c.rmse_held_out_before / c.channel().factor,
-                                   reading_text(c.channel(), c.tolerance)));
+      errors.push_back(
+          fmt::format("{:.3g} of {} allowed",
+                      beyond_noise(c.rmse_held_out_before, c.noise.rms) / c.channel().factor,
+                      reading_text(c.channel(), c.tolerance)));
   const std::string certain = d.significant_but_immaterial.empty()
                                   ? ""
                                   : fmt::format(" Certain, but of no weight here: {}.",
-                                                joined(d.significant_but_immaterial, "and"));
+                                                joined(d.significant_but_immaterial, "or"));
   return fmt::format(
-      "Nothing missing that matters: the refitted model errs by {} on blocks held out within the "
-      "range.{}",
+      "Nothing missing that matters: the refitted model errs by {} beyond the noise on blocks held "
+      "out "
+      "within the range.{}",
       joined(errors, "and"), certain);
 }
 

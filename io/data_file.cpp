@@ -68,7 +68,8 @@ class Reader {
 
   /// Beside other sensors one need not have read; then nothing is known of its scatter either.
   [[nodiscard]] bool may_be_empty(const Channel& channel, std::size_t row) const {
-    if (columns_.measured.size() < 2 || !columns_.keeps(channel)) return false;
+    if (!columns_.keeps(channel)) return true;  // measured, but not what the model predicts
+    if (columns_.measured.size() < 2) return false;
     if (channel.role != Role::deviation) return channel.role == Role::measured;
     return cell(*columns_.find(*record::find_channel(channel.of)), row).empty();
   }
@@ -176,6 +177,12 @@ class Reader {
     return has(record::run) ? values(record::run)[row] : 0.0;
   }
 
+  /// A column of the file that the model has no use for takes no part in anything.
+  [[nodiscard]] bool is_unused(const Channel& channel) const {
+    return has(channel) && std::any_of(expected_.unused.begin(), expected_.unused.end(),
+                                       [&](const auto& u) { return *u.first == channel; });
+  }
+
   /// Columns in the order of the table of channels.
   Record record() {
     Record result{.source = table_.source,
@@ -184,7 +191,7 @@ class Reader {
                   .lines = {},
                   .notes = std::move(notes_)};
     for (const Channel& channel : record::channels)
-      if (!values(channel).empty() && columns_.keeps(channel))
+      if (!values(channel).empty() && columns_.keeps(channel) && !is_unused(channel))
         result.set(channel, std::move(values(channel)));
     for (std::size_t row = 0; row < table_.rows(); ++row) result.lines.push_back(table_.line(row));
     return result;
