@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "fit/grid.h"
@@ -17,6 +18,7 @@ namespace {
 constexpr int most_blocks = 8;
 constexpr std::size_t few_blockings = 3;  // with fewer, runs are held out as well
 constexpr int levels_of_an_axis = 5;
+constexpr std::size_t rows_at_once = 4096;  // that a prediction holds in memory
 
 /// Levels of a channel, merged to at most eight ranges; no blocks where it does not vary.
 Blocking blocks_of_levels(const Channel& channel, std::span<const double> values, double width) {
@@ -188,9 +190,25 @@ std::vector<Parameter> find_parameters(const Subject& subject,
 }
 
 std::vector<double> predict(const Subject& subject, const Record& record) {
-  std::vector<double> readings(subject.measured().size() * record.rows());
-  const std::shared_ptr<const void> prepared = subject.prepare(record);
-  subject.predictor(record, {}, prepared)->readings({}, readings);
+  const std::size_t rows = record.rows(), channels = subject.measured().size();
+  std::vector<double> readings(channels * rows);
+  if (subject.has_memory() || rows <= rows_at_once) {
+    subject.predictor(record, {}, nullptr)->readings({}, readings);
+    return readings;
+  }
+  // A predictor keeps what it has found of each row, which of many rows is more than is looked at
+  // again: piece by piece.
+  std::vector<std::size_t> some;
+  for (std::size_t first = 0; first < rows; first += some.size()) {
+    some.resize(std::min(rows_at_once, rows - first));
+    std::iota(some.begin(), some.end(), first);
+    const Record piece = record.picked(some);
+    std::vector<double> found(channels * some.size());
+    subject.predictor(piece, {}, nullptr)->readings({}, found);
+    for (std::size_t c = 0; c < channels; ++c)
+      std::copy_n(found.begin() + static_cast<std::ptrdiff_t>(c * some.size()), some.size(),
+                  readings.begin() + static_cast<std::ptrdiff_t>(c * rows + first));
+  }
   return readings;
 }
 

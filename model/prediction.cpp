@@ -58,8 +58,7 @@ std::vector<FrictionPrediction> predict_rows(const Model& model, const record::R
   std::vector<effects::Record> records;
   points.reserve(record.rows());
   records.reserve(record.rows());
-  for (std::size_t i = 0; i < record.rows(); ++i) {
-    const Row row = row_of(record, i);
+  for (const Row& row : rows_of(record)) {
     points.push_back(row.point);
     records.push_back(row.record);
   }

@@ -1,22 +1,34 @@
 #include "model/row.h"
 
+#include <cstddef>
+#include <span>
+
 namespace raceway::model {
 
-Row row_of(const record::Record& record, std::size_t row) {
-  const auto value = [&](const record::Channel& channel) { return record.value(channel, row); };
-  Row result;
-  result.point.speed = value(record::speed);
-  result.point.axial_load = value(record::axial_load);
-  result.point.radial_load = value(record::radial_load);
-  if (record.has(record::temperature)) result.point.temperature = value(record::temperature);
-  result.record = {.time = value(record::time),
-                   .inner_ring_temperature = value(record::inner_ring_temperature),
-                   .outer_ring_temperature = value(record::outer_ring_temperature),
-                   .run = record.run_of(row),
-                   .rows = &record,
-                   .row = row};
-  result.preload = value(record::preload);
-  return result;
+std::vector<Row> rows_of(const record::Record& record) {
+  std::vector<Row> rows(record.rows());
+  const auto fill = [&](const record::Channel& channel, auto&& number) {
+    const std::span<const double> values = record.values(channel);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      number(rows[i]) = values.empty() ? unset : values[i];
+  };
+  fill(record::speed, [](Row& r) -> double& { return r.point.speed; });
+  fill(record::axial_load, [](Row& r) -> double& { return r.point.axial_load; });
+  fill(record::radial_load, [](Row& r) -> double& { return r.point.radial_load; });
+  if (record.has(record::temperature))
+    fill(record::temperature, [](Row& r) -> double& { return r.point.temperature; });
+  fill(record::time, [](Row& r) -> double& { return r.record.time; });
+  fill(record::inner_ring_temperature,
+       [](Row& r) -> double& { return r.record.inner_ring_temperature; });
+  fill(record::outer_ring_temperature,
+       [](Row& r) -> double& { return r.record.outer_ring_temperature; });
+  fill(record::preload, [](Row& r) -> double& { return r.preload; });
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].record.run = record.run_of(i);
+    rows[i].record.rows = &record;
+    rows[i].record.row = i;
+  }
+  return rows;
 }
 
 }  // namespace raceway::model

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <vector>
 
 #include "bearing/operating_point.h"
 #include "effects/effect.h"
@@ -16,7 +16,7 @@ struct Row {
   double preload = unset;  ///< of the sets at standstill [N]
 };
 
-/// NaN where the record has no such column, but a temperature of 40 °C.
-[[nodiscard]] Row row_of(const record::Record& record, std::size_t row);
+/// All rows. NaN where the record has no such column, but a temperature of 40 °C.
+[[nodiscard]] std::vector<Row> rows_of(const record::Record& record);
 
 }  // namespace raceway::model

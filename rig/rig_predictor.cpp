@@ -7,8 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "model/row.h"
-
 namespace raceway::rig {
 namespace {
 
@@ -25,12 +23,14 @@ bool same_point(const bearing::OperatingPoint& a, const bearing::OperatingPoint&
 EnteredBalances::EnteredBalances(const model::Model& model, const record::Record& record)
     : model_(model) {
   points_.reserve(record.rows());
-  for (std::size_t i = 0; i < record.rows(); ++i) points_.push_back(model::row_of(record, i).point);
+  for (const model::Row& row : model::rows_of(record)) points_.push_back(row.point);
 }
 
-std::span<const model::Balance> EnteredBalances::of(
-    std::span<const bearing::OperatingPoint> points) const {
-  if (!std::equal(points.begin(), points.end(), points_.begin(), points_.end(), same_point))
+std::span<const model::Balance> EnteredBalances::of(std::span<const model::Row> rows) const {
+  if (!std::equal(rows.begin(), rows.end(), points_.begin(), points_.end(),
+                  [](const model::Row& row, const bearing::OperatingPoint& point) {
+                    return same_point(row.point, point);
+                  }))
     return {};
   std::call_once(solved_, [this] {
     // A thread that waits here for its helpers must not take up a task that asks the same.
@@ -43,14 +43,9 @@ RigPredictor::RigPredictor(const model::Model& model, const record::Record& reco
                            std::vector<model::ParameterPlace> places,
                            const EnteredBalances* entered)
     : model_(model), steps_(model_), places_(std::move(places)) {
-  std::vector<model::Row> rows;
-  std::vector<bearing::OperatingPoint> points;
-  for (std::size_t i = 0; i < record.rows(); ++i) {
-    rows.push_back(model::row_of(record, i));
-    points.push_back(rows.back().point);
-  }
+  const std::vector<model::Row> rows = model::rows_of(record);
   std::span<const model::Balance> balances;
-  if (entered && steps_.equilibrium) balances = entered->of(points);
+  if (entered && steps_.equilibrium) balances = entered->of(rows);
   rows_.reserve(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     rows_.emplace_back(model_, steps_, rows[i].point, rows[i].record,

@@ -6,6 +6,7 @@
 
 #include "fit/subject.h"
 #include "model/parameters.h"
+#include "model/row.h"
 #include "model/row_predictor.h"
 
 namespace raceway::rig {
@@ -16,8 +17,7 @@ class EnteredBalances {
  public:
   EnteredBalances(const model::Model& model, const record::Record& record);
   /// By row; nothing where the points are others. May be asked by several threads at once.
-  [[nodiscard]] std::span<const model::Balance> of(
-      std::span<const bearing::OperatingPoint> points) const;
+  [[nodiscard]] std::span<const model::Balance> of(std::span<const model::Row> rows) const;
 
  private:
   model::Model model_;

@@ -23,8 +23,7 @@ template <typename Value>
 std::vector<double> by_row(const fit::Record& record, const Value& value) {
   std::vector<double> list;
   list.reserve(record.rows());
-  for (std::size_t i = 0; i < record.rows(); ++i)
-    list.push_back(value(model::row_of(record, i).point));
+  for (const model::Row& row : model::rows_of(record)) list.push_back(value(row.point));
   return list;
 }
 

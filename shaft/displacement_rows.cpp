@@ -17,8 +17,8 @@ DisplacementRows::DisplacementRows(const Model& model, const record::Record& rec
   if (!model.shaft) throw std::invalid_argument("the model has no shaft");
   const Shaft& shaft = *model.shaft;
   rows_.reserve(record.rows());
-  for (std::size_t i = 0; i < record.rows(); ++i) {
-    Known& known = rows_.emplace_back(Known{.row = model::row_of(record, i), .temperatures = {}});
+  for (model::Row& row : model::rows_of(record)) {
+    Known& known = rows_.emplace_back(Known{.row = row, .temperatures = {}});
     effects::Record& recorded = known.row.record;
     if (!record.has(record::axial_load)) known.row.point.axial_load = shaft.external_load;
     known.temperatures =

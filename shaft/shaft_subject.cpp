@@ -95,8 +95,7 @@ fit::Saturation ShaftSubject::saturation(const fit::Record& record) const {
 
 std::vector<fit::Factor> ShaftSubject::factors(const fit::Record& record) const {
   std::vector<fit::Factor> list{{"speed", {}}, {"preload", {}}, {"viscosity", {}}};
-  for (std::size_t i = 0; i < record.rows(); ++i) {
-    const model::Row row = model::row_of(record, i);
+  for (const model::Row& row : model::rows_of(record)) {
     list[0].values.push_back(row.point.speed);
     list[1].values.push_back(std::isfinite(row.preload) ? row.preload : 0.0);
     list[2].values.push_back(model().lubricant.kinematic_viscosity(row.point.temperature));

@@ -21,7 +21,7 @@ TEST(Row, LooksIntoItsRecord) {
   record.set(record::time, {5.0, 6.0});
   record.set(record::run, {0.0, 1.0});
   record.set(record::temperature, {kelvin(30), unset});
-  const Row row = row_of(record, 1);
+  const Row row = rows_of(record)[1];
   EXPECT_EQ(row.point.speed, 200.0);
   EXPECT_EQ(row.point.axial_load, 20.0);
   EXPECT_EQ(row.point.radial_load, 2.0);
@@ -31,19 +31,19 @@ TEST(Row, LooksIntoItsRecord) {
   EXPECT_EQ(row.record.run, 1);
   EXPECT_EQ(row.record.value(record::preload), 900.0);
   EXPECT_TRUE(std::isnan(row.record.value(record::inner_ring_temperature)));
-  EXPECT_EQ(row_of(record, 0).point.temperature, kelvin(30));
+  EXPECT_EQ(rows_of(record)[0].point.temperature, kelvin(30));
   EXPECT_TRUE(std::isnan(row.point.temperature)) << "not read is not 40 C";
 }
 
 TEST(Row, OfARecordWithoutAColumnHasNoNumberButTheUsualTemperature) {
   record::Record record;
   record.set(record::speed, {100.0});
-  const Row row = row_of(record, 0);
+  const Row row = rows_of(record)[0];
   EXPECT_TRUE(std::isnan(row.point.axial_load));
   EXPECT_TRUE(std::isnan(row.point.radial_load));
   EXPECT_TRUE(std::isnan(row.preload));
   EXPECT_EQ(row.record.run, -1);
-  EXPECT_EQ(row_of(two_rows(), 0).point.temperature, kelvin(40));
+  EXPECT_EQ(rows_of(two_rows())[0].point.temperature, kelvin(40));
 }
 
 }  // namespace

@@ -68,6 +68,17 @@ std::vector<double> readings(Predictor& predictor, const std::vector<double>& va
   return out;
 }
 
+TEST(RigSubject, PredictsManyRowsAsItPredictsFew) {
+  std::vector<double> speeds;
+  for (int k = 0; k < 5000; ++k) speeds.push_back(500.0 + 3.0 * k);
+  const RigSubject subject(with_effect(synthetic_model(), "spin-friction", {0.06}));
+  const Record record = factorial_plan(speeds, {400}, {40});
+  const std::vector<double> whole =
+      readings(*subject.predictor(record, {}, nullptr), {}, record.rows());
+  EXPECT_THAT(whole, Each(testing::Gt(0.0)));
+  EXPECT_EQ(predict(subject, record), whole);
+}
+
 TEST(RigSubject, PredictsTheReadingsOfItsModel) {
   Model model =
       with_effect(with_effect(synthetic_model(), "spin-friction", {0.06}), "torque-offset", {20.0});
