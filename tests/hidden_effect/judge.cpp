@@ -145,7 +145,7 @@ Improvement improve(const Rig& rig, std::span<const std::string> names) {
   record::Record data = read(measurement_text(rig.train), *subject);
   std::vector<double> sigma;
   for (const Reading& r : rig.train) sigma.push_back(r.sigma * N_mm);
-  data.set(record::torque_deviation, std::move(sigma));
+  data.set(record::torque_deviation, std::move(sigma)).known = true;
   const fit::Calibration fitted = fit::calibrate(*subject, data);
   out.converged = fitted.converged();
   const model::Model& after = model::model_of(*fitted.subject);
