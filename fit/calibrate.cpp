@@ -110,7 +110,7 @@ double excess_scatter(const Eigen::VectorXd& errors, const Eigen::VectorXd& std,
 /// Nothing where the data cannot carry a diagnosis.
 std::optional<Evidence> evidence_of(const Subject& subject, const Record& record) {
   try {
-    return gather_evidence(subject, record);
+    return gather_evidence(subject, record, {.screened = false});
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }

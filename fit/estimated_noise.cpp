@@ -10,7 +10,7 @@ namespace raceway::fit {
 std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(const Subject& subject,
                                                                        const Record& record) {
   try {
-    const Evidence evidence = gather_evidence(subject, record);
+    const Evidence evidence = gather_evidence(subject, record, {.screened = false});
     const Problem& problem = evidence.problem;
     std::vector<EstimatedNoise> result;
     for (std::size_t c = 0; c < evidence.noise.size(); ++c) {

@@ -253,42 +253,8 @@ void require_scatter(const Evidence& evidence) {
   }
 }
 
-void fit_base(Evidence& evidence, const NoiseOptions& options) {
-  Problem& problem = evidence.problem;
-  const Observations& observed = problem.observed;
-  // A first fit with the noise that most rigs have, for a smooth size of each reading.
-  const Eigen::VectorXd guess = first_relative * floored(observed, observed.measured, 2.0);
-  const ResponseFit first = fit_response(evidence.response, Whitening(guess, {}, 0.0, 0.0),
-                                         observed.measured, starts_of(evidence.response.start()));
-  const std::string& source = problem.record->source;
-  if (!first.converged)
-    throw std::invalid_argument(
-        source + ": the fit of the model's own parameters does not converge; " +
-        (evidence.hint.empty() ? "free fewer of them, or check units of model and data"
-                               : evidence.hint));
-  evidence.size = floored(observed, first.prediction, 1.0);
-  screen_candidates(problem, evidence.saturation, first.values);
-  evidence.noise = noise_of_saturated_regression(evidence, first.values, options);
-  require_scatter(evidence);
-  std::vector<Whitening> parts;
-  evidence.degrees_of_freedom = 0.0;
-  for (const NoiseModel& noise : evidence.noise) {
-    parts.push_back(noise.whitening);
-    evidence.degrees_of_freedom += noise.degrees_of_freedom;
-  }
-  evidence.whitening = parts.size() == 1 ? parts.front() : Whitening(parts);
-  evidence.base = fit_response(evidence.response, evidence.whitening, observed.measured,
-                               starts_of(first.values));
-  if (!evidence.base.converged)
-    throw std::invalid_argument(source +
-                                ": the fit of the model's own parameters does not converge");
-}
-
-}  // namespace
-
-Evidence gather_evidence(const Subject& subject, const Record& record,
-                         const EvidenceOptions& options) {
-  subject.require(record);
+/// Rows, candidates and the response of the model, before anything is fitted.
+Evidence look_at(const Subject& subject, const Record& record, const EvidenceOptions& options) {
   Evidence evidence;
   Problem& problem = evidence.problem;
   problem.subject = subject.with_values({});
@@ -305,7 +271,82 @@ Evidence gather_evidence(const Subject& subject, const Record& record,
   evidence.idle = take_idle(problem, evidence.response);
   if (!evidence.idle.empty()) evidence.response = response_with(problem, {});
   evidence.response.find_affine_form();
-  fit_base(evidence, options.noise);
+  return evidence;
+}
+
+/// Values of the base with the noise that most rigs have, for a smooth size of each reading.
+Eigen::VectorXd first_values(Evidence& evidence) {
+  const Problem& problem = evidence.problem;
+  const Observations& observed = problem.observed;
+  const Eigen::VectorXd guess = first_relative * floored(observed, observed.measured, 2.0);
+  const ResponseFit first = fit_response(evidence.response, Whitening(guess, {}, 0.0, 0.0),
+                                         observed.measured, starts_of(evidence.response.start()));
+  if (!first.converged)
+    throw std::invalid_argument(
+        problem.record->source + ": the fit of the model's own parameters does not converge; " +
+        (evidence.hint.empty() ? "free fewer of them, or check units of model and data"
+                               : evidence.hint));
+  evidence.size = floored(observed, first.prediction, 1.0);
+  return first.values;
+}
+
+/// The noise as it is found without what the model is still to learn from this record, which then
+/// is one candidate among others: so an effect has one size, whether it is diagnosed, added or
+/// calibrated. Nothing where the model has no such effect, or without it uses other rows.
+std::vector<NoiseModel> noise_without_free_candidates(const Subject& subject, const Record& record,
+                                                      EvidenceOptions options,
+                                                      const Problem& problem) {
+  const auto bare = subject.without_free_candidates();
+  if (!bare) return {};
+  if (!options.candidates.empty()) {
+    const std::vector<Candidate> known = subject.candidates();
+    for (const Candidate& c : bare->candidates())
+      if (std::none_of(known.begin(), known.end(), [&](const auto& k) { return k.id == c.id; }))
+        options.candidates.push_back(c.id);
+  }
+  try {
+    Evidence evidence = look_at(*bare, record, options);
+    if (evidence.problem.rows != problem.rows ||
+        evidence.problem.observed.row != problem.observed.row)
+      return {};
+    const Eigen::VectorXd values = first_values(evidence);
+    screen_candidates(evidence.problem, evidence.saturation, values);
+    return noise_of_saturated_regression(evidence, values, options.noise);
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+}
+
+void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
+  const Problem& problem = evidence.problem;
+  std::vector<Whitening> parts;
+  evidence.degrees_of_freedom = 0.0;
+  for (const NoiseModel& noise : evidence.noise) {
+    parts.push_back(noise.whitening);
+    evidence.degrees_of_freedom += noise.degrees_of_freedom;
+  }
+  evidence.whitening = parts.size() == 1 ? parts.front() : Whitening(parts);
+  evidence.base = fit_response(evidence.response, evidence.whitening, problem.observed.measured,
+                               starts_of(start));
+  if (!evidence.base.converged)
+    throw std::invalid_argument(problem.record->source +
+                                ": the fit of the model's own parameters does not converge");
+}
+
+}  // namespace
+
+Evidence gather_evidence(const Subject& subject, const Record& record,
+                         const EvidenceOptions& options) {
+  subject.require(record);
+  Evidence evidence = look_at(subject, record, options);
+  const Eigen::VectorXd values = first_values(evidence);
+  evidence.noise = noise_without_free_candidates(subject, record, options, evidence.problem);
+  if (options.screened || evidence.noise.empty())
+    screen_candidates(evidence.problem, evidence.saturation, values);
+  if (evidence.noise.empty())
+    evidence.noise = noise_of_saturated_regression(evidence, values, options.noise);
+  require_scatter(evidence);
+  fit_base(evidence, values);
   return evidence;
 }
 

@@ -62,6 +62,8 @@ std::vector<std::string> Subject::catalogue() const {
   return ids;
 }
 
+std::unique_ptr<Subject> Subject::without_free_candidates() const { return nullptr; }
+
 std::string Subject::lacks(const std::string&, const Record&) const { return {}; }
 
 std::string Subject::lacks_levels(const std::string&, const Record&) const { return {}; }

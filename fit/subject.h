@@ -158,6 +158,10 @@ class Subject {
   /// std::invalid_argument for one that is no candidate, with the nearest names.
   [[nodiscard]] virtual std::unique_ptr<Subject> with_candidates(
       std::span<const std::string> ids) const = 0;
+  /// Itself without the candidates that are switched on with a free parameter: what is still to be
+  /// learnt from a record waits among the candidates again. Null where there is none. Default:
+  /// null.
+  [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
   /// What an id of catalogue() cannot be felt without and model or record do not have; empty if
   /// nothing.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;

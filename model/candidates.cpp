@@ -21,14 +21,13 @@ double typical_size(const effects::Parameter& p) {
   return std::isfinite(range) && range > 0.0 ? 0.01 * range : 1.0;
 }
 
-/// Whether a name of `free` is that of a parameter of the effect.
+}  // namespace
+
 bool is_free(const Model& model, std::string_view id) {
   const std::string prefix = std::string(id) + ".";
   return std::any_of(model.free.begin(), model.free.end(),
                      [&](const std::string& name) { return name.starts_with(prefix); });
 }
-
-}  // namespace
 
 std::vector<std::string> waiting_effects(const Model& model) {
   std::vector<std::string> ids;

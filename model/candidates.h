@@ -9,6 +9,9 @@
 
 namespace raceway::model {
 
+/// Whether a parameter of the effect is among those that the model frees.
+[[nodiscard]] bool is_free(const Model& model, std::string_view id);
+
 /// Ids of effects of the user's own that change nothing yet, a size of zero: they stand in the
 /// model only to be tried. One without a size is none of them, nor one of which something is free.
 [[nodiscard]] std::vector<std::string> waiting_effects(const Model& model);

@@ -107,6 +107,23 @@ std::unique_ptr<fit::Subject> ModelSubject::with_candidates(
   return with(std::move(extended), std::move(waiting));
 }
 
+std::unique_ptr<fit::Subject> ModelSubject::without_free_candidates() const {
+  Model bare = model_;
+  std::vector<std::string> waiting = waiting_, leaving;
+  bool any = false;
+  for (const effects::Effect& e : active_.effects) {
+    const effects::Description& d = *e.description;
+    if (!is_free(model_, d.id) || !candidate_of(d, model_.rig)) continue;
+    any = true;
+    (d.user_made ? waiting : leaving).emplace_back(d.id);
+    std::erase_if(bare.free, [&](const std::string& name) {
+      return name.starts_with(std::string(d.id) + ".");
+    });
+  }
+  if (!any) return nullptr;
+  return with(without(std::move(bare), leaving), std::move(waiting));
+}
+
 effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
   const effects::Form form = model_.form();
   if (find_effect(model_, id))

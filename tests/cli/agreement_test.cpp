@@ -1,6 +1,7 @@
 // What several commands, or several outputs of one, say of the same data and model.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "tests/cli/sample.h"
@@ -108,6 +109,36 @@ TEST(Agreement, DiagnoseAndAddGiveAnEffectOneSize) {
   for (const char* number : {"value", "std"}) {
     const double expected = by_diagnose[number];
     EXPECT_NEAR(by_add[number].get<double>(), expected, 1e-6 * expected) << number;
+  }
+}
+
+TEST(Agreement, CalibrateGivesAnAddedEffectTheSizeThatAddGave) {
+  // All of its parameters free, so that it is the same question.
+  const std::map<int, std::string> hidden{{2, "spin-friction"},
+                                          {3, "lubricant-drag"},
+                                          {4, "inlet-shear-heating"},
+                                          {5, "thermal-preload"}};
+  const ScratchFolder scratch;
+  for (const auto& [number, id] : hidden) {
+    const std::string folder = root + "/tests/hidden_effect/rigs/dev-0" + std::to_string(number);
+    const std::string better = scratch.file(id + ".toml");
+    const json added = parsed(run("add " + folder + "/model.toml " + id + " --data " + folder +
+                                  "/train.csv --json -o " + better))["calibration"]["parameters"];
+    json names = json::array();
+    for (const auto& [name, parameter] : added.items()) names.push_back(name);
+    std::string text = file_text(better);
+    const std::string fixed = "free = [\"f0\", \"z\"]";
+    ASSERT_NE(text.find(fixed), text.npos);
+    text.replace(text.find(fixed), fixed.size(), "free = " + names.dump());
+    const json calibrated = parsed(run("calibrate " + scratch.write("free.toml", text) + " " +
+                                       folder + "/train.csv --json"))["parameters"];
+    ASSERT_EQ(calibrated.size(), added.size());
+    for (const auto& [name, parameter] : added.items())
+      for (const char* value : {"value", "std"}) {
+        const double expected = parameter[value];
+        EXPECT_NEAR(calibrated[name][value].get<double>(), expected, 1e-6 * std::abs(expected))
+            << name << " " << value;
+      }
   }
 }
 

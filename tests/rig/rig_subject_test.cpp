@@ -79,6 +79,20 @@ TEST(RigSubject, PredictsManyRowsAsItPredictsFew) {
   EXPECT_EQ(predict(subject, record), whole);
 }
 
+TEST(RigSubject, CountsWhatIsFreeAmongTheCandidatesAgain) {
+  EXPECT_EQ(RigSubject(with_mine(3.0)).without_free_candidates(), nullptr) << "nothing is free";
+  Model model = with_mine(3.0);
+  model.free = {"f0", "of-mine.c", "spin-friction.friction_coefficient"};
+  const auto bare = RigSubject(model).without_free_candidates();
+  ASSERT_NE(bare, nullptr);
+  EXPECT_THAT(bare->free(), ElementsAre("f0"));
+  EXPECT_THAT(ids(bare->candidates()), IsSupersetOf({"of-mine", "spin-friction"}));
+  EXPECT_THAT(names(*bare), Not(Contains("of-mine.c")));
+  // Switched on again it stands where it stood.
+  const std::vector<std::string> both{"of-mine", "spin-friction"};
+  EXPECT_EQ(names(*bare->with_candidates(both)), names(RigSubject(model)));
+}
+
 TEST(RigSubject, PredictsTheReadingsOfItsModel) {
   Model model =
       with_effect(with_effect(synthetic_model(), "spin-friction", {0.06}), "torque-offset", {20.0});
