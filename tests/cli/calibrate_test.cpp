@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-const std::string measured = RACEWAY_SOURCE_DIR "/data/measurements/";
+const std::string measurements = RACEWAY_SOURCE_DIR "/data/measurements/";
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;
@@ -23,7 +23,8 @@ std::vector<std::string> lines(const std::string& text) {
 
 TEST(Calibrate, OfACoastDownBringsTheErrorDownAndSaysThatStructureIsLeft) {
   const ScratchFolder scratch;
-  const std::string model = measured + "flywheel.toml", data = measured + "flywheel_unloaded.csv";
+  const std::string model = measurements + "flywheel.toml",
+                    data = measurements + "flywheel_unloaded.csv";
   const std::string fitted = scratch.file("fitted.toml");
   const Result r = run("calibrate " + model + " " + data + " -o " + fitted);
   ASSERT_EQ(r.status, 0) << r.err;
@@ -45,11 +46,11 @@ TEST(Calibrate, OfACoastDownBringsTheErrorDownAndSaysThatStructureIsLeft) {
 TEST(Calibrate, ChangesTheValuesAndNothingElse) {
   const ScratchFolder scratch;
   const std::string fitted = scratch.file("fitted.toml");
-  ASSERT_EQ(run("calibrate " + measured + "flywheel.toml " + measured +
+  ASSERT_EQ(run("calibrate " + measurements + "flywheel.toml " + measurements +
                 "flywheel_unloaded.csv -o " + fitted)
                 .status,
             0);
-  const auto old_lines = lines(file_text(measured + "flywheel.toml"));
+  const auto old_lines = lines(file_text(measurements + "flywheel.toml"));
   const auto new_lines = lines(file_text(fitted));
   ASSERT_EQ(old_lines.size(), new_lines.size());
   std::vector<std::string> changed;
