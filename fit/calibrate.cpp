@@ -2,20 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
+#include "fit/identifiability.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
 
 namespace {
 
-constexpr double dependent = 1e-6;  // share of a unit column that others leave; below, it is theirs
 constexpr double beyond_chance = 0.01;  // of a misfit against the noise
 
 /// Readings, what they are weighed by, and whether that is their noise.
@@ -116,192 +115,6 @@ std::optional<Evidence> evidence_of(const Subject& subject, const Record& record
   }
 }
 
-/// Whether a column adds anything to those before it, and to which of them it belongs if not.
-struct Dependence {
-  bool dependent = false;
-  std::vector<Eigen::Index> on;  // empty where the column is zero
-};
-
-std::vector<Dependence> column_dependence(const Eigen::MatrixXd& jacobian) {
-  std::vector<Dependence> result(static_cast<std::size_t>(jacobian.cols()));
-  const double largest = jacobian.colwise().norm().maxCoeff();
-  std::vector<Eigen::Index> kept;
-  for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
-    Dependence& d = result[static_cast<std::size_t>(k)];
-    const double norm = jacobian.col(k).norm();
-    if (!(norm > 1e-12 * largest)) {
-      d.dependent = true;
-      continue;
-    }
-    const Eigen::VectorXd column = jacobian.col(k) / norm;
-    if (!kept.empty()) {
-      Eigen::MatrixXd before(jacobian.rows(), static_cast<Eigen::Index>(kept.size()));
-      for (std::size_t j = 0; j < kept.size(); ++j)
-        before.col(static_cast<Eigen::Index>(j)) =
-            jacobian.col(kept[j]) / jacobian.col(kept[j]).norm();
-      const Eigen::VectorXd share = before.colPivHouseholderQr().solve(column);
-      if ((column - before * share).norm() < dependent) {
-        d.dependent = true;
-        for (std::size_t j = 0; j < kept.size(); ++j)
-          if (std::abs(share[static_cast<Eigen::Index>(j)]) > 1e-3) d.on.push_back(kept[j]);
-        continue;
-      }
-    }
-    kept.push_back(k);
-  }
-  return result;
-}
-
-/// Dependence at a point; nothing where it cannot be predicted.
-std::optional<std::vector<Dependence>> dependence_at(const Response& response,
-                                                     const Whitening& whitening,
-                                                     const Eigen::VectorXd& x) {
-  const Eigen::MatrixXd slope = response.jacobian(x);
-  if (!slope.allFinite()) return std::nullopt;
-  Eigen::MatrixXd jacobian = whitening(slope);
-  for (Eigen::Index k = 0; k < jacobian.cols(); ++k)
-    jacobian.col(k) *= response.parameters[static_cast<std::size_t>(k)].scale;
-  return column_dependence(jacobian);
-}
-
-/// Marks what the data cannot tell apart, holds all but the first of a group, and says so.
-void hold_dependent(const Response& response, const Whitening& whitening, Calibration& result) {
-  // A second point, because a parameter may be without effect at its start only (the shape of an
-  // effect whose size starts at zero).
-  const Eigen::VectorXd start = response.start();
-  Eigen::VectorXd moved = start;
-  for (Eigen::Index k = 0; k < start.size(); ++k) {
-    const Parameter& p = response.parameters[static_cast<std::size_t>(k)];
-    const double step = (0.1 + 0.03 * static_cast<double>(k)) * p.scale;
-    moved[k] = start[k] + step <= p.upper ? start[k] + step : std::max(start[k] - step, p.lower);
-  }
-  const auto here = dependence_at(response, whitening, start);
-  const auto there = dependence_at(response, whitening, moved);
-  if (!here || !there) return;
-  for (std::size_t k = 0; k < here->size(); ++k) {
-    if (!(*here)[k].dependent || !(*there)[k].dependent) continue;
-    Parameter& p = result.parameters[k];
-    p.held = true;
-    p.identifiable = false;
-    std::vector<std::string> group;
-    for (const Eigen::Index j : (*there)[k].on) {
-      Parameter& other = result.parameters[static_cast<std::size_t>(j)];
-      other.identifiable = false;
-      group.push_back(other.name);
-    }
-    if (group.empty()) {
-      result.messages.push_back(fmt::format("the data do not depend on {}: it stays at {}", p.name,
-                                            with_unit(p.value, p.unit, 5)));
-      continue;
-    }
-    group.push_back(p.name);
-    result.messages.push_back(
-        fmt::format("{} cannot be told apart on these data: {} is held at {}, and the other {} "
-                    "without a standard error",
-                    joined(group, "and"), p.name, with_unit(p.value, p.unit, 5),
-                    group.size() == 2 ? "value is" : "values are"));
-  }
-}
-
-/// Standard errors and correlation of the parameters that are free to move at the solution.
-class Errors {
- public:
-  Errors(const Eigen::MatrixXd& jacobian, double factor, Calibration& result)
-      : jacobian_(jacobian), factor_(factor), result_(result) {
-    for (std::size_t k = 0, column = 0; k < result.parameters.size(); ++k) {
-      if (result.parameters[k].held) continue;
-      if (result.parameters[k].at_bound == Bound::none) {
-        free_.push_back(k);
-        columns_.push_back(static_cast<Eigen::Index>(column));
-      }
-      ++column;
-    }
-    const auto count = static_cast<Eigen::Index>(result.parameters.size());
-    result.correlation = Eigen::MatrixXd::Constant(count, count, unset);
-  }
-
-  void estimate() {
-    if (free_.empty()) return;
-    find_covariance();
-    for (std::size_t k = 0; k < free_.size(); ++k) set_error(k);
-    for (std::size_t a = 0; a < free_.size(); ++a)
-      for (std::size_t b = 0; b < free_.size(); ++b) set_correlation(a, b);
-  }
-
- private:
-  void find_covariance() {
-    const auto size = static_cast<Eigen::Index>(free_.size());
-    Eigen::MatrixXd scaled = jacobian_(Eigen::all, columns_);
-    norm_ = scaled.colwise().norm();
-    for (Eigen::Index k = 0; k < size; ++k)
-      if (norm_[k] > 0.0) scaled.col(k) /= norm_[k];
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.householderQr()
-                                                    .matrixQR()
-                                                    .topRows(std::min(size, scaled.rows()))
-                                                    .template triangularView<Eigen::Upper>()
-                                                    .toDenseMatrix(),
-                                                Eigen::ComputeThinV);
-    const Eigen::VectorXd singular = svd.singularValues();
-    const Eigen::MatrixXd& v = svd.matrixV();
-    covariance_ = Eigen::MatrixXd::Zero(size, size);
-    lost_.assign(free_.size(), false);
-    for (Eigen::Index s = 0; s < singular.size(); ++s) {
-      if (singular[s] > dependent * singular[0]) {
-        covariance_ += v.col(s) * v.col(s).transpose() / (singular[s] * singular[s]);
-        continue;
-      }
-      std::vector<std::string> group;
-      for (Eigen::Index k = 0; k < size; ++k) {
-        if (std::abs(v(k, s)) < 1e-3) continue;
-        lost_[static_cast<std::size_t>(k)] = true;
-        group.push_back(parameter(static_cast<std::size_t>(k)).name);
-      }
-      result_.messages.push_back(
-          fmt::format("{} cannot be told apart at the solution", joined(group, "and")));
-    }
-  }
-
-  void set_error(std::size_t k) {
-    Parameter& p = parameter(k);
-    const auto at = static_cast<Eigen::Index>(k);
-    if (lost_[k] || !(norm_[at] > 0.0)) p.identifiable = false;
-    if (!p.identifiable) return;
-    p.std = factor_ * std::sqrt(covariance_(at, at)) / norm_[at];
-    if (!(p.std > p.upper - p.lower)) return;
-    result_.messages.push_back(
-        fmt::format("{} is not fixed by these data: its standard error would be {}, more than the "
-                    "range of its bounds",
-                    p.name, with_unit(p.std, p.unit, 5)));
-    p.identifiable = false;
-    p.std = unset;
-  }
-
-  void set_correlation(std::size_t a, std::size_t b) {
-    const Parameter &first = parameter(a), &second = parameter(b);
-    if (!first.identifiable || !second.identifiable || std::isnan(factor_)) return;
-    const auto i = static_cast<Eigen::Index>(a), j = static_cast<Eigen::Index>(b);
-    const double c = covariance_(i, j) / std::sqrt(covariance_(i, i) * covariance_(j, j));
-    result_.correlation(static_cast<Eigen::Index>(free_[a]), static_cast<Eigen::Index>(free_[b])) =
-        a == b ? 1.0 : c;
-    if (a < b && std::abs(c) > 0.99)
-      result_.messages.push_back(fmt::format(
-          "{} and {} are correlated by {:.4f}: these data fix a combination of them far better "
-          "than each",
-          first.name, second.name, c));
-  }
-
-  Parameter& parameter(std::size_t k) { return result_.parameters[free_[k]]; }
-
-  const Eigen::MatrixXd& jacobian_;
-  double factor_;
-  Calibration& result_;
-  std::vector<std::size_t> free_;      // parameters
-  std::vector<Eigen::Index> columns_;  // of the Jacobian, which held ones have none in
-  Eigen::VectorXd norm_;
-  Eigen::MatrixXd covariance_;
-  std::vector<bool> lost_;
-};
-
 /// By what standard errors are widened: against known noise where the misfit exceeds it, otherwise
 /// by the misfit itself.
 double error_factor(double misfit, bool noise_known, Calibration& result) {
@@ -372,7 +185,7 @@ void take_fit(const Response& response, const ResponseFit& fit, const Observatio
           reading_text(*c.channel, c.rmse_after, 4)));
   const double factor = error_factor(fit.misfit, noise_known, result);
   const Eigen::MatrixXd jacobian = whitening(fit.slope);
-  Errors(jacobian, factor, result).estimate();
+  estimate_errors(jacobian, factor, result);
 }
 
 /// Fits again with the common scatter that explains a misfit beyond the declared deviations, until

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "fit/calibrate.h"
+
+namespace raceway::fit {
+
+/// Marks what the data cannot tell apart at the start of a fit nor away from it, holds all but the
+/// first of a group, and says so.
+void hold_dependent(const Response& response, const Whitening& whitening, Calibration& result);
+
+/// Standard errors and correlation of the parameters that are free to move at the solution.
+/// `jacobian`: whitened, a column for each parameter that is not held. `factor`: by which errors
+/// are widened, NaN where there are none.
+void estimate_errors(const Eigen::MatrixXd& jacobian, double factor, Calibration& result);
+
+}  // namespace raceway::fit
