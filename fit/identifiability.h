@@ -6,7 +6,7 @@
 
 namespace raceway::fit {
 
-/// Marks what the data cannot tell apart at the start of a fit nor away from it, holds all but the
+/// Marks what the data tell apart neither at the start of a fit nor away from it, holds all but the
 /// first of a group, and says so.
 void hold_dependent(const Response& response, const Whitening& whitening, Calibration& result);
 
