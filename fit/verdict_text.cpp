@@ -56,8 +56,7 @@ std::string within_tolerance_text(const Diagnosis& d) {
                                                 joined(d.significant_but_immaterial, "or"));
   return fmt::format(
       "Nothing missing that matters: the refitted model errs by {} beyond the noise on blocks held "
-      "out "
-      "within the range.{}",
+      "out within the range.{}",
       joined(errors, "and"), certain);
 }
 
