@@ -13,8 +13,20 @@ struct RollingContact {
   const bearing::HertzContact& hertz;
   double load;           ///< Q [N]
   double conformity;     ///< f = groove radius / ball diameter [1]
+  double radius_ratio;   ///< R_z/R_x of the equivalent radii across and along rolling [1], >= 1
   double rolling_ratio;  ///< relative rolling speed over shaft speed, ω_roll/ω [1]
 };
+
+/// Ratio of the equivalent radii of ball and groove across and along the rolling direction [1]:
+///
+///   R_z/R_x = (1 + F(ρ))/(1 - F(ρ)),   R_x = D (1 ∓ γ)/2,   R_z = f D/(2 f - 1)
+///
+/// upper sign at the inner race, at the nominal contact angle as Bearing::contact().
+/// Source: F(ρ) Σρ = 1/R_x - 1/R_z and Σρ = 1/R_x + 1/R_z, see groove_curvature().
+[[nodiscard]] inline double radius_ratio(const bearing::BearingGeometry& g, bearing::Race race) {
+  const double F = bearing::groove_curvature(g, race, g.contact_angle).difference;
+  return (1.0 + F) / (1.0 - F);
+}
 
 /// Sum of value(RollingContact) over all loaded contacts; NaN without a converged equilibrium.
 ///
@@ -28,6 +40,8 @@ double sum_over_contacts(const friction::BearingState<double>& s, const Value& v
   if (s.equilibrium == nullptr || !s.equilibrium->report.converged()) return unset;
   const bearing::BearingGeometry& g = s.bearing->geometry();
   const bearing::Balls& balls = s.equilibrium->balls;
+  const double inner_ratio = radius_ratio(g, bearing::Race::inner);
+  const double outer_ratio = radius_ratio(g, bearing::Race::outer);
   double sum = 0.0;
   for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
     const bearing::BallEquilibrium& ball = balls.distinct()[k];
@@ -39,6 +53,7 @@ double sum_over_contacts(const friction::BearingState<double>& s, const Value& v
               .hertz = s.bearing->contact(bearing::Race::inner),
               .load = ball.inner_load,
               .conformity = g.inner_conformity,
+              .radius_ratio = inner_ratio,
               .rolling_ratio = v.ball_speed * std::cos(ball.inner_contact_angle - v.pitch_angle) +
                                (1.0 - v.cage_speed) * std::cos(ball.inner_contact_angle)});
     if (ball.outer_load > 0.0)
@@ -48,6 +63,7 @@ double sum_over_contacts(const friction::BearingState<double>& s, const Value& v
               .hertz = s.bearing->contact(bearing::Race::outer),
               .load = ball.outer_load,
               .conformity = g.outer_conformity,
+              .radius_ratio = outer_ratio,
               .rolling_ratio = v.ball_speed * std::cos(ball.outer_contact_angle - v.pitch_angle) -
                                v.cage_speed * std::cos(ball.outer_contact_angle)});
   }

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "bearing/hertz.h"
+#include "effects/elastic_hysteresis.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
 
@@ -367,6 +369,71 @@ TEST(Catalogue, HasTheLimitsOfItsSources) {
   y.law_values[1] *= std::pow(1000.0 / 43000.0, -0.1);
   EXPECT_NEAR(model::predict_friction(model_with(*effects::find("load-exponent"), {0.1}), p).torque,
               model::predict_friction(y, p).torque, 1e-14);
+}
+
+/// 18 balls of 12.7 mm on 90 mm, 25 deg, grooves of 0.525 and 0.515.
+bearing::BearingGeometry hysteresis_geometry() {
+  return {.ball_count = 18,
+          .ball_diameter = 12.7 * mm,
+          .pitch_diameter = 90 * mm,
+          .contact_angle = 25 * degree,
+          .inner_conformity = 0.525,
+          .outer_conformity = 0.515,
+          .static_load_rating = 43000};
+}
+
+TEST(ElasticHysteresis, TakesTheRatioOfRadiiOfTheCurvatures) {
+  const double D = 12.7 * mm, d_m = 90 * mm, cosine = std::cos(25 * degree);
+  const double inner_along = 2.0 / D + 2.0 * cosine / (d_m - D * cosine);
+  const double outer_along = 2.0 / D - 2.0 * cosine / (d_m + D * cosine);
+  const double inner = inner_along / (2.0 / D - 1.0 / (0.525 * D));
+  const double outer = outer_along / (2.0 / D - 1.0 / (0.515 * D));
+  const bearing::BearingGeometry g = hysteresis_geometry();
+  EXPECT_NEAR(effects::radius_ratio(g, bearing::Race::inner), inner, 1e-13 * inner);
+  EXPECT_NEAR(effects::radius_ratio(g, bearing::Race::outer), outer, 1e-13 * outer);
+  // By a calculation apart from this code, to its last digits: 100 N on steel.
+  const double steel = 0.5 * 208e9 / (1.0 - 0.3 * 0.3);
+  EXPECT_NEAR(effects::hysteresis_moment(D, 100.0, 24.079533980757457, steel),
+              6.154265542464125e-05, 1e-18);
+  EXPECT_NEAR(effects::hysteresis_moment(D, 100.0, 30.440318049358993, steel),
+              6.092524629653452e-05, 1e-18);
+}
+
+TEST(ElasticHysteresis, OfABearingIsThatOfItsContactsByThePowerOfRolling) {
+  // Slow, under thrust: both races at one angle, so that a ball rolls with (1 ± g)/2 d_m/D of the
+  // shaft, g = D cos a/d_m. Silicon nitride makes the same loads press a narrower contact.
+  for (const bool hybrid : {false, true}) {
+    const bearing::Material balls = hybrid ? bearing::silicon_nitride() : bearing::steel();
+    model::Model model = fit::synthetic_model();
+    model.bearing = bearing::Bearing(hysteresis_geometry(), balls, bearing::steel());
+    model.effects.push_back({effects::find("elastic-hysteresis"), {1.0}, nullptr});
+    const auto f =
+        model::predict_friction(model, {.speed = 1 * rpm, .axial_load = 18 * 50.0}, true);
+    const bearing::BallEquilibrium ball = f.equilibrium->balls[0];
+    const double angle = ball.inner_contact_angle, g = 12.7 / 90.0 * std::cos(angle);
+    const double load = 50.0 / std::sin(angle);
+    const double by_load = std::pow(load / 100.0, 1.33);
+    const double expected =
+        18.0 * by_load * 90.0 / 12.7 * 0.5 *
+        (6.154265542464125e-05 * (1.0 + g) + 6.092524629653452e-05 * (1.0 - g)) *
+        (hybrid ? 0.9449377768475252 : 1.0);
+    EXPECT_NEAR(f.effects.back(), expected, 1e-6 * expected);  // centrifugal force at 1 rpm
+  }
+}
+
+TEST(ElasticHysteresis, EndsWhereItsApproximationEnds) {
+  const double steel = 0.5 * 208e9 / (1.0 - 0.3 * 0.3);
+  // As wide as it is long, the contact of two spheres: nothing is taken off.
+  const double round = 7.48e-7 * std::pow(5e-3, 0.33) * std::pow(80.0, 1.33);
+  EXPECT_NEAR(effects::hysteresis_moment(10 * mm, 80.0, 1.0, steel), round, 1e-15 * round);
+  // The closest groove that a model may have has a ratio beyond 1000, where the bracket is spent.
+  bearing::BearingGeometry close = hysteresis_geometry();
+  close.inner_conformity = 0.5005;
+  const double ratio = effects::radius_ratio(close, bearing::Race::inner);
+  EXPECT_GT(ratio, 1105.2);
+  EXPECT_EQ(effects::hysteresis_moment(10 * mm, 80.0, ratio, steel), 0.0);
+  EXPECT_GT(effects::hysteresis_moment(10 * mm, 80.0, 1105.0, steel), 0.0);
+  EXPECT_EQ(effects::hysteresis_moment(10 * mm, 0.0, 25.0, steel), 0.0);
 }
 
 TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "effects/catalogue.h"
+#include "io/model_file.h"
+#include "model/prediction.h"
 #include "tests/hidden_effect/generator.h"
 #include "tests/hidden_effect/judge.h"
 
@@ -77,6 +80,29 @@ TEST(GivenRigs, TheGeneratorHasTheirTorqueToRounding) {
       }
     }
   }
+}
+
+// Two ways to one number: curvatures, ellipses, balance and rolling of the generator's own.
+TEST(GeneratorPhysics, HasTheHysteresisOfTheLibrary) {
+  const Effect& hysteresis = effect("elastic-hysteresis");
+  bool hybrid = false;
+  for (const Machine& m : machines()) {
+    hybrid = hybrid || m.ceramic_balls;
+    const Rig rig = make_rig({.machine = &m, .hidden = {}, .seed = 1});
+    auto model = raceway::io::parse_model(model_text(rig), "rig.toml").model;
+    model.effects.push_back({raceway::effects::find("elastic-hysteresis"), {1.0}, nullptr});
+    for (const double speed : {500.0, 9000.0})
+      for (const double load : {150.0, 1000.0}) {
+        const Point point{speed, load, 40.0};
+        const Hidden one[] = {{&hysteresis, {1.0, 0.0}}};
+        const double theirs =
+            torque(rig.bearing, {}, point, one) - torque(rig.bearing, {}, point, {});
+        const auto ours = raceway::model::predict_friction(
+            model, {.speed = speed * raceway::rpm, .axial_load = load});
+        EXPECT_NEAR(ours.effects.back() / raceway::N_mm, theirs, 1e-6 * theirs) << m.name;
+      }
+  }
+  EXPECT_TRUE(hybrid);
 }
 
 TEST(GivenRigs, GetTheirVerdictsAndNames) {

@@ -23,6 +23,8 @@ double root(const std::function<double(double)>& f, double lower, double upper) 
   return 0.5 * (bracket.first + bracket.second);
 }
 
+constexpr double steel_compliance = (1.0 - 0.09) / 208e3;  // (1 - nu^2)/E [mm2/N]
+
 /// Contact from half the curvature across (A) and along (B) the rolling direction [1/mm] and the
 /// contact modulus [N/mm2].
 Contact contact(double A, double B, double modulus, double conformity) {
@@ -41,7 +43,9 @@ Contact contact(double A, double B, double modulus, double conformity) {
   return {.stiffness = 1.0 / std::pow(shape * a * a * K, 1.5),
           .major_axis = a,
           .second_ellipse = E,
-          .conformity = conformity};
+          .conformity = conformity,
+          .radius_ratio = B / A,
+          .softer_by = 0.5 / (steel_compliance * modulus)};
 }
 
 double viscosity_sum(double v) { return std::log10(std::log10(v + 0.7)); }
@@ -100,12 +104,15 @@ double film_temperature(const Scene& s, double resistance) {
   return s.point.temperature + root(gap, 0.0, most * (1.0 + 1e-12));
 }
 
-/// Elastic hysteresis of one contact after Houpert, SI in the formula [N mm].
-double hysteresis(double ball_diameter, double conformity, double load) {
-  const double ratio = 2.0 * conformity;  // groove radius over ball radius
-  const double k = 1.0 / (1.0 - 1.0 / ratio);
-  return 1e3 * 7.48e-7 * std::pow(0.5e-3 * ball_diameter, 0.33) * std::pow(load, 1.33) *
-         (1.0 - 3.52e-3 * std::pow(k - 1.0, 0.81));
+/// Elastic hysteresis of one contact after Houpert, SI in the formula [N mm]. The formula takes the
+/// ratio of the radii of curvature, 26 or so at a conformity of 0.52, not that of the ellipse. What
+/// is lost is a share of the elastic work per length rolled, Q times the half width, and that one
+/// goes with the cube root of the compliance.
+double hysteresis(double ball_diameter, const Contact& contact, double load) {
+  const double openness = std::exp(0.8063 * std::log(contact.radius_ratio - 1.0));
+  const double steel = 7.48e-7 * std::pow(0.5e-3 * ball_diameter, 0.33) * std::pow(load, 1.33) *
+                       (1.0 - 3.519e-3 * openness);
+  return 1e3 * steel * std::cbrt(contact.softer_by);
 }
 
 // Shared between the table of effects and their other forms.
@@ -216,8 +223,8 @@ std::vector<Effect> make_catalogue() {
               const Balance& b = s.bearing.balance(s.point.speed, s.load);
               s.moment +=
                   v.size * m.balls *
-                  (b.inner_rolling * hysteresis(m.ball_diameter, m.inner_conformity, b.inner_load) +
-                   b.outer_rolling * hysteresis(m.ball_diameter, m.outer_conformity, b.outer_load));
+                  (b.inner_rolling * hysteresis(m.ball_diameter, s.bearing.inner(), b.inner_load) +
+                   b.outer_rolling * hysteresis(m.ball_diameter, s.bearing.outer(), b.outer_load));
             }),
       added("gyroscopic-slip", in,
             [](Scene& s, const Values& v) {
@@ -466,10 +473,9 @@ const std::vector<Effect> outside = make_outside();
 Bearing::Bearing(const Machine& machine) : machine_(machine) {
   const double D = machine.ball_diameter;
   const double g = D * std::cos(machine.contact_angle * pi / 180.0) / machine.pitch_diameter;
-  // 1/modulus of two bodies: (1 - nu^2)/E of ring and ball [mm2/N]
-  const double steel = (1.0 - 0.09) / 208e3;
-  const double ball = machine.ceramic_balls ? (1.0 - 0.26 * 0.26) / 310e3 : steel;
-  const double modulus = 1.0 / (steel + ball);
+  // 1/modulus of two bodies: that of the ring and that of the ball
+  const double ball = machine.ceramic_balls ? (1.0 - 0.26 * 0.26) / 310e3 : steel_compliance;
+  const double modulus = 1.0 / (steel_compliance + ball);
   const auto race = [&](double conformity, double along) {
     return contact((2.0 - 1.0 / conformity) / (2.0 * D), along / D, modulus, conformity);
   };

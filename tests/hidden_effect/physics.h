@@ -51,6 +51,8 @@ struct Contact {
   double major_axis;      ///< a at 1 N [mm], a grows as Q^(1/3)
   double second_ellipse;  ///< E(e)
   double conformity;
+  double radius_ratio;  ///< equivalent radius across rolling over that along it
+  double softer_by;     ///< modulus of steel on steel over that of this contact
 };
 
 /// Remembers the balances it has found, so each thread has its own.
