@@ -7,23 +7,34 @@
 
 namespace raceway::effects {
 
-/// Friction moment of balls that slide under their gyroscopic moment [N m].
+/// Empirical moment in proportion to the gyroscopic moments of the balls [N m].
 ///
 ///   M = c Σ M_g
 ///
-/// Source:   M_g [CaseStudy, eqs. 14 and 18; Harris2006, vol. 2, ch. 5]; that a share c of it shows
-///           up at the shaft is an assumption. No threshold: whether M_g exceeds what friction can
-///           hold is not asked.
+/// A candidate for a misfit that grows with the square of speed and, by the angle at the outer
+/// race, with load. It is not the friction of gyroscopic sliding: M_g turns about an axis across
+/// that of the shaft, and a sum of such moments brakes nothing. Sliding takes the power
+/// Σ M_f ω_slip, as a moment M = Σ M_f ω_slip/ω, and only beyond what friction can hold,
+/// M_g > μ Q D/2 or so. Neither threshold nor slip speed is here, and c is no friction
+/// coefficient: that M follows M_g at all is an assumption.
+///
+/// Source:   M_g [CaseStudy, eqs. 14 and 18; Harris2006, vol. 2, ch. 5]; the rest is empirical.
 /// Domain:   converged equilibrium, else NaN; zero at standstill.
 struct GyroscopicSlip {
   static constexpr std::string_view id = "gyroscopic-slip";
-  static constexpr std::string_view title = "gyroscopic sliding of the balls";
+  static constexpr std::string_view title =
+      "a moment that follows the gyroscopic moment (empirical)";
   static constexpr std::string_view mechanism =
-      "The axis of a ball in angular contact is turned as the ball orbits. The gyroscopic moment "
-      "that resists makes the ball slide across the races, with the square of speed.";
-  static constexpr std::string_view formula = "M = c sum of M_g over the balls";
+      "The axis of a ball in angular contact is turned as the ball orbits, and a gyroscopic moment "
+      "resists with the square of speed. Empirical: a moment that follows it. The gyroscopic "
+      "moment "
+      "itself stands across the shaft and brakes nothing; sliding under it begins only beyond what "
+      "friction can hold and takes friction times slip speed, which is not computed here.";
+  static constexpr std::string_view formula =
+      "M = c sum of M_g over the balls: a shape to look for, not a law of friction";
   static constexpr std::string_view source =
-      "M_g by [CaseStudy, eqs. 14 and 18]; Harris and Kotzalas, vol. 2, ch. 5; share c assumed";
+      "M_g by [CaseStudy, eqs. 14 and 18]; Harris and Kotzalas, vol. 2, ch. 5; M = c sum M_g is "
+      "empirical, without a source";
   static constexpr std::array<std::string_view, 3> confused_with{"lubricant-drag", "spin-friction",
                                                                  "windage"};
   static constexpr std::array parameters{Parameter{.name = "share",

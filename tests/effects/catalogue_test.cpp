@@ -436,6 +436,13 @@ TEST(ElasticHysteresis, EndsWhereItsApproximationEnds) {
   EXPECT_EQ(effects::hysteresis_moment(10 * mm, 0.0, 25.0, steel), 0.0);
 }
 
+TEST(GyroscopicSlip, SaysThatItIsEmpirical) {
+  const Description& d = *effects::find("gyroscopic-slip");
+  EXPECT_NE(d.title.find("empirical"), std::string_view::npos);
+  EXPECT_NE(d.mechanism.find("brakes nothing"), std::string_view::npos);
+  EXPECT_NE(d.source.find("without a source"), std::string_view::npos);
+}
+
 TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {
   const bearing::OperatingPoint p{.speed = 12000 * rpm, .axial_load = 600};
   const auto with = [&](const char* id, double value) {
