@@ -12,9 +12,10 @@ namespace raceway::effects {
 
 /// Another exponent of load in the load moment [N m], added:
 ///
-///   M = M1 ((F_b/1000 N)^e - 1)
+///   M = M1 ((P0/200 N)^e - 1),   with f1_load = F_b: M1 ((F_b/1000 N)^e - 1)
 ///
-/// so that M1 goes with F_b^(1 + y + e); it is unchanged at 1000 N, which keeps e and z apart.
+/// so that y + e stands in place of y; M1 is unchanged at a load in the middle of what spindle
+/// bearings carry, 1000 N of F_b and the P0 of about the same thrust, which keeps e and z apart.
 /// Source:   y from 0.25 to 0.55 in place of 0.33, e of -0.08 to 0.22, are seen in tests
 ///           [Palmgren1959, form of the law; range assumed].
 /// Domain:   every load; zero without load.
@@ -24,7 +25,8 @@ struct LoadExponent {
   static constexpr std::string_view mechanism =
       "The exponent of load in the load moment is a mean over many bearings. A slightly wrong "
       "exponent looks like missing physics over the whole range, so it is asked first.";
-  static constexpr std::string_view formula = "M1 (F_b / 1000 N)^e in place of M1";
+  static constexpr std::string_view formula =
+      "M1 (P0 / 200 N)^e in place of M1; with f1_load = \"F_b\" M1 (F_b / 1000 N)^e";
   static constexpr std::string_view source =
       "form of Palmgren's law, Ball and Roller Bearing Engineering, 3rd ed.; range assumed";
   static constexpr std::array<std::string_view, 5> confused_with{
@@ -40,9 +42,10 @@ struct LoadExponent {
   static constexpr bool base_law = true;
 
   static double moment(const MomentInputs& in, std::span<const double> values) {
-    const double load = friction::palmgren_load(in.state);
+    const double load = friction::f1_load(in.state);
     if (!(load > 0.0)) return 0.0 * load;
-    return in.base.load * (std::pow(load / 1000.0, values[0]) - 1.0);
+    const double unchanged = in.state.f1_load == friction::F1Load::P0 ? 200.0 : 1000.0;  // [N]
+    return in.base.load * (std::pow(load / unchanged, values[0]) - 1.0);
   }
 };
 

@@ -16,6 +16,8 @@ constexpr std::array skf_parameters{SkfSliding::parameters[0], SkfSliding::param
 
 std::string_view name(FrictionLaw law) { return law == FrictionLaw::palmgren ? "palmgren" : "skf"; }
 
+std::string_view name(F1Load load) { return load == F1Load::P0 ? "P0" : "F_b"; }
+
 std::optional<FrictionLaw> find_friction_law(std::string_view text) {
   for (const FrictionLaw law : {FrictionLaw::palmgren, FrictionLaw::skf})
     if (text == name(law)) return law;

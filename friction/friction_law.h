@@ -17,6 +17,9 @@ enum class FrictionLaw { palmgren, skf };
 /// The law of that name, as files write it.
 [[nodiscard]] std::optional<FrictionLaw> find_friction_law(std::string_view name);
 
+/// "P0" or "F_b".
+[[nodiscard]] std::string_view name(F1Load load);
+
 /// Parameters of the law, in the order in which base_moments() takes their values.
 ///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);

@@ -6,6 +6,10 @@
 
 namespace raceway::friction {
 
+/// The load that the factor f1 of Palmgren's load moment counts: the static equivalent load P0, as
+/// its source has it, or F_b, as in files made for that form.
+enum class F1Load { P0, F_b };
+
 /// Everything a friction law may use of one bearing at one operating point. T is double or an
 /// automatic derivative; what no parameter can move stays double.
 template <typename T = double>
@@ -15,6 +19,7 @@ struct BearingState {
   /// (`needs_equilibrium`), and only then it is solved for.
   const bearing::BearingEquilibrium* equilibrium = nullptr;
   bearing::RaceControl race_control = bearing::RaceControl::outer;
+  F1Load f1_load = F1Load::P0;
   T speed = T(0.0);                  ///< [rad/s]
   T axial_load = T(0.0);             ///< F_a [N]
   T radial_load = T(0.0);            ///< F_r [N], magnitude

@@ -10,17 +10,27 @@
 namespace raceway::io {
 namespace {
 
+using friction::F1Load;
 using friction::FrictionLaw;
 
 constexpr Key viscosity_40C{"viscosity_40C_mm2_s", "mm2/s", 1, 1e5};
 constexpr Key viscosity_100C{"viscosity_100C_mm2_s", "mm2/s", 0.5, 1e5};
 
+constexpr std::string_view f1_load = "f1_load";
+
+std::string belongs_to_other(std::string_view key, const toml::node& value, FrictionLaw other,
+                             FrictionLaw law) {
+  return fmt::format("{} = {}: belongs to law = \"{}\", but the law is \"{}\"", key, shown(value),
+                     friction::name(other), friction::name(law));
+}
+
 void refuse_values_of_other_law(const Section& s, FrictionLaw law) {
   const FrictionLaw other = law == FrictionLaw::palmgren ? FrictionLaw::skf : FrictionLaw::palmgren;
   for (const friction::Parameter& p : friction::parameters(other))
     if (const toml::node* const node = s.find(p.name))
-      s.fail(p.name, fmt::format("{} = {}: belongs to law = \"{}\", but the law is \"{}\"", p.name,
-                                 shown(*node), friction::name(other), friction::name(law)));
+      s.fail(p.name, belongs_to_other(p.name, *node, other, law));
+  if (const toml::node* const node = s.find(f1_load); node && law != FrictionLaw::palmgren)
+    s.fail(f1_load, belongs_to_other(f1_load, *node, other, law));
 }
 
 double catalogue_value(const friction::Parameter& p) {
@@ -58,7 +68,14 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue) {
   refuse_values_of_other_law(s, result.law);
   Names known{"law"};
   for (const friction::Parameter& p : friction::parameters(result.law)) known.emplace_back(p.name);
+  if (result.law == FrictionLaw::palmgren) known.emplace_back(f1_load);
   s.allow_only(known);
+  if (result.law == FrictionLaw::palmgren) {
+    const Names loads{std::string(friction::name(F1Load::P0)),
+                      std::string(friction::name(F1Load::F_b))};
+    result.f1_load =
+        tables.choice_or(s, f1_load, loads, loads[0]) == loads[0] ? F1Load::P0 : F1Load::F_b;
+  }
   // The factors of the SKF law are published constants; those of Palmgren depend on the bearing,
   // and only a catalogue's user may leave them out.
   const bool required = result.law == FrictionLaw::palmgren && !from_catalogue;

@@ -15,6 +15,7 @@ namespace raceway::io {
 /// A base law and its values in the order of friction::parameters(law).
 struct LawOfFile {
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
+  friction::F1Load f1_load = friction::F1Load::P0;
   std::vector<double> values;
 };
 

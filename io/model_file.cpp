@@ -82,6 +82,7 @@ ModelFile parse_model(std::string text, const std::string& source) {
       .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing : std::move(bearing.bearing),
       .lubricant = lubricant,
       .law = law.law,
+      .f1_load = law.f1_load,
       .law_values = std::move(law.values),
       .effects = std::move(effects),
       .solver = solver,

@@ -39,6 +39,7 @@ law = "palmgren"                   # or "skf", then mu_bl, mu_EHL and K_rs in pl
 f0 = {}                           # viscous torque, about 1 (oil-air, little grease) to 6 (oil jet)
 z = {}                          # load torque
 y = {}                           # exponent of the load torque
+f1_load = "P0"                     # or "F_b", in the factor z (P0/C0)^y of the load torque
 
 [rig]
 bearings = {}                       # equal bearings whose torque the rig sees

@@ -41,8 +41,9 @@ struct Model {
   bearing::Bearing bearing;
   friction::Lubricant lubricant;
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  std::vector<double> law_values;        ///< in the order of friction::parameters(law)
-  std::vector<effects::Effect> effects;  ///< what has been added so far, in order
+  friction::F1Load f1_load = friction::F1Load::P0;  ///< of the palmgren law
+  std::vector<double> law_values;                   ///< in the order of friction::parameters(law)
+  std::vector<effects::Effect> effects;             ///< what has been added so far, in order
   bearing::EquilibriumOptions solver;
   Rig rig;
   /// Names of what may be re-fitted, as parameters() has them; default_free() where empty.

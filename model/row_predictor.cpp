@@ -64,6 +64,7 @@ friction::BearingState<double> RowPredictor::state(const Model& model) const {
   return {.bearing = &model.bearing,
           .equilibrium = equilibrium_.get(),
           .race_control = model.solver.race_control,
+          .f1_load = model.f1_load,
           .speed = point_.speed,
           .axial_load = with_extra(point_.axial_load, condition_.extra_axial_load),
           .radial_load = radial_load_,

@@ -47,6 +47,7 @@ friction::BearingState<double> bearing_state(const Model& model,
   state.bearing = &model.bearing;
   state.equilibrium = equilibrium;
   state.race_control = model.solver.race_control;
+  state.f1_load = model.f1_load;
   state.speed = point.speed;
   state.axial_load = point.axial_load;
   state.radial_load = std::hypot(point.radial_load, point.radial_load_z);

@@ -366,9 +366,14 @@ TEST(Catalogue, HasTheLimitsOfItsSources) {
   // Exponents are those of the law.
   model::Model y = plain;
   y.law_values[2] = 0.43;
-  y.law_values[1] *= std::pow(1000.0 / 43000.0, -0.1);
+  y.law_values[1] *= std::pow(200.0 / 43000.0, -0.1);
   EXPECT_NEAR(model::predict_friction(model_with(*effects::find("load-exponent"), {0.1}), p).torque,
               model::predict_friction(y, p).torque, 1e-14);
+  model::Model one_load = model_with(*effects::find("load-exponent"), {0.1});
+  one_load.f1_load = y.f1_load = friction::F1Load::F_b;
+  y.law_values[1] = plain.law_values[1] * std::pow(1000.0 / 43000.0, -0.1);
+  EXPECT_NEAR(model::predict_friction(one_load, p).torque, model::predict_friction(y, p).torque,
+              1e-14);
 }
 
 /// 18 balls of 12.7 mm on 90 mm, 25 deg, grooves of 0.525 and 0.515.

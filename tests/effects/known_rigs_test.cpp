@@ -29,6 +29,7 @@ model::Model known_model(bool bore_70) {
           .bearing = bearing::Bearing(g, bearing::steel(), bearing::steel()),
           .lubricant = friction::Lubricant(32 * mm2_per_s, 5.9 * mm2_per_s),
           .law = friction::FrictionLaw::palmgren,
+          .f1_load = friction::F1Load::F_b,  // the form of the program that made the rigs
           .law_values = {1.5, 0.001, 0.33},
           .effects = {},
           .solver = {},

@@ -16,6 +16,11 @@ TEST(FrictionLaw, IsFoundByItsName) {
   EXPECT_EQ(friction::find_friction_law("palmgreen"), std::nullopt);
 }
 
+TEST(FrictionLaw, NamesTheLoadsOfItsFactor) {
+  EXPECT_EQ(friction::name(friction::F1Load::P0), "P0");
+  EXPECT_EQ(friction::name(friction::F1Load::F_b), "F_b");
+}
+
 TEST(FrictionLaw, ParametersStandInTheOrderInWhichValuesAreTaken) {
   const auto names = [](FrictionLaw law) {
     std::vector<std::string> list;

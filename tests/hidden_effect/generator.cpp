@@ -265,7 +265,9 @@ std::string model_text(const Rig& rig) {
          "\"\nring_material = \"steel\"\n\n[lubricant]\n" +
          text("viscosity_40C_mm2_s = %.10g\nviscosity_100C_mm2_s = %.10g\n", m.viscosity_40,
               m.viscosity_100) +
-         "\n[friction]\nf0 = 2.0\nz = 0.0008\ny = 0.33\n\n[calibration]\nfree = [\"f0\", \"z\"]\n";
+         "\n[friction]\nf0 = 2.0\nz = 0.0008\ny = 0.33\n"
+         "f1_load = \"F_b\"  # these rigs are made with z (F_b/C0)^y\n\n[calibration]\nfree = "
+         "[\"f0\", \"z\"]\n";
 }
 
 std::string measurement_text(std::span<const Reading> rows) {

@@ -155,6 +155,16 @@ TEST(WithModel, AnEffectAddedToAShaftLeavesItsNumbersWhereTheyStand) {
   expect_same_numbers(file_of(text).model, fitted);
 }
 
+TEST(WithModel, TheLoadOfTheFactorStaysWithTheFactor) {
+  const ModelFile file = file_of(bearing + palmgren + "f1_load = \"F_b\" # of the rig\n");
+  model::Model fitted = file.model;
+  fitted.law_values[1] = 0.002;
+  fitted.effects.push_back(initial("lubricant-drag", effects::Form::rig));
+  const std::string text = with_model(file, fitted);
+  EXPECT_THAT(text, HasSubstr("z = 0.002\ny = 0.33\nf1_load = \"F_b\" # of the rig\n"));
+  EXPECT_EQ(file_of(text).model.f1_load, friction::F1Load::F_b);
+}
+
 TEST(WithModel, EqualGroovesStayEqual) {
   const ModelFile file = file_of(bearing + palmgren + sets);
   model::Model fitted = file.model;

@@ -211,6 +211,31 @@ TEST(ModelFile, FactorsOfTheOtherLawAreRefused) {
             "m.toml:21: mu_bl = 0.1: belongs to law = \"skf\", but the law is \"palmgren\"");
 }
 
+TEST(ModelFile, TheLoadOfTheFactorIsP0UnlessTheFileSaysOtherwise) {
+  const ModelFile file = parse_model(complete, "m.toml");
+  EXPECT_EQ(file.model.f1_load, friction::F1Load::P0);
+  EXPECT_THAT(file.defaults, Contains("friction.f1_load = \"P0\" (default)"));
+  const auto with = [](const std::string& value) {
+    return changed("y = 0.33", "y = 0.33\nf1_load = " + value);
+  };
+  const ModelFile said = parse_model(with("\"F_b\""), "m.toml");
+  EXPECT_EQ(said.model.f1_load, friction::F1Load::F_b);
+  EXPECT_THAT(said.defaults, testing::Not(Contains(StartsWith("friction.f1_load"))));
+  EXPECT_EQ(parse_model(with("\"P0\""), "m.toml").model.f1_load, friction::F1Load::P0);
+  EXPECT_EQ(error_of(with("\"F_a\"")),
+            "m.toml:21: f1_load = \"F_a\": must be P0 or F_b; did you mean F_b?");
+  EXPECT_EQ(error_of(with("1")), "m.toml:21: f1_load = 1: must be a text in quotes, not a number");
+  EXPECT_EQ(error_of(changed("y = 0.33", "y = 0.33\nf1_laod = \"P0\"")),
+            "m.toml:21: f1_laod = \"P0\": unknown key in [friction]; did you mean f1_load?");
+  std::string skf = changed("f0 = 1.5\nz = 0.001\ny = 0.33", "law = \"skf\"\nf1_load = \"F_b\"");
+  skf.replace(skf.find("[\"z\""), 4, "[\"mu_bl\"");
+  EXPECT_EQ(error_of(skf),
+            "m.toml:19: f1_load = \"F_b\": belongs to law = \"palmgren\", but the law is \"skf\"");
+  skf.erase(skf.find("f1_load = \"F_b\"\n"), 16);
+  EXPECT_THAT(parse_model(skf, "m.toml").defaults,
+              testing::Not(Contains(StartsWith("friction.f1_load"))));
+}
+
 TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
   EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"spin-friction\"\n"),
               HasSubstr("listed twice"));
