@@ -48,9 +48,10 @@ void print(const fit::Check& c, const record::Record& data) {
                p.identifiable ? "can be fitted" : "cannot be told from these data");
   for (const fit::Check::Testable& t : c.catalogue)
     fmt::print("effect {}: {}\n", t.id,
-               !t.missing.empty()  ? "needs " + t.missing
-               : !t.levels.empty() ? "testable, but hard to tell apart without " + t.levels
-                                   : "testable");
+               !t.ruled_out.empty() ? "not testable: " + t.ruled_out
+               : !t.missing.empty() ? "needs " + t.missing
+               : !t.levels.empty()  ? "testable, but hard to tell apart without " + t.levels
+                                    : "testable");
 }
 
 int run(const std::string& model, const std::string& path, bool json) {
@@ -58,7 +59,8 @@ int run(const std::string& model, const std::string& path, bool json) {
   const auto subject = io::make_subject(file.model);
   const record::Record data = open_data(path, *subject);
   const fit::Check check = fit::check(*subject, data);
-  std::vector<std::string> notes = data.notes;
+  std::vector<std::string> notes = file.notes;
+  notes.insert(notes.end(), data.notes.begin(), data.notes.end());
   if (!check.problem.empty()) {
     tell({check.problem});
     notes.push_back(check.problem);

@@ -101,6 +101,9 @@ void print_page(const Description& d) {
   paragraph("source", d.source);
   paragraph("acts at", step_explained(d));
   paragraph("needs", needs_of(d));
+  if (!d.supplies.empty())
+    paragraph("lubricated", fmt::format("by {}; no candidate where [lubricant] supply is another",
+                                        effects::text(d.supplies)));
   std::string others;
   for (const std::string_view other : d.confused_with)
     others += (others.empty() ? "" : ", ") + std::string(other);

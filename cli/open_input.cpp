@@ -54,6 +54,7 @@ io::ModelFile open_model(const std::string& path, Accepts accepts) {
     }
     tell({line});
   }
+  for (const std::string& note : file.notes) tell({path + ": " + note});
   return file;
 }
 

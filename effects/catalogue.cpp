@@ -1,5 +1,6 @@
 #include "effects/catalogue.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,6 +24,7 @@ constexpr Description describe() {
                 .parameters = E::parameters,
                 .needs = E::needs};
   if constexpr (requires { E::channels; }) d.channels = E::channels;
+  if constexpr (requires { E::supplies; }) d.supplies = E::supplies;
   if constexpr (requires { E::needs_equilibrium; }) d.needs_equilibrium = E::needs_equilibrium;
   if constexpr (requires { E::grows_with_the_rotor; })
     d.grows_with_the_rotor = E::grows_with_the_rotor;
@@ -133,6 +135,15 @@ std::string text(const record::Channel& channel) {
   return std::string(channel.name) + " of every row";
 }
 
+std::string text(std::span<const friction::Supply> supplies) {
+  std::string list;
+  for (const friction::Supply supply : supplies) {
+    list += list.empty() ? "" : supply == supplies.back() ? " or " : ", ";
+    list += friction::words(supply);
+  }
+  return list;
+}
+
 double Record::value(const record::Channel& channel) const {
   if (channel == record::time) return time;
   if (channel == record::inner_ring_temperature) return inner_ring_temperature;
@@ -143,6 +154,11 @@ double Record::value(const record::Channel& channel) const {
 bool Condition::finite() const {
   return std::isfinite(extra_axial_load) && std::isfinite(radial_growth) && std::isfinite(tilt) &&
          std::isfinite(other_balls) && std::isfinite(other_mounting);
+}
+
+bool Description::works_with(std::optional<friction::Supply> supply) const {
+  return !supply || supplies.empty() ||
+         std::find(supplies.begin(), supplies.end(), *supply) != supplies.end();
 }
 
 std::string_view Description::step() const {

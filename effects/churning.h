@@ -15,7 +15,7 @@ namespace raceway::effects {
 /// Source:   second term of the drag moment in the SKF catalogues from 2013 on,
 ///           1.093e-7 n² d_m³ (n d_m² f_t/ν)^-1.379 R_s: its exponents; what depends on the oil
 ///           level is left to c.
-/// Domain:   speed >= 0, viscosity > 0; zero at standstill.
+/// Domain:   speed >= 0, viscosity > 0; zero at standstill. Of an oil bath alone.
 struct Churning {
   static constexpr std::string_view id = "churning";
   static constexpr std::string_view title = "churning of the oil bath";
@@ -34,6 +34,7 @@ struct Churning {
                                                    .plausible_lower = 1.0,
                                                    .plausible_upper = 300.0}};
   static constexpr std::array needs{Need::speed_levels, Need::viscosity_levels};
+  static constexpr std::array supplies{friction::Supply::bath};
 
   static double unit_moment(const MomentInputs& in) {
     if (!(in.state.speed > 0.0)) return 0.0;

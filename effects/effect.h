@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -44,6 +45,9 @@ enum class Need {
 [[nodiscard]] std::string_view text(Need need);
 /// The same of a channel that must have a number in every row: "preload_N of every row".
 [[nodiscard]] std::string text(const record::Channel& channel);
+
+/// Any of these supplies: "an oil jet or an oil bath".
+[[nodiscard]] std::string text(std::span<const friction::Supply> supplies);
 
 /// What was recorded with a row beside its operating point; NaN where it was not.
 struct Record {
@@ -135,6 +139,8 @@ struct Description {
   std::span<const Need> needs;
   /// What must have a number in every row beside what `needs` says.
   std::span<const record::Channel* const> channels = {};
+  /// Supplies of lubricant with which it can be at work; any where empty.
+  std::span<const friction::Supply> supplies = {};
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
   /// Whatever turns on the shaft adds to it: the plausible range is that of the bearing alone.
   bool grows_with_the_rotor = false;
@@ -160,6 +166,8 @@ struct Description {
 
   const Formula* user_made = nullptr;  ///< the moment of an effect written as a formula
 
+  /// Whether it can be at work with that supply, or with one that nobody named.
+  [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;
   [[nodiscard]] bool has_moment() const { return moment || unit_moment || user_made; }
   /// Whether it acts at the reading of that channel.
   [[nodiscard]] constexpr bool reads(const record::Channel& measured) const {

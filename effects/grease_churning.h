@@ -16,7 +16,8 @@ namespace raceway::effects {
 /// Source:   churning phase after Lugt (2009): M(t) = M_end (1 + A exp(-t/τ)) with A of 0.5 to 4
 ///           and τ of 1 to 20 h, read as a statement on the viscous moment, since grease between
 ///           the balls does not feel the load.
-/// Domain:   a time of each row, by the clock of the file; t = 0 is the start of churning.
+/// Domain:   a time of each row, by the clock of the file; t = 0 is the start of churning. Of
+///           grease alone.
 struct GreaseChurning {
   static constexpr std::string_view id = "grease-churning";
   static constexpr std::string_view title = "grease that is still being churned";
@@ -42,6 +43,7 @@ struct GreaseChurning {
                                                    .plausible_upper = 20.0,
                                                    .neutral = unset}};
   static constexpr std::array needs{Need::time};
+  static constexpr std::array supplies{friction::Supply::grease};
 
   static double moment(const MomentInputs& in, std::span<const double> values) {
     return values[0] * in.base.viscous * std::exp(-in.record.time / (values[1] * 3600.0));

@@ -16,7 +16,10 @@ namespace raceway::effects {
 /// with bore d and outer diameter D; replenishment_factor() in friction/skf.h is it.
 /// Source:   [SKFGeneral, p. 91-101]: K = 3e-8 for an oil bath of low level or an oil jet, 6e-8 for
 ///           grease and oil-air.
-/// Domain:   speed >= 0.
+///           K_Z is of their single row angular contact bearings, see friction/skf.h.
+/// Domain:   speed >= 0. Not in an oil bath, taken as one that floods the contacts; a bath of so
+/// low
+///           a level that it starves is to be entered as a jet, which has the same K.
 struct ReplenishmentStarvation {
   static constexpr std::string_view id = "replenishment-starvation";
   static constexpr std::string_view title = "starvation: lubricant flows back too slowly";
@@ -35,6 +38,8 @@ struct ReplenishmentStarvation {
                                                    .plausible_lower = 0.5e-8,
                                                    .plausible_upper = 12e-8}};
   static constexpr std::array needs{Need::speed_levels, Need::palmgren_law};
+  static constexpr std::array supplies{friction::Supply::oil_air, friction::Supply::grease,
+                                       friction::Supply::jet};
 
   static void lubricant(const LubricantInputs& in, std::span<const double> values, Film& film) {
     const bearing::BearingGeometry& g = in.state.bearing->geometry();

@@ -55,7 +55,7 @@ class Addition {
         throw std::invalid_argument("an effect without a size cannot be added");
       const auto k = static_cast<std::size_t>(s - problem_.candidates.begin());
       if (!s->not_testable.empty())
-        throw std::invalid_argument(fmt::format("{}: the data lack {}", id, s->not_testable));
+        throw std::invalid_argument(fmt::format("{}: {}", id, s->not_testable));
       if (attribution_.visibility(k) < invisible) {
         const std::string levels = problem_.subject->lacks_levels(id, *problem_.record);
         throw std::invalid_argument(

@@ -57,7 +57,10 @@ Check check(const Subject& subject, const Record& record) {
     }
   }
   for (const std::string& id : subject.catalogue())
-    result.catalogue.push_back({id, subject.lacks(id, record), subject.lacks_levels(id, record)});
+    result.catalogue.push_back({.id = id,
+                                .ruled_out = subject.rules_out(id),
+                                .missing = subject.lacks(id, record),
+                                .levels = subject.lacks_levels(id, record)});
   return result;
 }
 

@@ -22,8 +22,9 @@ struct Check {
   };
   struct Testable {
     std::string id;
-    std::string missing;  ///< what the record or the subject lack; empty if testable
-    std::string levels;   ///< without which base parameters do nearly the same; empty if none
+    std::string ruled_out;  ///< why it cannot be at work here; empty if it can
+    std::string missing;    ///< what the record or the subject lack; empty if testable
+    std::string levels;     ///< without which base parameters do nearly the same; empty if none
   };
   int rows = 0, runs = 0;
   std::vector<MeasuredChannel> measured;  ///< what the subject predicts first, then all else

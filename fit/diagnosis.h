@@ -80,7 +80,7 @@ struct DetectableSize {
 
 struct NotTestable {
   std::string id;
-  std::string reason;  ///< what the data lack, or which parameters do the same
+  std::string reason;  ///< what the data lack, which parameters do the same, or what rules it out
 };
 
 /// What is missing as a formula in the inputs, ready to be an effect of the user's own.

@@ -25,6 +25,15 @@ std::vector<std::string> ids_of(std::span<const Screened* const> on) {
   return ids;
 }
 
+std::string the_data_lack(const std::string& words) { return "the data lack " + words; }
+
+/// Empty where it can be tested, as far as one knows without predictions.
+std::string why_not_testable(const Subject& subject, const std::string& id, const Record& record) {
+  if (std::string reason = subject.rules_out(id); !reason.empty()) return reason;
+  const std::string words = subject.lacks(id, record);
+  return words.empty() ? words : the_data_lack(words);
+}
+
 /// The response of one candidate and where its numbers stand, as it is screened.
 class Screening {
  public:
@@ -52,7 +61,7 @@ class Screening {
       point[at(candidate_.size)] += score_step * screened_.unit_size;
       const Eigen::VectorXd column = (response_.readings(point) - without_) / score_step;
       if (!column.allFinite()) {
-        screened_.not_testable = "rows that the model with it can predict";
+        screened_.not_testable = the_data_lack("rows that the model with it can predict");
         break;
       }
       if (column.cwiseAbs().maxCoeff() > no_change * without_.cwiseAbs().maxCoeff())
@@ -166,16 +175,17 @@ void screen_candidates(Problem& problem, const Saturation& saturation,
                        const Eigen::VectorXd& base_values) {
   const Eigen::VectorXd without = response_with(problem, {}).readings(base_values);
   for (Screened& s : problem.candidates) {
-    s.not_testable = problem.subject->lacks(s.id(), *problem.record);
+    s.not_testable = why_not_testable(*problem.subject, s.id(), *problem.record);
     s.most.resize(without.size(), 0);
     if (!s.not_testable.empty()) continue;
     Screening screening(problem, base_values, without, s);
     screening.find_scores();
     if (!saturation.proportional) screening.find_most();
     if (!s.not_testable.empty() || s.scores.cols() > 0) continue;
-    s.not_testable = problem.subject->lacks_levels(s.id(), *problem.record);
-    if (s.not_testable.empty())
-      s.not_testable = "a quantity on which it has any effect at these operating points";
+    const std::string levels = problem.subject->lacks_levels(s.id(), *problem.record);
+    s.not_testable = the_data_lack(
+        levels.empty() ? "a quantity on which it has any effect at these operating points"
+                       : levels);
   }
 }
 

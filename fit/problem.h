@@ -20,7 +20,7 @@ struct Screened {
   /// What the most of it that is met in practice changes, where that is no multiple of the scores:
   /// one column or none.
   Eigen::MatrixXd most{};
-  std::string not_testable{};  ///< what the data lack; empty where it can be tested
+  std::string not_testable{};  ///< why not, in a sentence; empty where it can be tested
 
   [[nodiscard]] const std::string& id() const { return candidate.id; }
   /// The parameter that gives it its size.

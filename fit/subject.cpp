@@ -64,6 +64,7 @@ std::vector<std::string> Subject::catalogue() const {
 
 std::unique_ptr<Subject> Subject::without_free_candidates() const { return nullptr; }
 
+std::string Subject::rules_out(const std::string&) const { return {}; }
 std::string Subject::lacks(const std::string&, const Record&) const { return {}; }
 
 std::string Subject::lacks_levels(const std::string&, const Record&) const { return {}; }

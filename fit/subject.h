@@ -162,6 +162,9 @@ class Subject {
   /// learnt from a record waits among the candidates again. Null where there is none. Default:
   /// null.
   [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
+  /// Why an id of catalogue() cannot be at work here whatever a record says, in a sentence; empty
+  /// if it can. Default: empty.
+  [[nodiscard]] virtual std::string rules_out(const std::string& id) const;
   /// What an id of catalogue() cannot be felt without and model or record do not have; empty if
   /// nothing.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;

@@ -114,7 +114,7 @@ Visibility what_can_be_seen(const Evidence& evidence, const Attribution& attribu
   for (std::size_t k = 0; k < problem.candidates.size(); ++k) {
     const Screened& s = problem.candidates[k];
     if (!s.not_testable.empty())
-      result.not_testable.push_back({s.id(), "the data lack " + s.not_testable});
+      result.not_testable.push_back({s.id(), s.not_testable});
     else if (attribution.visibility(k) < invisible)
       result.not_testable.push_back({s.id(), same_as_base(problem, s.id())});
     else

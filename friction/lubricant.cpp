@@ -1,5 +1,6 @@
 #include "friction/lubricant.h"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -8,6 +9,22 @@
 
 namespace raceway::friction {
 namespace {
+
+struct SupplyText {
+  Supply supply;
+  std::string_view name, words;
+};
+
+constexpr std::array supplies{SupplyText{Supply::oil_air, "oil-air", "oil-air"},
+                              SupplyText{Supply::grease, "grease", "grease"},
+                              SupplyText{Supply::jet, "jet", "an oil jet"},
+                              SupplyText{Supply::bath, "bath", "an oil bath"}};
+
+constexpr const SupplyText& text_of(Supply supply) {
+  for (const SupplyText& text : supplies)
+    if (text.supply == supply) return text;
+  return supplies.front();
+}
 
 double thin_oil_term(double nu) { return std::exp(-1.47 - 1.84 * nu - 0.51 * nu * nu); }
 
@@ -27,6 +44,16 @@ double viscosity_of_z(double z) {
 }
 
 }  // namespace
+
+std::string_view name(Supply supply) { return text_of(supply).name; }
+
+std::string_view words(Supply supply) { return text_of(supply).words; }
+
+std::optional<Supply> find_supply(std::string_view name) {
+  for (const SupplyText& text : supplies)
+    if (text.name == name) return text.supply;
+  return std::nullopt;
+}
 
 Lubricant::Lubricant(double viscosity_40C, double viscosity_100C)
     : viscosity_40C_(viscosity_40C), viscosity_100C_(viscosity_100C) {

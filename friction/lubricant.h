@@ -1,8 +1,21 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "record/units.h"
 
 namespace raceway::friction {
+
+/// How a lubricant comes to the bearing.
+enum class Supply { oil_air, grease, jet, bath };
+
+/// As files write it: "oil-air", "grease", "jet", "bath".
+[[nodiscard]] std::string_view name(Supply supply);
+/// For people: "oil-air", "grease", "an oil jet", "an oil bath".
+[[nodiscard]] std::string_view words(Supply supply);
+/// The supply of that name, as files write it.
+[[nodiscard]] std::optional<Supply> find_supply(std::string_view name);
 
 /// Kinematic viscosity of a lubricant (of a grease: of its base oil) against temperature [m²/s].
 ///

@@ -24,6 +24,9 @@ struct SkfConstants {
 };
 
 /// Single row angular contact ball bearings. Source: [SKFGeneral, p. 91-101, tables 2a to 5].
+/// Domain: the bearings of that catalogue are of 40 deg (72 BE, 73 BE). Spindle bearings of 15 to
+/// 25 deg take the same constants here, which the source does not claim: R2 and S2, the weight of
+/// an axial load, are those of the steeper angle.
 inline constexpr SkfConstants skf_angular_contact{.R1 = 5.03e-7,
                                                   .R2 = 1.97,
                                                   .R3 = 1.90e-12,
@@ -98,7 +101,8 @@ T sliding_coefficient(const T& mu_bl, const T& mu_EHL, const T& share) {
 ///
 /// Dimensional as published: M_rr [N mm], d_m [mm], F [N], ν [mm²/s], n [rpm]; converted here.
 /// F_a is the external axial load; ceramic balls by skf_ball_factor().
-/// Source:   [SKFGeneral, p. 91-101]; the editions from 2013 on changed some constants.
+/// Source:   [SKFGeneral, p. 91-101], constants of 40 deg (skf_angular_contact); the editions from
+///           2013 on changed some constants.
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0. Zero at standstill and without load, where the
 ///           slope of the formula is infinite and is given as zero.
 /// Accuracy: the formula to rounding; the maker states none.
@@ -133,7 +137,7 @@ struct SkfRolling {
 ///
 /// Dimensional as published: M_sl [N mm], d_m [mm], F [N], n [rpm]; converted here. μ_bl is about
 /// 0.15; μ_EHL 0.05 with mineral oil, 0.04 with synthetic oil, 0.1 with transmission fluid.
-/// Source:   [SKFGeneral, p. 91-101].
+/// Source:   [SKFGeneral, p. 91-101], constants of 40 deg (skf_angular_contact).
 /// Domain:   speed >= 0, viscosity > 0, α0 > 0; at standstill the boundary-lubricated value.
 /// Accuracy: the formula to rounding; the maker states none.
 struct SkfSliding {

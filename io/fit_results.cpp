@@ -192,8 +192,9 @@ std::string check_json(const std::string& model_name, const fit::Check& check,
   json effects = json::array();
   for (const fit::Check::Testable& t : check.catalogue)
     effects.push_back({{"id", t.id},
-                       {"testable", t.missing.empty()},
+                       {"testable", t.missing.empty() && t.ruled_out.empty()},
                        {"missing", t.missing},
+                       {"ruled_out", t.ruled_out},
                        {"hard_without", t.levels}});
   json parameters = json::array();
   for (const record::Parameter& p : check.free)

@@ -12,6 +12,7 @@ namespace {
 
 using friction::F1Load;
 using friction::FrictionLaw;
+using friction::Supply;
 
 constexpr Key viscosity_40C{"viscosity_40C_mm2_s", "mm2/s", 1, 1e5};
 constexpr Key viscosity_100C{"viscosity_100C_mm2_s", "mm2/s", 0.5, 1e5};
@@ -42,13 +43,19 @@ double catalogue_value(const friction::Parameter& p) {
 
 }  // namespace
 
-friction::Lubricant read_lubricant(const ModelTables& tables) {
+LubricantOfFile read_lubricant(const ModelTables& tables) {
   const Section s =
       tables.required_section("lubricant", "viscosity_40C_mm2_s and viscosity_100C_mm2_s");
-  const Names known{"viscosity_40C_mm2_s", "viscosity_100C_mm2_s"};
+  const Names known{"viscosity_40C_mm2_s", "viscosity_100C_mm2_s", "supply"};
   s.allow_only(known);
+  Names supplies;
+  for (const Supply supply : {Supply::oil_air, Supply::grease, Supply::jet, Supply::bath})
+    supplies.emplace_back(friction::name(supply));
+  const auto supply = s.choice("supply", supplies);
   try {
-    return {s.required(viscosity_40C) * mm2_per_s, s.required(viscosity_100C) * mm2_per_s};
+    return {.lubricant = {s.required(viscosity_40C) * mm2_per_s,
+                          s.required(viscosity_100C) * mm2_per_s},
+            .supply = supply ? friction::find_supply(*supply) : std::nullopt};
   } catch (const std::invalid_argument& error) {
     // "viscosity_40C" and "viscosity_100C" are the libraries' names of the two keys.
     s.fail(error, known);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "friction/friction_law.h"
@@ -19,7 +20,12 @@ struct LawOfFile {
   std::vector<double> values;
 };
 
-[[nodiscard]] friction::Lubricant read_lubricant(const ModelTables& tables);
+struct LubricantOfFile {
+  friction::Lubricant lubricant;
+  std::optional<friction::Supply> supply;
+};
+
+[[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);
 
 /// With a bearing of the catalogue the law's values may be left out.
 [[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue);

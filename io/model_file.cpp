@@ -5,6 +5,7 @@
 
 #include "io/input_file.h"
 #include "io/subject.h"
+#include "model/needs.h"
 
 // Last: see io/toml_text.h.
 #include "io/bearing_section.h"
@@ -62,6 +63,16 @@ std::optional<model::Shaft> read_arrangement(ModelTables& tables, BearingReader&
   return read_shaft(s, context);
 }
 
+/// Effects that are switched on although the supply of lubricant rules them out.
+std::vector<std::string> notes_on_effects(const model::Model& model) {
+  std::vector<std::string> notes;
+  for (const effects::Effect& e : model.effects)
+    if (const std::string why = model::ruled_out(*e.description, model); !why.empty())
+      notes.push_back(
+          fmt::format("effect {}: {}; it is switched on all the same", e.description->id, why));
+  return notes;
+}
+
 }  // namespace
 
 ModelFile parse_model(std::string text, const std::string& source) {
@@ -70,7 +81,7 @@ ModelFile parse_model(std::string text, const std::string& source) {
   BearingReader bearings(tables);
   NamedBearing bearing = bearings.read(
       tables.required_section("bearing", "its geometry, or catalogue = \"NAME\""), nullptr);
-  const friction::Lubricant lubricant = read_lubricant(tables);
+  const LubricantOfFile lubricant = read_lubricant(tables);
   LawOfFile law = read_friction(tables, bearing.row.has_value());
   require_data(law.law, bearing.bearing, tables.section("bearing"));
   std::optional<model::Shaft> shaft = read_arrangement(tables, bearings, bearing, law.law);
@@ -80,7 +91,8 @@ ModelFile parse_model(std::string text, const std::string& source) {
   model::Model model{
       .name = bearing.name,
       .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing : std::move(bearing.bearing),
-      .lubricant = lubricant,
+      .lubricant = lubricant.lubricant,
+      .supply = lubricant.supply,
       .law = law.law,
       .f1_load = law.f1_load,
       .law_values = std::move(law.values),
@@ -91,11 +103,13 @@ ModelFile parse_model(std::string text, const std::string& source) {
       .shaft = std::move(shaft)};
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);
+  std::vector<std::string> notes = notes_on_effects(model);
   return {.model = std::move(model),
           .source = source,
           .text = std::move(text),
           .catalogue = bearing.row ? bearing.row->full_name() : std::string(),
-          .defaults = tables.defaults()};
+          .defaults = tables.defaults(),
+          .notes = std::move(notes)};
 }
 
 ModelFile read_model(const std::string& path) {

@@ -19,6 +19,8 @@ struct ModelFile {
   std::string catalogue = {};
   /// Every default that was used, e.g. `solver.tilt = "locked" (default)`.
   std::vector<std::string> defaults;
+  /// What else the user should know, one line each, without the file's name.
+  std::vector<std::string> notes = {};
 };
 
 /// Reads a TOML model (keys with their units: docs/files.md) into SI.

@@ -29,6 +29,7 @@ ring_material = "steel"
 [lubricant]                        # assumed: a thin spindle oil; put in the values of yours
 viscosity_40C_mm2_s = 22.0         # of a grease: of its base oil
 viscosity_100C_mm2_s = 4.8
+# supply = "oil-air"               # or "grease", "jet", "bath": rules out effects that need another
 )",
       row.full_name(), g.ball_count, number(g.ball_diameter / mm), number(g.pitch_diameter / mm),
       number(g.contact_angle / degree), number(g.inner_conformity), number(g.outer_conformity),

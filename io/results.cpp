@@ -14,6 +14,8 @@ json effect_page(const effects::Description& d) {
   json needs = json::array();
   for (const effects::Need need : d.needs) needs.push_back(effects::text(need));
   for (const record::Channel* channel : d.channels) needs.push_back(effects::text(*channel));
+  json supplies = json::array();
+  for (const friction::Supply supply : d.supplies) supplies.push_back(friction::name(supply));
   json parameters = json::object();
   for (const effects::Parameter& p : d.parameters)
     parameters[std::string(p.name)] = {{"unit", p.unit},
@@ -36,6 +38,7 @@ json effect_page(const effects::Description& d) {
           {"source", d.source},
           {"parameters", parameters},
           {"needs", needs},
+          {"supplies", supplies},
           {"needs_equilibrium", d.needs_equilibrium},
           {"confused_with", d.confused_with}};
 }

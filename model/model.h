@@ -40,6 +40,7 @@ struct Model {
   std::string name;
   bearing::Bearing bearing;
   friction::Lubricant lubricant;
+  std::optional<friction::Supply> supply = {};  ///< rules out effects; none where nobody named it
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   friction::F1Load f1_load = friction::F1Load::P0;  ///< of the palmgren law
   std::vector<double> law_values;                   ///< in the order of friction::parameters(law)

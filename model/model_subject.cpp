@@ -138,6 +138,11 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
   return {.description = d, .values = effects::initial_values(*d)};
 }
 
+std::string ModelSubject::rules_out(const std::string& id) const {
+  const effects::Description* const d = description(id);
+  return d && d->moves(model_.form()) ? ruled_out(*d, model_) : std::string();
+}
+
 std::string ModelSubject::lacks(const std::string& id, const fit::Record& record) const {
   const effects::Description* const d = description(id);
   return d ? missing_need(*d, active_, record) : std::string();

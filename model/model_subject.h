@@ -61,6 +61,7 @@ class ModelSubject : public fit::Subject {
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> without_free_candidates() const override;
   /// Also of an effect of the catalogue that changes nothing that is measured.
+  [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   [[nodiscard]] std::string lacks_levels(const std::string& id,
                                          const fit::Record& record) const override;

@@ -1,5 +1,7 @@
 #include "model/needs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,6 +82,12 @@ std::string first_unmet(const effects::Description& effect, const Model& model,
 }
 
 }  // namespace
+
+std::string ruled_out(const effects::Description& effect, const Model& model) {
+  if (effect.works_with(model.supply)) return {};
+  return fmt::format("the bearing is lubricated by {}, this needs {}",
+                     friction::words(*model.supply), effects::text(effect.supplies));
+}
 
 std::string missing_need(const effects::Description& effect, const Model& model,
                          const record::Record& record) {

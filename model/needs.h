@@ -8,6 +8,10 @@
 
 namespace raceway::model {
 
+/// Why an effect cannot be at work in a model whatever data say, in a sentence: another supply of
+/// lubricant. Empty if it can.
+[[nodiscard]] std::string ruled_out(const effects::Description& effect, const Model& model);
+
 /// What an effect cannot be felt without and the model or the record do not have, in words; empty
 /// if there is nothing. A need for several levels is not among these: whether base parameters do
 /// the same is found out on the data themselves.

@@ -181,6 +181,26 @@ TEST(Catalogue, SaysWhatMovesAShaft) {
   EXPECT_FALSE(effects::find("shaft-contraction")->belongs_to(Form::rig));
 }
 
+TEST(Catalogue, SaysWithWhichSupplyAnEffectCanBeAtWork) {
+  using friction::Supply;
+  const std::map<std::string_view, std::set<Supply>> wanted{
+      {"churning", {Supply::bath}},
+      {"grease-churning", {Supply::grease}},
+      {"lubricant-drag", {Supply::jet, Supply::bath}},
+      {"replenishment-starvation", {Supply::oil_air, Supply::grease, Supply::jet}}};
+  for (const Description& d : effects::all_forms()) {
+    SCOPED_TRACE(std::string(d.id));
+    EXPECT_TRUE(d.works_with(std::nullopt));
+    const auto limited = wanted.find(d.id);
+    for (const auto supply : {Supply::oil_air, Supply::grease, Supply::jet, Supply::bath})
+      EXPECT_EQ(d.works_with(supply), limited == wanted.end() || limited->second.count(supply) > 0)
+          << friction::name(supply);
+  }
+  EXPECT_EQ(effects::text(effects::find("lubricant-drag")->supplies), "an oil jet or an oil bath");
+  EXPECT_EQ(effects::text(effects::find("replenishment-starvation")->supplies),
+            "oil-air, grease or an oil jet");
+}
+
 TEST(Catalogue, MarksWhatNobodyShouldKnowByItsId) {
   std::set<std::string_view> base_law, spin;
   for (const Description& d : effects::all_forms()) {

@@ -90,6 +90,11 @@ TEST(Add, SaysWhatIsWrongWithTheRequest) {
   EXPECT_THAT(message(model_of(add(synthetic_model(), drag, data).calibration), drag),
               HasSubstr("already"));
   EXPECT_THAT(message(synthetic_model(), {}), HasSubstr("no effect"));
+  Model oil_air = synthetic_model();
+  oil_air.supply = friction::Supply::oil_air;
+  EXPECT_EQ(message(oil_air, drag),
+            "lubricant-drag: the bearing is lubricated by oil-air, this needs an oil jet or an oil "
+            "bath");
 }
 
 }  // namespace

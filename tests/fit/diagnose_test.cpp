@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "effects/catalogue.h"
 #include "tests/support/loop.h"
@@ -233,6 +234,30 @@ TEST(Diagnose, SaysWhatCouldHaveBeenFoundAndWhatNot) {
       Verdict::nothing_missing);
   EXPECT_TRUE(std::any_of(d.not_testable.begin(), d.not_testable.end(),
                           [](const NotTestable& n) { return n.id == "torque-gain"; }));
+}
+
+TEST(Diagnose, LeavesOutWhatTheSupplyOfLubricantRulesOut) {
+  const DataSet data = measured(with_effect("lubricant-drag", {60.0}), 3);
+  ASSERT_EQ(diagnose(belief(), data).sets.front(), std::vector<std::string>{"lubricant-drag"});
+  Model oil_air = belief();
+  oil_air.supply = friction::Supply::oil_air;
+  const Diagnosis d = diagnose(oil_air, data);
+  std::map<std::string, std::string> ruled_out;
+  for (const NotTestable& n : d.not_testable)
+    if (n.reason.starts_with("the bearing is lubricated by oil-air")) ruled_out[n.id] = n.reason;
+  EXPECT_EQ(ruled_out,
+            (std::map<std::string, std::string>{
+                {"churning", "the bearing is lubricated by oil-air, this needs an oil bath"},
+                {"grease-churning", "the bearing is lubricated by oil-air, this needs grease"},
+                {"lubricant-drag",
+                 "the bearing is lubricated by oil-air, this needs an oil jet or an oil "
+                 "bath"}}));
+  for (const std::vector<std::string>& set : d.sets)
+    for (const std::string& id : set) EXPECT_EQ(ruled_out.count(id), 0U) << id;
+  // With a supply that allows it, all is as without one.
+  Model bath = belief();
+  bath.supply = friction::Supply::bath;
+  EXPECT_EQ(diagnose(bath, data).sets.front(), std::vector<std::string>{"lubricant-drag"});
 }
 
 TEST(Diagnose, FlagsOutliersAndKeepsThem) {

@@ -65,5 +65,14 @@ TEST(Lubricant, NamesWhatIsWrong) {
   EXPECT_THAT(message(22, 0), HasSubstr("viscosity_100C = 0 mm2/s"));
 }
 
+TEST(Supply, IsFoundByItsName) {
+  for (const auto supply : {friction::Supply::oil_air, friction::Supply::grease,
+                            friction::Supply::jet, friction::Supply::bath}) {
+    EXPECT_EQ(friction::find_supply(friction::name(supply)), supply);
+    EXPECT_FALSE(friction::words(supply).empty());
+  }
+  EXPECT_EQ(friction::find_supply("oil_air"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace raceway

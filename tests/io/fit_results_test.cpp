@@ -195,7 +195,10 @@ TEST(Results, ACheckListsColumnsInTheirUnits) {
                     .lower = record::temperature.to_SI(25.61),
                     .upper = record::temperature.to_SI(65.67),
                     .levels = 2}};
-  check.catalogue = {{"spin-friction", "", ""}, {"torque-time-drift", "time_s of every row", ""}};
+  check.catalogue = {
+      {.id = "spin-friction", .ruled_out = "", .missing = "", .levels = ""},
+      {.id = "torque-time-drift", .ruled_out = "", .missing = "time_s of every row", .levels = ""},
+      {.id = "churning", .ruled_out = "another supply", .missing = "", .levels = ""}};
   const json d = json::parse(check_json("7014", check, {"a = 1"}, {"b"}));
   EXPECT_EQ(keys(d),
             (std::set<std::string>{"model", "quantity", "rows", "runs", "unit", "noise", "columns",
@@ -204,7 +207,10 @@ TEST(Results, ACheckListsColumnsInTheirUnits) {
   EXPECT_EQ(d["columns"][0]["from"], 25.61);
   EXPECT_EQ(d["columns"][0]["to"], 65.67);
   EXPECT_EQ(d["effects"][0]["testable"], true);
+  EXPECT_EQ(d["effects"][0]["ruled_out"], "");
   EXPECT_EQ(d["effects"][1]["missing"], "time_s of every row");
+  EXPECT_EQ(d["effects"][2]["testable"], false);
+  EXPECT_EQ(d["effects"][2]["ruled_out"], "another supply");
 }
 
 }  // namespace

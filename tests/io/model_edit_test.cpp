@@ -165,6 +165,16 @@ TEST(WithModel, TheLoadOfTheFactorStaysWithTheFactor) {
   EXPECT_EQ(file_of(text).model.f1_load, friction::F1Load::F_b);
 }
 
+TEST(WithModel, TheSupplyStays) {
+  const ModelFile file = file_of(bearing + "supply = \"jet\" # 2 l/min\n" + palmgren);
+  model::Model fitted = file.model;
+  fitted.law_values[0] = 2.5;
+  fitted.effects.push_back(initial("lubricant-drag", effects::Form::rig));
+  const std::string text = with_model(file, fitted);
+  EXPECT_THAT(text, HasSubstr("supply = \"jet\" # 2 l/min\n"));
+  EXPECT_EQ(file_of(text).model.supply, friction::Supply::jet);
+}
+
 TEST(WithModel, EqualGroovesStayEqual) {
   const ModelFile file = file_of(bearing + palmgren + sets);
   model::Model fitted = file.model;

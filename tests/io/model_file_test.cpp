@@ -236,6 +236,38 @@ TEST(ModelFile, TheLoadOfTheFactorIsP0UnlessTheFileSaysOtherwise) {
               testing::Not(Contains(StartsWith("friction.f1_load"))));
 }
 
+TEST(ModelFile, TheSupplyIsReadAndMayBeAbsent) {
+  const std::string oil = "viscosity_100C_mm2_s = 4.8\n";
+  const auto with = [&](const std::string& value) {
+    return changed(oil, oil + "supply = " + value + "\n");
+  };
+  const ModelFile silent = parse_model(complete, "m.toml");
+  EXPECT_EQ(silent.model.supply, std::nullopt);
+  EXPECT_THAT(silent.defaults, testing::Not(Contains(HasSubstr("supply"))));
+  EXPECT_EQ(parse_model(with("\"oil-air\""), "m.toml").model.supply, friction::Supply::oil_air);
+  EXPECT_EQ(parse_model(with("\"grease\""), "m.toml").model.supply, friction::Supply::grease);
+  EXPECT_EQ(parse_model(with("\"jet\""), "m.toml").model.supply, friction::Supply::jet);
+  EXPECT_EQ(parse_model(with("\"bath\""), "m.toml").model.supply, friction::Supply::bath);
+  EXPECT_THAT(error_of(with("\"oil_air\"")),
+              HasSubstr("supply = \"oil_air\": must be oil-air, grease, jet or bath; did you mean "
+                        "oil-air?"));
+  EXPECT_THAT(error_of(changed(oil, oil + "suply = \"jet\"\n")),
+              HasSubstr("unknown key in [lubricant]; did you mean supply?"));
+}
+
+TEST(ModelFile, AnEffectThatTheSupplyRulesOutIsNotedAndStaysOn) {
+  const std::string oil = "viscosity_100C_mm2_s = 4.8\n";
+  const std::string churning = "\n[[effect]]\nid = \"churning\"\n";
+  EXPECT_THAT(parse_model(complete + churning, "m.toml").notes, testing::IsEmpty());
+  const ModelFile file =
+      parse_model(changed(oil, oil + "supply = \"oil-air\"\n") + churning, "m.toml");
+  EXPECT_THAT(
+      file.notes,
+      ElementsAre("effect churning: the bearing is lubricated by oil-air, this needs an oil "
+                  "bath; it is switched on all the same"));
+  EXPECT_EQ(file.model.effects.size(), 2u);
+}
+
 TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
   EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"spin-friction\"\n"),
               HasSubstr("listed twice"));

@@ -33,6 +33,23 @@ TEST(Needs, AreTheTimeAndTheRingTemperaturesOfEveryRow) {
   EXPECT_THAT(missing("thermal-ring-growth", model, data), HasSubstr("outer_ring_temperature_C"));
 }
 
+TEST(Needs, AnotherSupplyRulesOut) {
+  Model model = synthetic_model();
+  const auto why = [&](const char* id) { return ruled_out(*effects::find(id), model); };
+  EXPECT_THAT(why("churning"), IsEmpty());
+  model.supply = friction::Supply::oil_air;
+  EXPECT_EQ(why("churning"), "the bearing is lubricated by oil-air, this needs an oil bath");
+  EXPECT_EQ(why("lubricant-drag"),
+            "the bearing is lubricated by oil-air, this needs an oil jet or an oil bath");
+  EXPECT_THAT(why("replenishment-starvation"), IsEmpty());
+  EXPECT_THAT(why("windage"), IsEmpty());
+  model.supply = friction::Supply::bath;
+  EXPECT_THAT(why("churning"), IsEmpty());
+  EXPECT_EQ(why("replenishment-starvation"),
+            "the bearing is lubricated by an oil bath, this needs oil-air, grease or an oil jet");
+  EXPECT_EQ(why("grease-churning"), "the bearing is lubricated by an oil bath, this needs grease");
+}
+
 TEST(Needs, AreALoadOnEveryRowWhateverItsDirection) {
   DataSet data = factorial_plan({1000, 2000}, {0, 200}, {40});
   EXPECT_THAT(missing("spin-friction", synthetic_model(), data), HasSubstr("a load on every row"));
