@@ -15,6 +15,7 @@ namespace hidden_effect {
 struct Trial {
   std::string_view block;
   Setup setup;
+  std::string_view kind{};  ///< of real_rigs(), in the block "real"
 };
 
 /// What came of it.

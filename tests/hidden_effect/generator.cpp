@@ -49,6 +49,12 @@ std::vector<double> scaled(std::vector<double> values, double factor, double ste
   return values;
 }
 
+/// The rows stand in the order of the plan.
+bool ordered(Plan plan) {
+  return plan == Plan::run_per_load || plan == Plan::run_ups || plan == Plan::in_order ||
+         plan == Plan::cycling;
+}
+
 std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
   const Machine& m = *setup.machine;
   const double by_size = 90.0 / m.pitch_diameter;
@@ -61,7 +67,8 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
   if (test) {
     points = grid(speeds({900, 2500, 5000, 9000, 14000}), loads({400, 900, 2000}),
                   std::array{30.0, 40.0, 50.0, 60.0}, 1, random);
-    if (setup.plan == Plan::run_up) warm_up(points, top, random);
+    if (setup.plan == Plan::run_up || setup.plan == Plan::run_ups || setup.plan == Plan::in_order)
+      warm_up(points, top, random);
   } else if (setup.plan == Plan::factorial) {
     points = grid(speeds({600, 1500, 3500, 7000, 11000, 16000}), loads({250, 600, 1400, 3000}),
                   std::array{25.0, 35.0, 45.0, 55.0, 65.0}, 1, random);
@@ -73,17 +80,59 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
     std::vector<double> n;
     for (int i = 0; i < 24; ++i) n.push_back(600.0 * std::pow(16000.0 / 600.0, i / 23.0));
     points = grid(speeds(n), loads({1400}), std::array{40.0}, 5, random);
+  } else if (setup.plan == Plan::run_per_load) {
+    // Load by load, within it speed by speed.
+    for (const double F : loads({250, 600, 1400, 3000})) {
+      const std::vector<Point> run =
+          grid(speeds({600, 1500, 3500, 7000, 11000, 16000}), std::array{F},
+               std::array{25.0, 35.0, 45.0, 55.0, 65.0}, 1, random);
+      points.insert(points.end(), run.begin(), run.end());
+    }
+  } else if (setup.plan == Plan::run_ups || setup.plan == Plan::in_order) {
+    std::vector<double> each = loads({250, 600, 1400, 3000});
+    const bool runs = setup.plan == Plan::run_ups;
+    const int repeats = runs ? 1 : 3;
+    for (int run = 0; run < (runs ? 3 : 1); ++run) {
+      if (runs) std::shuffle(each.begin(), each.end(), random);
+      for (const double F : each) {
+        const std::vector<Point> rising =
+            grid(speeds({600, 1200, 2000, 3200, 4500, 6000, 8000, 10500, 13000, 16000}),
+                 std::array{F}, std::array{40.0}, repeats, random);
+        points.insert(points.end(), rising.begin(), rising.end());
+      }
+    }
+    warm_up(points, top, random);
+  } else if (setup.plan == Plan::radial) {
+    for (const double part : {0.0, 0.2, 0.4, 0.6, 0.8})
+      for (Point p : grid(speeds({600, 1500, 3500, 7000, 11000, 16000}),
+                          loads({250, 600, 1400, 3000}), std::array{40.0}, 1, random)) {
+        p.radial = part * p.load;
+        points.push_back(p);
+      }
+  } else if (setup.plan == Plan::cycling) {
+    const std::vector<double> n = speeds({600, 2000, 5000, 10000, 16000});
+    const std::vector<double> F = loads({250, 600, 1400, 3000});
+    for (std::size_t i = 0; i < 20000; ++i)
+      points.push_back({n[i % n.size()], F[(i / n.size() / 50) % F.size()],
+                        25.0 + 40.0 * static_cast<double>((i * 7919) % 20000) / 20000.0});
   } else {
     points = grid(speeds({600, 2000, 5000, 10000, 16000}), loads({250, 600, 1400, 3000}),
                   std::array{28.0, 44.0, 60.0}, 2, random);
   }
-  std::shuffle(points.begin(), points.end(), random);
+  if (!ordered(setup.plan) || test) std::shuffle(points.begin(), points.end(), random);
+  if (setup.rows > 0 && !test) points.resize(static_cast<std::size_t>(setup.rows));
   // What stands in the file is what the rig had.
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].temperature = 0.01 * std::round(100.0 * points[i].temperature);
     points[i].time = seconds_per_row * static_cast<double>(i);
   }
   return points;
+}
+
+/// Run of a row, from its place in the plan.
+int run_of(Plan plan, std::size_t row) {
+  if (plan == Plan::in_order || plan == Plan::cycling) return 0;
+  return static_cast<int>(row) / (plan == Plan::run_per_load ? 30 : rows_per_run);
 }
 
 double rms(std::span<const double> values) {
@@ -130,7 +179,8 @@ double size_for(const Bearing& bearing, const BaseLaw& law, std::span<const Poin
 void add_noise(const Setup& setup, Random& random, std::vector<Reading>& rows) {
   std::vector<double> all;
   for (const Reading& r : rows) all.push_back(r.torque);
-  const double level = setup.noise_level, floor = level * rms(all);
+  const NoiseDetail& d = setup.detail;
+  const double level = d.level, floor = level * rms(all);
   double offset = 0.0, memory = normal(random);
   for (Reading& r : rows) {
     const double size = std::abs(r.torque);
@@ -138,18 +188,29 @@ void add_noise(const Setup& setup, Random& random, std::vector<Reading>& rows) {
     if (&r == rows.data() || (&r)[-1].run != r.run) offset = normal(random);
     double unit = normal(random);
     if (setup.noise == Noise::run_offsets) {
-      unit += offset;
+      unit += offset * d.offset / level;
     } else if (setup.noise == Noise::autoregressive) {
-      memory = 0.8 * memory + 0.6 * unit;
+      memory = d.correlation * memory + std::sqrt(1.0 - d.correlation * d.correlation) * unit;
       unit = memory;
     } else if (setup.noise == Noise::absolute) {
       r.sigma = std::hypot(0.5 * level * size, floor);
     } else if (setup.noise == Noise::outliers) {
       std::uniform_real_distribution<double> uniform;
-      if (uniform(random) < 0.05)
-        unit = (6.0 + 9.0 * uniform(random)) * (uniform(random) < 0.5 ? -1.0 : 1.0);
+      if (uniform(random) < d.outlier_share)
+        unit = (6.0 + 9.0 * uniform(random)) * (!d.one_sided && uniform(random) < 0.5 ? -1.0 : 1.0);
     }
     r.measured = r.torque + r.sigma * unit;
+  }
+}
+
+/// What the sensor makes of the temperature of the film.
+void read_temperatures(const Mistake& mistake, Random& random, std::vector<Reading>& rows) {
+  constexpr double room = 24.0;
+  for (Reading& r : rows) {
+    r.seen = r.point.temperature;
+    if (mistake.rise_seen != 1.0) r.seen = room + mistake.rise_seen * (r.seen - room);
+    r.seen += mistake.sensor_offset;
+    if (mistake.sensor_scatter > 0.0) r.seen += mistake.sensor_scatter * normal(random);
   }
 }
 
@@ -157,10 +218,11 @@ std::vector<Reading> readings(const Rig& rig, std::span<const Point> points, int
   std::vector<Reading> rows;
   for (std::size_t i = 0; i < points.size(); ++i)
     rows.push_back({.point = points[i],
-                    .run = first_run + static_cast<int>(i) / rows_per_run,
+                    .run = first_run + run_of(rig.setup.plan, i),
                     .torque = torque(rig.bearing, rig.setup.law, points[i], rig.hidden),
                     .sigma = 0.0,
-                    .measured = 0.0});
+                    .measured = 0.0,
+                    .seen = points[i].temperature});
   return rows;
 }
 
@@ -181,7 +243,9 @@ std::string quoted_list(std::span<const std::string_view> words) {
 }  // namespace
 
 std::string_view name(Plan plan) {
-  constexpr std::string_view names[] = {"factorial", "run-up", "sweep", "replicated"};
+  constexpr std::string_view names[] = {"factorial",  "run-up",       "sweep",
+                                        "replicated", "run per load", "run-ups",
+                                        "in order",   "radial",       "cycling"};
   return names[static_cast<int>(plan)];
 }
 
@@ -233,6 +297,7 @@ Rig make_rig(const Setup& setup) {
   rig.train = readings(rig, train, 0);
   rig.test = readings(rig, test, 0);
   add_noise(setup, random, rig.train);
+  read_temperatures(setup.mistake, random, rig.train);
   Setup plain = setup;
   plain.noise = Noise::independent;
   add_noise(plain, random, rig.test);
@@ -248,11 +313,15 @@ std::vector<Reading> measure(const Rig& rig, std::span<const Point> points, std:
   Setup plain = rig.setup;
   plain.noise = Noise::independent;
   add_noise(plain, random, rows);
+  read_temperatures(rig.setup.mistake, random, rows);
   return rows;
 }
 
 std::string model_text(const Rig& rig) {
   const Machine& m = *rig.setup.machine;
+  const Mistake& wrong = rig.setup.mistake;
+  const double at_40 = wrong.viscosity_40 > 0.0 ? wrong.viscosity_40 : m.viscosity_40;
+  const double at_100 = wrong.viscosity_100 > 0.0 ? wrong.viscosity_100 : m.viscosity_100;
   return "# What the user believes about this rig: the bearing, its lubricant, Palmgren friction "
          "with catalogue factors.\n[bearing]\nname = \"" +
          std::string(m.name) + "\"\n" + text("ball_count = %d\n", m.balls) +
@@ -263,19 +332,23 @@ std::string model_text(const Rig& rig) {
          text("static_load_rating_N = %.10g\n", m.load_rating) + "ball_material = \"" +
          (m.ceramic_balls ? "silicon-nitride" : "steel") +
          "\"\nring_material = \"steel\"\n\n[lubricant]\n" +
-         text("viscosity_40C_mm2_s = %.10g\nviscosity_100C_mm2_s = %.10g\n", m.viscosity_40,
-              m.viscosity_100) +
+         text("viscosity_40C_mm2_s = %.10g\nviscosity_100C_mm2_s = %.10g\n", at_40, at_100) +
          "\n[friction]\nf0 = 2.0\nz = 0.0008\ny = 0.33\n"
          "f1_load = \"F_b\"  # these rigs are made with z (F_b/C0)^y\n\n[calibration]\nfree = "
          "[\"f0\", \"z\"]\n";
 }
 
-std::string measurement_text(std::span<const Reading> rows) {
-  std::string out =
-      "run_id,time_s,speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm\n";
-  for (const Reading& r : rows)
-    out += text("%d,%.0f,%.10g,%.10g,0,%.2f,%.6f\n", r.run, r.point.time, r.point.speed,
-                r.point.load, r.point.temperature, r.measured);
+std::string measurement_text(const Rig& rig, std::span<const Reading> rows) {
+  const Mistake& m = rig.setup.mistake;
+  std::string out = m.runs_left_out ? "" : "run_id,";
+  out += "time_s,speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm";
+  out += m.std_declared ? ",std_Nmm\n" : "\n";
+  for (const Reading& r : rows) {
+    if (!m.runs_left_out) out += text("%d,", r.run);
+    out += text("%.0f,%.10g,%.10g,%.10g,%.2f,%.6f", r.point.time, r.point.speed, r.point.load,
+                r.point.radial, r.seen, r.measured);
+    out += m.std_declared ? text(",%.6f\n", r.sigma) : "\n";
+  }
   return out;
 }
 

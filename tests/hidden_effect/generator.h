@@ -13,10 +13,15 @@
 namespace hidden_effect {
 
 enum class Plan {
-  factorial,  ///< 6 speeds x 4 loads x 5 temperatures
-  run_up,     ///< 10 speeds x 4 loads x 3, the oil warms with speed and load
-  sweep,      ///< 24 speeds x 5 at one load and temperature
-  replicated  ///< 5 speeds x 4 loads x 3 temperatures x 2
+  factorial,     ///< 6 speeds x 4 loads x 5 temperatures
+  run_up,        ///< 10 speeds x 4 loads x 3, the oil warms with speed and load
+  sweep,         ///< 24 speeds x 5 at one load and temperature
+  replicated,    ///< 5 speeds x 4 loads x 3 temperatures x 2
+  run_per_load,  ///< factorial, the rows of one load after the other: a run each
+  run_ups,       ///< three runs of 10 rising speeds for each load, in random order
+  in_order,      ///< run-up, speeds rising in time within each load, one run
+  radial,        ///< 6 speeds x 4 axial loads x 5 radial loads at 40 C
+  cycling        ///< 20 000 rows that cycle through 5 speeds
 };
 
 enum class Noise {
@@ -33,6 +38,25 @@ enum class Noise {
 /// Bearings of spindles; count, diameters and C0 of makers' catalogues.
 [[nodiscard]] std::span<const Machine> machines();
 
+/// How far noise goes beyond a rig that is run well.
+struct NoiseDetail {
+  double level = 0.02;          ///< of the torque
+  double offset = 0.02;         ///< common to a run, of the torque
+  double correlation = 0.8;     ///< from row to row
+  double outlier_share = 0.05;  ///< of the rows
+  bool one_sided = false;       ///< outliers read too much
+};
+
+/// What stands otherwise in the files than on the rig.
+struct Mistake {
+  double viscosity_40 = 0.0, viscosity_100 = 0.0;  ///< of the card [mm2/s]; 0: the oil's
+  double rise_seen = 1.0;       ///< share of the film's rise above 24 C that the sensor sees
+  double sensor_offset = 0.0;   ///< [K]
+  double sensor_scatter = 0.0;  ///< standard deviation from row to row [K]
+  bool runs_left_out = false;   ///< no run_id
+  bool std_declared = false;    ///< std_Nmm of every row, and it is right
+};
+
 struct Wish {
   std::string_view id;
   double share = 0.1;  ///< rms of what the effect changes over rms torque of the base law
@@ -42,7 +66,9 @@ struct Setup {
   const Machine* machine = nullptr;
   Plan plan = Plan::factorial;
   Noise noise = Noise::independent;
-  double noise_level = 0.02;
+  NoiseDetail detail{};
+  int rows = 0;  ///< of the plan, chosen at random; 0: all
+  Mistake mistake{};
   BaseLaw law{};  ///< with another viscous_exponent and y: a base law that is slightly wrong
   std::vector<Wish> hidden{};
   std::uint64_t seed = 1;
@@ -54,6 +80,7 @@ struct Reading {
   double torque;    ///< without noise [N mm]
   double sigma;     ///< standard deviation of the noise of this row [N mm]
   double measured;  ///< [N mm]
+  double seen;      ///< temperature by the sensor [C]
 };
 
 struct Rig {
@@ -78,7 +105,7 @@ struct Rig {
                                            std::uint64_t seed);
 
 [[nodiscard]] std::string model_text(const Rig& rig);
-[[nodiscard]] std::string measurement_text(std::span<const Reading> readings);
+[[nodiscard]] std::string measurement_text(const Rig& rig, std::span<const Reading> readings);
 [[nodiscard]] std::string truth_text(const Rig& rig);
 
 }  // namespace hidden_effect

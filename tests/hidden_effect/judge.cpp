@@ -81,6 +81,8 @@ void fill(Answer& answer, const fit::Diagnosis& d) {
   for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
     answer.suggested.insert(answer.suggested.end(), static_cast<std::size_t>(m.repeats),
                             point_of(m));
+  for (const fit::DetectableSize& s : d.would_have_been_found)
+    answer.stated.emplace_back(s.id, s.share_of_reading);
   if (d.shape) {
     answer.shape = d.shape->formula;
     answer.exponents = exponents_of(*d.shape);
@@ -128,7 +130,7 @@ Answer ask(const std::string& model_text, const std::string& train_text,
 }
 
 Answer ask(const Rig& rig, std::span<const Reading> readings, const Presentation& presentation) {
-  return ask(model_text(rig), measurement_text(readings), presentation);
+  return ask(model_text(rig), measurement_text(rig, readings), presentation);
 }
 
 Improvement improve(const Rig& rig, std::span<const std::string> names) {
@@ -142,7 +144,7 @@ Improvement improve(const Rig& rig, std::span<const std::string> names) {
       model.free.push_back(id + "." + std::string(p.name));
   }
   const auto subject = io::make_subject(model);
-  record::Record data = read(measurement_text(rig.train), *subject);
+  record::Record data = read(measurement_text(rig, rig.train), *subject);
   std::vector<double> sigma;
   for (const Reading& r : rig.train) sigma.push_back(r.sigma * N_mm);
   data.set(record::torque_deviation, std::move(sigma)).known = true;
@@ -153,7 +155,7 @@ Improvement improve(const Rig& rig, std::span<const std::string> names) {
   out.z = after.law_values[1];
   out.in_sample = rms_error(*fitted.subject, data, rig.train, false);
   out.validation =
-      rms_error(*fitted.subject, read(measurement_text(rig.test), *subject), rig.test, true);
+      rms_error(*fitted.subject, read(measurement_text(rig, rig.test), *subject), rig.test, true);
   return out;
 }
 

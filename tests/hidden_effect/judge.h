@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tests/hidden_effect/generator.h"
@@ -17,9 +18,11 @@ struct Answer {
   std::vector<Point> suggested;    ///< operating points it would measure next
   std::string shape;               ///< formula of what is missing, where there is one
   std::vector<double> exponents;   ///< of speed, load and viscosity in `shape`
-  std::string message;             ///< why it failed
-  std::string sentence;            ///< what a user would read
-  double seconds = 0.0;            ///< of processor time of the whole program, while it worked
+  /// Effects that would have been found, and the share of the torque from which on.
+  std::vector<std::pair<std::string, double>> stated;
+  std::string message;   ///< why it failed
+  std::string sentence;  ///< what a user would read
+  double seconds = 0.0;  ///< of processor time of the whole program, while it worked
 };
 
 /// Error of the model once the effects of an answer are added and everything free is refitted.

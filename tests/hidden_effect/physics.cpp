@@ -52,9 +52,10 @@ double viscosity_sum(double v) { return std::log10(std::log10(v + 0.7)); }
 
 double omega(double speed) { return speed * pi / 30.0; }
 
-double load_moment(const Bearing& bearing, const BaseLaw& law, double load) {
+double load_moment(const Bearing& bearing, const BaseLaw& law, double load, double radial) {
   const Machine& m = bearing.machine();
-  const double counted = 0.9 * load / std::tan(m.contact_angle * pi / 180.0);
+  const double counted =
+      std::max(0.9 * load / std::tan(m.contact_angle * pi / 180.0) - 0.1 * radial, radial);
   if (counted <= 0.0) return 0.0;
   return law.z * std::pow(counted / m.load_rating, law.y) * counted * m.pitch_diameter;
 }
@@ -74,7 +75,7 @@ double power(double moment, double speed) { return 1e-3 * moment * omega(speed);
 double nu(const Scene& s) { return s.bearing.viscosity(s.point.temperature); }
 double base_power(const Scene& s) {
   return power(viscous_moment(s.bearing, s.law, s.point.speed, nu(s)) +
-                   load_moment(s.bearing, s.law, s.point.load),
+                   load_moment(s.bearing, s.law, s.point.load, s.point.radial),
                s.point.speed);
 }
 double k_rpm(const Scene& s) { return s.point.speed / 1e4; }
@@ -189,10 +190,11 @@ std::vector<Effect> make_catalogue() {
                              BaseLaw other = s.law;
                              other.y += v.size;
                              // Both laws agree at a load in the middle: only the slope is hidden.
-                             const double scale = load_moment(s.bearing, s.law, 800.0) /
-                                                  load_moment(s.bearing, other, 800.0);
-                             s.moment += scale * load_moment(s.bearing, other, s.load) -
-                                         load_moment(s.bearing, s.law, s.load);
+                             const double scale = load_moment(s.bearing, s.law, 800.0, 0.0) /
+                                                  load_moment(s.bearing, other, 800.0, 0.0);
+                             s.moment +=
+                                 scale * load_moment(s.bearing, other, s.load, s.point.radial) -
+                                 load_moment(s.bearing, s.law, s.load, s.point.radial);
                            },
                            alone, true),
                        0.5),
@@ -467,6 +469,10 @@ std::vector<Effect> make_outside() {
 const std::vector<Effect> catalogue = make_catalogue();
 const std::vector<Effect> forms = make_other_forms();
 const std::vector<Effect> outside = make_outside();
+// Outside as well, but only felt on a plan with radial load.
+const std::vector<Effect> radial = {
+    added("radial-drag", Kind::outside,
+          [](Scene& s, const Values& v) { s.moment += v.size * s.point.radial / 1000.0; })};
 
 }  // namespace
 
@@ -554,7 +560,7 @@ std::span<const Effect> other_forms() { return forms; }
 std::span<const Effect> outside_effects() { return outside; }
 
 const Effect& effect(std::string_view id) {
-  for (const std::vector<Effect>* list : {&catalogue, &forms, &outside})
+  for (const std::vector<Effect>* list : {&catalogue, &forms, &outside, &radial})
     for (const Effect& e : *list)
       if (e.id == id) return e;
   throw std::out_of_range("no effect " + std::string(id));
@@ -575,7 +581,7 @@ double torque(const Bearing& bearing, const BaseLaw& law, const Point& point,
   for (const Hidden& h : hidden)
     if (h.effect->moment != nullptr) h.effect->moment(s, h.values);
   return s.factor * viscous_moment(bearing, law, point.speed, bearing.viscosity(s.temperature)) +
-         load_moment(bearing, law, s.load) + s.moment;
+         load_moment(bearing, law, s.load, point.radial) + s.moment;
 }
 
 }  // namespace hidden_effect

@@ -27,10 +27,11 @@ struct Machine {
 
 /// One stationary state of the rig.
 struct Point {
-  double speed;        ///< n [rpm]
-  double load;         ///< F [N], axial
-  double temperature;  ///< T of the oil [C]
-  double time = 0.0;   ///< since the first row [s]
+  double speed;         ///< n [rpm]
+  double load;          ///< F [N], axial
+  double temperature;   ///< T of the oil [C]
+  double time = 0.0;    ///< since the first row [s]
+  double radial = 0.0;  ///< load across the shaft [N]
 };
 
 /// How the balls of a thrust loaded bearing stand, all alike.

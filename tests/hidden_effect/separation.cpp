@@ -15,7 +15,7 @@ class Misfit {
   Misfit(const Rig& rig, const Effect* candidate) : rig_(rig), candidate_(candidate) {
     for (const Reading& r : rig.train)
       sigma_.push_back(rig.setup.noise == Noise::independent
-                           ? rig.setup.noise_level * std::abs(r.torque)
+                           ? rig.setup.detail.level * std::abs(r.torque)
                            : r.sigma);
   }
 
@@ -97,7 +97,7 @@ double least_with(const Rig& rig, const Effect* candidate) {
   for (; scale > 1e-12 * candidate->largest; scale *= 0.25) {
     x[2] = scale;
     if ((misfit(x) - Misfit(rig, nullptr)(start.head(2))).norm() <
-        0.05 / rig.setup.noise_level * std::sqrt(static_cast<double>(rig.train.size())))
+        0.05 / rig.setup.detail.level * std::sqrt(static_cast<double>(rig.train.size())))
       break;
   }
   step[2] = 1e-5 * scale;

@@ -26,15 +26,19 @@ using namespace hidden_effect;
 struct Arguments {
   int seeds = 20;
   std::vector<std::string> blocks;
+  std::string only;
   bool json = false, by_effect = false, misses = false;
   int threads = 0;  // all
 };
 
 void usage() {
   std::puts(
-      "study [--seeds N] [--blocks LIST] [--json] [--by-effect] [--misses] [--threads N]\n\n"
+      "study [--seeds N] [--blocks LIST] [--json] [--by-effect] [--misses] [--threads N]\n"
+      "      [--only TEXT]\n\n"
       "Hides effects in measurements of a generator of its own, has them diagnosed and holds what\n"
-      "comes out against the bars. N seeds for each case (default 20). Blocks, by comma:\n");
+      "comes out against the bars. N seeds for each case (default 20). Of the block real only "
+      "kinds with TEXT in\n"
+      "their name. Blocks, by comma:\n");
   for (const Block& b : blocks())
     std::printf("  %-11s %s\n", std::string(b.id).c_str(), std::string(b.what).c_str());
 }
@@ -59,6 +63,8 @@ Arguments parse(int argc, char** argv) {
       a.seeds = count();
     } else if (word == "--threads") {
       a.threads = count();
+    } else if (word == "--only") {
+      a.only = value();
     } else if (word == "--json") {
       a.json = true;
     } else if (word == "--by-effect") {
@@ -159,6 +165,7 @@ void print_by_effect(const std::vector<Outcome>& outcomes) {
   for (const Outcome& o : outcomes) {
     std::string key(o.trial.block);
     for (const Wish& w : o.trial.setup.hidden) key += " " + std::string(w.id);
+    if (!o.trial.kind.empty()) key += " [" + std::string(o.trial.kind) + "]";
     if (o.trial.setup.hidden.empty()) key += " " + std::string(name(o.trial.setup.noise));
     ++answers[key][o.answer.verdict + " " + joined(o.answer.names) + o.answer.message +
                    (o.changed_by.empty() ? "" : " [changed by " + o.changed_by + "]")];
@@ -187,12 +194,12 @@ void print_by_effect(const std::vector<Outcome>& outcomes) {
 /// The sentence of every verdict that is neither exact nor a rightly named set.
 void print_misses(const std::vector<Outcome>& outcomes) {
   for (const Outcome& o : outcomes) {
-    const bool right = o.trial.setup.hidden.empty()
+    const bool right = o.trial.setup.hidden.empty() && o.accepted.empty()
                            ? o.is({"nothing-missing"})
                            : (o.outside ? o.is({"not-in-catalogue"}) : o.in_set());
     const bool undecided = !o.after_proposed.empty() && !o.right_after_proposed;
     if ((right && !undecided) || o.too_small) continue;
-    std::printf("\n%s", std::string(o.trial.block).c_str());
+    std::printf("\n%s %s", std::string(o.trial.block).c_str(), std::string(o.trial.kind).c_str());
     for (const Wish& w : o.trial.setup.hidden) std::printf(" %s", std::string(w.id).c_str());
     std::printf(" (seed %llu, lambda_det %s, lambda_sep %s): %s\n  %s\n",
                 static_cast<unsigned long long>(o.trial.setup.seed),
@@ -235,7 +242,8 @@ int main(int argc, char** argv) try {
                                                   static_cast<std::size_t>(arguments.threads));
   std::vector<Trial> all;
   for (const std::string& id : arguments.blocks)
-    for (const Trial& t : trials(id, arguments.seeds)) all.push_back(t);
+    for (const Trial& t : trials(id, arguments.seeds))
+      if (arguments.only.empty() || t.kind.find(arguments.only) != t.kind.npos) all.push_back(t);
   std::vector<Outcome> outcomes;
   {
     Progress progress(all.size());

@@ -1,0 +1,137 @@
+#include "tests/hidden_effect/real_rigs.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/hidden_effect/bars.h"
+
+namespace hidden_effect {
+namespace {
+
+bool alarm(const Outcome& o) { return o.alarm(); }
+bool found(const Outcome& o) { return o.alarm() && o.answer.verdict != "failed"; }
+bool right(const Outcome& o) { return o.names_a_right(); }
+bool is_exact(const Outcome& o) { return o.exact(); }
+bool single_wrong(const Outcome& o) { return o.is({"effect"}) && !o.names_a_right(); }
+bool whole(const Outcome& o) { return o.is({"several-effects"}) && o.names_every_hidden(); }
+bool excludes(const Outcome& o) {
+  return o.is({"effect", "ambiguous"}) || (o.is({"several-effects"}) && !o.names_every_hidden());
+}
+bool names_radial_load(const Outcome& o) {
+  return o.answer.shape.find("radial_load") != std::string::npos;
+}
+bool names_data(const Outcome& o) {
+  static constexpr std::array<std::string_view, 4> data{"lubricant-viscosity", "viscosity-slope",
+                                                        "temperature-offset", "temperature-gain"};
+  return std::any_of(o.answer.names.begin(), o.answer.names.end(), [](const std::string& name) {
+    return std::find(data.begin(), data.end(), name) != data.end();
+  });
+}
+
+constexpr std::array<Demand, 2> few_alarms(double must, double good) {
+  return {{{"false alarm", false, must, good, alarm},
+           {"a datum that is right in the verdict", false, 5, 0, names_data}}};
+}
+constexpr auto quiet_2 = few_alarms(2, 1), quiet_3 = few_alarms(3, 1.5), quiet_4 = few_alarms(4, 2),
+               quiet_5 = few_alarms(5, 2), quiet_5_3 = few_alarms(5, 3),
+               quiet_20 = few_alarms(20, 5);
+constexpr std::array<Demand, 2> named{
+    {{"names the card", true, 80, 95, right}, {"a single wrong name", false, 5, 0, single_wrong}}};
+constexpr std::array<Demand, 2> radial_found{
+    {{"found", true, 95, 99, found},
+     {"the shape names the load", true, 95, 99, names_radial_load}}};
+constexpr std::array<Demand, 2> in_verdict{{{"the right name in the verdict", true, 95, 99, right},
+                                            {"a single wrong name", false, 5, 0, single_wrong}}};
+constexpr std::array<Demand, 1> exactly{{{"effect", true, 90, 100, is_exact}}};
+constexpr std::array<Demand, 1> all_found{{{"found", true, 98, 99, found}}};
+constexpr std::array<Demand, 2> triple{
+    {{"all three named", true, 50, 80, whole},
+     {"fewer than three, as if that were all", false, 10, 2, excludes}}};
+
+constexpr std::array<std::string_view, 1> slope{"viscosity-slope"}, gain{"temperature-gain"},
+    offset{"temperature-offset"};
+constexpr std::array<std::string_view, 2> oil{"lubricant-viscosity", "viscosity-slope"};
+constexpr std::span<const std::string_view> none{};
+
+Setup on(Plan plan, Noise noise = Noise::independent, NoiseDetail detail = {}, int rows = 0,
+         Mistake mistake = {}) {
+  return {.plan = plan, .noise = noise, .detail = detail, .rows = rows, .mistake = mistake};
+}
+
+Setup hiding(Setup setup, std::vector<Wish> wishes) {
+  setup.hidden = std::move(wishes);
+  return setup;
+}
+
+std::vector<RealRig> make_real_rigs() {
+  const Noise independent = Noise::independent;
+  const auto few = [](int rows) { return on(Plan::factorial, independent, {}, rows); };
+  const auto level = [](double share) {
+    return on(Plan::factorial, independent, {.level = share});
+  };
+  const auto outliers = [](bool one_sided) {
+    return on(Plan::factorial, Noise::outliers, {.outlier_share = 0.1, .one_sided = one_sided});
+  };
+  const auto offsets = [](Plan plan, double size, double within, bool declared) {
+    return on(plan, Noise::run_offsets, {.level = within, .offset = size}, 0,
+              {.runs_left_out = !declared});
+  };
+  const auto wrong = [](Mistake mistake) {
+    return on(Plan::factorial, independent, {}, 0, mistake);
+  };
+  return {
+      {"noise 3 %", level(0.03), 4, none, quiet_2},
+      {"noise 5 %", level(0.05), 4, none, quiet_2},
+      {"16 rows", few(16), 6, none, quiet_3},
+      {"20 rows", few(20), 6, none, quiet_3},
+      {"30 rows", few(30), 6, none, quiet_3},
+      {"std declared", wrong({.std_declared = true}), 4, none, quiet_2},
+      {"outliers 10 %", outliers(false), 4, none, quiet_4},
+      {"outliers 10 %, one-sided", outliers(true), 4, none, quiet_4},
+      {"run offsets 3 %", offsets(Plan::factorial, 0.03, 0.02, true), 4, none, quiet_4},
+      {"run per load, 1 %", offsets(Plan::run_per_load, 0.01, 0.01, true), 4, none, quiet_5},
+      {"run per load, 3 %", offsets(Plan::run_per_load, 0.03, 0.01, true), 4, none, quiet_5},
+      {"3 run-ups per load, declared", offsets(Plan::run_ups, 0.03, 0.02, true), 4, none, quiet_5},
+      {"3 run-ups per load, undeclared", offsets(Plan::run_ups, 0.03, 0.02, false), 4, none,
+       quiet_20},
+      {"in order, AR 0.9", on(Plan::in_order, Noise::autoregressive, {.correlation = 0.9}), 4, none,
+       quiet_5_3},
+      {"temperature scatters 1 K", wrong({.sensor_scatter = 1.0}), 4, none, quiet_5_3},
+      {"temperature scatters 1.5 K", wrong({.sensor_scatter = 1.5}), 4, none, quiet_5_3},
+      {"oil card 6.4 for 5.9", wrong({.viscosity_40 = 32.0, .viscosity_100 = 6.4}), 2, slope,
+       named},
+      {"oil grade 46 for 32", wrong({.viscosity_40 = 46.0, .viscosity_100 = 6.8}), 2, oil, named},
+      {"sensor sees 60 % of the rise", wrong({.rise_seen = 0.6}), 2, gain, named},
+      {"sensor 5 K low", wrong({.sensor_offset = -5.0}), 2, offset, named},
+      {"sensor 5 K high", wrong({.sensor_offset = 5.0}), 2, offset, named},
+      {"radial load 10 %", hiding(on(Plan::radial), {{"radial-drag", 0.1}}), 3, none, radial_found},
+      {"20 000 rows", hiding(on(Plan::cycling), {{"lubricant-drag", 0.1}}), 1, none, exactly},
+      {"inlet heating 2 %", hiding(on(Plan::factorial), {{"inlet-shear-heating", 0.02}}), 2, none,
+       in_verdict},
+      {"inlet heating 3 %", hiding(on(Plan::factorial), {{"inlet-shear-heating", 0.03}}), 2, none,
+       in_verdict},
+      {"as large as stated", on(Plan::factorial), 10, none, all_found, true},
+      {"three effects",
+       hiding(on(Plan::factorial),
+              {{"spin-friction", 0.1}, {"windage", 0.08}, {"film-self-heating", 0.1}}),
+       2, none, triple},
+  };
+}
+
+}  // namespace
+
+std::span<const RealRig> real_rigs() {
+  static const std::vector<RealRig> all = make_real_rigs();
+  return all;
+}
+
+const RealRig& real_rig(std::string_view id) {
+  for (const RealRig& r : real_rigs())
+    if (r.id == id) return r;
+  throw std::out_of_range("no kind of rig " + std::string(id));
+}
+
+}  // namespace hidden_effect
