@@ -19,6 +19,7 @@
 #include "effects/misalignment.h"
 #include "effects/mixed_lubrication.h"
 #include "effects/mounting.h"
+#include "effects/oil_card.h"
 #include "effects/replenishment_starvation.h"
 #include "effects/rig_viscous_drag.h"
 #include "effects/seal_friction.h"
@@ -28,6 +29,7 @@
 #include "effects/shaft_contraction.h"
 #include "effects/shear_thinning.h"
 #include "effects/spin_friction.h"
+#include "effects/temperature_sensor.h"
 #include "effects/thermal_preload.h"
 #include "effects/thermal_ring_growth.h"
 #include "effects/viscous_exponent.h"
@@ -36,15 +38,16 @@
 namespace raceway::effects {
 
 /// Every effect there is, where it has two forms one after the other. A new one is its file and its
-/// name here. Effects on the lubricant act in this order: the film finds its temperature before
-/// shares of the viscous moment are taken.
+/// name here. Data come first, as physics acts on what they correct. Effects on the lubricant act
+/// in this order: the film finds its temperature before shares of the viscous moment are taken.
 using Catalogue = std::tuple<
-    ViscousExponent, LoadExponent, SpinFriction, DifferentialSlip, ElasticHysteresis,
-    GyroscopicSlip, FilmSelfHeating, InletShearHeating, ReplenishmentStarvation, ShearThinning,
-    MixedLubrication, SealFriction, LoadOffset, LubricantDrag, Churning, Windage, CageFriction,
-    ThermalPreload, ShaftThermalPreload, ThermalRingGrowth, ShaftThermalRingGrowth,
-    CentrifugalRingGrowth, ShaftCentrifugalRingGrowth, InterferenceFit, Misalignment, BallMaterial,
-    OtherMounting, ShaftContraction, GreaseChurning, SensorGain<torque_gain, Need::torque_standard>,
+    LubricantViscosity, ViscositySlope, TemperatureGain, TemperatureOffset, ViscousExponent,
+    LoadExponent, SpinFriction, DifferentialSlip, ElasticHysteresis, GyroscopicSlip,
+    FilmSelfHeating, InletShearHeating, ReplenishmentStarvation, ShearThinning, MixedLubrication,
+    SealFriction, LoadOffset, LubricantDrag, Churning, Windage, CageFriction, ThermalPreload,
+    ShaftThermalPreload, ThermalRingGrowth, ShaftThermalRingGrowth, CentrifugalRingGrowth,
+    ShaftCentrifugalRingGrowth, InterferenceFit, Misalignment, BallMaterial, OtherMounting,
+    ShaftContraction, GreaseChurning, SensorGain<torque_gain, Need::torque_standard>,
     SensorOffset<torque_offset>, SensorTemperatureDrift<torque_temperature_drift>,
     SensorTimeDrift<torque_time_drift>, RigViscousDrag, SensorOffset<displacement_offset>,
     SensorTemperatureDrift<displacement_temperature_drift>>;

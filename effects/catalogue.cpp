@@ -31,6 +31,8 @@ constexpr Description describe() {
   if constexpr (requires { E::base_law; }) d.base_law = E::base_law;
   if constexpr (requires { E::spin; }) d.spin = E::spin;
   if constexpr (requires { E::follows_heat; }) d.follows_heat = E::follows_heat;
+  if constexpr (requires { E::datum; }) d.datum = E::datum;
+  if constexpr (requires { &E::entry; }) d.entry = &E::entry;
   if constexpr (requires { &E::condition; }) d.condition = &E::condition;
   if constexpr (requires { &E::lubricant; }) d.lubricant = &E::lubricant;
   if constexpr (requires { &E::moment; }) d.moment = &E::moment;
@@ -162,6 +164,7 @@ bool Description::works_with(std::optional<friction::Supply> supply) const {
 }
 
 std::string_view Description::step() const {
+  if (entry) return "entry";
   if (condition) return "condition";
   if (lubricant) return "lubricant";
   return has_moment() ? "moment" : "reading";

@@ -72,6 +72,13 @@ struct BaseLaw {
   }
 };
 
+/// What was entered or read, as it is corrected before anything acts on it [SI].
+struct Entry {
+  double viscosity_40C, viscosity_100C;  ///< of the oil
+  double temperature;                    ///< of the row
+  double room;  ///< at which a sensor reads what there is: that of the rig, or the coldest row
+};
+
 /// What an effect on the condition of the bearing may look at.
 struct ConditionInputs {
   const bearing::Bearing& bearing;       ///< as entered
@@ -152,6 +159,12 @@ struct Description {
   bool for_shaft = true;        ///< may stand in a model of a shaft
   bool friction_alone = false;  ///< a condition that does not move the sets
 
+  /// What is wrong where this explains a misfit: a datum rather than missing physics, in words
+  /// ("the oil card"); empty for physics.
+  std::string_view datum = {};
+
+  /// Corrects what was entered or read.
+  void (*entry)(Entry&, std::span<const double> values) = nullptr;
   /// Adds to what the bearing sees.
   void (*condition)(const ConditionInputs&, std::span<const double> values, Condition&) = nullptr;
   /// Changes viscosity or viscous share; several act in the order of the catalogue.
@@ -183,7 +196,7 @@ struct Description {
     return belongs_to(form) && (form == Form::rig || reads(record::axial_displacement) ||
                                 (condition && !friction_alone));
   }
-  /// "condition", "lubricant", "moment" or "reading": the first step taken.
+  /// "entry", "condition", "lubricant", "moment" or "reading": the first step taken.
   [[nodiscard]] std::string_view step() const;
 };
 

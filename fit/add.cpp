@@ -39,6 +39,10 @@ class Addition {
       result.reason = "the fit with the effect did not converge";
       return result;
     }
+    for (const std::size_t k : members_)
+      if (const Candidate& c = problem_.candidates[k].candidate; !c.datum.empty())
+        result.messages.push_back(
+            fmt::format("check {}: {}", c.datum, correction_text(problem_, found_, k)));
     hold_out(result);
     result.reason = refusal(result);
     result.refused = !result.reason.empty();

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
 
@@ -16,14 +17,24 @@ constexpr std::size_t most_pairs = 40;     // refitted
 constexpr double pair_reach = 30.0;        // of -2 ln L below the best linearised pair
 constexpr double pair_reach_share = 0.15;  // of its gain, where that is more
 constexpr double exponent_limit = 0.2;
-constexpr double worse = 1e-3;      // than the base, in -2 ln L: a fit that went astray
-constexpr double same_gain = 1e-8;  // of the misfit without effects: less is rounding
+constexpr double worse = 1e-3;                // than the base, in -2 ln L: a fit that went astray
+constexpr double worth_a_second_look = 0.05;  // p of the gate under the noise found
+constexpr double surely = 2.326;              // standard deviations that 99 of 100 exceed
+constexpr double same_gain = 1e-8;            // of the misfit without effects: less is rounding
 
 Eigen::Index total(const std::vector<Screened>& candidates) {
   Eigen::Index count = 0;
   for (const Screened& s : candidates)
     if (s.not_testable.empty()) count += s.scores.cols();
   return count;
+}
+
+/// Parameters of a fit that are not at a bound.
+std::vector<Eigen::Index> free_parameters(const ResponseFit& fit) {
+  std::vector<Eigen::Index> free;
+  for (std::size_t k = 0; k < fit.at_bound.size(); ++k)
+    if (!fit.at_bound[k]) free.push_back(static_cast<Eigen::Index>(k));
+  return free;
 }
 
 /// Logarithm about its mean, with a floor where a factor is nearly zero.
@@ -47,28 +58,53 @@ Attribution::Attribution(const Evidence& evidence)
       problem_(evidence.problem),
       whitening_(evidence.whitening),
       base_(evidence.base),
-      surface_(evidence.whitening(
-          surface_columns(evidence.saturation.surface, evidence.problem.observed, evidence.size))),
+      raw_surface_(
+          surface_columns(evidence.saturation.surface, evidence.problem.observed, evidence.size)),
+      raw_scores_(evidence.size.size(), total(evidence.problem.candidates)),
+      surface_(evidence.whitening(raw_surface_)),
       draws_(total(evidence.problem.candidates)) {
-  Eigen::MatrixXd scores(evidence.size.size(), total(problem_.candidates));
   Eigen::Index column = 0;
   for (std::size_t k = 0; k < problem_.candidates.size(); ++k) {
     const Screened& s = problem_.candidates[k];
     if (!s.not_testable.empty()) continue;
     for (Eigen::Index j = 0; j < s.scores.cols(); ++j) {
-      scores.col(column++) = s.scores.col(j);
+      raw_scores_.col(column++) = s.scores.col(j);
       one_sided_.push_back(s.one_sided);
       owner_.push_back(k);
     }
   }
-  scores_ = whitening_(scores);
-  gate_ = open_gate(base_.tangent, base_.residual, surface_, scores_, one_sided_,
-                    evidence.degrees_of_freedom, draws_);
+  scores_ = whitening_(raw_scores_);
+  gate_ = gate_on(base_, {});
 }
 
 std::pair<Eigen::Index, Eigen::Index> Attribution::score_range(std::size_t candidate) const {
   const auto [first, last] = std::equal_range(owner_.begin(), owner_.end(), candidate);
   return {first - owner_.begin(), last - first};
+}
+
+Eigen::VectorXd Attribution::least_lengths() const {
+  Eigen::VectorXd least = gate_.projected.colwise().norm();
+  const Eigen::MatrixXd slope = base_.slope(Eigen::all, free_parameters(base_));
+  for (const Whitening& other : evidence_.allowed) {
+    const Eigen::MatrixXd projected = project_off(other(slope), other(raw_scores_));
+    least = least.cwiseMin(projected.colwise().norm().transpose());
+  }
+  return least;
+}
+
+double Attribution::length_found() const {
+  double sides = 0.0;
+  for (std::size_t k = 0; k < owner_.size(); ++k)
+    if (gate_.visibility[static_cast<Eigen::Index>(k)] >= invisible)
+      sides += one_sided_[k] ? 1.0 : 2.0;
+  // The gate alarms where twice the p of the largest score is below its level.
+  const boost::math::students_t t(evidence_.degrees_of_freedom);
+  const double critical =
+      boost::math::quantile(boost::math::complement(t, 0.5 * alarm_level / std::max(1.0, sides)));
+  // The score scatters about its length, and so does the estimate of the noise.
+  const double scatter =
+      std::sqrt(1.0 + critical * critical / (2.0 * evidence_.degrees_of_freedom));
+  return critical + surely * scatter;
 }
 
 double Attribution::visibility(std::size_t candidate) const {
@@ -316,19 +352,34 @@ Explanation Attribution::elastic(const Explanation& single) const {
 
 void Attribution::recheck(Explanation& explanation) const {
   if (explanation.rechecked) return;
-  std::vector<Eigen::Index> others;
+  explanation.recheck = gate_on(explanation.fit, explanation.members);
+  explanation.rechecked = true;
+}
+
+Gate Attribution::gate_on(const ResponseFit& fit, const std::vector<std::size_t>& without) const {
+  std::vector<Eigen::Index> columns;
   std::vector<bool> one_sided;
   for (std::size_t k = 0; k < owner_.size(); ++k) {
-    if (std::find(explanation.members.begin(), explanation.members.end(), owner_[k]) !=
-        explanation.members.end())
-      continue;
-    others.push_back(static_cast<Eigen::Index>(k));
+    if (std::find(without.begin(), without.end(), owner_[k]) != without.end()) continue;
+    columns.push_back(static_cast<Eigen::Index>(k));
     one_sided.push_back(one_sided_[k]);
   }
-  explanation.recheck =
-      open_gate(explanation.fit.tangent, explanation.fit.residual, surface_,
-                scores_(Eigen::all, others), one_sided, evidence_.degrees_of_freedom, draws_);
-  explanation.rechecked = true;
+  Gate gate = open_gate(fit.tangent, fit.residual, surface_, scores_(Eigen::all, columns),
+                        one_sided, evidence_.degrees_of_freedom, draws_);
+  if (evidence_.allowed.empty() || gate.p_value() >= worth_a_second_look) return gate;
+  // The fit under another noise is where the linearised model says: it takes its tangent away.
+  const Eigen::VectorXd rest = problem_.measured() - fit.prediction;
+  const std::vector<Eigen::Index> free = free_parameters(fit);
+  const Eigen::MatrixXd slope = fit.slope(Eigen::all, free);
+  const Eigen::MatrixXd scores = raw_scores_(Eigen::all, columns);
+  for (const Whitening& other : evidence_.allowed) {
+    const Eigen::MatrixXd tangent = other(slope);
+    const Gate under = open_gate(tangent, other(rest), other(raw_surface_), other(scores),
+                                 one_sided, evidence_.degrees_of_freedom, draws_);
+    gate.allowed_p_value = std::max(gate.allowed_p_value, under.p_value());
+    if (gate.allowed_p_value >= worth_a_second_look) break;
+  }
+  return gate;
 }
 
 }  // namespace raceway::fit

@@ -37,6 +37,11 @@ class Attribution {
   [[nodiscard]] const Gate& gate() const { return gate_; }
   /// Column of the gate's scores at which a candidate's begin, and how many it has.
   [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> score_range(std::size_t candidate) const;
+  /// Length of each score off the base, the least under all shapes of the noise that the readings
+  /// allow [1].
+  [[nodiscard]] Eigen::VectorXd least_lengths() const;
+  /// Length that a score must have to alarm the gate in 99 of 100 cases.
+  [[nodiscard]] double length_found() const;
   /// Largest visibility of its scores.
   [[nodiscard]] double visibility(std::size_t candidate) const;
 
@@ -71,12 +76,15 @@ class Attribution {
                                                     const Response& response) const;
   [[nodiscard]] std::vector<const Screened*> screened(
       const std::vector<std::size_t>& members) const;
+  /// The gate on a fit, without the scores of these candidates.
+  [[nodiscard]] Gate gate_on(const ResponseFit& fit, const std::vector<std::size_t>& without) const;
 
   const Evidence& evidence_;
   const Problem& problem_;
   const Whitening& whitening_;
   const ResponseFit& base_;
-  Eigen::MatrixXd surface_, scores_;  // whitened
+  Eigen::MatrixXd raw_surface_, raw_scores_;  // SI
+  Eigen::MatrixXd surface_, scores_;          // whitened
   std::vector<bool> one_sided_;
   std::vector<std::size_t> owner_;  // candidate of each score
   NullDraws draws_;

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "fit/estimated_noise.h"
+#include "fit/gate.h"
 #include "record/levels.h"
 #include "record/repeats.h"
 
@@ -19,7 +20,6 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr double alarm_level = 0.01;
 constexpr std::size_t worst_rows = 5;
 constexpr std::size_t most_levels = 12;  // of an input; more are binned
 constexpr std::size_t most_bins = 8;

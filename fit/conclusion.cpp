@@ -65,6 +65,8 @@ std::string Investigation::sentence() const {
       return single_text() + hidden_text();
     case Finding::Kind::pair:
       return pair_text() + hidden_text();
+    case Finding::Kind::base_laws:
+      return base_laws_text() + hidden_text();
     case Finding::Kind::bent:
       return bent_text() + hidden_text();
     case Finding::Kind::partly:
@@ -99,6 +101,28 @@ std::string Investigation::remains_text() const {
                      joined(errors, "and"));
 }
 
+/// Which of some explanations would be wrong data, and where to look first.
+std::string Investigation::data_text(const Set& set) const {
+  std::vector<std::string> ids, data;
+  for (const Explanation* e : set)
+    for (const std::size_t k : e->members) {
+      const Candidate& c = problem_.candidates[k].candidate;
+      if (c.datum.empty()) continue;
+      ids.push_back(c.id + " (" + correction_text(problem_, *e, k) + ")");
+      if (std::find(data.begin(), data.end(), c.datum) == data.end()) data.push_back(c.datum);
+    }
+  if (ids.empty()) return "";
+  std::vector<std::string> bent;
+  for (const Explanation* e : set)
+    if (e->elastic) bent.push_back(id_of(*e));
+  const std::string by_another_law =
+      bent.empty() ? ""
+                   : fmt::format(" {} only by a slightly other law than the catalogue's.",
+                                 joined(bent, "and"));
+  return fmt::format("{} {} would be wrong data, not missing physics: check {} first.",
+                     by_another_law, joined(ids, "and"), joined(data, "and"));
+}
+
 std::string Investigation::single_text() const {
   const Set& set = finding_.set;
   const Explanation& best = *set.front();
@@ -115,19 +139,25 @@ std::string Investigation::single_text() const {
         next = fmt::format(", next best {} {:.0f} behind", id_of(e), best.gain - e.gain);
         break;
       }
-    return fmt::format("Consistent with {}, {}; gain {:.0f} (needed {:.1f}), {}{}. Error {}{}.",
-                       id_of(best), size_text(problem_, best), best.gain, result_.needed_gain,
-                       remains_text(), next, error_text(result_), shifts());
+    const Candidate& named = problem_.candidates[best.members.front()].candidate;
+    const std::string found =
+        fmt::format("{}, {}; gain {:.0f} (needed {:.1f}), {}{}. Error {}{}.", named.id,
+                    size_text(problem_, best), best.gain, result_.needed_gain, remains_text(), next,
+                    error_text(result_), shifts());
+    if (named.datum.empty()) return "Consistent with " + found;
+    return fmt::format("Check {}: {}. Wrong data rather than missing physics, consistent with {}",
+                       named.datum, correction_text(problem_, best, best.members.front()), found);
   }
   if (result_.tolerance_limited())
     return fmt::format(
-        "{}: {}, and the others come as near, so that these data cannot tell which of them is "
-        "missing.{}",
-        joined_sets(set), remains_text(), measure_text(result_));
+        "{}: {}, and the others come as near, so that these data cannot tell which of them it "
+        "is.{}{}",
+        joined_sets(set), remains_text(), data_text(set), measure_text(result_));
   return fmt::format(
       "{} cannot be told apart on these data (difference {:.1f}, needed {:.0f}); one of them is "
-      "missing ({}).{}",
-      joined_sets(set), std::abs(best.gain - set[1]->gain), within_reach, p_text(result_.p_value),
+      "{} ({}).{}{}",
+      joined_sets(set), std::abs(best.gain - set[1]->gain), within_reach,
+      data_text(set).empty() ? "missing" : "it", p_text(result_.p_value), data_text(set),
       measure_text(result_));
 }
 
@@ -139,10 +169,19 @@ std::string Investigation::pair_text() const {
         "Something is missing ({}); {} would do in sample, but the hold-out does not confirm it.",
         p_text(result_.p_value), id_of(best));
   return fmt::format(
-      "Consistent with {} at once, {}; gain {:.0f}, the lesser alone {:.0f}; {}.{} Error {}{}.{}",
+      "Consistent with {} at once, {}; gain {:.0f}, the lesser alone {:.0f}; {}.{} Error {}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
       set.size() > 1 ? fmt::format(" {} other pair(s) do as well.", set.size() - 1) : "",
-      error_text(result_), shifts(), measure_text(result_));
+      error_text(result_), shifts(), data_text(set), measure_text(result_));
+}
+
+std::string Investigation::base_laws_text() const {
+  const Explanation& both = *finding_.set.front();
+  return fmt::format(
+      "Something is missing ({}); {} together would do, {}, {}, but the lesser adds {:.0f}, less "
+      "than two at once must show: the base law has another shape, or an effect acts alike.",
+      p_text(result_.p_value), id_of(both), size_text(problem_, both), remains_text(),
+      both.least_loss);
 }
 
 std::string Investigation::bent_text() const {

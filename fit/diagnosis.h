@@ -40,6 +40,8 @@ struct ChannelDiagnosis {
 /// How one effect explains the data, all base parameters refitted with it.
 struct RankedEffect {
   std::string id;
+  std::string datum{};       ///< Candidate::datum: what is wrong, rather than missing
+  std::string correction{};  ///< what that datum would be, in words
   bool in_verdict = false;
   /// Fall of -2 ln L against the model without it, less ln N for each free shape; of the whole set
   /// where the verdict is `several_effects` and this effect is in it.

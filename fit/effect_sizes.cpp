@@ -13,16 +13,20 @@ namespace {
 
 constexpr double plausible_factor = 3.0;
 
-bool is_plausible(const Parameter& p) {
+/// `factor`: how far beyond the range met in practice.
+bool is_plausible(const Parameter& p, double factor) {
   const double margin = std::isfinite(p.std) ? 2.0 * p.std : 0.0;
   const double neutral = std::isnan(p.neutral) ? 0.0 : p.neutral;
   const auto limit = [&](double given, double bound) {  // without a range met in practice any size
     return (std::isnan(given) ? bound : given) - neutral;
   };
-  const double low = limit(p.plausible_lower, p.lower), high = limit(p.plausible_upper, p.upper);
+  double low = limit(p.plausible_lower, p.lower);
+  const double high = limit(p.plausible_upper, p.upper);
+  // Little of an effect is not implausible; a shape has no neutral value to be near to.
+  if (!std::isnan(p.neutral) && low > 0.0) low = 0.0;
   const double value = p.value - neutral;
-  return value - margin <= (high > 0.0 ? high * plausible_factor : high / plausible_factor) &&
-         value + margin >= (low > 0.0 ? low / plausible_factor : low * plausible_factor);
+  return value - margin <= (high > 0.0 ? high * factor : high / factor) &&
+         value + margin >= (low > 0.0 ? low / factor : low * factor);
 }
 
 /// Where the parameters of a member begin.
@@ -60,6 +64,14 @@ std::vector<double> held_out_errors_of(const Evidence& evidence, const Response&
 
 }  // namespace
 
+std::string correction_text(const Problem& problem, const Explanation& e, std::size_t member) {
+  const Candidate& c = problem.candidates[member].candidate;
+  std::vector<double> values;
+  for (std::size_t j = 0; j < c.parameters.size(); ++j)
+    values.push_back(e.fit.values[static_cast<Eigen::Index>(begin_of(problem, e, member) + j)]);
+  return problem.subject->correction(c.id, values);
+}
+
 std::vector<Parameter> sizes_of(const Problem& problem, const Explanation& e, std::size_t member) {
   std::vector<Parameter> sizes;
   const Candidate& c = problem.candidates[member].candidate;
@@ -72,7 +84,8 @@ std::vector<Parameter> sizes_of(const Problem& problem, const Explanation& e, st
     p.std = e.fit.standard_errors[at];
     if (e.fit.at_bound[begin + j])
       p.at_bound = p.value - p.lower <= p.upper - p.value ? Bound::lower : Bound::upper;
-    p.plausible = is_plausible(p);
+    // Physics may go beyond what was published of it; a datum is wrong by what people get wrong.
+    p.plausible = is_plausible(p, c.datum.empty() ? plausible_factor : 1.0);
     sizes.push_back(std::move(p));
   }
   return sizes;

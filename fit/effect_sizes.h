@@ -20,6 +20,10 @@ namespace raceway::fit {
 /// Sizes of all members: "c = 3.1 +- 0.2 um".
 [[nodiscard]] std::string size_text(const Problem& problem, const Explanation& e);
 
+/// What a member that is a datum would be, in words; empty for all else.
+[[nodiscard]] std::string correction_text(const Problem& problem, const Explanation& e,
+                                          std::size_t member);
+
 /// 95 % interval of the size of one member. A bent law has none: its exponents are no physics.
 [[nodiscard]] Interval size_interval(const Evidence& evidence, const Explanation& e,
                                      std::size_t member);

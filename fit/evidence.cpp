@@ -4,6 +4,8 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 #include <stdexcept>
 
@@ -136,6 +138,20 @@ std::vector<std::string> take_idle(Problem& problem, const Response& response) {
   return idle;
 }
 
+/// As many rows of a larger record, one at random from each of as many equal stretches: spread over
+/// its time, and in step with nothing that repeats in it. The same choice each time.
+void thin(std::vector<std::size_t>& rows, std::size_t most) {
+  if (rows.size() <= most) return;
+  boost::random::mt19937 engine(20210305);
+  std::vector<std::size_t> chosen;
+  for (std::size_t k = 0; k < most; ++k) {
+    const std::size_t begin = k * rows.size() / most, end = (k + 1) * rows.size() / most;
+    boost::random::uniform_int_distribution<std::size_t> any(begin, end - 1);
+    chosen.push_back(rows[any(engine)]);
+  }
+  rows = std::move(chosen);
+}
+
 /// The rows of a record that are used, those that can be predicted among them, and what was read.
 void take_rows(const Record& record, int most_rows, Evidence& evidence) {
   Problem& problem = evidence.problem;
@@ -145,12 +161,7 @@ void take_rows(const Record& record, int most_rows, Evidence& evidence) {
   if (subject.has_memory()) {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   } else {
-    const std::size_t every =
-        std::max<std::size_t>(1, (order.size() + static_cast<std::size_t>(most_rows) - 1) /
-                                     static_cast<std::size_t>(most_rows));
-    std::vector<std::size_t> thinned;
-    for (std::size_t i = every / 2; i < order.size(); i += every) thinned.push_back(order[i]);
-    order = std::move(thinned);
+    thin(order, static_cast<std::size_t>(most_rows));
   }
   const std::vector<Measured> channels = subject.measured();
   const Record sorted = record.picked(order);
@@ -181,6 +192,28 @@ std::vector<Eigen::VectorXd> starts_of(const Eigen::VectorXd& x) {
   return {x, 0.8 * x, 1.25 * x, 0.5 * x};
 }
 
+/// Change of the readings as the inputs that scatter change by the width of a level each, root of
+/// the sum of squares; empty where none does.
+Eigen::VectorXd input_slope(const Problem& problem, const Response& response,
+                            const Eigen::VectorXd& base_values) {
+  Eigen::ArrayXd square;
+  for (const Channel* channel : problem.subject->scattering(*problem.record)) {
+    auto moved = std::make_shared<Record>(*problem.record);
+    std::vector<double> values(problem.record->values(*channel).begin(),
+                               problem.record->values(*channel).end());
+    const double step = record::step_of(*channel, values);
+    for (double& v : values) v += step;
+    moved->set(*channel, std::move(values));
+    const Eigen::VectorXd change =
+        response_with(problem, {}, moved, problem.observed).readings(base_values) -
+        response.readings(base_values);
+    if (!change.allFinite()) continue;
+    if (square.size() == 0) square = Eigen::ArrayXd::Zero(change.size());
+    square += change.array().square();
+  }
+  return square.sqrt().matrix();
+}
+
 /// Noise from what base law, smooth surfaces, levels and all candidates together leave, channel by
 /// channel.
 std::vector<NoiseModel> noise_of_saturated_regression(const Evidence& evidence,
@@ -209,9 +242,11 @@ std::vector<NoiseModel> noise_of_saturated_regression(const Evidence& evidence,
       surface_columns(evidence.saturation.surface, observed, evidence.size);
   const Eigen::MatrixXd levels =
       level_columns(evidence.saturation.levels, *problem.record, observed, evidence.size);
+  const Eigen::VectorXd slope = input_slope(problem, evidence.response, base_values);
   std::vector<NoiseModel> noise;
   for (std::size_t c = 0; c < observed.channels.size(); ++c) {
-    const ChannelReadings readings = readings_of(*problem.record, observed, c);
+    ChannelReadings readings = readings_of(*problem.record, observed, c);
+    if (slope.size() > 0) readings.slope = observed.of(c, slope);
     if (readings.known) {
       noise.push_back(known_noise_model(readings));
       add_model_error(noise.back(), readings, observed.channels[c].model_error);
@@ -257,7 +292,10 @@ void require_scatter(const Evidence& evidence) {
 Evidence look_at(const Subject& subject, const Record& record, const EvidenceOptions& options) {
   Evidence evidence;
   Problem& problem = evidence.problem;
-  problem.subject = subject.with_values({});
+  if (auto informed = subject.informed_by(record))
+    problem.subject = std::move(informed);
+  else
+    problem.subject = subject.with_values({});
   for (const Parameter& p : find_parameters(subject, subject.free()))
     problem.base.push_back(p.name);
   take_rows(record, options.most_rows, evidence);
@@ -325,7 +363,16 @@ void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
     parts.push_back(noise.whitening);
     evidence.degrees_of_freedom += noise.degrees_of_freedom;
   }
-  evidence.whitening = parts.size() == 1 ? parts.front() : Whitening(parts);
+  const auto together = [](const std::vector<Whitening>& of) {
+    return of.size() == 1 ? of.front() : Whitening(of);
+  };
+  evidence.whitening = together(parts);
+  for (std::size_t c = 0; c < parts.size(); ++c)
+    for (const Whitening& other : evidence.noise[c].allowed) {
+      std::vector<Whitening> changed = parts;
+      changed[c] = other;
+      evidence.allowed.push_back(together(changed));
+    }
   evidence.base = fit_response(evidence.response, evidence.whitening, problem.observed.measured,
                                starts_of(start));
   if (!evidence.base.converged)

@@ -9,7 +9,7 @@
 
 namespace raceway::fit {
 
-constexpr int most_rows_of_a_fit = 4000;  ///< of larger records every k-th row is used
+constexpr int most_rows_of_a_fit = 4000;  ///< of larger records rows are chosen at random
 
 /// Model, data, candidates and noise, made ready to be asked what is missing.
 struct Evidence {
@@ -19,6 +19,7 @@ struct Evidence {
   Eigen::VectorXd size{};             ///< typical size of each reading, by the base model
   std::vector<NoiseModel> noise{};    ///< of each measured channel
   Whitening whitening{};              ///< of all of them
+  std::vector<Whitening> allowed{};   ///< other shapes of the noise, of one channel at a time
   double degrees_of_freedom = unset;  ///< of all of them
   Response response{};                ///< of the base model
   ResponseFit base{};                 ///< refitted under that noise
@@ -41,7 +42,7 @@ struct EvidenceOptions {
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model.
-/// Of more than `most_rows` rows every k-th is used.
+/// Of more than `most_rows` rows as many are used, chosen at random.
 /// Throws std::invalid_argument where the data cannot carry a verdict, with what is needed.
 [[nodiscard]] Evidence gather_evidence(const Subject& subject, const Record& record,
                                        const EvidenceOptions& options = {});

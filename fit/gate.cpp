@@ -112,7 +112,7 @@ double NullDraws::p_value(const Eigen::MatrixXd& correlation, const std::vector<
 }
 
 double Gate::p_value() const {
-  return std::min(1.0, 2.0 * std::min(surface_p_value, score_p_value));
+  return std::max(allowed_p_value, std::min(1.0, 2.0 * std::min(surface_p_value, score_p_value)));
 }
 
 Gate open_gate(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& residual,

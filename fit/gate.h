@@ -26,6 +26,8 @@ class NullDraws {
   mutable std::shared_ptr<const Normals> normals_;
 };
 
+constexpr double alarm_level = 0.01;
+
 /// Is anything missing? A surface F test and the largest score of a catalogue.
 struct Gate {
   double surface_statistic = unset;
@@ -34,13 +36,15 @@ struct Gate {
   double largest_score = unset;  ///< in standard deviations
   int largest = -1;              ///< column of that score
   double score_p_value = 1.0;
+  /// Largest p over the other shapes of noise that the readings allow; 0 where none was asked for.
+  double allowed_p_value = 0.0;
   Eigen::VectorXd scores;      ///< of each column; 0 where not visible
   Eigen::VectorXd visibility;  ///< share of a column that the tangent leaves [1]
   Eigen::MatrixXd projected;   ///< columns without the tangent, not normalised
 
-  /// Of both together, by Bonferroni.
+  /// Of both together, by Bonferroni; of all shapes of the noise the largest.
   [[nodiscard]] double p_value() const;
-  [[nodiscard]] bool alarm() const { return p_value() < 0.01; }
+  [[nodiscard]] bool alarm() const { return p_value() < alarm_level; }
 };
 
 constexpr double invisible = 0.02;  ///< visibility below which a score is an alias of the tangent

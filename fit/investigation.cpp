@@ -17,8 +17,9 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr std::size_t ranked = 6;       // effects with a hold-out of their own
-constexpr std::size_t most_rivals = 4;  // between which points are chosen
+constexpr std::size_t ranked = 6;        // effects with a hold-out of their own
+constexpr std::size_t most_rivals = 4;   // between which points are chosen
+constexpr double worth_measuring = 0.5;  // predicted lambda_sep: less is none
 
 void add_once(std::vector<std::string>& list, const std::string& word) {
   if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
@@ -139,6 +140,20 @@ void Investigation::tell_declared_noise() {
   }
 }
 
+/// Runs that coincide with levels of the plan: what differs between them is told by nothing.
+void Investigation::tell_of_runs() {
+  if (std::none_of(result_.channels.begin(), result_.channels.end(),
+                   [](const ChannelDiagnosis& d) { return d.noise.unknown_runs; }))
+    return;
+  const std::string nested = nested_settings(*problem_.record);
+  result_.messages.push_back(fmt::format(
+      "nothing tells how much runs differ by themselves{}: what depends on {} cannot be told from "
+      "a rig that was set up anew, and was not looked for between runs; measure each level in two "
+      "runs or more, or all levels within each run",
+      nested.empty() ? "" : ", as each run has its own " + nested,
+      nested.empty() ? "what changes from run to run" : nested));
+}
+
 bool Investigation::base_is_identifiable() const {
   Eigen::MatrixXd columns = evidence_.base.tangent;
   if (columns.cols() == 0) return true;
@@ -162,7 +177,7 @@ void Investigation::describe_base() {
                     outliers.size(), record_.place(outliers.front())));
   const std::size_t left_out = result_.rows_not_predicted.size();
   if (evidence_.rows() + left_out < evidence_.rows_in_record)
-    tell(fmt::format("{} of {} rows were used, evenly spread", result_.rows,
+    tell(fmt::format("{} of {} rows were used, chosen at random", result_.rows,
                      evidence_.rows_in_record));
   if (left_out > 0)
     tell(fmt::format("{} row(s) that are not read or cannot be predicted were left out, first {}",
@@ -180,6 +195,14 @@ void Investigation::describe_base() {
     tell(joined(problem_.base, "and") +
          " cannot all be told apart on these data: their values mean little; free fewer of them "
          "under [calibration]");
+  for (const ChannelDiagnosis& d : result_.channels)
+    if (d.noise.undeclared_blocks)
+      tell(fmt::format(
+          "{}: offsets of {} follow blocks of rows in which a setting rises or falls and starts "
+          "again, as if each were clamped anew; they count as runs (run_id says which rows are)",
+          d.channel().words,
+          reading_text(d.channel(), d.noise.rms * std::sqrt(d.noise.run_share))));
+  tell_of_runs();
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.repeats_p_value < passed)
       tell(fmt::format(
@@ -230,6 +253,7 @@ void Investigation::confirm() {
       return confirm_single();
     case Finding::Kind::pair:
       return confirm_pair();
+    case Finding::Kind::base_laws:
     case Finding::Kind::bent:
       result_.verdict = Verdict::effect_like;
       return fill(finding_.set, *finding_.set.front());
@@ -249,6 +273,10 @@ void Investigation::confirm_single() {
   const auto is_plausible = [this](const Explanation* e) { return sizes_plausible(problem_, *e); };
   plausible_ = std::any_of(set.begin(), set.end(), is_plausible);
   if (plausible_) std::erase_if(set, [&](const Explanation* e) { return !is_plausible(e); });
+  if (set.front()->elastic) {
+    finding_.kind = Finding::Kind::bent;
+    return confirm();
+  }
   hold_out(*set.front());
   fill(set, *set.front());
   if (!plausible_ || !holds_) {
@@ -341,6 +369,8 @@ void Investigation::fill_explained(const Set& set) {
 
 RankedEffect Investigation::rank(const Explanation& e, std::size_t member, bool validate) const {
   RankedEffect effect{.id = id(member)};
+  effect.datum = problem_.candidates[member].candidate.datum;
+  if (!effect.datum.empty()) effect.correction = correction_text(problem_, e, member);
   effect.gain = e.gain;
   effect.rmse = rms_of(e);
   const auto error = result_.tolerance_limited() ? held_out_within_range : held_out;
@@ -360,14 +390,18 @@ void Investigation::propose() {
                       (result_.verdict == Verdict::several_effects && finding_.set.size() > 1);
   if (!choice) return;
   step(0.9, "choosing the next measurements");
-  const Set few(finding_.set.begin(),
-                finding_.set.begin() +
-                    static_cast<std::ptrdiff_t>(std::min(most_rivals, finding_.set.size())));
-  NextPoints next = next_points(evidence_, few);
-  result_.suggested_measurements = std::move(next.points);
-  result_.axes = std::move(next.axes);
-  result_.predicted_separation = next.predicted_separation;
-  result_.separation_by_repetition = next.separation_by_repetition;
+  Set few;
+  for (const Explanation* e : finding_.set)
+    if (!e->elastic && few.size() < most_rivals) few.push_back(e);
+  if (few.size() > 1) {
+    NextPoints next = next_points(evidence_, few);
+    // Points that tell the rivals no better than chance are no advice.
+    if (next.predicted_separation >= worth_measuring)
+      result_.suggested_measurements = std::move(next.points);
+    result_.axes = std::move(next.axes);
+    result_.predicted_separation = next.predicted_separation;
+    result_.separation_by_repetition = next.separation_by_repetition;
+  }
   std::vector<std::string> not_testable;
   for (const Screened& s : problem_.candidates)
     if (!s.not_testable.empty()) not_testable.push_back(s.id());

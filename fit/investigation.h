@@ -36,6 +36,7 @@ class Investigation {
   void describe_channels();
   void describe_base();
   void tell_declared_noise();
+  void tell_of_runs();
   [[nodiscard]] bool base_is_identifiable() const;
   [[nodiscard]] bool outside_the_inputs() const { return hidden_ && hidden_->follows_the_runs(); }
   [[nodiscard]] double degrees() const;
@@ -55,8 +56,10 @@ class Investigation {
 
   // Words.
   [[nodiscard]] std::string sentence() const;
+  [[nodiscard]] std::string data_text(const Set& set) const;
   [[nodiscard]] std::string single_text() const;
   [[nodiscard]] std::string pair_text() const;
+  [[nodiscard]] std::string base_laws_text() const;
   [[nodiscard]] std::string bent_text() const;
   [[nodiscard]] std::string partly_text() const;
   [[nodiscard]] std::string unexplained_text() const;

@@ -3,19 +3,34 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 
+#include "record/levels.h"
 #include "record/repeats.h"
 
 namespace raceway::fit {
 
 namespace {
 
-constexpr double outlier_limit = 3.5;       // robust standard deviations
+constexpr double outlier_share = 4.65e-4;   // of a normal law beyond 3.5 standard deviations
+constexpr double within_the_likely = 2.71;  // of -2 ln L: 90 % of one parameter
+constexpr double unknown_runs = 0.5;        // share of the variance where nothing tells it
+constexpr double fewest_degrees = 3.0;
+constexpr std::size_t fewest_blocks = 3, shortest_block = 4;
+constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
+constexpr int robust_steps = 12;
+constexpr double biweight = 4.685;          // robust deviations at which a reading has no weight
+constexpr double worth_an_input = 3.84;     // of -2 ln L: 5 % level of one parameter
+constexpr double most_outliers = 0.2;       // of the rows
+constexpr double undetermined = 0.5;        // of -2 ln L
+constexpr double contradicted = 0.01;       // p of declared standard deviations
 constexpr double worth_a_parameter = 2.71;  // of -2 ln L: 5 % level of one variance >= 0
 constexpr Eigen::Index most_rows_of_a_search = 1500;
 constexpr int fewest_repeats = 8;
@@ -63,14 +78,32 @@ double restricted(const Whitening& whitening, const Eigen::MatrixXd& columns,
          2.0 * root.matrixLLT().diagonal().array().log().sum();
 }
 
-/// Shape of the standard deviations: share of the relative part in [0, 1].
-Eigen::VectorXd shape(double share, const Eigen::VectorXd& reading, const Eigen::VectorXd& own,
-                      const Eigen::VectorXd& widening) {
-  const double size = reading.norm() / std::sqrt(static_cast<double>(reading.size()));
-  return ((share * (reading / size).array().square() + (1.0 - share) * own.array().square())
-              .sqrt() *
-          widening.array())
-      .matrix();
+/// Shares of the variance: in proportion to the reading, from the scatter of an input, the rest
+/// absolute.
+struct Shares {
+  double relative = 1.0, input = 0.0;
+  [[nodiscard]] double absolute() const { return std::max(0.0, 1.0 - relative - input); }
+  [[nodiscard]] int parts() const {
+    return (relative > 0.0 ? 1 : 0) + (input > 0.0 ? 1 : 0) + (absolute() > 0.0 ? 1 : 0);
+  }
+};
+
+/// What the standard deviations are made of, each part with an rms of one.
+struct Parts {
+  Eigen::VectorXd reading, own, slope;
+};
+
+/// Shape of the standard deviations, at some of the readings.
+Eigen::VectorXd shape(const Shares& shares, const Parts& parts, const Eigen::VectorXd& widening) {
+  Eigen::ArrayXd square = shares.relative * parts.reading.array().square() +
+                          shares.absolute() * parts.own.array().square();
+  if (shares.input > 0.0) square += shares.input * parts.slope.array().square();
+  return (square.sqrt() * widening.array()).matrix();
+}
+
+Eigen::VectorXd of_rms_one(const Eigen::VectorXd& v) {
+  const double size = fit::rms(v);
+  return size > 0.0 ? Eigen::VectorXd(v / size) : v;
 }
 
 /// Rows of contiguous stretches, spread over the data: what a search for variances needs of many.
@@ -95,6 +128,39 @@ T pick(const T& all, const std::vector<Eigen::Index>& rows) {
   return all(rows, Eigen::all);
 }
 
+/// Where blocks of rows begin that look like runs nobody declared: a setting goes one way, as in a
+/// run-up, and starts again. Of several settings the one with most blocks; nothing where blocks are
+/// as short as chance makes them.
+std::vector<bool> undeclared_blocks(const Record& record, std::span<const std::size_t> rows) {
+  std::vector<bool> best;
+  std::size_t most = fewest_blocks - 1;
+  for (const record::Column& column : record.columns) {
+    if (column.channel->role != record::Role::setting) continue;
+    std::vector<double> values;
+    for (const std::size_t row : rows) values.push_back(column.values[row]);
+    const double step = record::step_of(*column.channel, values);
+    std::vector<bool> begins(rows.size(), false);
+    std::size_t blocks = 1;
+    double direction = 0.0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      const double change = values[i] - values[i - 1];
+      if (!(std::abs(change) > step)) continue;
+      if (change * direction < 0.0) {
+        begins[i] = true;
+        ++blocks;
+        direction = 0.0;
+      } else {
+        direction = change;
+      }
+    }
+    begins[0] = true;
+    if (blocks <= most || rows.size() < shortest_block * blocks) continue;
+    most = blocks;
+    best = std::move(begins);
+  }
+  return best;
+}
+
 /// Time since the reading before and whether a run begins, of readings at these rows.
 RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
   RowOrder order;
@@ -114,6 +180,8 @@ RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
   if (steps.empty()) order.has_time = false;
   const double middle = order.has_time ? median(steps) : 1.0;
   order.median_step = middle;
+  if (!order.has_runs && !record.has(record::run))
+    order.new_block = undeclared_blocks(record, rows);
   for (double& step : order.step) step = order.has_time ? std::max(step / middle, 0.05) : infinity;
   return order;
 }
@@ -124,13 +192,23 @@ RowOrder order_of(const RowOrder& all, const std::vector<Eigen::Index>& some) {
   RowOrder order = all;
   order.step.clear();
   order.new_run.clear();
+  order.new_block.clear();
   for (std::size_t k = 0; k < some.size(); ++k) {
     const auto i = static_cast<std::size_t>(some[k]);
     const bool joined = k > 0 && some[k] == some[k - 1] + 1;
     order.step.push_back(joined ? all.step[i] : infinity);
     order.new_run.push_back(!joined || all.new_run[i]);
+    if (!all.new_block.empty()) order.new_block.push_back(!joined || all.new_block[i]);
   }
   return order;
+}
+
+/// Robust standard deviations beyond which a residual is an outlier: as rare as 3.5 of a known
+/// deviation, by Student's law of that many degrees of freedom. A median is as good as a mean over
+/// 37 % of them.
+double outlier_limit(double degrees_of_freedom) {
+  const boost::math::students_t t(std::max(2.0, 0.37 * degrees_of_freedom));
+  return boost::math::quantile(boost::math::complement(t, outlier_share / 2.0));
 }
 
 /// The search for the noise of one channel, part by part.
@@ -144,54 +222,111 @@ class NoiseSearch {
         options_(options),
         rows_(readings.measured.size()),
         some_(stretches(rows_)),
-        some_order_(order_of(readings.order, some_)),
+        order_(readings.order),
+        some_order_(order_of(order_, some_)),
         some_columns_(pick(columns, some_)),
         some_deviation_(regress(some_columns_, readings.measured(some_)).residual),
-        own_(Eigen::VectorXd::Ones(rows_)),
-        reading_(size),
+        declared_(readings.std.size() == rows_),
         widening_(Eigen::VectorXd::Ones(rows_)) {
-    if (readings.std.size() == rows_)
-      own_ = readings.std * (std::sqrt(static_cast<double>(rows_)) / readings.std.norm());
+    parts_.own = declared_ ? of_rms_one(readings.std) : widening_;
+    parts_.reading = of_rms_one(size);
+    if (readings.slope.size() == rows_ && readings.slope.norm() > 0.0)
+      parts_.slope = of_rms_one(readings.slope);
   }
 
   NoiseModel run() {
     noise_.degrees_of_freedom = static_cast<double>(rows_ - columns_.cols());
-    noise_.median_step = readings_.order.median_step;
+    noise_.median_step = order_.median_step;
     // Size of the parts and outliers, first as if readings were independent.
+    if (declared_) shares_ = {.relative = 0.0, .input = 0.0};
+    if (options_.absolute && !declared_) find_shares();
+    if (options_.outliers) suspect_outliers();
     for (int round = 0; round < 3; ++round) {
-      if (options_.absolute) find_share();
+      if (options_.absolute && !declared_) find_shares();
       find_outliers();
     }
+    // Readings that hardly count tell nothing of the scatter of the others.
+    noise_.degrees_of_freedom = std::max(
+        fewest_degrees, noise_.degrees_of_freedom - static_cast<double>(noise_.outliers.size()));
     find_memory();
+    if (!order_.has_runs && !order_.new_block.empty()) find_blocks();
     set_scale();
+    find_allowed();
     hold_against_repeats();
     return std::move(noise_);
   }
 
  private:
-  [[nodiscard]] double misfit(double phi, double run_share, double relative_share) const {
-    return restricted(
-        Whitening(shape(relative_share, reading_(some_), own_(some_), widening_(some_)),
-                  some_order_, phi, run_share),
-        some_columns_, some_deviation_);
+  [[nodiscard]] double misfit(double phi, double run_share, const Shares& shares) const {
+    const Parts some{
+        parts_.reading(some_), parts_.own(some_),
+        parts_.slope.size() > 0 ? Eigen::VectorXd(parts_.slope(some_)) : Eigen::VectorXd()};
+    return restricted(Whitening(shape(shares, some, widening_(some_)), some_order_, phi, run_share),
+                      some_columns_, some_deviation_);
   }
 
-  void find_share() {
+  [[nodiscard]] std::vector<Shares> all_shares() const {
+    std::vector<Shares> list;
+    for (const double input : {0.0, 0.1, 0.25, 0.45, 0.7, 0.9}) {
+      if (input > 0.0 && parts_.slope.size() == 0) break;
+      for (const double s : {1.0, 0.998, 0.99, 0.97, 0.93, 0.85, 0.7, 0.5, 0.25, 0.1, 0.0})
+        list.push_back({.relative = s * (1.0 - input), .input = input});
+    }
+    return list;
+  }
+
+  void find_shares() {
     double best = infinity;
-    for (const double s : {1.0, 0.998, 0.99, 0.97, 0.93, 0.85, 0.7, 0.5, 0.25, 0.1, 0.0}) {
-      // The pure forms are preferred unless a mixture is clearly better.
-      const double value = misfit(0.0, 0.0, s) + (s < 1.0 && s > 0.0 ? 1.0 : 0.0);
+    for (const Shares& s : all_shares()) {
+      // Fewer parts are preferred unless a mixture is clearly better; of an input that scatters
+      // nobody has said anything.
+      const double value = misfit(0.0, 0.0, s) + static_cast<double>(s.parts() - 1) +
+                           (s.input > 0.0 ? worth_an_input : 0.0);
       if (value < best) {
         best = value;
-        share_ = s;
+        shares_ = s;
       }
     }
   }
 
+  /// First doubts, from a regression of few columns that outliers cannot bend to themselves, as
+  /// they do with one that has half as many columns as rows: reweighted by Tukey's biweight from
+  /// least absolute deviations. What is doubted without reason find_outliers() takes back.
+  void suspect_outliers() {
+    const Eigen::Index some = std::min(columns_.cols(), rows_ / 6);
+    const Eigen::VectorXd scale = shape(shares_, parts_, widening_).cwiseInverse();
+    const Eigen::MatrixXd x = scale.asDiagonal() * columns_.leftCols(some);
+    const Eigen::VectorXd y = scale.cwiseProduct(readings_.measured);
+    Eigen::ArrayXd weight = Eigen::ArrayXd::Ones(rows_), deviation;
+    double robust = 0.0;
+    for (int k = 0; k < robust_steps; ++k) {
+      const Eigen::VectorXd root = weight.sqrt().matrix();
+      const Regression r = regress(root.asDiagonal() * x, root.cwiseProduct(y));
+      deviation = (r.residual.cwiseQuotient(root).array() / r.freedom.array().sqrt()).abs();
+      robust = 1.4826 * median({deviation.begin(), deviation.end()});
+      if (!(robust > 0.0)) return;
+      const Eigen::ArrayXd far = deviation / robust;
+      if (k < robust_steps / 2)
+        weight = far.cwiseMax(1.0).inverse();
+      else
+        weight = (1.0 - (far / biweight).square()).cwiseMax(0.03).square();
+    }
+    const double limit = outlier_limit(static_cast<double>(rows_ - some));
+    for (Eigen::Index i = 0; i < rows_; ++i)
+      if (const double far = deviation[i] / robust; far > limit) widening_[i] = far * far / limit;
+    // So many are no outliers, but what so few columns cannot follow.
+    if (static_cast<double>((widening_.array() > 1.0).count()) >
+        most_outliers * static_cast<double>(rows_))
+      widening_.setOnes();
+  }
+
   void find_outliers() {
-    const Whitening independent(shape(share_, reading_, own_, widening_), {}, 0.0, 0.0);
+    const Whitening independent(shape(shares_, parts_, widening_), {}, 0.0, 0.0);
     const Regression regression = regress(independent(columns_), independent(readings_.measured));
-    reading_ = regression.fitted.cwiseProduct(independent.std()).cwiseAbs().cwiseMax(0.1 * size_);
+    const Eigen::VectorXd reading =
+        regression.fitted.cwiseProduct(independent.std()).cwiseAbs().cwiseMax(0.1 * size_);
+    reading_size_ = fit::rms(reading);
+    parts_.reading = of_rms_one(reading);
     if (!options_.outliers) return;
     // Deviations without the widening of an earlier round.
     const Eigen::VectorXd deviation =
@@ -199,24 +334,26 @@ class NoiseSearch {
     std::vector<double> absolute(deviation.data(), deviation.data() + rows_);
     for (double& d : absolute) d = std::abs(d);
     const double robust = 1.4826 * median(absolute);
+    const double limit = outlier_limit(noise_.degrees_of_freedom);
     noise_.outliers.clear();
     widening_.setOnes();
     for (Eigen::Index i = 0; i < rows_; ++i) {
       const double sigmas = std::abs(deviation[i]) / robust;
-      if (!(sigmas > outlier_limit) || regression.freedom[i] < 0.1) continue;
+      if (!(sigmas > limit) || regression.freedom[i] < 0.1) continue;
       noise_.outliers.push_back(static_cast<std::size_t>(i));
-      widening_[i] = sigmas;
+      // What is far off says little: its pull falls as it moves further.
+      widening_[i] = sigmas * sigmas / limit;
     }
   }
 
   /// Correlation and runs both at once, as each can look like the other.
   void find_memory() {
-    const bool timed = options_.correlation && readings_.order.has_time;
-    const bool runs = options_.runs && readings_.order.has_runs;
+    const bool timed = options_.correlation && order_.has_time;
+    const bool runs = options_.runs && order_.has_runs;
     if (!timed && !runs) return;
     double &phi = noise_.correlation, &g = noise_.run_share;
     const auto value = [&](double p, double q) {
-      return misfit(p, q, share_) +
+      return misfit(p, q, shares_) +
              worth_a_parameter * ((p > 0.0 ? 1.0 : 0.0) + (q > 0.0 ? 1.0 : 0.0));
     };
     double best = value(0.0, 0.0);
@@ -238,18 +375,104 @@ class NoiseSearch {
         if (p <= 0.0 || p > 0.985 || q <= -1e-12 + (g > 0.0 ? 1e-12 : 0.0) || q > 0.95) continue;
         try_out(p, q);
       }
+    // Where runs and levels coincide nothing says how much the runs differ: as much as may be.
+    if (runs && misfit(phi, unknown_runs, shares_) < misfit(phi, g, shares_) + undetermined) {
+      g = std::max(g, unknown_runs);
+      noise_.unknown_runs = true;
+    }
+  }
+
+  /// Offsets that follow blocks of rows which nobody declared as runs.
+  void find_blocks() {
+    const double before = misfit(noise_.correlation, 0.0, shares_);
+    const NoiseModel without = noise_;
+    const RowOrder order = order_, some = some_order_;
+    for (RowOrder* of : {&order_, &some_order_}) {
+      of->new_run = of->new_block;
+      of->has_runs = true;
+    }
+    noise_.correlation = 0.0;
+    find_memory();
+    if (misfit(noise_.correlation, noise_.run_share, shares_) < before - blocks_found) {
+      noise_.undeclared_blocks = true;
+      return;
+    }
+    noise_ = without;
+    order_ = order;
+    some_order_ = some;
+  }
+
+  /// Scaled to what the regression leaves.
+  [[nodiscard]] Whitening scaled(double phi, double run_share, const Shares& shares,
+                                 double& factor) const {
+    const Eigen::VectorXd std = shape(shares, parts_, widening_);
+    const Whitening unscaled(std, order_, phi, run_share);
+    const Regression regression = regress(unscaled(columns_), unscaled(readings_.measured));
+    factor = std::sqrt(regression.residual.squaredNorm() / noise_.degrees_of_freedom);
+    return {Eigen::VectorXd(factor * std), order_, phi, run_share};
   }
 
   void set_scale() {
-    Eigen::VectorXd std = shape(share_, reading_, own_, widening_);
-    const Whitening unscaled(std, readings_.order, noise_.correlation, noise_.run_share);
-    const Regression regression = regress(unscaled(columns_), unscaled(readings_.measured));
-    const double factor = std::sqrt(regression.residual.squaredNorm() / noise_.degrees_of_freedom);
-    std *= factor;
-    noise_.whitening = Whitening(std, readings_.order, noise_.correlation, noise_.run_share);
-    noise_.relative = factor * std::sqrt(share_) / fit::rms(reading_);
-    noise_.absolute = factor * std::sqrt(1.0 - share_);
-    noise_.rms = fit::rms(std.cwiseQuotient(widening_));
+    double factor = 1.0;
+    noise_.whitening = scaled(noise_.correlation, noise_.run_share, shares_, factor);
+    if (declared_) honour_declared(factor);
+    noise_.relative = factor * std::sqrt(shares_.relative) / reading_size_;
+    noise_.absolute = factor * std::sqrt(shares_.absolute());
+    noise_.input = factor * std::sqrt(shares_.input);
+    noise_.rms = fit::rms(noise_.whitening.std().cwiseQuotient(widening_));
+  }
+
+  /// Declared standard deviations that the readings do not contradict are taken as they are.
+  void honour_declared(double& factor) {
+    const double declared = fit::rms(readings_.std), df = noise_.degrees_of_freedom;
+    const double square = std::pow(factor / declared, 2) * df;
+    const boost::math::chi_squared chi(df);
+    const double p = 2.0 * std::min(boost::math::cdf(chi, square),
+                                    boost::math::cdf(boost::math::complement(chi, square)));
+    if (p < contradicted) return;
+    factor = declared;
+    noise_.as_declared = true;
+    noise_.degrees_of_freedom = as_good_as_known;
+    noise_.whitening = Whitening(factor * shape(shares_, parts_, widening_), order_,
+                                 noise_.correlation, noise_.run_share);
+  }
+
+  /// Shapes whose likelihood is within reach of the best: each part of the noise to both ends of
+  /// what the readings allow, and no memory where they allow that.
+  void find_allowed() {
+    const double phi = noise_.correlation, g = noise_.run_share;
+    const double best = misfit(phi, g, shares_);
+    const auto allows = [&](double p, double q, const Shares& s) {
+      return misfit(p, q, s) < best + within_the_likely;
+    };
+    const auto add = [&](double p, double q, const Shares& s) {
+      double factor = 1.0;
+      noise_.allowed.push_back(scaled(p, q, s, factor));
+    };
+    if (options_.absolute && !declared_) {
+      std::optional<Shares> least, most, input;
+      for (const Shares& s : all_shares()) {
+        if (!allows(phi, g, s)) continue;
+        if (!least || s.relative < least->relative) least = s;
+        if (!most || s.relative > most->relative) most = s;
+        if (!input || s.input > input->input) input = s;
+      }
+      for (const auto& s : {least, most})
+        if (s && s->relative != shares_.relative) add(phi, g, *s);
+      if (input && input->input > shares_.input) add(phi, g, *input);
+    }
+    const bool timed = options_.correlation && order_.has_time;
+    const bool runs = options_.runs && order_.has_runs;
+    double high_phi = phi, high_g = g;
+    if (timed)
+      for (const double p : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.87, 0.92, 0.95, 0.97})
+        if (p > high_phi && allows(p, g, shares_)) high_phi = p;
+    if (runs)
+      for (const double q : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95})
+        if (q > high_g && allows(phi, q, shares_)) high_g = q;
+    if (high_phi > phi) add(high_phi, g, shares_);
+    if (high_g > g) add(phi, high_g, shares_);
+    if ((phi > 0.0 || g > 0.0) && allows(0.0, 0.0, shares_)) add(0.0, 0.0, shares_);
   }
 
   /// Pure error as a check.
@@ -285,11 +508,14 @@ class NoiseSearch {
   const NoiseOptions& options_;
   Eigen::Index rows_;
   std::vector<Eigen::Index> some_;
-  RowOrder some_order_;
+  RowOrder order_, some_order_;
   Eigen::MatrixXd some_columns_;
   Eigen::VectorXd some_deviation_;
-  Eigen::VectorXd own_, reading_, widening_;
-  double share_ = 1.0;  // of the relative part
+  bool declared_;
+  Parts parts_;
+  double reading_size_ = unset;  // rms of what Parts::reading has without its scale [SI]
+  Eigen::VectorXd widening_;
+  Shares shares_;
   NoiseModel noise_;
 };
 
@@ -332,6 +558,27 @@ std::vector<std::size_t> order_of_rows(const Record& record) {
     return false;
   });
   return order;
+}
+
+std::string nested_settings(const Record& record) {
+  std::string words;
+  for (const record::Column& column : record.columns) {
+    if (column.channel->role != record::Role::setting || !record.varies(*column.channel)) continue;
+    const double step = record::step_of(*column.channel, column.values);
+    std::map<int, std::pair<double, double>> range;
+    for (std::size_t i = 0; i < record.rows(); ++i) {
+      const auto [at, is_new] =
+          range.try_emplace(record.run_of(i), column.values[i], column.values[i]);
+      at->second.first = std::min(at->second.first, column.values[i]);
+      at->second.second = std::max(at->second.second, column.values[i]);
+    }
+    const bool constant = std::all_of(range.begin(), range.end(), [&](const auto& run) {
+      return run.second.second - run.second.first <= step;
+    });
+    if (range.size() > 1 && constant)
+      words += (words.empty() ? "" : " and ") + std::string(column.channel->words);
+  }
+  return words;
 }
 
 ChannelReadings readings_of(const Record& record, const Observations& observed,

@@ -12,17 +12,26 @@ namespace raceway::fit {
 /// What is scatter in the readings of one channel: its size, its growth with the reading, its
 /// memory.
 ///
-///   s_i² = (relative y_i)² + (absolute a_i)²      a_i = 1, or the declared std over its rms
+///   s_i² = (relative y_i)² + (absolute a_i)² + (input b_i)²
 ///
-/// and the correlation of Whitening. Found from what a saturated regression leaves, never from
+/// with a_i = 1 and b_i the change of the reading as an input changes by the width of a level, both
+/// over their rms; and the correlation of Whitening. Declared standard deviations take the place of
+/// the whole sum. Found from what a saturated regression leaves, never from
 /// the misfit of a physical model, which would call missing physics noise.
 struct NoiseModel {
   double relative = 0.0;              ///< standard deviation in proportion to the reading [1]
   double absolute = 0.0;              ///< rms of the part that does not grow with it [SI]
+  double input = 0.0;                 ///< rms of the part that comes from scatter of an input [SI]
   double correlation = 0.0;           ///< φ of neighbours in time, at the median step [1]
   double run_share = 0.0;             ///< of the variance, common to the rows of a run [1]
   double degrees_of_freedom = unset;  ///< of the variance
   Whitening whitening{};
+  /// Other shapes of the same noise that the readings allow: a verdict has to hold under each.
+  std::vector<Whitening> allowed{};
+  /// Nothing tells how much runs differ: runs and levels of the plan coincide.
+  bool unknown_runs = false;
+  bool undeclared_blocks = false;       ///< `run_share` is that of blocks nobody declared as runs
+  bool as_declared = false;             ///< the declared standard deviations are what is found
   std::vector<std::size_t> outliers{};  ///< readings counted with less weight, none left out
   double rms = unset;                   ///< over the readings [SI]
   double median_step = unset;           ///< of time, to which the correlation belongs [s]
@@ -43,12 +52,19 @@ struct ChannelReadings {
   Eigen::VectorXd measured{};  ///< SI
   Eigen::VectorXd std{};       ///< declared [SI]; empty where not every reading has one
   bool known = false;          ///< `std` is as good as known
+  /// Change of each as a scattering input changes by the width of a level [SI]; empty where no
+  /// input scatters.
+  Eigen::VectorXd slope{};
   RowOrder order{};
   std::vector<std::vector<std::size_t>> repeats{};  ///< readings at the same point
 };
 
 [[nodiscard]] ChannelReadings readings_of(const Record& record, const Observations& observed,
                                           std::size_t channel);
+
+/// Settings that vary and are constant within every run, in words: "axial load"; empty where there
+/// are none or no runs.
+[[nodiscard]] std::string nested_settings(const Record& record);
 
 /// Rows in the one order that all of the diagnosis uses, whatever order a record has: by time where
 /// all rows have one (within runs, if runs overlap in time), then by settings.

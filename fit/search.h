@@ -14,11 +14,12 @@ namespace raceway::fit {
 /// The explanation of a misfit that stands, and those within reach of it.
 struct Finding {
   enum class Kind {
-    none,    ///< nothing explains it
-    single,  ///< one candidate
-    pair,    ///< two at once
-    bent,    ///< one whose law is bent
-    partly   ///< one that takes most of the misfit, but not enough to meet the tolerance
+    none,       ///< nothing explains it
+    single,     ///< one candidate
+    pair,       ///< two at once
+    bent,       ///< one whose law is bent
+    base_laws,  ///< the base law's own corrections together, less than a pair must be
+    partly      ///< one that takes most of the misfit, but not enough to meet the tolerance
   };
   Kind kind = Kind::none;
   std::vector<const Explanation*> set{};  ///< the best first
@@ -68,7 +69,10 @@ class Search {
   [[nodiscard]] std::optional<Finding> one_candidate();
   [[nodiscard]] std::optional<Finding> both_base_laws();
   [[nodiscard]] std::optional<Finding> two_candidates();
+  [[nodiscard]] double gain_of_a_pair(int choices) const;
   [[nodiscard]] Finding bent_law();
+  [[nodiscard]] bool is_data(const Explanation& e) const;
+  void add_bent_physics(std::vector<const Explanation*>& set);
   [[nodiscard]] bool bent_too_far(const Explanation& bent) const;
   [[nodiscard]] std::vector<const Explanation*> good_enough(const Ranked& list, double most) const;
 
@@ -77,7 +81,7 @@ class Search {
   const Attribution& attribution_;
   const std::vector<Blocking>& blockings_;
   SearchLimits limits_;
-  Ranked singles_, pairs_, bent_;
+  Ranked singles_, pairs_, bent_, base_laws_;
   std::vector<std::vector<std::string>> weak_pairs_;
   std::optional<Shape> shape_;
 };

@@ -62,6 +62,12 @@ std::vector<std::string> Subject::catalogue() const {
   return ids;
 }
 
+std::vector<const Channel*> Subject::scattering(const Record&) const { return {}; }
+
+std::unique_ptr<Subject> Subject::informed_by(const Record&) const { return nullptr; }
+
+std::string Subject::correction(const std::string&, std::span<const double>) const { return {}; }
+
 std::unique_ptr<Subject> Subject::without_free_candidates() const { return nullptr; }
 
 std::string Subject::rules_out(const std::string&) const { return {}; }

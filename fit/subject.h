@@ -54,6 +54,9 @@ struct Candidate {
   std::size_t size = 0;      ///< which of them is its size: at `neutral` it changes nothing
   bool base_law = false;     ///< corrects the law of the subject itself, which comes before physics
   bool of_the_user = false;  ///< nothing is known of its size
+  /// What is wrong where this explains a misfit: a datum rather than what may be missing, in words
+  /// ("the oil card"); empty for all else.
+  std::string datum{};
 
   /// The name of a parameter without the id.
   [[nodiscard]] std::string short_name(std::size_t parameter) const {
@@ -143,6 +146,10 @@ class Subject {
       const Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const = 0;
 
+  /// Itself with what it takes from a record as a whole, as the coldest row; null where that is
+  /// nothing. Asked once, before rows are left out. Default: null.
+  [[nodiscard]] virtual std::unique_ptr<Subject> informed_by(const Record& record) const;
+
   // Its numbers.
   [[nodiscard]] virtual std::vector<Parameter> parameters() const = 0;
   /// Names of those that may be fitted.
@@ -165,6 +172,10 @@ class Subject {
   /// Why an id of catalogue() cannot be at work here whatever a record says, in a sentence; empty
   /// if it can. Default: empty.
   [[nodiscard]] virtual std::string rules_out(const std::string& id) const;
+  /// What a candidate that is a datum means at these values of its parameters, in words. Default:
+  /// nothing.
+  [[nodiscard]] virtual std::string correction(const std::string& id,
+                                               std::span<const double> values) const;
   /// What an id of catalogue() cannot be felt without and model or record do not have; empty if
   /// nothing.
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
@@ -175,6 +186,8 @@ class Subject {
   /// Default: a polynomial in the first input that varies, to the fourth degree; of every other its
   /// square and its products with the first.
   [[nodiscard]] virtual Saturation saturation(const Record& record) const;
+  /// Inputs whose recorded values scatter about what they were. Default: none.
+  [[nodiscard]] virtual std::vector<const Channel*> scattering(const Record& record) const;
   /// By which the law of a candidate may be bent. Default: inputs that vary.
   [[nodiscard]] virtual std::vector<Factor> factors(const Record& record) const;
   /// Nothing where no formula can be given.

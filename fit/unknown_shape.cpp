@@ -27,6 +27,8 @@ struct Input {
   double reference = 1.0;       // in the unit of the word
   Eigen::VectorXd ratio{};      // by observation
   std::vector<double> plain{};  // exponents that are tried first
+  /// Zero at some readings: its exponent is above zero, or it is no part of the formula.
+  bool has_zeros = false;
 };
 
 /// Those that vary; no power of another can be told.
@@ -39,9 +41,16 @@ std::vector<Input> varying_inputs(const Formula& formula, const Observations& ob
     Input input{.word = formula.inputs[k].word, .exponent = formula.inputs[k].exponent};
     input.ratio = observed.at(formula.inputs[k].values);
     const double lowest = input.ratio.minCoeff(), largest = input.ratio.maxCoeff();
-    if (!(lowest > 0.0 && largest > 1.02 * lowest)) continue;
-    input.reference = round_number(std::exp(input.ratio.array().log().mean()));
+    if (!(lowest >= 0.0 && largest > 1.02 * lowest)) continue;
+    input.has_zeros = lowest < 1e-3 * largest;
+    input.reference = round_number(
+        std::exp(input.ratio.array().cwiseMax(input.has_zeros ? 0.1 * largest : 0.0).log().mean()));
     input.ratio /= input.reference;
+    if (input.has_zeros) {
+      input.plain = {0.0, 0.67, 1.0, 1.5, 2.0};
+      inputs.push_back(std::move(input));
+      continue;
+    }
     const std::size_t set = std::min<std::size_t>(k, 2);
     input.plain.assign(tried[set].begin(),
                        tried[set].begin() + static_cast<std::ptrdiff_t>(many[set]));
@@ -60,6 +69,9 @@ class ShapeSearch {
         inputs_(varying_inputs(formula, problem_.observed)) {}
 
   std::optional<Shape> run() {
+    find_starts();
+    if (starts_.empty()) return std::nullopt;
+    leave_out_absent();
     find_starts();
     if (starts_.empty()) return std::nullopt;
     plain_ = response_with(problem_, {});
@@ -113,6 +125,17 @@ class ShapeSearch {
                      [](const Start& x, const Start& y) { return x.gain > y.gain; });
   }
 
+  /// Inputs that have zeros and no part in the best start.
+  void leave_out_absent() {
+    const Eigen::VectorXd best = starts_.front().exponents;
+    for (std::size_t k = inputs_.size(); k-- > 0;)
+      if (inputs_[k].has_zeros && best[static_cast<Eigen::Index>(k)] == 0.0)
+        inputs_.erase(inputs_.begin() + static_cast<std::ptrdiff_t>(k));
+    for (Input& input : inputs_)
+      if (input.has_zeros) std::erase(input.plain, 0.0);
+    starts_.clear();
+  }
+
   [[nodiscard]] Response response() const {
     Response response;
     response.parameters = plain_.parameters;
@@ -126,7 +149,8 @@ class ShapeSearch {
     };
     const double size = starts_.front().size, scale = std::max(1e-12, std::abs(size));
     add("c", size, -1e3 * scale, 1e3 * scale, scale);
-    for (const Input& input : inputs_) add(input.exponent, 0.0, -4.0, 5.0, 1.0);
+    for (const Input& input : inputs_)
+      add(input.exponent, 0.0, input.has_zeros ? 0.2 : -4.0, 5.0, 1.0);
     response.readings = [this](const Eigen::VectorXd& x) {
       return Eigen::VectorXd(plain_.at(x.head(bases_)) +
                              x[bases_] * power(x.tail(x.size() - bases_ - 1)));

@@ -9,7 +9,6 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr double detected = 25.0;    // squared misfit over variance: found in 99 of 100
 constexpr double told_apart = 20.0;  // the same, left by the best wrong effect
 constexpr double alike = 0.98;       // cosine of scores
 
@@ -45,6 +44,7 @@ class Sizes {
       : problem_(problem),
         attribution_(attribution),
         visible_(std::move(visible)),
+        least_(attribution.least_lengths()),
         grouped_(visible_.size(), false) {
     for (const std::size_t k : visible_)
       unit_.push_back(
@@ -88,7 +88,7 @@ class Sizes {
     const std::size_t k = visible_[i];
     const Screened& s = problem_.candidates[k];
     const Eigen::Index score = clearest_score(attribution_, k);
-    const double units = std::sqrt(detected) / length_of(k);
+    const double units = attribution_.length_found() / least_[score];
     DetectableSize d{
         .id = s.id(), .parameter = s.candidate.short_name(s.candidate.size), .unit = s.size().unit};
     d.size = s.size().neutral + units * s.unit_size;
@@ -101,6 +101,7 @@ class Sizes {
   const Problem& problem_;
   const Attribution& attribution_;
   std::vector<std::size_t> visible_;
+  Eigen::VectorXd least_;
   std::vector<bool> grouped_;
   std::vector<Eigen::VectorXd> unit_;
 };

@@ -11,9 +11,11 @@ struct RowOrder {
   /// starts anew, also in the first row.
   std::vector<double> step;
   std::vector<bool> new_run;  ///< the row belongs to another run than the row before
-  double median_step = 1.0;   ///< the unit of the steps [s]
-  bool has_time = false;      ///< steps mean something
-  bool has_runs = false;      ///< two or more runs
+  /// The row begins a block that may be a run which nobody declared; empty where nothing looks so.
+  std::vector<bool> new_block;
+  double median_step = 1.0;  ///< the unit of the steps [s]
+  bool has_time = false;     ///< steps mean something
+  bool has_runs = false;     ///< two or more runs
 };
 
 /// Turns readings into independent numbers of unit variance.

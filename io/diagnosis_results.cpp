@@ -58,6 +58,7 @@ json effect_object(const fit::RankedEffect& e, const Channels& channels, bool li
     errors.push_back(std::move(error));
   }
   json effect = {{"id", e.id},
+                 {"kind", e.datum.empty() ? "physics" : "data"},
                  {"in_verdict", e.in_verdict},
                  {"gain", e.gain},
                  {"rmse", errors[0]["rmse"]},

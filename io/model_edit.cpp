@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "effects/temperature_sensor.h"
 #include "io/error.h"
 #include "io/model_file.h"
 #include "io/number_text.h"
+#include "model/corrected_data.h"
 #include "model/parameters.h"
 
 // Last: see io/toml_text.h.
@@ -221,7 +223,37 @@ std::string with_effect(std::string_view text, const effects::Effect& effect) {
   return result;
 }
 
-std::string with_model(const ModelFile& file, const model::Model& fitted) {
+namespace {
+
+/// What stands otherwise in a model than in its file, but for what model::parameters() has: the
+/// oil card, and the room that a correction of the temperature was found with.
+std::vector<KeyValue> changed_data(const model::Model& file, const model::Model& fitted) {
+  std::vector<KeyValue> changes;
+  const auto add = [&](std::string key, double before, double after, std::string comment) {
+    if (before != after && !std::isnan(after))
+      changes.push_back({std::move(key), with_15_digits(after), std::move(comment)});
+  };
+  const friction::Lubricant &card = file.lubricant, &oil = fitted.lubricant;
+  const auto entered = [](double viscosity) {
+    return fmt::format("corrected by measurements; {:.6g} was entered", viscosity / mm2_per_s);
+  };
+  add("lubricant.viscosity_40C_mm2_s", card.viscosity_40C() / mm2_per_s,
+      oil.viscosity_40C() / mm2_per_s, entered(card.viscosity_40C()));
+  add("lubricant.viscosity_100C_mm2_s", card.viscosity_100C() / mm2_per_s,
+      oil.viscosity_100C() / mm2_per_s, entered(card.viscosity_100C()));
+  const bool needs_room = std::any_of(
+      fitted.effects.begin(), fitted.effects.end(),
+      [](const effects::Effect& e) { return e.description->id == effects::TemperatureGain::id; });
+  if (needs_room && std::isnan(file.rig.room_temperature))
+    add("rig.room_temperature_C", unset, celsius(fitted.rig.room_temperature),
+        "of the coldest row");
+  return changes;
+}
+
+}  // namespace
+
+std::string with_model(const ModelFile& file, const model::Model& found) {
+  const model::Model fitted = model::with_corrected_data(found);
   const auto in_file = [&](const effects::Effect& effect) {
     return std::any_of(
         file.model.effects.begin(), file.model.effects.end(),
@@ -234,7 +266,7 @@ std::string with_model(const ModelFile& file, const model::Model& fitted) {
     text = with_effect(text, effect);
   }
   const std::vector<record::Parameter> written = model::parameters(file.model);
-  std::vector<KeyValue> changes;
+  std::vector<KeyValue> changes = changed_data(file.model, fitted);
   for (const record::Parameter& p : model::parameters(fitted)) {
     const auto old = std::find_if(written.begin(), written.end(),
                                   [&](const record::Parameter& w) { return w.name == p.name; });

@@ -1,8 +1,10 @@
 #include "io/model_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "effects/temperature_sensor.h"
 #include "io/input_file.h"
 #include "io/subject.h"
 #include "model/needs.h"
@@ -101,6 +103,13 @@ ModelFile parse_model(std::string text, const std::string& source) {
       .rig = rig,
       .free = {},
       .shaft = std::move(shaft)};
+  if (std::isnan(rig.room_temperature))
+    for (const effects::Effect& e : model.effects)
+      if (e.description->id == effects::TemperatureGain::id)
+        throw InputError(fmt::format(
+            "{}: the effect {} needs room_temperature_C under [rig]: from where on the sensor sees "
+            "a share of the rise",
+            source, e.description->id));
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);
   std::vector<std::string> notes = notes_on_effects(model);

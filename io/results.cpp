@@ -31,6 +31,7 @@ json effect_page(const effects::Description& d) {
     if (d.moves(form)) measured.push_back(channel->variable);
   return {{"id", d.id},
           {"title", d.title},
+          {"kind", d.datum.empty() ? "physics" : "data"},
           {"acts_at", d.step()},
           {"acts_on", measured},
           {"mechanism", d.mechanism},

@@ -11,6 +11,7 @@ constexpr Key bearings{"bearings", "", 1, 100};
 constexpr Key axial_load{"axial_load_N", "N", 0, 1e8};
 constexpr Key radial_load{"radial_load_N", "N", 0, 1e8};
 constexpr Key temperature{"temperature_C", "C", -273, 500};
+constexpr Key room_temperature{"room_temperature_C", "C", -273, 500};
 constexpr Key minimum_speed{"minimum_speed_rpm", "rpm", 0, 1e6};
 
 }  // namespace
@@ -18,7 +19,8 @@ constexpr Key minimum_speed{"minimum_speed_rpm", "rpm", 0, 1e6};
 model::Rig read_rig(ModelTables& tables) {
   const Section s = tables.section("rig");
   Names known;
-  for (const Key& key : {inertia, bearings, axial_load, radial_load, temperature, minimum_speed})
+  for (const Key& key :
+       {inertia, bearings, axial_load, radial_load, temperature, room_temperature, minimum_speed})
     known.emplace_back(key.name);
   s.allow_only(known);
   model::Rig rig;
@@ -30,6 +32,7 @@ model::Rig read_rig(ModelTables& tables) {
     tables.note_default("rig", bearings.name, fmt::format("{}", rig.bearings));
   rig.radial_load = tables.number_or(s, radial_load, rig.radial_load);
   rig.temperature = kelvin(tables.number_or(s, temperature, celsius(rig.temperature)));
+  if (const auto value = s.number(room_temperature)) rig.room_temperature = kelvin(*value);
   rig.minimum_speed = tables.number_or(s, minimum_speed, rig.minimum_speed / rpm) * rpm;
   return rig;
 }

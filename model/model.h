@@ -21,6 +21,7 @@ struct Rig {
   double axial_load = unset;        ///< per bearing, for rows without that column [N]
   double radial_load = 0.0;         ///< per bearing [N]
   double temperature = kelvin(40);  ///< [K]
+  double room_temperature = unset;  ///< [K]; NaN: that of the coldest row of a record
   double minimum_speed = 0.0;       ///< slower coast-down rows are left out [rad/s]
 };
 

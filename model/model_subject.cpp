@@ -7,6 +7,7 @@
 
 #include "effects/catalogue.h"
 #include "model/candidates.h"
+#include "model/corrected_data.h"
 #include "model/needs.h"
 #include "record/nearest_names.h"
 
@@ -141,6 +142,12 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
 std::string ModelSubject::rules_out(const std::string& id) const {
   const effects::Description* const d = description(id);
   return d && d->moves(model_.form()) ? ruled_out(*d, model_) : std::string();
+}
+
+std::string ModelSubject::correction(const std::string& id, std::span<const double> values) const {
+  const effects::Description* const d = description(id);
+  if (!d) return {};
+  return correction_text(active_, {.description = d, .values = {values.begin(), values.end()}});
 }
 
 std::string ModelSubject::lacks(const std::string& id, const fit::Record& record) const {

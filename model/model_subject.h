@@ -60,6 +60,8 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> without_free_candidates() const override;
+  [[nodiscard]] std::string correction(const std::string& id,
+                                       std::span<const double> values) const override;
   /// Also of an effect of the catalogue that changes nothing that is measured.
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
@@ -80,6 +82,8 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] std::vector<ParameterPlace> places(const std::vector<std::string>& names) const;
   /// With the tolerance that the model has for it.
   [[nodiscard]] fit::Measured with_tolerance(fit::Measured measured) const;
+  /// Ids of the effects that wait.
+  [[nodiscard]] const std::vector<std::string>& waiting() const { return waiting_; }
   /// The effect of that id, of the model or of the catalogue; null if there is none.
   [[nodiscard]] const effects::Description* description(const std::string& id) const;
 

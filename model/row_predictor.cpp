@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/changed_bearing.h"
+#include "model/corrected_data.h"
 #include "model/tilted_equilibrium.h"
 
 namespace raceway::model {
@@ -50,14 +51,25 @@ RowPredictor::RowPredictor(const Model& model, const Steps& steps,
     : point_(point),
       record_(record),
       given_(given),
-      entered_viscosity_(model.lubricant.kinematic_viscosity(point.temperature)),
-      radial_load_(std::hypot(point.radial_load, point.radial_load_z)) {
+      radial_load_(std::hypot(point.radial_load, point.radial_load_z)),
+      temperature_(point.temperature),
+      viscosity_(model.lubricant.kinematic_viscosity(point.temperature)) {
   units_.assign(steps.moment.size(), unset);
   if (!known) return;
   condition_ = given;
   bearing_ = std::move(bearing);
   report_ = known->report;
   equilibrium_ = std::move(known);
+}
+
+void RowPredictor::correct(const Model& model, const Steps& steps) {
+  if (steps.entry.empty()) return;
+  effects::Entry entry = entry_of(model, point_.temperature);
+  for (const std::size_t k : steps.entry)
+    model.effects[k].description->entry(entry, model.effects[k].values);
+  temperature_ = entry.temperature;
+  oil_.emplace(entry.viscosity_40C, entry.viscosity_100C);
+  viscosity_ = oil_->kinematic_viscosity(temperature_);
 }
 
 friction::BearingState<double> RowPredictor::state(const Model& model) const {
@@ -68,17 +80,17 @@ friction::BearingState<double> RowPredictor::state(const Model& model) const {
           .speed = point_.speed,
           .axial_load = with_extra(point_.axial_load, condition_.extra_axial_load),
           .radial_load = radial_load_,
-          .temperature = point_.temperature,
+          .temperature = temperature_,
           .kinematic_viscosity = film_.kinematic_viscosity};
 }
 
 bool RowPredictor::find_condition(const Model& model, const Steps& steps,
                                   Condition& condition) const {
-  if (!finite(point_)) return false;
+  if (!finite(point_) || !std::isfinite(viscosity_)) return false;
   friction::BearingState<double> entered = state(model);
   entered.equilibrium = nullptr;
   entered.axial_load = with_extra(point_.axial_load, 0.0);
-  entered.kinematic_viscosity = entered_viscosity_;
+  entered.kinematic_viscosity = viscosity_;
   condition = condition_of(model, steps, entered, point_, record_, given_);
   return condition.finite();
 }
@@ -115,6 +127,7 @@ void RowPredictor::solve(const Model& model) {
 
 std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const Steps& steps) {
   Condition condition;
+  correct(model, steps);
   if (!steps.equilibrium || !find_condition(model, steps, condition) || condition.tilt != 0.0)
     return {};
   if (condition == condition_ && known_report(report_)) return {};
@@ -141,10 +154,11 @@ bool RowPredictor::find_balance(const Model& model, const Steps& steps) {
 
 void RowPredictor::find_film(const Model& model, const Steps& steps,
                              friction::BearingState<double>& s) {
-  film_ = {.kinematic_viscosity = entered_viscosity_};
-  s.kinematic_viscosity = entered_viscosity_;
+  film_ = {.kinematic_viscosity = viscosity_};
+  s.kinematic_viscosity = viscosity_;
   const effects::BaseLaw law{model.law, model.law_values};
-  const effects::LubricantInputs inputs{.lubricant = model.lubricant, .state = s, .base = law};
+  const effects::LubricantInputs inputs{
+      .lubricant = oil_ ? *oil_ : model.lubricant, .state = s, .base = law};
   for (const std::size_t k : steps.lubricant)
     model.effects[k].description->lubricant(inputs, model.effects[k].values, film_);
   s.kinematic_viscosity = film_.kinematic_viscosity;
@@ -175,10 +189,11 @@ void RowPredictor::read(const Model& model, const Steps& steps) {
 
 double RowPredictor::predict(const Model& model, const Steps& steps, Stage from) {
   // Where there was no prediction, nothing is known to start from.
-  if (!std::isfinite(reading_)) from = Stage::condition;
+  if (!std::isfinite(reading_)) from = Stage::entry;
   if (from <= Stage::moment) torque_ = unset;
   reading_ = unset;
-  if (from == Stage::condition && !find_balance(model, steps)) return reading_;
+  if (from == Stage::entry) correct(model, steps);
+  if (from <= Stage::condition && !find_balance(model, steps)) return reading_;
   if (steps.needs_balls && !report_.converged()) return reading_;
 
   friction::BearingState<double> s = state(model);
@@ -239,7 +254,7 @@ void solve_balances(const Model& model, const Steps& steps, std::span<RowPredict
 
 void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
                  std::span<double> readings, Stage from) {
-  if (from == Stage::condition) solve_balances(model, steps, rows);
+  if (from <= Stage::condition) solve_balances(model, steps, rows);
   const auto predict = [&](std::size_t k) {
     const std::size_t end = std::min((k + 1) * chunk, rows.size());
     for (std::size_t i = k * chunk; i < end; ++i) readings[i] = rows[i].predict(model, steps, from);

@@ -29,7 +29,7 @@ class RowPredictor {
 
   /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered; values of
   /// the model that act before `from` must be those of the last call.
-  double predict(const Model& model, const Steps& steps, Stage from = Stage::condition);
+  double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
   /// The balance that predict() will need, for callers that solve many at once and answer() before
   /// they call it; nothing where it needs none, remembers it, or needs one at an imposed tilt.
@@ -46,6 +46,7 @@ class RowPredictor {
   [[nodiscard]] friction::BearingState<double> state(const Model& model) const;
   std::optional<bearing::BearingCase> question(const Model& model);
   void solve(const Model& model);
+  void correct(const Model& model, const Steps& steps);
   // The steps; each from what those before it have left in the members below.
   [[nodiscard]] bool find_balance(const Model& model, const Steps& steps);
   void find_film(const Model& model, const Steps& steps, friction::BearingState<double>& s);
@@ -56,7 +57,10 @@ class RowPredictor {
   bearing::OperatingPoint point_;
   effects::Record record_;
   effects::Condition given_;
-  double entered_viscosity_, radial_load_;
+  double radial_load_;
+
+  double temperature_, viscosity_;          // of the row, as corrected
+  std::optional<friction::Lubricant> oil_;  // where it is not that of the model
 
   effects::Condition condition_;
   std::shared_ptr<const bearing::Bearing> bearing_;  // null: as entered
@@ -74,7 +78,7 @@ void solve_balances(const Model& model, const Steps& steps, std::span<RowPredict
 /// predict() for all rows, the balances they need solved side by side and the rows shared among
 /// threads: each row is predicted by itself, so that the number of threads changes no digit.
 void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,
-                 std::span<double> readings, Stage from = Stage::condition);
+                 std::span<double> readings, Stage from = Stage::entry);
 
 /// Balances of points as entered, without any effect.
 [[nodiscard]] std::vector<Balance> entered_balances(

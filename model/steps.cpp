@@ -17,15 +17,17 @@ Steps::Steps(const Model& model, bool with_equilibrium, const record::Channel& r
       needs_balls(needs_equilibrium(model)) {
   for (std::size_t k = 0; k < model.effects.size(); ++k) {
     const effects::Description& d = *model.effects[k].description;
+    if (d.entry) entry.push_back(k);
     if (d.condition) condition.push_back(k);
     if (d.lubricant) lubricant.push_back(k);
     if (d.has_moment()) moment.push_back(k);
     if (d.reads(read)) reading.push_back(k);
   }
   // Descriptions of the catalogue stand in one array, in its order.
-  std::stable_sort(lubricant.begin(), lubricant.end(), [&](std::size_t a, std::size_t b) {
-    return std::less<>()(model.effects[a].description, model.effects[b].description);
-  });
+  for (auto* list : {&entry, &lubricant})
+    std::stable_sort(list->begin(), list->end(), [&](std::size_t a, std::size_t b) {
+      return std::less<>()(model.effects[a].description, model.effects[b].description);
+    });
 }
 
 Stage first_stage(const Model& model, const Steps& steps, int effect) {
@@ -35,6 +37,7 @@ Stage first_stage(const Model& model, const Steps& steps, int effect) {
     return steps.lubricant.empty() ? Stage::base : Stage::lubricant;
   }
   const effects::Description& d = *model.effects[static_cast<std::size_t>(effect)].description;
+  if (d.entry) return Stage::entry;
   if (d.condition) return Stage::condition;
   if (d.lubricant) return Stage::lubricant;
   return d.has_moment() ? Stage::moment : Stage::reading;

@@ -15,7 +15,7 @@ namespace raceway::model {
 /// Which effects of a model act where; found once for many predictions.
 struct Steps {
   /// Indices into Model::effects; `reading` is that of the channel that is read.
-  std::vector<std::size_t> condition, lubricant, moment, reading;
+  std::vector<std::size_t> entry, condition, lubricant, moment, reading;
   bool equilibrium = false;  ///< to be solved
   bool needs_balls = false;  ///< without it there is no prediction
   explicit Steps(const Model& model, bool with_equilibrium = false,
@@ -23,7 +23,7 @@ struct Steps {
 };
 
 /// The first thing that a changed number of a model can change.
-enum class Stage { condition, lubricant, base, moment, reading };
+enum class Stage { entry, condition, lubricant, base, moment, reading };
 
 /// The stage that a number of the base law (`effect` < 0) or of an effect acts on first.
 [[nodiscard]] Stage first_stage(const Model& model, const Steps& steps, int effect);

@@ -56,14 +56,14 @@ RigPredictor::RigPredictor(const model::Model& model, const record::Record& reco
 
 void RigPredictor::set(std::span<const double> values, model::Stage& from) {
   for (std::size_t k = 0; k < places_.size(); ++k) {
-    if (from != model::Stage::condition && values[k] == last_[k]) continue;
+    if (from != model::Stage::entry && values[k] == last_[k]) continue;
     places_[k].set(model_, values[k]);
     from = std::min(from, stages_[k]);
   }
 }
 
 void RigPredictor::readings(std::span<const double> values, std::span<double> out) {
-  model::Stage from = known_ ? model::Stage::reading : model::Stage::condition;
+  model::Stage from = known_ ? model::Stage::reading : model::Stage::entry;
   known_ = false;
   try {
     set(values, from);

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "effects/catalogue.h"
+#include "effects/oil_card.h"
+#include "effects/temperature_sensor.h"
 #include "fit/grid.h"
 #include "model/row.h"
 #include "rig/rig_predictor.h"
@@ -89,6 +92,16 @@ std::unique_ptr<fit::Predictor> RigSubject::predictor(
                                         static_cast<const EnteredBalances*>(prepared.get()));
 }
 
+std::unique_ptr<fit::Subject> RigSubject::informed_by(const fit::Record& record) const {
+  if (std::isfinite(model().rig.room_temperature)) return nullptr;
+  double coldest = std::numeric_limits<double>::infinity();
+  for (const double t : record.values(record::temperature)) coldest = std::fmin(coldest, t);
+  if (!std::isfinite(coldest)) return nullptr;
+  model::Model informed = model();
+  informed.rig.room_temperature = coldest;
+  return with(std::move(informed), waiting());
+}
+
 fit::Saturation RigSubject::saturation(const fit::Record& record) const {
   fit::Saturation s{.levels_before_candidates = true, .proportional = true};
   s.surface.inputs = {{logarithm(by_row(record, [](const auto& p) { return p.speed; })), 1e-3},
@@ -113,6 +126,11 @@ fit::Saturation RigSubject::saturation(const fit::Record& record) const {
   return s;
 }
 
+std::vector<const record::Channel*> RigSubject::scattering(const fit::Record& record) const {
+  if (!record.varies(record::temperature)) return {};
+  return {&record::temperature};
+}
+
 std::vector<fit::Factor> RigSubject::factors(const fit::Record& record) const {
   return {{"speed", by_row(record, [](const auto& p) { return p.speed; })},
           {"load",
@@ -129,6 +147,9 @@ std::optional<fit::Formula> RigSubject::formula(const fit::Record& record) const
               {"viscosity_mm2_s", "d", by_row(record, [&](const auto& p) {
                  return model().lubricant.kinematic_viscosity(p.temperature) / mm2_per_s;
                })}};
+  if (record.varies(record::radial_load))
+    f.inputs.push_back(
+        {"radial_load_N", "e", by_row(record, [](const auto& p) { return p.radial_load; })});
   return f;
 }
 
@@ -156,6 +177,27 @@ std::string RigSubject::words(std::span<const fit::Setting> point) const {
         text +=
             fmt::format("{}{:.0f} {}", text.empty() ? "" : ", ", channel->in_unit(s.value), unit);
   return text;
+}
+
+std::vector<std::string> RigSubject::records_needed(
+    const fit::Record&, const std::vector<std::vector<std::string>>& rivals,
+    const std::vector<std::string>&) const {
+  std::vector<std::string> needed;
+  const auto add = [&](std::string_view datum, std::string_view what) {
+    for (const std::vector<std::string>& set : rivals)
+      for (const std::string& id : set)
+        if (const auto* d = effects::find(id); d && d->datum == datum) {
+          needed.emplace_back(what);
+          return;
+        }
+  };
+  add(effects::LubricantViscosity::datum,
+      "the viscosity of the oil in use at 40 and 100 C, or the same points with a second oil");
+  add(effects::TemperatureOffset::datum,
+      "the temperature of the standing rig by a second sensor, at two room temperatures");
+  add(effects::TemperatureGain::datum,
+      "the temperature by a second sensor nearer the film, as at the outer ring");
+  return needed;
 }
 
 model::Expected RigSubject::expected() const {

@@ -18,15 +18,24 @@ class RigSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
+  /// The room is as cold as the coldest row where the model does not say it.
+  [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
   /// A torque times a cubic in ln speed, ln axial load and temperature with interactions; where the
   /// radial load varies with its logarithm as well.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
+  /// The temperature.
+  [[nodiscard]] std::vector<const record::Channel*> scattering(
+      const fit::Record& record) const override;
   /// Speed, load and viscosity.
   [[nodiscard]] std::vector<fit::Factor> factors(const fit::Record& record) const override;
   /// As an effect of the user's own takes it: the moment of one bearing.
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
+  /// What tells a wrong datum from an effect: the oil, or the temperature, measured again.
+  [[nodiscard]] std::vector<std::string> records_needed(
+      const fit::Record& record, const std::vector<std::vector<std::string>>& rivals,
+      const std::vector<std::string>& not_testable) const override;
 
   [[nodiscard]] model::Expected expected() const override;
 

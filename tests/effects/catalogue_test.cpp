@@ -34,6 +34,7 @@ bool has_need(const Description& d, Need need) {
 /// A model in which the effect can show: beside ball loads where it needs them.
 model::Model model_with(const Description& d, const std::vector<double>& values) {
   model::Model model = fit::synthetic_model();
+  model.rig.room_temperature = kelvin(20);
   if (has_need(d, Need::ball_load_law))
     model.effects.push_back({effects::find("spin-friction"), {0.06}, nullptr});
   model.effects.push_back({&d, values, nullptr});
@@ -69,7 +70,11 @@ std::pair<double, double> usual_range(const effects::Parameter& p) {
 }
 
 TEST(Catalogue, IsComplete) {
-  const std::set<std::string_view> wanted{"viscous-exponent",
+  const std::set<std::string_view> wanted{"lubricant-viscosity",
+                                          "viscosity-slope",
+                                          "temperature-offset",
+                                          "temperature-gain",
+                                          "viscous-exponent",
                                           "load-exponent",
                                           "spin-friction",
                                           "differential-slip",
@@ -119,8 +124,9 @@ TEST(Catalogue, IsComplete) {
     EXPECT_FALSE(d.confused_with.empty());
     for (const auto other : d.confused_with) EXPECT_EQ(names.count(other), 1U) << other;
     for (const Need need : d.needs) EXPECT_FALSE(effects::text(need).empty());
-    EXPECT_EQ((d.condition != nullptr) + (d.lubricant != nullptr) + d.has_moment() +
-                  (d.reading != nullptr),
+    EXPECT_EQ(d.entry != nullptr, !d.datum.empty());
+    EXPECT_EQ((d.entry != nullptr) + (d.condition != nullptr) + (d.lubricant != nullptr) +
+                  d.has_moment() + (d.reading != nullptr),
               1);
     EXPECT_TRUE(d.moves(Form::rig) || d.moves(Form::shaft));
     ASSERT_FALSE(d.parameters.empty());
@@ -281,11 +287,16 @@ TEST(Catalogue, SizeMovesTheTorqueOneWay) {
   const std::set<std::string_view> lowers{"film-self-heating", "inlet-shear-heating",
                                           "replenishment-starvation", "shear-thinning"};
   // Lighter balls lower the spin, stiffer ones the contact area, but the angle changes too; a
-  // smaller contact angle raises ball loads and lowers spin; the exponents turn at their reference.
-  const std::set<std::string_view> either{
-      "ball-material",           "interference-fit", "misalignment",
-      "thermal-ring-growth",     "viscous-exponent", "load-exponent",
-      "torque-temperature-drift"};
+  // smaller contact angle raises ball loads and lowers spin; the exponents turn at their reference,
+  // the slope of an oil at 40 C.
+  const std::set<std::string_view> either{"ball-material",
+                                          "interference-fit",
+                                          "misalignment",
+                                          "thermal-ring-growth",
+                                          "viscous-exponent",
+                                          "load-exponent",
+                                          "torque-temperature-drift",
+                                          "viscosity-slope"};
   const fit::DataSet plan = full_plan();
   for (const Description& d : torque_effects()) {
     if (either.count(d.id) > 0) continue;
@@ -461,6 +472,33 @@ TEST(ElasticHysteresis, EndsWhereItsApproximationEnds) {
   EXPECT_EQ(effects::hysteresis_moment(10 * mm, 0.0, 25.0, steel), 0.0);
 }
 
+/// Viscosity of the film that a model with this correction predicts [mm2/s].
+double viscosity_with(const char* id, double value, double temperature) {
+  const bearing::OperatingPoint p{
+      .speed = 5000 * rpm, .axial_load = 400, .temperature = kelvin(temperature)};
+  return model::predict_friction(model_with(*effects::find(id), {value}), p).kinematic_viscosity /
+         mm2_per_s;
+}
+
+TEST(WrongData, CorrectsWhatWasEnteredBeforeAnythingActs) {
+  const friction::Lubricant& oil = fit::synthetic_model().lubricant;
+  const auto at = [](const friction::Lubricant& o, double temperature) {
+    return o.kinematic_viscosity(kelvin(temperature)) / mm2_per_s;
+  };
+  // An oil with these values on its card.
+  const friction::Lubricant thick(1.4 * oil.viscosity_40C(), 1.4 * oil.viscosity_100C());
+  const friction::Lubricant steep(oil.viscosity_40C(), 0.9 * oil.viscosity_100C());
+  for (const double t : {25.0, 40.0, 70.0}) {
+    EXPECT_NEAR(viscosity_with("lubricant-viscosity", 1.4, t), at(thick, t), 1e-12 * at(thick, t));
+    EXPECT_NEAR(viscosity_with("viscosity-slope", 0.9, t), at(steep, t), 1e-12 * at(steep, t));
+  }
+  // A sensor that reads 5 K too little: the film is 5 K warmer.
+  EXPECT_NEAR(viscosity_with("temperature-offset", -5.0, 40.0), at(oil, 45.0), 1e-12);
+  // One that sees 60 % of a rise above 20 C: of 30 K in the film it shows 18.
+  EXPECT_NEAR(viscosity_with("temperature-gain", 0.6, 38.0), at(oil, 50.0), 1e-12);
+  EXPECT_NEAR(viscosity_with("temperature-gain", 0.6, 20.0), at(oil, 20.0), 1e-12);
+}
+
 TEST(GyroscopicSlip, SaysThatItIsEmpirical) {
   const Description& d = *effects::find("gyroscopic-slip");
   EXPECT_NE(d.title.find("empirical"), std::string_view::npos);
@@ -506,6 +544,7 @@ TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {
 TEST(Catalogue, OrderInTheModelChangesNothing) {
   const fit::DataSet plan = full_plan();
   model::Model model = fit::synthetic_model();
+  model.rig.room_temperature = kelvin(20);
   for (const Description& d : effects::catalogue())
     if (d.moves(Form::rig) && d.id != "misalignment")
       model.effects.push_back({&d, effects::initial_values(d), nullptr});

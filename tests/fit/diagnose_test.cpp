@@ -177,6 +177,16 @@ TEST(Diagnose, AsksForMeasurementsThatSeparateWhatItCannotTellApart) {
   ASSERT_EQ(d.verdict, Verdict::ambiguous) << d.sentence;
   EXPECT_THAT(named(d), testing::IsSupersetOf({"seal-friction", "torque-offset"}));
   EXPECT_THAT(d.effects[0].indistinguishable_from, testing::Not(testing::IsEmpty()));
+  // These two are the same where the seal's friction does not fall with temperature: no point
+  // would tell them apart, and none is advised.
+  EXPECT_LT(d.predicted_separation, 0.5);
+  EXPECT_TRUE(d.suggested_measurements.empty());
+  EXPECT_THAT(d.sentence, testing::Not(HasSubstr("Measure:")));
+}
+
+TEST(Diagnose, AsksForMeasurementsWhereTheyWouldTell) {
+  const Diagnosis d = diagnose(belief(), measured(with_effect("cage-friction", {20.0}), 4));
+  ASSERT_EQ(d.verdict, Verdict::ambiguous) << d.sentence;
   EXPECT_FALSE(d.suggested_measurements.empty());
   EXPECT_GE(d.predicted_separation, d.separation_by_repetition - 1e-6);
 }

@@ -526,6 +526,8 @@ TEST(ModelEdit, AnAddedEffectReadsBackAsItIs) {
 TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
   // torque-offset has a parameter torque_Nmm, which elsewhere is the formula of a user's effect.
   const std::string bearing = complete.substr(0, complete.find("[calibration]"));
+  const std::string rig =
+      std::string(bearing).replace(bearing.find("[rig]"), 5, "[rig]\nroom_temperature_C = 20");
   const std::string shaft =
       bearing + "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n";
   for (const effects::Form form : {effects::Form::rig, effects::Form::shaft})
@@ -533,7 +535,7 @@ TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
       SCOPED_TRACE(d.id);
       const bool on_shaft = form == effects::Form::shaft;
       const effects::Effect effect{.description = &d, .values = effects::initial_values(d)};
-      const std::string text = with_effect(on_shaft ? shaft : bearing, effect);
+      const std::string text = with_effect(on_shaft ? shaft : rig, effect);
       if (!d.belongs_to(form)) {
         EXPECT_THAT(error_of(text),
                     HasSubstr(on_shaft ? "acts on a bearing on a rig, but this model is of a shaft"
@@ -545,6 +547,31 @@ TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
       EXPECT_EQ(m.effects[0].description, &d);
       EXPECT_EQ(m.effects[0].values, effect.values);
     }
+}
+
+TEST(ModelEdit, WrongDataIsPutRight) {
+  ModelFile file = parse_model(complete.substr(0, complete.find("[calibration]")), "m.toml");
+  file.model.rig.room_temperature = unset;
+  model::Model found = file.model;
+  const double at_40 = found.lubricant.viscosity_40C(), at_100 = found.lubricant.viscosity_100C();
+  found.effects = {{.description = effects::find("viscosity-slope"), .values = {0.9}},
+                   {.description = effects::find("temperature-gain"), .values = {0.6}}};
+  found.rig.room_temperature = kelvin(23.5);
+  const std::string text = with_model(file, found);
+  // The oil card has the corrected number; the sensor is corrected by an effect with its room.
+  const model::Model m = parse_model(text, "m.toml").model;
+  EXPECT_DOUBLE_EQ(m.lubricant.viscosity_40C(), at_40);
+  EXPECT_NEAR(m.lubricant.viscosity_100C(), 0.9 * at_100, 1e-14 * at_100);
+  EXPECT_THAT(text, HasSubstr("was entered"));
+  ASSERT_EQ(m.effects.size(), 1u);
+  EXPECT_EQ(m.effects[0].description->id, "temperature-gain");
+  EXPECT_NEAR(m.rig.room_temperature, kelvin(23.5), 1e-10);
+}
+
+TEST(ModelEdit, ASensorThatSeesAShareNeedsTheRoom) {
+  const std::string bearing = complete.substr(0, complete.find("[calibration]"));
+  const effects::Effect gain{.description = effects::find("temperature-gain"), .values = {0.6}};
+  EXPECT_THAT(error_of(with_effect(bearing, gain)), HasSubstr("room_temperature_C"));
 }
 
 }  // namespace

@@ -105,7 +105,7 @@ TEST(DiagnoseDisplacement, SaysWhatToMeasureAfterAPlainSweep) {
 /// Rings that grow with their temperature, told from those that grow with speed by a run up and
 /// down during which they warm.
 TEST(DiagnoseDisplacement, TellsHeatFromSpeedByRunsUpAndDown) {
-  const Model truth = with_effect(two_against_one(), "thermal-ring-growth", {0.4});
+  const Model truth = with_effect(two_against_one(), "thermal-ring-growth", {0.8});
   const Diagnosis d =
       diagnose(two_against_one(), undeclared_records(truth, ShaftPlan::up_and_down, 1));
   EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// An oil of another grade than the one entered: its viscosity at every temperature by the same
+/// factor.
+///
+///   ν40 -> k ν40,   ν100 -> k ν100
+///
+/// Source:   definition; between neighbours of the ISO grades (ISO 3448) lies a factor of 1.5, and
+///           an oil may be 10 % off the middle of its grade.
+/// Domain:   every viscosity. The viscous moment of Palmgren goes with ν^(2/3), so that f0 takes
+///           this up but for slow and thin oil (ν n below 2000) and for what else knows viscosity.
+struct LubricantViscosity {
+  static constexpr std::string_view id = "lubricant-viscosity";
+  static constexpr std::string_view title = "the oil is of another grade than entered";
+  static constexpr std::string_view datum = "the oil card";
+  static constexpr std::string_view mechanism =
+      "Not physics but a datum: the viscosity in the model is not that of the oil in the bearing, "
+      "by one factor at all temperatures.";
+  static constexpr std::string_view formula = "nu40 -> k nu40, nu100 -> k nu100";
+  static constexpr std::string_view source = "definition; grades of ISO 3448";
+  static constexpr std::array<std::string_view, 2> confused_with{"f0", "viscosity-slope"};
+  static constexpr std::array parameters{Parameter{.name = "factor_at_40_C",
+                                                   .unit = "1",
+                                                   .initial = 1.0,
+                                                   .lower = 0.2,
+                                                   .upper = 5.0,
+                                                   .plausible_lower = 0.45,
+                                                   .plausible_upper = 2.2,
+                                                   .neutral = 1.0}};
+  static constexpr std::array<Need, 0> needs{};
+  static constexpr Form form = Form::rig;
+
+  static void entry(Entry& entry, std::span<const double> values) {
+    entry.viscosity_40C *= values[0];
+    entry.viscosity_100C *= values[0];
+  }
+};
+
+/// An oil whose viscosity falls otherwise with temperature than the one entered.
+///
+///   ν100 -> k ν100,   ν40 as it is
+///
+/// Source:   definition. Oils of one grade differ in ν100 by some 20 %: a viscosity index of 95 or
+///           150 at 32 mm²/s means 5.4 or 6.1 mm²/s.
+/// Domain:   more than one temperature; k ν100 below ν40.
+struct ViscositySlope {
+  static constexpr std::string_view id = "viscosity-slope";
+  static constexpr std::string_view title = "the oil thins otherwise with temperature than entered";
+  static constexpr std::string_view datum = "the oil card";
+  static constexpr std::string_view mechanism =
+      "Not physics but a datum: the fall of viscosity with temperature in the model is not that of "
+      "the oil in the bearing.";
+  static constexpr std::string_view formula = "nu100 -> k nu100, nu40 as it is";
+  static constexpr std::string_view source = "definition; viscosity index of ISO 2909";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "temperature-offset", "temperature-gain", "churning", "cage-friction"};
+  static constexpr std::array parameters{Parameter{.name = "factor_at_100_C",
+                                                   .unit = "1",
+                                                   .initial = 1.0,
+                                                   .lower = 0.3,
+                                                   .upper = 3.0,
+                                                   .plausible_lower = 0.7,
+                                                   .plausible_upper = 1.4,
+                                                   .neutral = 1.0}};
+  static constexpr std::array needs{Need::viscosity_levels};
+  static constexpr Form form = Form::rig;
+
+  static void entry(Entry& entry, std::span<const double> values) {
+    entry.viscosity_100C *= values[0];
+  }
+};
+
+}  // namespace raceway::effects

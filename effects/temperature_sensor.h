@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// A temperature sensor that reads too much, or the film too little above it.
+///
+///   T_read = T + c
+///
+/// Source:   definition. Type K thermocouples are good for 1.5 K, with their instrument for 3 to 5.
+/// Domain:   every temperature.
+struct TemperatureOffset {
+  static constexpr std::string_view id = "temperature-offset";
+  static constexpr std::string_view title = "the temperature sensor reads too much or too little";
+  static constexpr std::string_view datum = "the temperature sensor";
+  static constexpr std::string_view mechanism =
+      "Not physics but a datum: the temperature in the record is off by the same amount in every "
+      "row, and with it the viscosity.";
+  static constexpr std::string_view formula = "T_read = T + c";
+  static constexpr std::string_view source = "definition; IEC 60584 for thermocouples";
+  static constexpr std::array<std::string_view, 3> confused_with{"f0", "viscosity-slope",
+                                                                 "temperature-gain"};
+  static constexpr std::array parameters{Parameter{.name = "offset_K",
+                                                   .unit = "K",
+                                                   .initial = 0.0,
+                                                   .lower = -40.0,
+                                                   .upper = 40.0,
+                                                   .plausible_lower = -10.0,
+                                                   .plausible_upper = 10.0}};
+  static constexpr std::array needs{Need::viscosity_levels};
+  static constexpr Form form = Form::rig;
+
+  static void entry(Entry& entry, std::span<const double> values) {
+    entry.temperature -= values[0];
+  }
+};
+
+/// A temperature sensor away from the film, which sees a share of its rise.
+///
+///   T_read = T_room + s (T - T_room)
+///
+/// Source:   steady conduction from the film past the sensor to the room: shares of a resistance.
+/// Domain:   s > 0; T_room as stated for the rig, or the coldest row of the record.
+struct TemperatureGain {
+  static constexpr std::string_view id = "temperature-gain";
+  static constexpr std::string_view title = "the temperature sensor sees a share of the rise";
+  static constexpr std::string_view datum = "the place of the temperature sensor";
+  static constexpr std::string_view mechanism =
+      "Not physics but a datum: the sensor sits away from the film and sees a share of its rise "
+      "above the room. The film is warmer than the record says, most where it is warm.";
+  static constexpr std::string_view formula = "T_read = T_room + s (T - T_room)";
+  static constexpr std::string_view source = "steady conduction past the sensor; range assumed";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "viscosity-slope", "temperature-offset", "film-self-heating", "viscous-exponent"};
+  static constexpr std::array parameters{Parameter{.name = "share_seen",
+                                                   .unit = "1",
+                                                   .initial = 1.0,
+                                                   .lower = 0.15,
+                                                   .upper = 3.0,
+                                                   .plausible_lower = 0.3,
+                                                   .plausible_upper = 1.05,
+                                                   .neutral = 1.0}};
+  static constexpr std::array needs{Need::viscosity_levels};
+  static constexpr Form form = Form::rig;
+
+  static void entry(Entry& entry, std::span<const double> values) {
+    entry.temperature = entry.room + (entry.temperature - entry.room) / values[0];
+  }
+};
+
+}  // namespace raceway::effects
