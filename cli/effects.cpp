@@ -50,6 +50,7 @@ std::string_view measured(bool torque, bool displacement) {
 }
 
 std::string_view step_explained(const Description& d) {
+  if (d.entry) return "entry: what was entered or read, corrected before anything acts on it";
   if (d.condition)
     return d.for_rig ? "condition: what the bearing really sees, before its equilibrium"
                      : "condition: what the sets on the shaft really see, before their balance";
