@@ -172,7 +172,7 @@ void Investigation::describe_base() {
             [&](std::size_t a, std::size_t b) { return record_.line(a) < record_.line(b); });
   if (!outliers.empty())
     tell(
-        fmt::format("{} row(s) stand more than 3.5 standard deviations apart and count with less "
+        fmt::format("{} row(s) stand further apart than scatter does and count with less "
                     "weight, first {}",
                     outliers.size(), record_.place(outliers.front())));
   const std::size_t left_out = result_.rows_not_predicted.size();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/observations.h"
+#include "fit/row_order.h"
 #include "fit/whitening.h"
 
 namespace raceway::fit {
@@ -62,18 +63,10 @@ struct ChannelReadings {
 [[nodiscard]] ChannelReadings readings_of(const Record& record, const Observations& observed,
                                           std::size_t channel);
 
-/// Settings that vary and are constant within every run, in words: "axial load"; empty where there
-/// are none or no runs.
-[[nodiscard]] std::string nested_settings(const Record& record);
-
-/// Rows in the one order that all of the diagnosis uses, whatever order a record has: by time where
-/// all rows have one (within runs, if runs overlap in time), then by settings.
-[[nodiscard]] std::vector<std::size_t> order_of_rows(const Record& record);
-
 /// Noise from the saturated regression `columns` (SI, full rank) by restricted maximum likelihood.
 /// `size` is a typical reading of each [SI, > 0]; it only decides the first weights.
-/// Readings further than 3.5 robust standard deviations off are counted with the deviation they
-/// have.
+/// Readings further off than scatter is, as rare as 3.5 standard deviations of a known law, count
+/// the less the further they are, and are no degree of freedom.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,

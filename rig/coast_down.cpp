@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "record/median.h"
 #include "rig/speed_regression.h"
 
 namespace raceway::rig {
@@ -201,7 +202,7 @@ class RunRegression {
            places_text(record_, driven));
     summary_.rows = static_cast<int>(deviations.size());
     if (deviations.empty()) return;
-    summary_.torque_std = median(deviations);
+    summary_.torque_std = record::median(deviations);
     note(
         "{} torques from {} speed samples by local regression, M = -J dw/dt with J = {:.6g} kg "
         "m2; standard deviation {:.3g} N mm (speed {:.3g} rpm{})",

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "record/median.h"
+
 namespace raceway::rig {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double outlier_limit = 8.0;  // robust deviations
 /// Standard deviation from the median magnitude, for residuals of which less than half are bad.
 double robust_deviation(const Eigen::VectorXd& residuals) {
   const Eigen::VectorXd magnitude = residuals.cwiseAbs();
-  return 1.4826 * median({magnitude.begin(), magnitude.end()});
+  return 1.4826 * record::median({magnitude.begin(), magnitude.end()});
 }
 
 Eigen::MatrixX3d powers_of_time(std::span<const Block> blocks, double origin, double scale) {
@@ -43,7 +45,7 @@ Eigen::VectorXd robust_residuals(std::span<const Block> samples) {
   const Eigen::MatrixX3d powers =
       powers_of_time(samples, mean_time(samples), samples.back().time - samples.front().time);
   const Eigen::VectorXd speeds = speeds_of(samples);
-  Eigen::Vector3d c(median({speeds.begin(), speeds.end()}), 0.0, 0.0);
+  Eigen::Vector3d c(record::median({speeds.begin(), speeds.end()}), 0.0, 0.0);
   Eigen::VectorXd residual = speeds - powers * c;
   for (int iteration = 0; iteration < 20; ++iteration) {
     const double scale = std::max(robust_deviation(residual), 1e-9 * speeds.maxCoeff());
@@ -145,12 +147,6 @@ class NeighbourCorrelation {
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 LocalParabola local_parabola(std::span<const Block> blocks) {
   const double origin = mean_time(blocks);
   const double scale = blocks.back().time - blocks.front().time;
@@ -179,7 +175,7 @@ std::vector<bool> find_outliers(std::span<const Block> samples, std::size_t leng
     residuals.push_back(robust_residuals(samples.subspan(first, last - first)));
     scales.push_back(robust_deviation(residuals.back()));
   }
-  const double usual = median(scales);
+  const double usual = record::median(scales);
   const double floor = 1e-9 * samples.front().speed;
   std::vector<bool> outlier;
   outlier.reserve(samples.size());
@@ -218,7 +214,7 @@ std::vector<std::span<const Block>> segments(std::span<const Block> samples, dou
     std::vector<double> spacing;
     for (std::size_t k = from; k <= to; ++k)
       spacing.push_back(samples[k].time - samples[k - 1].time);
-    if (samples[i].time - samples[i - 1].time > limit * median(std::move(spacing))) {
+    if (samples[i].time - samples[i - 1].time > limit * record::median(std::move(spacing))) {
       parts.push_back(samples.subspan(first, i - first));
       first = i;
     }

@@ -42,8 +42,6 @@ struct SpeedNoise {
   double correlation;
 };
 
-[[nodiscard]] double median(std::vector<double> values);
-
 [[nodiscard]] LocalParabola local_parabola(std::span<const Block> blocks);
 
 /// Marks samples far from a robust local parabola, in deviations of their part (of about `length`

@@ -1,0 +1,155 @@
+#include "fit/row_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "record/levels.h"
+#include "record/median.h"
+
+namespace raceway::fit {
+
+namespace {
+
+constexpr std::size_t fewest_blocks = 3, shortest_block = 4;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Where blocks of rows begin that look like runs nobody declared: a setting goes one way, as in a
+/// run-up, and starts again. Of several settings the one with most blocks; nothing where blocks are
+/// as short as chance makes them.
+std::vector<bool> undeclared_blocks(const Record& record, std::span<const std::size_t> rows) {
+  std::vector<bool> best;
+  if (rows.empty()) return best;
+  std::size_t most = fewest_blocks - 1;
+  for (const record::Column& column : record.columns) {
+    if (column.channel->role != record::Role::setting) continue;
+    std::vector<double> values;
+    for (const std::size_t row : rows) values.push_back(column.values[row]);
+    const double step = record::step_of(*column.channel, values);
+    std::vector<bool> begins(rows.size(), false);
+    std::size_t blocks = 1;
+    double direction = 0.0;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      const double change = values[i] - values[i - 1];
+      if (!(std::abs(change) > step)) continue;
+      if (change * direction < 0.0) {
+        begins[i] = true;
+        ++blocks;
+        direction = 0.0;
+      } else {
+        direction = change;
+      }
+    }
+    begins[0] = true;
+    if (blocks <= most || rows.size() < shortest_block * blocks) continue;
+    most = blocks;
+    best = std::move(begins);
+  }
+  return best;
+}
+
+/// True where a run begins before one that began earlier has ended.
+bool runs_overlap(const Record& record) {
+  std::map<int, std::pair<double, double>> span;
+  for (std::size_t i = 0; i < record.rows(); ++i) {
+    const double t = record.value(record::time, i);
+    auto [it, fresh] = span.try_emplace(record.run_of(i), t, t);
+    it->second.first = std::min(it->second.first, t);
+    it->second.second = std::max(it->second.second, t);
+  }
+  std::vector<std::pair<double, double>> spans;
+  for (const auto& [run, s] : span) spans.push_back(s);
+  std::sort(spans.begin(), spans.end());
+  for (std::size_t k = 1; k < spans.size(); ++k)
+    if (spans[k].first < spans[k - 1].second) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::size_t> order_of_rows(const Record& record) {
+  const bool timed = record.complete(record::time);
+  const bool by_run = record.has(record::run) && (!timed || runs_overlap(record));
+  std::vector<std::span<const double>> keys;
+  if (by_run) keys.push_back(record.values(record::run));
+  if (timed) keys.push_back(record.values(record::time));
+  for (const record::Role role : {record::Role::setting, record::Role::measured})
+    for (const record::Column& c : record.columns)
+      if (c.channel->role == role) keys.emplace_back(c.values);
+  std::vector<std::size_t> order(record.rows());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    for (const std::span<const double> key : keys) {
+      const double x = std::isnan(key[a]) ? -infinity : key[a];
+      const double y = std::isnan(key[b]) ? -infinity : key[b];
+      if (x != y) return x < y;
+    }
+    return false;
+  });
+  return order;
+}
+
+std::string nested_settings(const Record& record) {
+  std::string words;
+  for (const record::Column& column : record.columns) {
+    if (column.channel->role != record::Role::setting || !record.varies(*column.channel)) continue;
+    const double step = record::step_of(*column.channel, column.values);
+    std::map<int, std::pair<double, double>> range;
+    for (std::size_t i = 0; i < record.rows(); ++i) {
+      const auto [at, is_new] =
+          range.try_emplace(record.run_of(i), column.values[i], column.values[i]);
+      at->second.first = std::min(at->second.first, column.values[i]);
+      at->second.second = std::max(at->second.second, column.values[i]);
+    }
+    const bool constant = std::all_of(range.begin(), range.end(), [&](const auto& run) {
+      return run.second.second - run.second.first <= step;
+    });
+    if (range.size() > 1 && constant)
+      words += (words.empty() ? "" : " and ") + std::string(column.channel->words);
+  }
+  return words;
+}
+
+RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
+  RowOrder order;
+  order.has_time = !rows.empty();
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double now = record.value(record::time, rows[i]);
+    const double before = i == 0 ? unset : record.value(record::time, rows[i - 1]);
+    const double step = now - before;
+    if (!std::isfinite(now)) order.has_time = false;
+    // A step back: the clock of another run.
+    order.step.push_back(i == 0 || step < 0.0 || !std::isfinite(step) ? infinity : step);
+    order.new_run.push_back(i == 0 || record.run_of(rows[i]) != record.run_of(rows[i - 1]));
+    if (std::isfinite(order.step.back()) && step > 0.0) steps.push_back(step);
+    order.has_runs = order.has_runs || (i > 0 && order.new_run.back());
+  }
+  if (steps.empty()) order.has_time = false;
+  const double middle = order.has_time ? record::median(steps) : 1.0;
+  order.median_step = middle;
+  if (!order.has_runs && !record.has(record::run))
+    order.new_block = undeclared_blocks(record, rows);
+  for (double& step : order.step) step = order.has_time ? std::max(step / middle, 0.05) : infinity;
+  return order;
+}
+
+RowOrder order_of(const RowOrder& all, const std::vector<Eigen::Index>& some) {
+  if (some.size() == all.step.size()) return all;
+  RowOrder order = all;
+  order.step.clear();
+  order.new_run.clear();
+  order.new_block.clear();
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    const auto i = static_cast<std::size_t>(some[k]);
+    const bool joined = k > 0 && some[k] == some[k - 1] + 1;
+    order.step.push_back(joined ? all.step[i] : infinity);
+    order.new_run.push_back(!joined || all.new_run[i]);
+    if (!all.new_block.empty()) order.new_block.push_back(!joined || all.new_block[i]);
+  }
+  return order;
+}
+
+}  // namespace raceway::fit
