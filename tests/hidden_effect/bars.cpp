@@ -204,8 +204,8 @@ const std::vector<Block>& blocks() {
       {"two", "two effects at once, factorial and run-up plan"},
       {"invariance", "the same rig with rows, candidates, parameters in another order"},
       {"time", "how long a verdict takes, one rig after the other on one core"},
-      {"real", "plans, noise and mistakes of real laboratories"},
       {"blind", "a third each: nothing, one of the catalogue, outside or two; any plan and noise"},
+      {"real", "plans, noise and mistakes of real laboratories"},
   };
   return all;
 }

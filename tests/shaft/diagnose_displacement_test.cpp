@@ -105,11 +105,18 @@ TEST(DiagnoseDisplacement, SaysWhatToMeasureAfterAPlainSweep) {
 /// Rings that grow with their temperature, told from those that grow with speed by a run up and
 /// down during which they warm.
 TEST(DiagnoseDisplacement, TellsHeatFromSpeedByRunsUpAndDown) {
-  const Model truth = with_effect(two_against_one(), "thermal-ring-growth", {0.8});
-  const Diagnosis d =
-      diagnose(two_against_one(), undeclared_records(truth, ShaftPlan::up_and_down, 1));
-  EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
-  EXPECT_THAT(in_verdict(d), ElementsAre("thermal-ring-growth"));
+  const Model truth = with_effect(two_against_one(), "thermal-ring-growth", {0.4});
+  // docs/shaft.md: found in 97 of 100, and nothing named in the others.
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Diagnosis d =
+        diagnose(two_against_one(), undeclared_records(truth, ShaftPlan::up_and_down, seed));
+    if (d.verdict == Verdict::nothing_missing) continue;
+    ++found;
+    EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
+    EXPECT_THAT(in_verdict(d), ElementsAre("thermal-ring-growth"));
+  }
+  EXPECT_GE(found, 18);
 }
 
 TEST(DiagnoseDisplacement, TriesOnlyWhatMovesAShaft) {
