@@ -5,6 +5,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "fit/smooth_columns.h"
 #include "fit/subspace.h"
@@ -14,6 +15,8 @@ namespace raceway::fit {
 namespace {
 
 constexpr std::size_t most_pairs = 40;     // refitted
+constexpr std::size_t most_parents = 8;    // pairs that triples are made of
+constexpr std::size_t most_triples = 24;   // refitted
 constexpr double pair_reach = 30.0;        // of -2 ln L below the best linearised pair
 constexpr double pair_reach_share = 0.15;  // of its gain, where that is more
 constexpr double exponent_limit = 0.2;
@@ -254,23 +257,36 @@ std::vector<std::pair<double, Attribution::Members>> Attribution::weigh_pairs(
   return order;
 }
 
-/// Started from the two singles.
-Explanation Attribution::refit_pair(const Explanation& first, const Explanation& second) const {
+Eigen::VectorXd Attribution::values_of(const Explanation& e, std::size_t member) const {
+  std::size_t at = problem_.base.size();
+  for (const std::size_t k : e.members) {
+    const std::size_t count = problem_.candidates[k].candidate.parameters.size();
+    if (k == member)
+      return e.fit.values.segment(static_cast<Eigen::Index>(at), static_cast<Eigen::Index>(count));
+    at += count;
+  }
+  return {};
+}
+
+Explanation Attribution::refit_together(const Explanation& first, const Explanation& single) const {
+  std::vector<std::size_t> members = first.members;
+  members.push_back(single.members.front());
+  std::sort(members.begin(), members.end());
   const auto bases = static_cast<Eigen::Index>(problem_.base.size());
-  const Eigen::VectorXd &x = first.fit.values, &y = second.fit.values;
-  Eigen::VectorXd start(x.size() + y.size() - bases);
-  start << x, y.tail(y.size() - bases);
-  Eigen::VectorXd halved = start;
-  const auto halve = [&](const Explanation& single, Eigen::Index at) {
-    const Screened& s = problem_.candidates[single.members.front()];
-    double& size = halved[at + static_cast<Eigen::Index>(s.candidate.size)];
-    size = 0.5 * (size + s.size().neutral);
+  Eigen::VectorXd start = first.fit.values.head(bases), halved = start;
+  const auto append = [](Eigen::VectorXd& to, const Eigen::VectorXd& values) {
+    to.conservativeResize(to.size() + values.size());
+    to.tail(values.size()) = values;
   };
-  halve(first, bases);
-  halve(second, x.size());
-  Explanation pair = refit({first.members.front(), second.members.front()}, {start, halved});
-  if (pair.fit.converged) pair.least_loss = pair.gain - std::max(first.gain, second.gain);
-  return pair;
+  for (const std::size_t k : members) {
+    const Screened& s = problem_.candidates[k];
+    Eigen::VectorXd own = values_of(k == single.members.front() ? single : first, k);
+    append(start, own);
+    double& size = own[static_cast<Eigen::Index>(s.candidate.size)];
+    size = 0.5 * (size + s.size().neutral);
+    append(halved, own);
+  }
+  return refit(members, {start, halved});
 }
 
 std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& singles,
@@ -285,8 +301,66 @@ std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& sing
         -negative < best - std::max(pair_reach, pair_reach_share * best))
       break;
     if (cancelled && cancelled()) break;
-    Explanation pair = refit_pair(*alone[members.first], *alone[members.second]);
-    if (pair.fit.converged) result.push_back(std::move(pair));
+    const Explanation &first = *alone[members.first], &second = *alone[members.second];
+    Explanation pair = refit_together(first, second);
+    if (!pair.fit.converged) continue;
+    pair.least_loss = pair.gain - std::max(first.gain, second.gain);
+    result.push_back(std::move(pair));
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Explanation& a, const Explanation& b) { return a.gain > b.gain; });
+  return result;
+}
+
+std::vector<Explanation> Attribution::triples(const std::vector<Explanation>& pairs,
+                                              const std::vector<Explanation>& singles,
+                                              const std::function<bool()>& cancelled) const {
+  const Directions d = directions(singles);
+  struct Choice {
+    double gain;
+    const Explanation *pair, *single;
+  };
+  std::vector<Choice> order;
+  // Data that may be wrong fit what two effects leave of anything: not beside two.
+  const auto is_data = [this](std::size_t k) {
+    return !problem_.candidates[k].candidate.datum.empty();
+  };
+  std::size_t parents = 0;
+  for (const Explanation& pair : pairs) {
+    if (std::any_of(pair.members.begin(), pair.members.end(), is_data)) continue;
+    if (++parents > most_parents) break;
+    const Eigen::VectorXd rest = project_off(pair.fit.tangent, pair.fit.residual);
+    const Eigen::MatrixXd columns = project_off(pair.fit.tangent, d.columns);
+    for (const Explanation& single : singles) {
+      const std::size_t k = single.members.front();
+      if (!single.fit.converged || is_data(k) ||
+          std::find(pair.members.begin(), pair.members.end(), k) != pair.members.end())
+        continue;
+      double most = 0.0;
+      for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+        const double square = columns.col(j).squaredNorm();
+        if (d.owner[static_cast<std::size_t>(j)] != k ||
+            !(square > 1e-6 * d.columns.col(j).squaredNorm()))
+          continue;
+        const double along = columns.col(j).dot(rest);
+        if (along > 0.0 || !d.one_sided[static_cast<std::size_t>(j)])
+          most = std::max(most, along * along / square);
+      }
+      order.push_back({pair.gain + most, &pair, &single});
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Choice& a, const Choice& b) { return a.gain > b.gain; });
+  std::vector<Explanation> result;
+  std::set<std::vector<std::size_t>> tried;
+  for (const Choice& c : order) {
+    if (tried.size() >= most_triples || (cancelled && cancelled())) break;
+    std::vector<std::size_t> members = c.pair->members;
+    members.push_back(c.single->members.front());
+    std::sort(members.begin(), members.end());
+    if (!tried.insert(members).second) continue;
+    Explanation triple = refit_together(*c.pair, *c.single);
+    if (triple.fit.converged) result.push_back(std::move(triple));
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Explanation& a, const Explanation& b) { return a.gain > b.gain; });

@@ -11,7 +11,7 @@
 
 namespace raceway::fit {
 
-/// The model with one or two candidates, refitted with all base parameters free.
+/// The model with one to three candidates, refitted with all base parameters free.
 struct Explanation {
   std::vector<std::size_t> members{};  ///< indices into Problem::candidates, rising
   Response response{};                 ///< empty where the law is bent
@@ -20,7 +20,7 @@ struct Explanation {
   double gain = unset;  ///< fall of -2 ln L against the base, less ln N for each shape that is free
   Gate recheck{};       ///< of what is left, against the rest of the catalogue
   bool rechecked = false;
-  double least_loss = unset;  ///< rise of -2 ln L when the lesser member of a pair is dropped
+  double least_loss = unset;  ///< rise of -2 ln L when the least of several members is dropped
   bool elastic = false;       ///< with exponents that bend the law
   /// Of every factor of the subject, by its name; 0 where it does not vary.
   std::vector<NamedValue> exponents{};
@@ -54,6 +54,11 @@ class Attribution {
   /// within reach of the best are refitted.
   [[nodiscard]] std::vector<Explanation> pairs(const std::vector<Explanation>& singles,
                                                const std::function<bool()>& cancelled) const;
+  /// Triples that may beat the best pair, from the best pairs and one candidate more, refitted;
+  /// best first.
+  [[nodiscard]] std::vector<Explanation> triples(const std::vector<Explanation>& pairs,
+                                                 const std::vector<Explanation>& singles,
+                                                 const std::function<bool()>& cancelled) const;
   /// The law of one candidate bent by powers of the subject's factors within +-0.2.
   [[nodiscard]] Explanation elastic(const Explanation& single) const;
   /// The gate again on an extended model.
@@ -71,7 +76,11 @@ class Attribution {
   /// Linearised gains of pairs, negative, the best first.
   [[nodiscard]] std::vector<std::pair<double, Members>> weigh_pairs(
       const std::vector<Explanation>& singles) const;
-  [[nodiscard]] Explanation refit_pair(const Explanation& first, const Explanation& second) const;
+  /// One more candidate, the sizes of all started whole and halved.
+  [[nodiscard]] Explanation refit_together(const Explanation& first,
+                                           const Explanation& single) const;
+  /// Values of the parameters of a member.
+  [[nodiscard]] Eigen::VectorXd values_of(const Explanation& e, std::size_t member) const;
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(std::span<const Screened* const> on,
                                                     const Response& response) const;
   [[nodiscard]] std::vector<const Screened*> screened(

@@ -63,8 +63,8 @@ std::string Investigation::sentence() const {
   switch (finding_.kind) {
     case Finding::Kind::single:
       return single_text() + hidden_text();
-    case Finding::Kind::pair:
-      return pair_text() + hidden_text();
+    case Finding::Kind::several:
+      return several_text() + hidden_text();
     case Finding::Kind::base_laws:
       return base_laws_text() + hidden_text();
     case Finding::Kind::bent:
@@ -161,7 +161,7 @@ std::string Investigation::single_text() const {
       measure_text(result_));
 }
 
-std::string Investigation::pair_text() const {
+std::string Investigation::several_text() const {
   const Set& set = finding_.set;
   const Explanation& best = *set.front();
   if (!holds_)
@@ -169,9 +169,10 @@ std::string Investigation::pair_text() const {
         "Something is missing ({}); {} would do in sample, but the hold-out does not confirm it.",
         p_text(result_.p_value), id_of(best));
   return fmt::format(
-      "Consistent with {} at once, {}; gain {:.0f}, the lesser alone {:.0f}; {}.{} Error {}{}.{}{}",
+      "Consistent with {} at once, {}; gain {:.0f}, the least of them {:.0f}; {}.{} Error "
+      "{}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
-      set.size() > 1 ? fmt::format(" {} other pair(s) do as well.", set.size() - 1) : "",
+      set.size() > 1 ? fmt::format(" {} other set(s) do as well.", set.size() - 1) : "",
       error_text(result_), shifts(), data_text(set), measure_text(result_));
 }
 

@@ -31,11 +31,14 @@ struct Cancelled : std::exception {
 /// Says whether an effect is missing in the subject, which, or what to measure to find out.
 ///
 ///   noise from a saturated regression -> gate (smooth misfit, largest score) -> each candidate
-///   alone, then pairs, refitted with all base parameters -> gate again on what is left
+///   alone, then pairs and triples, refitted with all base parameters -> gate again on what is left
 ///   -> blocked hold-out, plausible size -> next measurements
 ///
 /// Level of the gate: 1 %. An effect is admitted where -2 ln L falls by more than ln N + 2 ln m,
 /// and stands beside all others within 6 of the best.
+///
+/// Fewer than 15 rows do not tell their noise: from 8 on it is the declared one, and only
+/// candidates of one number are tried, alone.
 ///
 /// Where a channel has a tolerance (Measured::tolerance), the question is whether what is missing
 /// matters on blocks that the fit did not see, within the range of what was measured: nothing is

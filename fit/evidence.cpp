@@ -18,10 +18,11 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr std::size_t fewest_rows = 15;
-constexpr Eigen::Index fewest_freedom = 8;  // of the noise
-constexpr double first_relative = 0.02;     // noise assumed before it is known
-constexpr double least_noise = 1e-8;        // of the readings: less is rounding of a computer
+constexpr std::size_t fewest_rows = 15;          // to estimate their noise
+constexpr std::size_t fewest_declared_rows = 8;  // each with a standard deviation
+constexpr Eigen::Index fewest_freedom = 8;       // of the noise
+constexpr double first_relative = 0.02;          // noise assumed before it is known
+constexpr double least_noise = 1e-8;             // of the readings: less is rounding of a computer
 
 /// How many values of a setting can be told apart.
 int distinct(const Channel& channel, std::span<const double> column) {
@@ -62,21 +63,34 @@ void require_levels(const Record& record) {
                     fmt::join(found, ", ")));
 }
 
-void require_rows(const Problem& problem) {
+/// Every reading comes with its standard deviation.
+bool deviations_declared(const Problem& problem) {
+  const Observations& observed = problem.observed;
+  for (std::size_t c = 0; c < observed.channels.size(); ++c)
+    if (readings_of(*problem.record, observed, c).std.size() == 0) return false;
+  return true;
+}
+
+/// True where rows are too few to tell their noise, which their declared deviations then are.
+/// Throws where these are missing, or rows are too few even so.
+bool require_rows(const Problem& problem) {
+  const std::size_t rows = problem.observed.row.size();
   const std::size_t needed = std::max(fewest_rows, problem.base.size() + 12);
-  if (problem.observed.row.size() < needed)
-    throw std::invalid_argument(
-        fmt::format("{}: {} rows that can be predicted: a verdict needs at least {}, better 60 or "
-                    "more over several levels of every setting",
-                    problem.record->source, problem.observed.row.size(), needed));
+  if (rows >= needed) return false;
+  const std::size_t declared = std::max(fewest_declared_rows, problem.base.size() + 4);
+  if (rows >= declared && deviations_declared(problem)) return true;
+  throw std::invalid_argument(fmt::format(
+      "{}: {} rows that can be predicted: a verdict needs at least {}, better 60 or more over "
+      "several levels of every setting; or at least {}, each with its standard deviation (std_{})",
+      problem.record->source, rows, needed, declared,
+      problem.observed.channels.front().channel->key_unit()));
 }
 
 /// Why nothing can be learnt of these readings; empty if something can.
-std::string no_use(const Channel& channel, const Eigen::VectorXd& readings) {
+std::string no_use(const Channel& channel, const Eigen::VectorXd& readings, std::size_t needed) {
   if (readings.size() == 0) return fmt::format("no reading of {}", channel.words);
-  if (static_cast<std::size_t>(readings.size()) < fewest_rows)
-    return fmt::format("{} readings of {}, {} are needed", readings.size(), channel.words,
-                       fewest_rows);
+  if (static_cast<std::size_t>(readings.size()) < needed)
+    return fmt::format("{} readings of {}, {} are needed", readings.size(), channel.words, needed);
   const double size = rms(readings);
   if (!(size > 0.0)) return "all readings are zero";
   if (readings.maxCoeff() - readings.minCoeff() > least_noise * size) return {};
@@ -85,21 +99,22 @@ std::string no_use(const Channel& channel, const Eigen::VectorXd& readings) {
 }
 
 /// Channels of which nothing can be learnt are left out, and named, where there are others.
-void require_variation(Problem& problem, std::vector<std::string>& notes) {
-  Observations& observed = problem.observed;
+void require_variation(Evidence& evidence) {
+  Observations& observed = evidence.problem.observed;
+  const std::size_t needed = evidence.few_rows ? fewest_declared_rows : fewest_rows;
   std::vector<std::size_t> useful;
   std::string first;
   for (std::size_t c = 0; c < observed.channels.size(); ++c) {
     const Channel& channel = *observed.channels[c].channel;
-    const std::string wrong = no_use(channel, observed.of(c, observed.measured));
+    const std::string wrong = no_use(channel, observed.of(c, observed.measured), needed);
     if (wrong.empty()) {
       useful.push_back(c);
       continue;
     }
     if (first.empty()) first = wrong;
-    notes.push_back(fmt::format("{} takes no part: {}", channel.name, wrong));
+    evidence.notes.push_back(fmt::format("{} takes no part: {}", channel.name, wrong));
   }
-  if (useful.empty()) throw std::invalid_argument(problem.record->source + ": " + first);
+  if (useful.empty()) throw std::invalid_argument(evidence.problem.record->source + ": " + first);
   if (useful.size() < observed.channels.size()) observed = observed.only(useful);
 }
 
@@ -247,7 +262,7 @@ std::vector<NoiseModel> noise_of_saturated_regression(const Evidence& evidence,
   for (std::size_t c = 0; c < observed.channels.size(); ++c) {
     ChannelReadings readings = readings_of(*problem.record, observed, c);
     if (slope.size() > 0) readings.slope = observed.of(c, slope);
-    if (readings.known) {
+    if (readings.known || evidence.few_rows) {
       noise.push_back(known_noise_model(readings));
       add_model_error(noise.back(), readings, observed.channels[c].model_error);
       continue;
@@ -288,6 +303,17 @@ void require_scatter(const Evidence& evidence) {
   }
 }
 
+/// Few rows hold one number of a candidate, not a shape beside it.
+void leave_out_shapes(Evidence& evidence) {
+  for (Screened& s : evidence.problem.candidates)
+    if (s.candidate.parameters.size() > 1)
+      s.not_testable = fmt::format("the data lack rows, {} or more, for its shape", fewest_rows);
+  evidence.notes.push_back(fmt::format(
+      "{} rows are too few to tell their noise: the declared standard deviations are taken as they "
+      "are, and effects of more than one number, two at once and bent laws are not looked for",
+      evidence.problem.observed.row.size()));
+}
+
 /// Rows, candidates and the response of the model, before anything is fitted.
 Evidence look_at(const Subject& subject, const Record& record, const EvidenceOptions& options) {
   Evidence evidence;
@@ -299,11 +325,12 @@ Evidence look_at(const Subject& subject, const Record& record, const EvidenceOpt
   for (const Parameter& p : find_parameters(subject, subject.free()))
     problem.base.push_back(p.name);
   take_rows(record, options.most_rows, evidence);
-  require_rows(problem);
+  evidence.few_rows = require_rows(problem);
   if (!subject.has_memory()) require_levels(*problem.record);
-  require_variation(problem, evidence.notes);
+  require_variation(evidence);
   problem.prepared = subject.prepare(*problem.record);
   problem.candidates = make_candidates(subject, options.candidates);
+  if (evidence.few_rows) leave_out_shapes(evidence);
   evidence.saturation = subject.saturation(*problem.record);
   evidence.response = response_with(problem, {});
   evidence.idle = take_idle(problem, evidence.response);

@@ -24,7 +24,8 @@ struct Evidence {
   Response response{};                ///< of the base model
   ResponseFit base{};                 ///< refitted under that noise
   std::size_t rows_in_record = 0;
-  std::string hint{};  ///< where the readings look like another unit or the other sign
+  bool few_rows = false;  ///< too few to tell their noise, which is the declared one
+  std::string hint{};     ///< where the readings look like another unit or the other sign
   std::vector<std::string> notes{};
 
   [[nodiscard]] std::size_t rows() const { return problem.record->rows(); }

@@ -129,7 +129,7 @@ void Investigation::describe_channels() {
 /// Declared standard deviations are not the scatter that is found.
 void Investigation::tell_declared_noise() {
   for (const ChannelDiagnosis& d : result_.channels) {
-    if (d.baseline.noise.source != NoiseSource::declared) continue;
+    if (d.baseline.noise.source != NoiseSource::declared || evidence_.few_rows) continue;
     const double declared = d.baseline.noise.rms, ratio = d.noise.rms / declared;
     if (ratio < 1.5 && ratio > 1.0 / 1.5) continue;
     result_.messages.push_back(fmt::format(
@@ -251,8 +251,8 @@ void Investigation::confirm() {
   switch (finding_.kind) {
     case Finding::Kind::single:
       return confirm_single();
-    case Finding::Kind::pair:
-      return confirm_pair();
+    case Finding::Kind::several:
+      return confirm_several();
     case Finding::Kind::base_laws:
     case Finding::Kind::bent:
       result_.verdict = Verdict::effect_like;
@@ -281,13 +281,13 @@ void Investigation::confirm_single() {
   fill(set, *set.front());
   if (!plausible_ || !holds_) {
     result_.verdict = Verdict::effect_like;
-    result_.shape = find_unknown_shape(evidence_);
+    if (!evidence_.few_rows) result_.shape = find_unknown_shape(evidence_);
   } else {
     result_.verdict = set.size() == 1 ? Verdict::effect : Verdict::ambiguous;
   }
 }
 
-void Investigation::confirm_pair() {
+void Investigation::confirm_several() {
   hold_out(*finding_.set.front());
   fill(finding_.set, *finding_.set.front());
   result_.verdict = holds_ ? Verdict::several_effects : Verdict::not_in_catalogue;

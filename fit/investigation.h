@@ -43,7 +43,7 @@ class Investigation {
 
   // Confirming.
   void confirm_single();
-  void confirm_pair();
+  void confirm_several();
   void hold_out(const Explanation& best);
   void fill(const Set& set, const Explanation& best);
   void fill_verdict(const Set& set);
@@ -58,7 +58,7 @@ class Investigation {
   [[nodiscard]] std::string sentence() const;
   [[nodiscard]] std::string data_text(const Set& set) const;
   [[nodiscard]] std::string single_text() const;
-  [[nodiscard]] std::string pair_text() const;
+  [[nodiscard]] std::string several_text() const;
   [[nodiscard]] std::string base_laws_text() const;
   [[nodiscard]] std::string bent_text() const;
   [[nodiscard]] std::string partly_text() const;

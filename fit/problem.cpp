@@ -175,7 +175,8 @@ void screen_candidates(Problem& problem, const Saturation& saturation,
                        const Eigen::VectorXd& base_values) {
   const Eigen::VectorXd without = response_with(problem, {}).readings(base_values);
   for (Screened& s : problem.candidates) {
-    s.not_testable = why_not_testable(*problem.subject, s.id(), *problem.record);
+    if (s.not_testable.empty())
+      s.not_testable = why_not_testable(*problem.subject, s.id(), *problem.record);
     s.most.resize(without.size(), 0);
     if (!s.not_testable.empty()) continue;
     Screening screening(problem, base_values, without, s);

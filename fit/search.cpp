@@ -13,6 +13,7 @@ namespace {
 
 constexpr double beaten = 3.84;            // in -2 ln L: 95 % of one degree of freedom
 constexpr double loss_of_a_member = 60.0;  // of a pair, in -2 ln L
+constexpr double loss_of_a_third = 30.0;   // of a triple
 constexpr std::size_t most_bent = 3;       // candidates whose laws are bent
 constexpr double most_of_it = 0.5;         // of the mean square that a part of an answer takes
 constexpr double as_near = 1.2;            // of a held-out error: no reason to prefer the better
@@ -61,8 +62,11 @@ bool Search::any_passes(Ranked& list, const std::vector<const Explanation*>& set
 
 Finding Search::explain() {
   if (auto found = one_candidate()) return *std::move(found);
+  if (evidence_.few_rows) return {};
   if (auto found = both_base_laws()) return *std::move(found);
-  if (auto found = two_candidates()) return *std::move(found);
+  std::optional<Finding> two = two_candidates();
+  if (auto three = three_candidates()) return *std::move(three);
+  if (two) return *std::move(two);
   Finding bent = bent_law();
   if (bent.set.empty() && !base_laws_.empty())
     return {Finding::Kind::base_laws, {&base_laws_.front()}};
@@ -75,7 +79,7 @@ std::optional<Finding> Search::one_candidate() {
   std::stable_partition(set.begin(), set.end(),
                         [this](const Explanation* e) { return is_base_law(*e); });
   if (!any_passes(singles_, set)) return std::nullopt;
-  add_bent_physics(set);
+  if (!evidence_.few_rows) add_bent_physics(set);
   return Finding{Finding::Kind::single, std::move(set)};
 }
 
@@ -125,18 +129,16 @@ std::optional<Finding> Search::both_base_laws() {
   pair.least_loss = pair.gain - alone;
   attribution_.recheck(pair);
   if (pair.recheck.p_value() < passed) return std::nullopt;
-  const bool shown = pair.gain >= gain_of_a_pair(1) && pair.least_loss >= loss_of_a_member;
+  const bool shown = pair.gain >= gain_beyond(singles_, 1) && pair.least_loss >= loss_of_a_member;
   base_laws_ = {std::move(pair)};
   if (!shown) return std::nullopt;
-  return Finding{Finding::Kind::pair, {&base_laws_.front()}};
+  return Finding{Finding::Kind::several, {&base_laws_.front()}};
 }
 
-/// What the best of so many pairs must gain: more than the best single, by more than chance would
-/// pay for.
-double Search::gain_of_a_pair(int choices) const {
+double Search::gain_beyond(const Ranked& smaller, int choices) const {
   return std::log(static_cast<double>(problem_.measured().size())) +
          2.0 * std::log(std::max(1, choices)) +
-         (singles_.front().fit.converged ? std::max(0.0, singles_.front().gain) : 0.0);
+         (smaller.front().fit.converged ? std::max(0.0, smaller.front().gain) : 0.0);
 }
 
 std::optional<Finding> Search::two_candidates() {
@@ -145,15 +147,61 @@ std::optional<Finding> Search::two_candidates() {
   pairs_ = attribution_.pairs(singles_, limits_.cancelled);
   limits_.step(0.8, "checking what is left");
   const std::vector<const Explanation*> two =
-      within_reach_of_best(pairs_, gain_of_a_pair(limits_.tried - 1));
+      within_reach_of_best(pairs_, gain_beyond(singles_, limits_.tried - 1));
   if (!any_passes(pairs_, two)) return std::nullopt;
   std::vector<const Explanation*> strong;
   for (const Explanation* e : two)
     if (e->least_loss >= loss_of_a_member) strong.push_back(e);
   if (!strong.empty() && strong.front() == two.front())
-    return Finding{Finding::Kind::pair, std::move(strong)};
+    return Finding{Finding::Kind::several, std::move(strong)};
   for (const Explanation* e : two) weak_pairs_.push_back(ids_of(*e));
   return std::nullopt;
+}
+
+/// What the triple gains over the best of the pairs in it.
+double Search::least_loss_of(const Explanation& triple) {
+  double most = 0.0;
+  for (const std::size_t left_out : triple.members) {
+    std::vector<std::size_t> others = triple.members;
+    std::erase(others, left_out);
+    const auto known = std::find_if(pairs_.begin(), pairs_.end(),
+                                    [&](const Explanation& e) { return e.members == others; });
+    const Explanation pair = known == pairs_.end() ? attribution_.refit(others) : *known;
+    if (pair.fit.converged) most = std::max(most, pair.gain);
+  }
+  return triple.gain - most;
+}
+
+/// Also where a pair would do, as long as the error on held-out blocks falls.
+std::optional<Finding> Search::three_candidates() {
+  if (pairs_.empty() || pairs_.front().gain <= gain_beyond(singles_, limits_.tried - 1))
+    return std::nullopt;
+  limits_.step(0.8, "refitting with three effects");
+  triples_ = attribution_.triples(pairs_, singles_, limits_.cancelled);
+  const std::vector<const Explanation*> three =
+      triples_.empty() ? std::vector<const Explanation*>()
+                       : within_reach_of_best(triples_, gain_beyond(pairs_, limits_.tried - 2));
+  if (three.empty() || !any_passes(triples_, three)) return std::nullopt;
+  std::vector<const Explanation*> strong;
+  for (Explanation& e : triples_) {
+    if (std::find(three.begin(), three.end(), &e) == three.end()) continue;
+    const bool at_bound =
+        std::any_of(e.fit.at_bound.begin(), e.fit.at_bound.end(), [](bool at) { return at; });
+    if (at_bound || !sizes_plausible(problem_, e)) continue;
+    e.least_loss = least_loss_of(e);
+    if (e.least_loss >= loss_of_a_third) strong.push_back(&e);
+  }
+  if (strong.empty() || strong.front() != three.front()) return std::nullopt;
+  // One power of the inputs does as well: an effect of its own, in no catalogue.
+  shape_ = find_unknown_shape(evidence_);
+  if (shape_ && shape_->gain > strong.front()->gain - within_reach) return std::nullopt;
+  const auto error = [this](const Explanation& e) {
+    return held_out(evidence_, e.response, e.fit, blockings_);
+  };
+  const std::vector<double> with = error(*strong.front()), without = error(pairs_.front());
+  for (std::size_t c = 0; c < with.size(); ++c)
+    if (!(with[c] <= without[c])) return std::nullopt;
+  return Finding{Finding::Kind::several, std::move(strong)};
 }
 
 /// True if a law bent to its limit is beaten by a plain power of the inputs, which has as many
@@ -226,11 +274,11 @@ Finding Search::explain_within_tolerance() {
     best = share;
     nearest = &single;
   }
-  if (limits_.pairs && singles_.size() >= 2) {
+  if (limits_.pairs && !evidence_.few_rows && singles_.size() >= 2) {
     limits_.step(0.5, "refitting with pairs of effects");
     pairs_ = attribution_.pairs(singles_, limits_.cancelled);
     if (auto set = good_enough(pairs_, best / as_near); !set.empty())
-      return {Finding::Kind::pair, std::move(set)};
+      return {Finding::Kind::several, std::move(set)};
   }
   limits_.step(0.85, "looking for a shape");
   shape_ = find_unknown_shape(evidence_);

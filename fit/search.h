@@ -16,7 +16,7 @@ struct Finding {
   enum class Kind {
     none,       ///< nothing explains it
     single,     ///< one candidate
-    pair,       ///< two at once
+    several,    ///< two or three at once
     bent,       ///< one whose law is bent
     base_laws,  ///< the base law's own corrections together, less than a pair must be
     partly      ///< one that takes most of the misfit, but not enough to meet the tolerance
@@ -35,8 +35,8 @@ struct SearchLimits {
 };
 
 /// Looks for what explains a misfit: each candidate alone, both corrections of the base law, pairs,
-/// bent laws, in this order, until what is left is noise. With a tolerance, until what is left does
-/// not matter on blocks that the fit did not see.
+/// triples, bent laws, in this order, until what is left is noise. With a tolerance, until what is
+/// left does not matter on blocks that the fit did not see.
 class Search {
  public:
   Search(const Evidence& evidence, const Attribution& attribution,
@@ -69,7 +69,11 @@ class Search {
   [[nodiscard]] std::optional<Finding> one_candidate();
   [[nodiscard]] std::optional<Finding> both_base_laws();
   [[nodiscard]] std::optional<Finding> two_candidates();
-  [[nodiscard]] double gain_of_a_pair(int choices) const;
+  [[nodiscard]] std::optional<Finding> three_candidates();
+  [[nodiscard]] double least_loss_of(const Explanation& triple);
+  /// What the best of so many sets must gain: more than the best that is smaller, by more than
+  /// chance would pay for.
+  [[nodiscard]] double gain_beyond(const Ranked& smaller, int choices) const;
   [[nodiscard]] Finding bent_law();
   [[nodiscard]] bool is_data(const Explanation& e) const;
   void add_bent_physics(std::vector<const Explanation*>& set);
@@ -81,7 +85,7 @@ class Search {
   const Attribution& attribution_;
   const std::vector<Blocking>& blockings_;
   SearchLimits limits_;
-  Ranked singles_, pairs_, bent_, base_laws_;
+  Ranked singles_, pairs_, triples_, bent_, base_laws_;
   std::vector<std::vector<std::string>> weak_pairs_;
   std::optional<Shape> shape_;
 };

@@ -155,6 +155,43 @@ TEST(Diagnose, NamesTwoEffectsAtOnce) {
                                        testing::Contains("torque-offset")));
 }
 
+/// Where the best pair leaves more than noise a third is looked for.
+TEST(Diagnose, NamesThreeEffectsAtOnce) {
+  Model truth = with_effect("spin-friction", {0.04});
+  for (const auto& [id, size] : {std::pair{"windage", 60.0}, {"film-self-heating", 8.0}})
+    truth.effects.push_back({.description = effects::find(id), .values = {size}});
+  const Diagnosis d = diagnose(belief(), measured(truth, 5));
+  EXPECT_EQ(d.verdict, Verdict::several_effects) << d.sentence;
+  EXPECT_THAT(d.sets, testing::Contains(testing::UnorderedElementsAre("spin-friction", "windage",
+                                                                      "film-self-heating")));
+}
+
+/// Rows too few to tell their noise have the one that was declared.
+TEST(Diagnose, WorksFromEightRowsWithDeclaredDeviations) {
+  const auto some = [](const Model& truth, double noise, unsigned seed) {
+    std::mt19937 random(seed);
+    DataSet data = factorial_plan({1000, 3000, 5000, 7000, 9000, 11000, 13000, 16000}, {600}, {40});
+    measure(truth, noise * N_mm, random, data);
+    declare_noise(noise * N_mm, data);
+    return data;
+  };
+  int alarms = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed)
+    if (diagnose(belief(), some(synthetic_model(), 2.0, seed)).verdict != Verdict::nothing_missing)
+      ++alarms;
+  EXPECT_LE(alarms, 5);  // 1 % is meant: more than 5 of 100 by chance in one of 1700
+  const Diagnosis d = diagnose(belief(), some(with_effect("windage", {60.0}), 2.0, 1));
+  EXPECT_THAT(named(d), testing::Contains("windage")) << d.sentence;
+  EXPECT_THAT(d.messages, testing::Contains(HasSubstr("8 rows are too few to tell their noise")));
+  // The same without the deviations, or with one row less.
+  DataSet undeclared = some(synthetic_model(), 2.0, 1);
+  for (Row& row : undeclared.rows) row.std = unset;
+  EXPECT_THROW((void)diagnose(belief(), undeclared), std::invalid_argument);
+  DataSet seven = some(synthetic_model(), 2.0, 1);
+  seven.rows.pop_back();
+  EXPECT_THROW((void)diagnose(belief(), seven), std::invalid_argument);
+}
+
 TEST(Diagnose, GivesNoNameToWhatNoEntryExplains) {
   const Diagnosis d = diagnose(
       belief(),

@@ -45,6 +45,9 @@ constexpr std::array<Demand, 2> radial_found{
      {"the shape names the load", true, 95, 99, names_radial_load}}};
 constexpr std::array<Demand, 2> in_verdict{{{"the right name in the verdict", true, 95, 99, right},
                                             {"a single wrong name", false, 5, 0, single_wrong}}};
+constexpr std::array<Demand, 3> few_rows{{{"found", true, 90, 99, found},
+                                          {"the right name in the verdict", true, 80, 95, right},
+                                          {"a single wrong name", false, 5, 0, single_wrong}}};
 constexpr std::array<Demand, 1> exactly{{{"effect", true, 90, 100, is_exact}}};
 constexpr std::array<Demand, 1> all_found{{{"found", true, 98, 99, found}}};
 constexpr std::array<Demand, 2> triple{
@@ -89,6 +92,12 @@ std::vector<RealRig> make_real_rigs() {
       {"20 rows", few(20), 6, none, quiet_3},
       {"30 rows", few(30), 6, none, quiet_3},
       {"std declared", wrong({.std_declared = true}), 4, none, quiet_2},
+      {"8 rows, std declared", on(Plan::factorial, independent, {}, 8, {.std_declared = true}), 6,
+       none, quiet_3},
+      {"11 rows, std declared",
+       hiding(on(Plan::factorial, independent, {}, 11, {.std_declared = true}),
+              {{"windage", 0.15}}),
+       4, none, few_rows},
       {"outliers 10 %", outliers(false), 4, none, quiet_4},
       {"outliers 10 %, one-sided", outliers(true), 4, none, quiet_4},
       {"run offsets 3 %", offsets(Plan::factorial, 0.03, 0.02, true), 4, none, quiet_4},
