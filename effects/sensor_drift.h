@@ -9,16 +9,24 @@ namespace raceway::effects {
 
 /// What a sensor adds as it gets warm, or what its fixture grows by [SI unit of its channel].
 ///
-///   x_read = x + c (T - 40 °C)/10 K
+///   x_read = x + c (T - T0)/10 K
 ///
-/// Source:   definition.
+/// Source:   definition. T0 is the temperature at which the sensor was set to zero, which nobody
+///           writes down: it is fitted too, or held by [calibration] free.
 /// Domain:   every reading; T is the temperature of the row (temperature_C), not that of a ring.
 template <const auto& card>
 struct SensorTemperatureDrift : SensorFault<card> {
+  static constexpr std::array parameters{card.size, Parameter{.name = "zero_at_C",
+                                                              .unit = "C",
+                                                              .initial = 40.0,
+                                                              .lower = 10.0,
+                                                              .upper = 60.0,
+                                                              .plausible_lower = 15.0,
+                                                              .plausible_upper = 50.0}};
   static constexpr std::array needs{Need::viscosity_levels};
 
   static double reading(const ReadingInputs& in, std::span<const double> values) {
-    return values[0] * card.channel.factor * (in.point.temperature - kelvin(40.0)) / 10.0;
+    return values[0] * card.channel.factor * (in.point.temperature - kelvin(values[1])) / 10.0;
   }
 };
 
@@ -43,7 +51,7 @@ inline constexpr SensorCard<3> torque_temperature_drift{
     .id = "torque-temperature-drift",
     .title = "zero of the torque sensor drifts with temperature",
     .mechanism = "The zero of the sensor moves with temperature, whatever speed and load are.",
-    .formula = "M_read = M + c (T - 40 C)/10 K",
+    .formula = "M_read = M + c (T - T0)/10 K",
     .confused_with = {"seal-friction", "churning", "cage-friction"},
     .size = {.name = "torque_per_10_K_Nmm",
              .unit = "N mm",
@@ -76,7 +84,7 @@ inline constexpr SensorCard<3> displacement_temperature_drift{
     .id = "displacement-temperature-drift",
     .title = "zero of the displacement transducer drifts with warmth",
     .mechanism = "Transducer and fixture move with temperature, whatever the speed is.",
-    .formula = "u_read = u + c (T - 40 C)/10 K",
+    .formula = "u_read = u + c (T - T0)/10 K",
     .source = "definition; data sheets of eddy-current transducers",
     .confused_with = {"thermal-preload", "thermal-ring-growth", "displacement-offset"},
     .size = {.name = "displacement_per_10_K_um",

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "effects/catalogue.h"
 #include "effects/sensor_drift.h"
@@ -15,19 +16,21 @@ namespace {
 const bearing::OperatingPoint warm{.speed = 3000 * rpm, .temperature = kelvin(65.0)};
 const Record after_two_hours{.time = 7200.0};
 
-double added(const char* id, double size, double value) {
+double added(const char* id, std::vector<double> values, double value) {
   const Description& d = *find(id, find(id)->for_rig ? Form::rig : Form::shaft);
-  const std::array values{size};
+  EXPECT_EQ(values.size(), d.parameters.size());
   return d.reading({.value = value, .point = warm, .record = after_two_hours}, values);
 }
 
 TEST(Sensor, AddsInTheUnitOfItsChannel) {
-  EXPECT_DOUBLE_EQ(added("torque-offset", 3.0, 0.2), 3.0 * N_mm);
-  EXPECT_DOUBLE_EQ(added("torque-gain", 0.05, 0.2), 0.01);
-  EXPECT_DOUBLE_EQ(added("torque-temperature-drift", 4.0, 0.2), 10.0 * N_mm);
-  EXPECT_DOUBLE_EQ(added("torque-time-drift", 4.0, 0.2), 8.0 * N_mm);
-  EXPECT_DOUBLE_EQ(added("displacement-offset", 3.0, 1e-5), 3.0 * um);
-  EXPECT_DOUBLE_EQ(added("displacement-temperature-drift", 4.0, 1e-5), 10.0 * um);
+  EXPECT_DOUBLE_EQ(added("torque-offset", {3.0}, 0.2), 3.0 * N_mm);
+  EXPECT_DOUBLE_EQ(added("torque-gain", {0.05}, 0.2), 0.01);
+  EXPECT_DOUBLE_EQ(added("torque-temperature-drift", {4.0, 40.0}, 0.2), 10.0 * N_mm);
+  EXPECT_DOUBLE_EQ(added("torque-time-drift", {4.0}, 0.2), 8.0 * N_mm);
+  EXPECT_DOUBLE_EQ(added("displacement-offset", {3.0}, 1e-5), 3.0 * um);
+  EXPECT_DOUBLE_EQ(added("displacement-temperature-drift", {4.0, 40.0}, 1e-5), 10.0 * um);
+  // Nothing at the temperature at which it was set to zero.
+  EXPECT_DOUBLE_EQ(added("displacement-temperature-drift", {4.0, 65.0}, 1e-5), 0.0);
 }
 
 TEST(Sensor, ChannelDecidesWhereItMayStand) {

@@ -25,7 +25,9 @@ struct Hidden {
 
 std::vector<Hidden> cases() {
   const auto effect = [](const char* id, double value, const char* size) {
-    return Hidden{id, size, with_effect(two_against_one(), id, {value})};
+    std::vector<double> values = effects::initial_values(*effects::find(id, effects::Form::shaft));
+    values.front() = value;
+    return Hidden{id, size, with_effect(two_against_one(), id, std::move(values))};
   };
   return {{"", "", two_against_one()},
           effect("centrifugal-ring-growth", 3.0, "3 um at 10 000 rpm"),

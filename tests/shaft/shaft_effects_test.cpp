@@ -134,10 +134,11 @@ TEST(ShaftEffects, OfTheTransducerAreTheirDefinition) {
   const DataSet plan = shaft_plan(ShaftPlan::up_and_down);
   const auto plain = displacement(two_against_one(), plan);
   const auto offset = displacement(with("displacement-offset", -1.5), plan);
-  const auto drift = displacement(with("displacement-temperature-drift", 2.0), plan);
+  const auto drift = displacement(
+      with_effect(two_against_one(), "displacement-temperature-drift", {2.0, 25.0}), plan);
   for (std::size_t i = 0; i < plain.size(); ++i) {
     EXPECT_NEAR(offset[i] - plain[i], -1.5 * um, 1e-18);
-    EXPECT_NEAR(drift[i] - plain[i], 0.2 * um * (celsius(plan.rows[i].point.temperature) - 40.0),
+    EXPECT_NEAR(drift[i] - plain[i], 0.2 * um * (celsius(plan.rows[i].point.temperature) - 25.0),
                 1e-17);
   }
 }
@@ -349,10 +350,10 @@ TEST(ShaftSubject, FindsEveryEffectInItsOwnRecords) {
     SCOPED_TRACE(std::string(d->id));
     const std::vector<double> truth = usual(*d);
     const DataSet data = shaft_records(with(*d, truth), ShaftPlan::up_and_down);
-    Model start = with(*d, effects::initial_values(*d));
+    Model start = with(*d, truth);
     const std::string name = std::string(d->id) + "." + std::string(d->parameters[0].name);
     start.free = {"contact_angle_deg", name};
-    start.effects.back().values[0] = 0.5 * (truth[0] + start.effects.back().values[0]);
+    start.effects.back().values[0] = 0.5 * (truth[0] + effects::initial_values(*d)[0]);
     const Calibration c = calibrate(start, data);
     ASSERT_TRUE(c.converged()) << fit::name(c.status);
     EXPECT_TRUE(c.rows_not_predicted.empty());
