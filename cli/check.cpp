@@ -65,6 +65,14 @@ int run(const std::string& model, const std::string& path, bool json) {
     tell({check.problem});
     notes.push_back(check.problem);
   }
+  if (!check.runs_coincide_with.empty()) {
+    notes.push_back(fmt::format(
+        "each run has its own {0}: what depends on it cannot be told from a rig that was set up "
+        "anew; before measuring more, plan two runs or more for each level, or all levels within "
+        "each run",
+        check.runs_coincide_with));
+    tell({notes.back()});
+  }
   if (json) {
     fmt::print("{}", io::check_json(file.model.name, check, file.defaults, notes));
   } else {

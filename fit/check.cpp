@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "fit/calibrate.h"
+#include "fit/row_order.h"
 
 namespace raceway::fit {
 
@@ -56,6 +57,7 @@ Check check(const Subject& subject, const Record& record) {
       result.free.push_back(std::move(p));
     }
   }
+  result.runs_coincide_with = nested_settings(record, true);
   for (const std::string& id : subject.catalogue())
     result.catalogue.push_back({.id = id,
                                 .ruled_out = subject.rules_out(id),

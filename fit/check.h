@@ -29,8 +29,11 @@ struct Check {
   int rows = 0, runs = 0;
   std::vector<MeasuredChannel> measured;  ///< what the subject predicts first, then all else
   std::vector<Column> columns;
-  std::vector<Parameter> free;      ///< identifiable or not
-  std::string problem;              ///< why the free parameters cannot be fitted; empty if they can
+  std::vector<Parameter> free;  ///< identifiable or not
+  std::string problem;          ///< why the free parameters cannot be fitted; empty if they can
+  /// Settings of which every run has its own value, in words: a rig set up anew would do what they
+  /// do. Empty if there are none.
+  std::string runs_coincide_with;
   std::vector<Testable> catalogue;  ///< in the order of Subject::catalogue()
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "record/levels.h"
 #include "record/median.h"
@@ -91,7 +92,7 @@ std::vector<std::size_t> order_of_rows(const Record& record) {
   return order;
 }
 
-std::string nested_settings(const Record& record) {
+std::string nested_settings(const Record& record, bool each_in_one_run) {
   std::string words;
   for (const record::Column& column : record.columns) {
     if (column.channel->role != record::Role::setting || !record.varies(*column.channel)) continue;
@@ -106,6 +107,11 @@ std::string nested_settings(const Record& record) {
     const bool constant = std::all_of(range.begin(), range.end(), [&](const auto& run) {
       return run.second.second - run.second.first <= step;
     });
+    if (each_in_one_run) {
+      std::set<long long> levels;
+      for (const auto& [run, ends] : range) levels.insert(std::llround(ends.first / step));
+      if (levels.size() < range.size()) continue;
+    }
     if (range.size() > 1 && constant)
       words += (words.empty() ? "" : " and ") + std::string(column.channel->words);
   }

@@ -12,8 +12,8 @@
 namespace raceway::fit {
 
 /// Settings that vary and are constant within every run, in words: "axial load"; empty where there
-/// are none or no runs.
-[[nodiscard]] std::string nested_settings(const Record& record);
+/// are none or no runs. `each_in_one_run`: those alone of which no two runs have the same.
+[[nodiscard]] std::string nested_settings(const Record& record, bool each_in_one_run = false);
 
 /// Rows in the one order that all of the diagnosis uses, whatever order a record has: by time where
 /// all rows have one (within runs, if runs overlap in time), then by settings.

@@ -114,6 +114,22 @@ TEST_F(Compare, CheckTellsWhatWasRead) {
   EXPECT_EQ(d["columns"][0]["to"], 8000.0);
 }
 
+/// One load for each run: what the load does and what a new set-up does are one.
+TEST_F(Compare, CheckWarnsWhereEveryRunHasALevelOfItsOwn) {
+  const auto rows = [](int runs_of_a_load) {
+    std::string text = "speed_rpm,axial_load_N,run_id,friction_torque_Nmm\n";
+    for (int run = 0; run < 3 * runs_of_a_load; ++run)
+      for (int speed = 1000; speed <= 4000; speed += 1000)
+        text += std::to_string(speed) + "," + std::to_string(200 * (1 + run / runs_of_a_load)) +
+                ",r" + std::to_string(run) + "," + std::to_string(80 + speed / 100 + run) + "\n";
+    return text;
+  };
+  const auto warning = HasSubstr("each run has its own axial load");
+  EXPECT_THAT(with("check", rows(1)).err, warning);
+  EXPECT_THAT(parsed(with("check", rows(1), "--json"))["notes"].dump(), warning);
+  EXPECT_THAT(with("check", rows(2)).err, testing::Not(warning));
+}
+
 TEST_F(Compare, CheckOfTooFewRowsSaysWhatCannotBeFitted) {
   const Result r = with("check", "speed_rpm,axial_load_N,friction_torque_Nmm\n1000,100,92\n");
   EXPECT_EQ(r.status, 0);
