@@ -107,20 +107,35 @@ fit::Saturation RigSubject::saturation(const fit::Record& record) const {
   s.surface.inputs = {{logarithm(by_row(record, [](const auto& p) { return p.speed; })), 1e-3},
                       {logarithm(by_row(record, [](const auto& p) { return p.axial_load; })), 1e-3},
                       {by_row(record, [](const auto& p) { return p.temperature; }), 0.5}};
-  // Exponents of speed, axial load, temperature and radial load.
+  // Exponents of speed, axial load and temperature.
   std::vector<std::vector<int>> terms{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 0},
                                       {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1},
                                       {3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {2, 1, 0}, {2, 0, 1}};
   s.levels = {&record::speed, &record::axial_load};
-  if (record.complete(record::preload)) s.levels.push_back(&record::preload);
-  if (record.varies(record::radial_load)) {
-    s.surface.inputs.push_back(
-        {logarithm(by_row(record, [](const auto& p) { return p.radial_load; })), 1e-3});
+  // Whatever else varies may be what the torque depends on.
+  const auto add = [&](const fit::Channel& channel, std::vector<double> values, double least) {
+    s.surface.inputs.push_back({std::move(values), least});
     for (std::vector<int>& term : terms) term.push_back(0);
-    for (const std::vector<int>& term :
-         {std::vector{0, 0, 0, 1}, {0, 0, 0, 2}, {1, 0, 0, 1}, {0, 1, 0, 1}})
-      terms.push_back(term);
-    s.levels.push_back(&record::radial_load);
+    std::vector<int> exponents(s.surface.inputs.size(), 0);
+    for (const auto& [speed, load, own] : {std::array{0, 0, 1}, {0, 0, 2}, {1, 0, 1}, {0, 1, 1}}) {
+      exponents[0] = speed;
+      exponents[1] = load;
+      exponents.back() = own;
+      terms.push_back(exponents);
+    }
+    if (channel.role == record::Role::setting) s.levels.push_back(&channel);
+  };
+  if (record.varies(record::radial_load))
+    add(record::radial_load, logarithm(by_row(record, [](const auto& p) { return p.radial_load; })),
+        1e-3);
+  for (const fit::Channel* channel :
+       {&record::preload, &record::inner_ring_temperature, &record::outer_ring_temperature}) {
+    if (!record.complete(*channel) || !record.varies(*channel)) continue;
+    const std::span<const double> column = record.values(*channel);
+    std::vector<double> values(column.begin(), column.end());
+    const bool load = *channel == record::preload;
+    if (load) values = logarithm(std::move(values));
+    add(*channel, std::move(values), load ? 1e-3 : 0.5);
   }
   s.surface.terms = std::move(terms);
   return s;

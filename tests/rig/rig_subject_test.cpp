@@ -299,6 +299,27 @@ TEST(RigSubject, SaturatesWithACubicThatTakesInAVaryingRadialLoad) {
   EXPECT_THAT(with_radial.levels, Contains(&record::radial_load));
 }
 
+TEST(RigSubject, SaturatesWithWhateverElseVaries) {
+  const RigSubject subject(synthetic_model());
+  Record record = plan();
+  const std::size_t inputs = subject.saturation(record).surface.inputs.size();
+  const std::size_t levels = subject.saturation(record).levels.size();
+  std::vector<double> preload, warm;
+  for (std::size_t i = 0; i < record.rows(); ++i) {
+    preload.push_back(i % 2 == 0 ? 200.0 : 400.0);
+    warm.push_back(kelvin(30.0 + static_cast<double>(i % 7)));
+  }
+  record.set(record::preload, preload);
+  record.set(record::outer_ring_temperature, warm);
+  const fit::Saturation s = subject.saturation(record);
+  EXPECT_EQ(s.surface.inputs.size(), inputs + 2);
+  EXPECT_EQ(s.levels.size(), levels + 1);  // a ring temperature is nobody's setting
+  for (const std::vector<int>& term : s.surface.terms) EXPECT_EQ(term.size(), inputs + 2);
+  // The same everywhere: nothing to look for.
+  record.set(record::preload, std::vector<double>(record.rows(), 200.0));
+  EXPECT_EQ(subject.saturation(record).surface.inputs.size(), inputs + 1);
+}
+
 TEST(RigSubject, ProposesPointsWithinWhatWasMeasured) {
   const RigSubject subject(synthetic_model());
   const std::vector<Axis> axes = subject.axes(plan());
