@@ -19,6 +19,7 @@ constexpr std::size_t most_parents = 8;    // pairs that triples are made of
 constexpr std::size_t most_triples = 24;   // refitted
 constexpr double pair_reach = 30.0;        // of -2 ln L below the best linearised pair
 constexpr double pair_reach_share = 0.15;  // of its gain, where that is more
+constexpr double beyond_belief = 1000.0;   // times the largest size that is met
 constexpr double exponent_limit = 0.2;
 constexpr double worse = 1e-3;                // than the base, in -2 ln L: a fit that went astray
 constexpr double worth_a_second_look = 0.05;  // p of the gate under the noise found
@@ -38,6 +39,19 @@ std::vector<Eigen::Index> free_parameters(const ResponseFit& fit) {
   for (std::size_t k = 0; k < fit.at_bound.size(); ++k)
     if (!fit.at_bound[k]) free.push_back(static_cast<Eigen::Index>(k));
   return free;
+}
+
+/// A size far beyond all that is met in practice is that of a fit on a flat slope, not of anything.
+bool ran_away(std::span<const Screened* const> on, const ResponseFit& fit, std::size_t at) {
+  for (const Screened* s : on) {
+    const Parameter& p = s->size();
+    const double most =
+        std::max(std::abs(p.plausible_upper - p.neutral), std::abs(p.plausible_lower - p.neutral));
+    const double value = fit.values[static_cast<Eigen::Index>(at + s->candidate.size)];
+    if (std::isfinite(most) && std::abs(value - p.neutral) > beyond_belief * most) return true;
+    at += s->candidate.parameters.size();
+  }
+  return false;
 }
 
 /// Logarithm about its mean, with a floor where a factor is nearly zero.
@@ -182,6 +196,10 @@ Explanation Attribution::refit(const std::vector<std::size_t>& members,
     result.fit = fit_response(response, whitening_, problem_.measured(), {without, little});
   }
   result.response = std::move(response);
+  if (result.fit.converged && ran_away(on, result.fit, problem_.base.size())) {
+    result.fit.converged = false;
+    result.ran_away = true;
+  }
   if (!result.fit.converged) return result;
   result.gain = base_.misfit - result.fit.misfit;
   std::size_t at = problem_.base.size();

@@ -126,12 +126,13 @@ std::string Investigation::data_text(const Set& set) const {
 std::string Investigation::single_text() const {
   const Set& set = finding_.set;
   const Explanation& best = *set.front();
-  if (!plausible_ || !holds_)
-    return fmt::format(
-        "Something is missing ({}); it acts like {}, {}: {}.", p_text(result_.p_value),
-        joined_sets(set),
-        !plausible_ ? "but of an implausible size" : "but the hold-out does not confirm it",
-        size_text(problem_, best));
+  if (!plausible_ || !holds_ || !doubt_.empty())
+    return fmt::format("Something is missing ({}); it acts like {}, {}: {}.",
+                       p_text(result_.p_value), joined_sets(set),
+                       !plausible_ ? "but of an implausible size"
+                       : !holds_   ? "but the hold-out does not confirm it"
+                                   : doubt_,
+                       size_text(problem_, best));
   if (set.size() == 1) {
     std::string next;
     for (const Explanation& e : search_->singles())
@@ -168,6 +169,9 @@ std::string Investigation::several_text() const {
     return fmt::format(
         "Something is missing ({}); {} would do in sample, but the hold-out does not confirm it.",
         p_text(result_.p_value), id_of(best));
+  if (!doubt_.empty())
+    return fmt::format("Something is missing ({}); it acts like {} at once, {}: {}.",
+                       p_text(result_.p_value), id_of(best), doubt_, size_text(problem_, best));
   return fmt::format(
       "Consistent with {} at once, {}; gain {:.0f}, the least of them {:.0f}; {}.{} Error "
       "{}{}.{}{}",

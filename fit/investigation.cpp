@@ -222,7 +222,8 @@ void Investigation::attribute() {
   for (const Explanation& single : search_->singles())
     if (!single.fit.converged)
       result_.messages.push_back(fmt::format(
-          "the fit with {} did not converge: it takes no part in the verdict", id_of(single)));
+          "the fit with {} {}: it takes no part in the verdict", id_of(single),
+          single.ran_away ? "runs away to " + size_text(problem_, single) : "did not converge"));
   if (outside_the_inputs()) return;
   const bool by_tolerance = result_.tolerance_limited() && !std::isnan(share_of_tolerance_);
   finding_ = by_tolerance ? search_->explain_within_tolerance() : search_->explain();
@@ -267,9 +268,29 @@ void Investigation::confirm() {
   }
 }
 
+/// Why an explanation that leaves nothing but noise is believed less; empty if it is not.
+std::string Investigation::doubt_about(const Explanation& best) const {
+  std::vector<std::string> at_bound;
+  for (std::size_t k = 0; k < problem_.base.size(); ++k)
+    if (best.fit.at_bound[k])
+      at_bound.push_back(fmt::format(
+          "{} at {}", best.parameters[k].name,
+          with_unit(best.fit.values[static_cast<Eigen::Index>(k)], best.parameters[k].unit)));
+  if (!at_bound.empty())
+    return fmt::format("but only with {}, the end of the range", joined(at_bound, "and"));
+  if (!search_->raises_the_error(best)) return {};
+  const ChannelDiagnosis& first = result_.channels.front();
+  return fmt::format("but the error rises from {:.4g} to {}",
+                     first.rmse_before / first.channel().factor,
+                     reading_text(first.channel(), rms_of(best).front(), 4));
+}
+
 void Investigation::confirm_single() {
-  // A size that nobody would believe is no rival of one that can be.
+  // A size that nobody would believe is no rival of one that can be, and what raises the error
+  // leads only where nothing else does as well.
   Set& set = finding_.set;
+  std::stable_partition(set.begin(), set.end(),
+                        [this](const Explanation* e) { return !search_->raises_the_error(*e); });
   const auto is_plausible = [this](const Explanation* e) { return sizes_plausible(problem_, *e); };
   plausible_ = std::any_of(set.begin(), set.end(), is_plausible);
   if (plausible_) std::erase_if(set, [&](const Explanation* e) { return !is_plausible(e); });
@@ -279,7 +300,8 @@ void Investigation::confirm_single() {
   }
   hold_out(*set.front());
   fill(set, *set.front());
-  if (!plausible_ || !holds_) {
+  doubt_ = doubt_about(*set.front());
+  if (!plausible_ || !holds_ || !doubt_.empty()) {
     result_.verdict = Verdict::effect_like;
     if (!evidence_.few_rows) result_.shape = find_unknown_shape(evidence_);
   } else {
@@ -290,7 +312,10 @@ void Investigation::confirm_single() {
 void Investigation::confirm_several() {
   hold_out(*finding_.set.front());
   fill(finding_.set, *finding_.set.front());
-  result_.verdict = holds_ ? Verdict::several_effects : Verdict::not_in_catalogue;
+  doubt_ = doubt_about(*finding_.set.front());
+  result_.verdict = !holds_          ? Verdict::not_in_catalogue
+                    : doubt_.empty() ? Verdict::several_effects
+                                     : Verdict::effect_like;
   if (!holds_) result_.shape = find_unknown_shape(evidence_);
 }
 

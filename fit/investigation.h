@@ -43,6 +43,7 @@ class Investigation {
 
   // Confirming.
   void confirm_single();
+  [[nodiscard]] std::string doubt_about(const Explanation& best) const;
   void confirm_several();
   void hold_out(const Explanation& best);
   void fill(const Set& set, const Explanation& best);
@@ -84,6 +85,7 @@ class Investigation {
   std::optional<HiddenInput> hidden_;
   Finding finding_;
   bool plausible_ = true, holds_ = true;
+  std::string doubt_;
   double share_of_tolerance_ = unset;  // of the refitted base model, on held-out blocks
   Diagnosis result_;
 };

@@ -230,6 +230,18 @@ Finding Search::bent_law() {
   return finding;
 }
 
+bool Search::raises_the_error(const Explanation& e) const {
+  const Observations& observed = problem_.observed;
+  const auto error = [&](const ResponseFit& fit) {
+    double square = 0.0;
+    for (std::size_t c = 0; c < observed.channels.size(); ++c)
+      square += observed.of(c, Eigen::VectorXd(observed.measured - fit.prediction)).squaredNorm() /
+                std::pow(evidence_.noise[c].rms, 2);
+    return square;
+  };
+  return error(e.fit) > error(evidence_.base);
+}
+
 double Search::share_of_tolerance(const Response& response, const ResponseFit& fit) const {
   const std::vector<double> errors = held_out_within_range(evidence_, response, fit, blockings_);
   double share = errors.empty() ? unset : 0.0;

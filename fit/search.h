@@ -57,6 +57,8 @@ class Search {
   }
   [[nodiscard]] std::optional<Shape>& shape() { return shape_; }
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
+  /// The rms of what is left, weighed by the noise of each channel, is larger than without it.
+  [[nodiscard]] bool raises_the_error(const Explanation& e) const;
   /// The error of an explanation on held-out blocks, the largest share of a channel's tolerance.
   [[nodiscard]] double share_of_tolerance(const Response& response, const ResponseFit& fit) const;
 
