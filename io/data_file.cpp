@@ -197,7 +197,7 @@ class Reader {
     return result;
   }
 
-  /// Time and speed, without slow rows; time grows within a run.
+  /// Time and speed, without slow rows; time does not go back within a run.
   Record coast_down() {
     if (!has(record::run)) {
       runs_.emplace_back("1");
@@ -209,9 +209,9 @@ class Reader {
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       double& last = last_time[static_cast<std::size_t>(values(record::run)[row])];
       const double now = values(record::time)[row];
-      if (now <= last)
+      if (now < last)
         bad_.add(table_.line(row), record::time.name, cell(*columns_.find(record::time), row),
-                 "must increase within a run");
+                 "must not go back within a run");
       if (!std::isnan(now)) last = now;
       if (!(values(record::speed)[row] < expected_.minimum_speed)) fast.push_back(row);
     }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "record/median.h"
+#include "rig/release.h"
 #include "rig/speed_regression.h"
 
 namespace raceway::rig {
@@ -83,31 +84,40 @@ class RunRegression {
       if (channel.is_input()) inputs_[c++] = record.values(channel);
   }
 
+  /// A run that is too short gives no torques, and a note.
   CoastDownRun add(const std::vector<std::size_t>& rows, std::vector<Torque>& torques) {
     summary_ = {};
     const int run = record_.run_of(rows.front());
     if (run >= 0) summary_.run = record_.runs.at(static_cast<std::size_t>(run));
-    const std::vector<Block> samples = samples_of(rows);
-    require_enough(samples.size());
-    const std::size_t aim =
-        std::max(fewest(), samples.size() / static_cast<std::size_t>(options_.windows));
-    const std::vector<Block> kept = without_outliers(samples, aim);
-    require_enough(kept.size());
-    summary_.samples = static_cast<int>(kept.size());
-    add_torques(cut(kept, aim), torques);
+    const std::vector<std::vector<Block>> falls = released(averaged_times(samples_of(rows)));
+    std::size_t count = 0;
+    for (const std::vector<Block>& fall : falls) count += fall.size();
+    const std::size_t aim = std::max(fewest(), count / static_cast<std::size_t>(options_.windows));
+    std::vector<std::vector<Block>> parts;
+    for (const std::vector<Block>& fall : falls) {
+      const std::vector<Block> kept = without_outliers(fall, aim);
+      const int samples = static_cast<int>(kept.size());
+      if (kept.size() < fewest()) {
+        if (falls.size() > 1)
+          note("{} samples of one fall are too few for a torque, left out ({})", samples,
+               record_.place(fall.front().row));
+        summary_.samples = std::max(summary_.samples, samples);
+        continue;
+      }
+      summary_.samples += samples;
+      cut(kept, aim, parts);
+    }
+    if (!parts.empty())
+      add_torques(parts, torques);
+    else if (summary_.samples < options_.fewest_samples)
+      note("{} sample{} left, too few for a torque, at least {} are needed: the run is left out",
+           summary_.samples, summary_.samples == 1 ? "" : "s", fewest());
     return summary_;
   }
 
  private:
   [[nodiscard]] std::size_t fewest() const {
     return static_cast<std::size_t>(options_.fewest_samples);
-  }
-
-  void require_enough(std::size_t count) const {
-    if (count < fewest())
-      throw std::invalid_argument(
-          fmt::format("{}: {}{} samples are too few for a torque, at least {} are needed",
-                      record_.source, of_run(summary_.run), count, fewest()));
   }
 
   template <typename... Arguments>
@@ -121,9 +131,9 @@ class RunRegression {
     std::vector<std::size_t> slow;
     double last_time = -std::numeric_limits<double>::infinity();
     for (const std::size_t i : rows) {
-      if (!(times_[i] > last_time))
+      if (times_[i] < last_time)
         throw std::invalid_argument(
-            fmt::format("{}, {}: time_s = {} does not grow within {} (before: {})", record_.source,
+            fmt::format("{}, {}: time_s = {} goes back within {} (before: {})", record_.source,
                         record_.place(i), times_[i],
                         summary_.run.empty() ? "the record" : "run " + summary_.run, last_time));
       last_time = times_[i];
@@ -141,7 +151,50 @@ class RunRegression {
     return samples;
   }
 
+  /// One sample for each time.
+  std::vector<Block> averaged_times(const std::vector<Block>& samples) {
+    std::vector<Block> distinct;
+    std::vector<std::size_t> shared;  // rows of times with more than one sample
+    std::size_t count = 0;
+    for (std::size_t first = 0, last = 0; first < samples.size(); first = last) {
+      while (last < samples.size() && samples[last].time == samples[first].time) ++last;
+      const auto alike = std::span(samples).subspan(first, last - first);
+      distinct.push_back(averaged(alike, alike.size()).front());
+      distinct.back().row = samples[first].row;
+      if (alike.size() < 2) continue;
+      shared.push_back(samples[first].row);
+      count += alike.size();
+    }
+    if (!shared.empty())
+      note("{} samples share {} time{} and are averaged (first in {})", count, shared.size(),
+           shared.size() == 1 ? "" : "s", record_.place(shared.front()));
+    return distinct;
+  }
+
+  /// The samples after each release.
+  std::vector<std::vector<Block>> released(const std::vector<Block>& samples) {
+    const ReleaseOptions options{.fewest = fewest(),
+                                 .windows = static_cast<std::size_t>(options_.windows),
+                                 .largest_fall = options_.largest_fall};
+    std::vector<std::vector<Block>> falls;
+    for (const std::span<const Block> start : starts(samples)) {
+      const std::size_t driven = samples_before_release(start, options);
+      if (driven < start.size())
+        falls.emplace_back(start.begin() + static_cast<std::ptrdiff_t>(driven), start.end());
+      if (driven == 0) continue;
+      summary_.before_release += static_cast<int>(driven);
+      note(
+          "{} sample{} before the release of the shaft left out ({} to {}): the speed falls freely "
+          "after {:.6g} s, from {:.5g} rpm",
+          driven, driven == 1 ? "" : "s", record_.place(start.front().row),
+          record_.line(start[driven - 1].row), start[driven - 1].time,
+          start[driven - 1].speed / rpm);
+    }
+    return falls;
+  }
+
   std::vector<Block> without_outliers(const std::vector<Block>& samples, std::size_t aim) {
+    if (samples.size() < fewest()) return samples;
     const std::vector<bool> outlier =
         find_outliers(samples, std::clamp<std::size_t>(aim, 2 * fewest(), 64));
     std::vector<std::size_t> rows;
@@ -155,16 +208,16 @@ class RunRegression {
     if (!rows.empty())
       note("{} samples stand out of the speed curve and are left out ({})", rows.size(),
            places_text(record_, rows));
-    summary_.outliers = static_cast<int>(rows.size());
+    summary_.outliers += static_cast<int>(rows.size());
     return kept;
   }
 
   /// Windows of blocks, of which none spans a gap.
-  std::vector<std::vector<Block>> cut(const std::vector<Block>& kept, std::size_t aim) {
+  void cut(const std::vector<Block>& kept, std::size_t aim,
+           std::vector<std::vector<Block>>& parts) {
     const std::size_t block = std::max<std::size_t>(1, (aim + largest_window - 1) / largest_window);
     const std::size_t most = std::max(fewest(), aim / block);
     const double gap = std::max(gap_limit, 0.5 * static_cast<double>(aim));
-    std::vector<std::vector<Block>> parts;
     for (const std::span<const Block> samples : segments(kept, gap)) {
       const std::vector<Block> segment = averaged(samples, block);
       const auto cuts = windows(segment, fewest(), most, options_.largest_fall);
@@ -173,8 +226,6 @@ class RunRegression {
              segment.size() * block, record_.place(segment.front().row));
       for (const std::span<const Block> part : cuts) parts.emplace_back(part.begin(), part.end());
     }
-    if (parts.empty()) require_enough(0);
-    return parts;
   }
 
   void add_torques(const std::vector<std::vector<Block>>& parts, std::vector<Torque>& torques) {
@@ -220,12 +271,45 @@ class RunRegression {
   CoastDownRun summary_;
 };
 
+/// Why no run gives a torque.
+std::string no_torque(const record::Record& record, const std::vector<CoastDownRun>& runs,
+                      const CoastDownOptions& options) {
+  const auto longest = std::max_element(
+      runs.begin(), runs.end(),
+      [](const CoastDownRun& a, const CoastDownRun& b) { return a.samples < b.samples; });
+  if (longest->samples >= options.fewest_samples)
+    return record.source + ": the speed falls nowhere, so there is no torque";
+  return fmt::format(
+      "{}: {}{} samples are too few for a torque, at least {} are needed{}", record.source,
+      of_run(longest->run), longest->samples, options.fewest_samples,
+      runs.size() > 1 ? fmt::format("; none of the {} runs has more", runs.size())
+      : longest->before_release > 0
+          ? fmt::format("; {} before the release do not count", longest->before_release)
+          : "");
+}
+
 template <typename Value>
 std::vector<double> column(const std::vector<Torque>& torques, const Value& value) {
   std::vector<double> list;
   list.reserve(torques.size());
   for (const Torque& t : torques) list.push_back(value(t));
   return list;
+}
+
+/// Runs that gave a torque.
+void add_runs(const std::vector<Torque>& torques, const record::Record& coast_down,
+              record::Record& result) {
+  std::vector<int> known(coast_down.runs.size(), -1);
+  result.set(record::run, column(torques, [&](const Torque& t) {
+               const int run = coast_down.run_of(t.row);
+               if (run < 0) return -1.0;
+               int& place = known.at(static_cast<std::size_t>(run));
+               if (place < 0) {
+                 place = static_cast<int>(result.runs.size());
+                 result.runs.push_back(coast_down.runs[static_cast<std::size_t>(run)]);
+               }
+               return static_cast<double>(place);
+             }));
 }
 
 /// Columns in the order of the table of channels.
@@ -241,10 +325,7 @@ void fill(const std::vector<Torque>& torques, const record::Record& coast_down,
       result.set(channel, column(torques, [k](const Torque& t) { return t.mean.inputs[k]; }));
   }
   result.set(record::time, column(torques, [](const Torque& t) { return t.time; }));
-  if (coast_down.has(record::run))
-    result.set(record::run, column(torques, [&](const Torque& t) {
-                 return coast_down.value(record::run, t.row);
-               }));
+  if (coast_down.has(record::run)) add_runs(torques, coast_down, result);
   result.set(record::friction_torque, column(torques, [](const Torque& t) { return t.torque; }));
   result.set(record::torque_deviation, column(torques, [](const Torque& t) { return t.std; }))
       .known = true;
@@ -259,15 +340,12 @@ CoastDownTorque coast_down_torque(const record::Record& coast_down, const model:
   check(coast_down, rig, options);
   CoastDownTorque result;
   result.record.source = coast_down.source;
-  result.record.runs = coast_down.runs;
   result.record.notes = coast_down.notes;
   std::vector<Torque> torques;
   RunRegression regression(coast_down, rig, options, result.record.notes);
   for (const std::vector<std::size_t>& rows : rows_by_run(coast_down))
     result.runs.push_back(regression.add(rows, torques));
-  if (torques.empty())
-    throw std::invalid_argument(coast_down.source +
-                                ": the speed falls nowhere, so there is no torque");
+  if (torques.empty()) throw std::invalid_argument(no_torque(coast_down, result.runs, options));
   fill(torques, coast_down, result.record);
   return result;
 }

@@ -19,7 +19,8 @@ struct CoastDownOptions {
 /// What was found in one run of a coast-down.
 struct CoastDownRun {
   std::string run;             ///< run_id, empty where the file has none
-  int samples = 0;             ///< used
+  int samples = 0;             ///< used, those of one time as one
+  int before_release = 0;      ///< left out: run-up, plateau
   int outliers = 0;            ///< left out
   int rows = 0;                ///< torques gained
   double speed_noise = unset;  ///< standard deviation of one sample (or block mean) [rad/s]
@@ -53,11 +54,14 @@ struct CoastDownTorque {
 /// parabola are left out and named in the notes; windows do not span gaps. Dense records are
 /// averaged in blocks first, at most 32 to a window.
 ///
-/// A row stands for the line in the middle of its window.
-/// Domain:   constant inertia, no drive. Samples at standstill or below Rig::minimum_speed are left
-///           out, also windows in which the shaft speeds up.
-/// Throws std::invalid_argument: no inertia, a value that is not finite, time that does not grow
-/// within a run (names the line), fewer samples in a run than a window needs.
+/// A row stands for the line in the middle of its window. What was left out or averaged is in the
+/// notes with its place.
+/// Domain:   constant inertia, no drive. Left out are samples before the release (release.h), at
+///           standstill or below Rig::minimum_speed, windows in which the shaft speeds up, and a
+///           run with fewer samples than a window needs. Where a run is driven up again it coasts
+///           down more than once. Samples of one time are averaged.
+/// Throws std::invalid_argument: no inertia, a value that is not finite, time that goes back within
+/// a run (names the line), no run that is long enough.
 [[nodiscard]] CoastDownTorque coast_down_torque(const record::Record& coast_down,
                                                 const model::Rig& rig,
                                                 const CoastDownOptions& options = {});

@@ -292,6 +292,30 @@ TEST(DataFile, ACoastDownWithoutRunIdIsOneRun) {
 TEST(DataFile, ACoastDownThatGivesNoTorqueIsAnErrorOfTheFile) {
   EXPECT_EQ(error_of("run_id,time_s,speed_rpm\n" + falling("a", 5), flywheel()),
             "d.csv: run a: 5 samples are too few for a torque, at least 7 are needed");
+  EXPECT_EQ(
+      error_of("run_id,time_s,speed_rpm\n" + falling("a", 5) + falling("b", 6), flywheel()),
+      "d.csv: run b: 6 samples are too few for a torque, at least 7 are needed; none of the 2 "
+      "runs has more");
+}
+
+TEST(DataFile, AShortRunBesideALongOneIsLeftOut) {
+  const Record r =
+      record_of("run_id,time_s,speed_rpm\n" + falling("a", 60) + falling("b", 3), flywheel());
+  EXPECT_THAT(r.notes, Contains("run b: 3 samples left, too few for a torque, at least 7 are "
+                                "needed: the run is left out"));
+  for (std::size_t i = 0; i < r.rows(); ++i) EXPECT_EQ(r.run_of(i), 0);
+  EXPECT_THAT(r.runs, ElementsAre("a"));
+}
+
+TEST(DataFile, EqualTimesInACoastDownAreAveraged) {
+  std::string text = "run_id,time_s,speed_rpm\n";
+  for (int k = 0; k < 60; ++k)
+    text += fmt::format("a,{0},{1}\na,{0},{2}\n", k, 1000.3 - 9 * k, 999.7 - 9 * k);
+  const Record r = record_of(text, flywheel());
+  EXPECT_THAT(r.notes, Contains("run a: 120 samples share 60 times and are averaged (first in "
+                                "line 2)"));
+  for (std::size_t i = 0; i < r.rows(); ++i)
+    EXPECT_NEAR(r.value(record::friction_torque, i), 0.85 * 9 * rpm, 1e-6);
 }
 
 TEST(DataFile, ACoastDownNeedsTheInertia) {
@@ -299,9 +323,9 @@ TEST(DataFile, ACoastDownNeedsTheInertia) {
               HasSubstr("the model needs inertia_kgm2 under [rig]"));
 }
 
-TEST(DataFile, TimeMustIncreaseWithinARunOfACoastDown) {
-  EXPECT_EQ(error_of("run_id,time_s,speed_rpm\na,0,1000\nb,0,1000\na,0,900\n", flywheel()),
-            "d.csv:4: time_s = 0: must increase within a run");
+TEST(DataFile, TimeMustNotGoBackWithinARunOfACoastDown) {
+  EXPECT_EQ(error_of("run_id,time_s,speed_rpm\na,1,1000\nb,0,1000\na,0,900\n", flywheel()),
+            "d.csv:4: time_s = 0: must not go back within a run");
 }
 
 TEST(DataFile, ACoastDownBelowTheMinimumSpeedIsAnError) {

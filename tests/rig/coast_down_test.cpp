@@ -279,15 +279,28 @@ TEST(CoastDown, KeepsRunsApartAndGivesEachRowItsPlace) {
   }
 }
 
-TEST(CoastDown, RefusesTimeThatStandsStillAndNamesTheLine) {
+TEST(CoastDown, RefusesTimeThatGoesBackAndNamesTheLine) {
   CoastDownRecord record = coast_down(with_drag, 1000 * rpm, every(1.0, 100.0));
-  record.samples[50].time = record.samples[49].time;
+  record.samples[50].time = record.samples[49].time - 0.5;
   try {
     (void)coast_down_torque(record, rig());
-    FAIL() << "two samples share a time";
+    FAIL() << "time goes back";
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("run.csv, line 52"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("run.csv, line 52: time_s = 49.5 goes back"));
   }
+}
+
+TEST(CoastDown, AveragesSamplesOfOneTime) {
+  // Ten samples a second, of which the clock of the file tells whole seconds alone.
+  CoastDownRecord record = coast_down(with_drag, 1000 * rpm, every(0.1, 400.0));
+  for (CoastDownSample& s : record.samples) s.time = std::floor(s.time + 1e-9);
+  const CoastDownTorque result = coast_down_torque(record, rig());
+  EXPECT_EQ(result.runs[0].samples + result.runs[0].outliers, 400);  // the first second has nine
+  EXPECT_THAT(result.data.notes,
+              testing::Contains("run first: 3999 samples share 400 times and are "
+                                "averaged (first in line 2)"));
+  for (const Row& row : result.data.rows)
+    EXPECT_NEAR(row.measured, with_drag(row.point.speed), 4e-3 * row.measured);
 }
 
 TEST(CoastDown, RefusesTooFewSamplesAndAMissingInertia) {
@@ -297,6 +310,24 @@ TEST(CoastDown, RefusesTooFewSamplesAndAMissingInertia) {
   record = coast_down(with_drag, 1000 * rpm, every(1.0, 7.5));
   EXPECT_EQ(coast_down_torque(record, rig()).data.rows.size(), 1U);
   EXPECT_THROW((void)coast_down_torque(record, Rig{}), std::invalid_argument);
+}
+
+TEST(CoastDown, LeavesOutARunThatIsTooShortByName) {
+  CoastDownRecord record = coast_down(with_drag, 1000 * rpm, every(1.0, 2000.0));
+  const CoastDownTorque alone = coast_down_torque(record, rig());
+  record.runs = {"first", "broken off"};
+  for (std::size_t i = 0; i < 5; ++i) {
+    CoastDownSample s = record.samples[i];
+    s.run = 1;
+    record.samples.push_back(s);
+  }
+  const CoastDownTorque result = coast_down_torque(record, rig());
+  EXPECT_EQ(result.data.rows.size(), alone.data.rows.size());
+  EXPECT_THAT(result.data.notes,
+              testing::Contains("run broken off: 5 samples left, too few for a torque, at least 7 "
+                                "are needed: the run is left out"));
+  ASSERT_EQ(result.runs.size(), 2U);
+  EXPECT_EQ(result.runs[1].rows, 0);
 }
 
 TEST(CoastDown, LeavesOutAShaftThatSpeedsUp) {
@@ -314,8 +345,11 @@ TEST(CoastDown, LeavesOutAShaftThatSpeedsUp) {
     driven.samples.push_back(s);
   }
   const CoastDownTorque result = coast_down_torque(driven, rig());
-  EXPECT_THAT(result.data.notes, testing::Contains(testing::HasSubstr("does not fall")));
-  for (const Row& row : result.data.rows) EXPECT_GT(row.measured, 0.0);
+  EXPECT_THAT(result.data.notes, testing::Contains(testing::HasSubstr("before the release")));
+  for (const Row& row : result.data.rows) {
+    EXPECT_GT(row.time, turn);
+    EXPECT_NEAR(row.measured, with_drag(row.point.speed), 2e-3 * row.measured);
+  }
 }
 
 }  // namespace
