@@ -11,19 +11,13 @@
 #include "record/median.h"
 #include "rig/release.h"
 #include "rig/speed_regression.h"
+#include "rig/torque_rows.h"
 
 namespace raceway::rig {
 namespace {
 
 constexpr std::size_t largest_window = 32;  // blocks; longer windows are averaged to this first
 constexpr double gap_limit = 5.0;           // usual spacings, or half a window where that is more
-
-/// One torque.
-struct Torque {
-  double time, speed, torque, std;
-  Block mean;       // of its window
-  std::size_t row;  // of the coast-down
-};
 
 std::string of_run(const std::string& run) { return run.empty() ? "" : "run " + run + ": "; }
 
@@ -286,51 +280,6 @@ std::string no_torque(const record::Record& record, const std::vector<CoastDownR
       : longest->before_release > 0
           ? fmt::format("; {} before the release do not count", longest->before_release)
           : "");
-}
-
-template <typename Value>
-std::vector<double> column(const std::vector<Torque>& torques, const Value& value) {
-  std::vector<double> list;
-  list.reserve(torques.size());
-  for (const Torque& t : torques) list.push_back(value(t));
-  return list;
-}
-
-/// Runs that gave a torque.
-void add_runs(const std::vector<Torque>& torques, const record::Record& coast_down,
-              record::Record& result) {
-  std::vector<int> known(coast_down.runs.size(), -1);
-  result.set(record::run, column(torques, [&](const Torque& t) {
-               const int run = coast_down.run_of(t.row);
-               if (run < 0) return -1.0;
-               int& place = known.at(static_cast<std::size_t>(run));
-               if (place < 0) {
-                 place = static_cast<int>(result.runs.size());
-                 result.runs.push_back(coast_down.runs[static_cast<std::size_t>(run)]);
-               }
-               return static_cast<double>(place);
-             }));
-}
-
-/// Columns in the order of the table of channels.
-void fill(const std::vector<Torque>& torques, const record::Record& coast_down,
-          record::Record& result) {
-  std::size_t c = 0;
-  for (const record::Channel& channel : record::channels) {
-    if (!channel.is_input()) continue;
-    const std::size_t k = c++;
-    if (channel == record::speed)
-      result.set(channel, column(torques, [](const Torque& t) { return t.speed; }));
-    else if (coast_down.has(channel))
-      result.set(channel, column(torques, [k](const Torque& t) { return t.mean.inputs[k]; }));
-  }
-  result.set(record::time, column(torques, [](const Torque& t) { return t.time; }));
-  if (coast_down.has(record::run)) add_runs(torques, coast_down, result);
-  result.set(record::friction_torque, column(torques, [](const Torque& t) { return t.torque; }));
-  result.set(record::torque_deviation, column(torques, [](const Torque& t) { return t.std; }))
-      .known = true;
-  if (!coast_down.lines.empty())
-    for (const Torque& t : torques) result.lines.push_back(coast_down.line(t.row));
 }
 
 }  // namespace
