@@ -149,8 +149,9 @@ struct Description {
   /// Supplies of lubricant with which it can be at work; any where empty.
   std::span<const friction::Supply> supplies = {};
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
-  /// Whatever turns on the shaft adds to it: the plausible range is that of the bearing alone.
-  bool grows_with_the_rotor = false;
+  /// Whatever turns on the shaft adds to it. On a rig that coasts down it is the drag on all that,
+  /// once and not once per bearing; the plausible range is that of the bearing alone.
+  bool drags_on_the_rotor = false;
   /// Warms up and cools down with the machine: what tells it from the rest is temperature or lag.
   bool follows_heat = false;
   bool base_law = false;        ///< corrects an exponent of the base law itself

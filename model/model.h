@@ -16,13 +16,17 @@ namespace raceway::model {
 
 /// What is known of the test rig; it fills in what a record does not carry.
 struct Rig {
-  double inertia = unset;           ///< of all that coasts down [kg m²]
+  double inertia = unset;           ///< of all that coasts down [kg m²]; NaN: not given
+  bool unknown_inertia = false;     ///< said to be unknown: torques up to a common factor
   int bearings = 1;                 ///< equal bearings whose torque the rig sees [1]
   double axial_load = unset;        ///< per bearing, for rows without that column [N]
   double radial_load = 0.0;         ///< per bearing [N]
   double temperature = kelvin(40);  ///< [K]
   double room_temperature = unset;  ///< [K]; NaN: that of the coldest row of a record
   double minimum_speed = 0.0;       ///< slower coast-down rows are left out [rad/s]
+
+  /// Its torque is that of a shaft that slows down by itself, with all that turns on it.
+  [[nodiscard]] bool coasts_down() const { return inertia > 0.0 || unknown_inertia; }
 };
 
 /// The shaft that a model stands for, where it is more than one bearing on a rig.

@@ -151,8 +151,7 @@ std::vector<Parameter> parameters(const Model& model) {
 
 double plausible_upper(const effects::Description& effect, const effects::Parameter& number,
                        const Rig& rig) {
-  return effect.grows_with_the_rotor && std::isfinite(rig.inertia) ? number.upper
-                                                                   : number.plausible_upper;
+  return effect.drags_on_the_rotor && rig.coasts_down() ? number.upper : number.plausible_upper;
 }
 
 ParameterPlace::ParameterPlace(const Model& model, const Parameter& parameter) {

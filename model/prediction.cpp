@@ -18,6 +18,10 @@ constexpr std::size_t points_of_a_thread = 256;  // points that a thread takes
 
 bool FrictionPrediction::predicted() const { return std::isfinite(torque); }
 
+double share_of_bearing(const effects::Description& effect, const Rig& rig) {
+  return effect.drags_on_the_rotor && rig.coasts_down() ? 1.0 / rig.bearings : 1.0;
+}
+
 double rig_torque(const Rig& rig, double bearing_torque) { return rig.bearings * bearing_torque; }
 
 FrictionPrediction predict_friction(const Model& model, const bearing::OperatingPoint& point,

@@ -170,11 +170,12 @@ void RowPredictor::add_moments(const Model& model, const Steps& steps, Stage fro
   torque_ = base_.load + base_.viscous;
   for (std::size_t m = 0; m < steps.moment.size(); ++m) {
     const Effect& effect = model.effects[steps.moment[m]];
+    const double share = share_of_bearing(*effect.description, model.rig);
     if (!effect.description->unit_moment) {
-      torque_ += effect.moment(inputs);
+      torque_ += share * effect.moment(inputs);
       continue;
     }
-    if (from <= Stage::lubricant) units_[m] = effect.description->unit_moment(inputs);
+    if (from <= Stage::lubricant) units_[m] = share * effect.description->unit_moment(inputs);
     torque_ += effect.values[0] * units_[m];
   }
 }
@@ -233,7 +234,8 @@ FrictionPrediction RowPredictor::prediction(const Model& model) const {
   if (bearing_) s.bearing = bearing_.get();
   const effects::MomentInputs inputs{.state = s, .base = base_, .record = record_};
   for (std::size_t k = 0; k < model.effects.size(); ++k)
-    p.effects[k] = model.effects[k].moment(inputs);
+    p.effects[k] = share_of_bearing(*model.effects[k].description, model.rig) *
+                   model.effects[k].moment(inputs);
   return p;
 }
 

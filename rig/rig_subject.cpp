@@ -223,7 +223,7 @@ model::Expected RigSubject::expected() const {
                 {&record::radial_load, rig.radial_load, "[rig]"},
                 {&record::temperature, rig.temperature, "[rig]"}};
   e.measured = {&record::friction_torque, &record::axial_displacement};
-  e.coast_down = rig.inertia > 0.0;
+  e.coast_down = rig.coasts_down();
   e.minimum_speed = rig.minimum_speed;
   return e;
 }

@@ -10,6 +10,7 @@
 
 #include "effects/catalogue.h"
 #include "effects/formula.h"
+#include "model/prediction.h"
 #include "tests/support/shafts.h"
 
 namespace raceway::fit {
@@ -370,6 +371,26 @@ TEST(RigSubject, TellsAReaderWhatTheModelStandsInFor) {
   EXPECT_FALSE(expected.coast_down);
   model.rig.inertia = 0.85;
   EXPECT_TRUE(RigSubject(model).expected().coast_down);
+}
+
+TEST(RigSubject, OnACoastDownTheAirDragsOnTheRotorOnce) {
+  // c (n/10 000 rpm)^1.8 at that speed is c; all else of the model is the same.
+  model::Model model = synthetic_model();
+  model.effects.push_back({.description = effects::find("windage"), .values = {60.0}});
+  model::Model still = model;
+  still.effects.clear();
+  const bearing::OperatingPoint point{.speed = 10000 * rpm, .axial_load = 100.0};
+  for (const int bearings : {1, 2, 5})
+    for (const int kind : {0, 1, 2}) {
+      for (model::Model* m : {&model, &still}) {
+        m->rig.bearings = bearings;
+        m->rig.inertia = kind == 1 ? 0.85 : unset;
+        m->rig.unknown_inertia = kind == 2;
+      }
+      const double air = model::predict_friction(model, point).reading -
+                         model::predict_friction(still, point).reading;
+      EXPECT_NEAR(air, (kind == 0 ? bearings : 1) * 60.0 * N_mm, 1e-9) << bearings << kind;
+    }
 }
 
 }  // namespace
