@@ -69,13 +69,14 @@ int run(const AddFlags& flags) {
   flags.tolerance.set(file);
   const auto subject = io::make_subject(file.model);
   const record::Record data = open_data(flags.data, *subject);
-  const fit::AddResult result = [&] {
+  fit::AddResult result = [&] {
     try {
       return fit::add(*subject, ids, data);
     } catch (const std::invalid_argument& e) {
       refuse_data(path, data, e);
     }
   }();
+  tell_of_scale(data, result.messages);
   if (flags.json) {
     fmt::print("{}", io::add_json(path, data, result));
   } else {

@@ -68,13 +68,14 @@ int run(const CalibrateFlags& flags) {
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   const auto subject = io::make_subject(file.model);
   const record::Record data = open_data(flags.data, *subject);
-  const fit::Calibration c = [&] {
+  fit::Calibration c = [&] {
     try {
       return fit::calibrate(*subject, data);
     } catch (const std::invalid_argument& e) {
       refuse_data(flags.model, data, e);
     }
   }();
+  tell_of_scale(data, c.messages);
   if (flags.json) {
     fmt::print("{}", io::calibration_json(c, data));
   } else if (c.converged()) {

@@ -249,7 +249,8 @@ int run(const DiagnoseFlags& flags) {
   flags.tolerance.set(file);
   const auto subject = io::make_subject(file.model);
   const record::Record data = open_data(flags.data, *subject);
-  const fit::Diagnosis diagnosis = diagnosis_of(flags, *subject, data);
+  fit::Diagnosis diagnosis = diagnosis_of(flags, *subject, data);
+  tell_of_scale(data, diagnosis.messages);
   if (flags.json) {
     fmt::print("{}", io::diagnosis_json(flags.model, data, diagnosis));
   } else {

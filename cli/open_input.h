@@ -24,6 +24,10 @@ enum class Accepts { rig, rig_or_shaft, shaft };
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 
+/// Adds to the messages of a result that its torques have an unknown factor, where the record says
+/// so.
+void tell_of_scale(const record::Record& data, std::vector<std::string>& messages);
+
 /// A line on stderr, behind all that stdout has so far.
 void say(const std::string& line);
 

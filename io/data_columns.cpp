@@ -18,13 +18,41 @@ std::string place_of_header(const CsvTable& table) {
   return fmt::format("{}:{}", table.source, table.header_line);
 }
 
+/// Places of times between two speeds. The file has both speeds and the time, and neither a speed
+/// at a time nor a torque.
+void find_falls(const CsvTable& table, DataColumns& columns) {
+  if (!table.column(speed_from.name) && !table.column(speed_to.name)) return;
+  for (const Channel* c : {&speed_from, &speed_to, &fall_time, &fall_time_deviation}) {
+    if (const auto place = table.column(c->name))
+      columns.falls.push_back({c, *place});
+    else if (!(*c == fall_time_deviation))
+      throw InputError(fmt::format(
+          "{}: column {} is missing: the time of a fall needs {}, {} and {}; the header has {}",
+          place_of_header(table), c->name, speed_from.name, speed_to.name, fall_time.name,
+          listed(table.header)));
+  }
+  for (const Channel& c : record::channels)
+    if ((c == record::speed || c.role == Role::measured || c.role == Role::deviation) &&
+        table.column(c.name))
+      throw InputError(fmt::format(
+          "{}: column {} beside {}: a file has times between two speeds, speeds at a time, or "
+          "readings at a speed",
+          place_of_header(table), c.name, speed_from.name));
+}
+
 /// Places of what is known; what is not is an error where it looks misspelt.
 void find_places(const CsvTable& table, DataColumns& columns) {
+  find_falls(table, columns);
   std::vector<std::string> known{std::string(record::run.name)};
   for (const Channel& channel : record::channels) {
-    if (const auto place = table.column(channel.name)) columns.places.push_back({&channel, *place});
+    const bool taken = channel == record::time && !columns.falls.empty();
+    if (const auto place = table.column(channel.name); place && !taken)
+      columns.places.push_back({&channel, *place});
     if (!(channel == record::run)) known.emplace_back(channel.name);
   }
+  known.emplace_back(speed_from.name);
+  known.emplace_back(speed_to.name);
+  for (const DataColumns::Place& p : columns.falls) known.emplace_back(p.channel->name);
   for (const std::string& name : table.header) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     if (const auto near = nearest_name(name, known))
@@ -59,14 +87,17 @@ void require_measured(const CsvTable& table, const model::Expected& expected,
       names.emplace_back(channel.name);
   const std::string wanted = fmt::format("{}: no measured column: {} is expected",
                                          place_of_header(table), listed(names, "or"));
-  if (!columns.find(record::time))
+  if (!columns.find(record::time) && columns.falls.empty())
     throw InputError(fmt::format("{}, or {} for a coast-down; the header has {}", wanted,
                                  record::time.name, listed(table.header)));
   if (!expected.coast_down)
-    throw InputError(
-        fmt::format("{}; for a coast-down ({} and {} alone) the model needs inertia_kgm2 under "
-                    "[rig]",
-                    wanted, record::time.name, record::speed.name));
+    throw InputError(fmt::format(
+        "{}; for a coast-down ({}) the model needs inertia_kgm2 under [rig], a number or "
+        "\"unknown\"",
+        wanted,
+        columns.falls.empty()
+            ? fmt::format("{} and {} alone", record::time.name, record::speed.name)
+            : "times between two speeds"));
 }
 
 void require_what_deviates(const CsvTable& table, const DataColumns& columns) {
@@ -83,6 +114,7 @@ void require_inputs(const CsvTable& table, const model::Expected& expected,
                     const DataColumns& columns, bool may_stand_in_model) {
   for (const model::Expected::Default& d : expected.defaults) {
     const Channel& c = *d.channel;
+    if (c == record::speed && !columns.falls.empty()) continue;
     if (!std::isnan(d.value) || columns.find(c) || d.from.empty() == may_stand_in_model) continue;
     if (!may_stand_in_model)
       throw InputError(fmt::format("{}: column {} is missing; the header has {}",

@@ -10,6 +10,16 @@
 /// The header of a measurement file; shared with the reader of records, not for other code.
 namespace raceway::io {
 
+/// Columns of a file of times between two speeds, which become rows of torque.
+inline constexpr record::Channel speed_from{
+    .name = "speed_from_rpm", .unit = "rpm", .factor = rpm, .lower = 1e-3, .upper = 1e6};
+inline constexpr record::Channel speed_to{
+    .name = "speed_to_rpm", .unit = "rpm", .factor = rpm, .lower = 1e-3, .upper = 1e6};
+inline constexpr record::Channel fall_time{
+    .name = "time_s", .unit = "s", .lower = 1e-6, .upper = 1e9};
+inline constexpr record::Channel fall_time_deviation{
+    .name = "std_time_s", .unit = "s", .lower = 1e-9, .upper = 1e9};
+
 /// Which columns of a file hold which channels.
 struct DataColumns {
   struct Place {
@@ -19,6 +29,7 @@ struct DataColumns {
   std::vector<Place> places;  ///< in the order of the table of channels
   /// Measured channels that are kept, and those that are not. Both are empty for a coast-down.
   std::vector<const record::Channel*> measured, unused;
+  std::vector<Place> falls;        ///< of times between two speeds; empty where the file has none
   std::vector<std::string> notes;  ///< on columns that nobody knows
 
   /// Null where the file has no such column.

@@ -14,6 +14,8 @@
 #include "io/error.h"
 #include "io/names.h"
 #include "rig/coast_down.h"
+#include "rig/fall_times.h"
+#include "rig/unknown_inertia.h"
 
 namespace raceway::io {
 namespace {
@@ -45,10 +47,16 @@ class Reader {
       else
         values(*place.channel) = numbers(place);
     }
+    if (!columns_.falls.empty()) read_falls();
     check_decimal_marks();
     note_form();
     fill_in();
-    if (columns_.coast_down()) return torque(coast_down());
+    if (!falls_.empty()) return torque_of_falls();
+    if (columns_.coast_down()) {
+      const Record samples = coast_down();
+      return torque(
+          [&](const model::Rig& of) { return rig::coast_down_torque(samples, of).record; });
+    }
     bad_.throw_if_any();
     note_what_is_left_out();
     return record();
@@ -143,7 +151,7 @@ class Reader {
       if (has(*p.partner) && !has(*p.channel))
         notes_.push_back(fmt::format("no column {}: {}", p.channel->name, p.from));
     for (const model::Expected::Default& d : expected_.defaults) {
-      if (has(*d.channel)) continue;
+      if (has(*d.channel) || !values(*d.channel).empty()) continue;
       values(*d.channel).assign(table_.rows(), d.value);
       notes_.push_back(fmt::format("no column {}: {:.6g} {} for all rows, from {}", d.channel->name,
                                    d.channel->in_unit(d.value), d.channel->unit, d.from));
@@ -227,9 +235,66 @@ class Reader {
     return record().picked(fast);
   }
 
-  [[nodiscard]] Record torque(const Record& coast_down) const {
+  /// Falls by row, and the middle of their speeds as the speed.
+  void read_falls() {
+    falls_.resize(table_.rows());
+    for (const DataColumns::Place& place : columns_.falls) {
+      const std::vector<double> list = numbers(place);
+      for (std::size_t row = 0; row < list.size(); ++row)
+        (*place.channel == speed_from  ? falls_[row].from
+         : *place.channel == speed_to  ? falls_[row].to
+         : *place.channel == fall_time ? falls_[row].time
+                                       : falls_[row].time_deviation) = list[row];
+    }
+    for (std::size_t row = 0; row < falls_.size(); ++row) {
+      const rig::Fall& f = falls_[row];
+      values(record::speed).push_back(0.5 * (f.from + f.to));
+      if (f.to >= f.from)
+        bad_.add(
+            table_.line(row), speed_to.name, cell(columns_.falls[1], row),
+            fmt::format("must be below speed_from_rpm = {} rpm", cell(columns_.falls[0], row)));
+    }
+  }
+
+  /// Without falls to slow speeds.
+  Record torque_of_falls() {
+    bad_.throw_if_any();
+    std::vector<std::size_t> fast;
+    std::vector<rig::Fall> falls;
+    for (std::size_t row = 0; row < falls_.size(); ++row)
+      if (!(falls_[row].to < expected_.minimum_speed)) {
+        fast.push_back(row);
+        falls.push_back(falls_[row]);
+      }
+    const double minimum = record::speed.in_unit(expected_.minimum_speed);
+    if (fast.empty())
+      throw InputError(
+          fmt::format("{}: no fall ends above minimum_speed_rpm = {:.6g} of [rig]; nothing is left",
+                      table_.source, minimum));
+    if (fast.size() < table_.rows())
+      notes_.push_back(
+          fmt::format("{} of {} falls end below minimum_speed_rpm = {:.6g} and are left out",
+                      table_.rows() - fast.size(), table_.rows(), minimum));
+    const Record what = record().picked(fast);
+    return torque([&](const model::Rig& of) { return rig::fall_torque(what, falls, of); });
+  }
+
+  /// `of` makes torques with the inertia of a rig.
+  template <typename Of>
+  [[nodiscard]] Record torque(const Of& of) const {
     try {
-      return rig::coast_down_torque(coast_down, subject_.model().rig).record;
+      model::Rig assumed = subject_.model().rig;
+      if (!assumed.unknown_inertia) return of(assumed);
+      assumed.inertia = 1.0;
+      assumed.inertia = rig::matching_inertia(subject_, of(assumed));
+      Record result = of(assumed);
+      result.notes.push_back(fmt::format(
+          "inertia_kgm2 = \"unknown\": {:.4g} kg m2 taken, with which the mean torque is that of "
+          "the "
+          "model as it stands; torques, f0, z and all sizes in N mm are known up to this factor, "
+          "and what the record tells is the shape",
+          assumed.inertia));
+      return result;
     } catch (const std::invalid_argument& e) {
       const std::string message = e.what();
       throw InputError(message.starts_with(table_.source) ? message
@@ -243,6 +308,7 @@ class Reader {
   DataColumns columns_;
   BadCells bad_;
   std::array<std::vector<double>, record::channels.size()> values_;  // [SI]
+  std::vector<rig::Fall> falls_;  // by row; empty but in a file of times between two speeds
   std::vector<std::string> runs_, notes_;
   Mark comma_, point_;
 };

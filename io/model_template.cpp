@@ -48,7 +48,7 @@ bearings = {}                       # equal bearings whose torque the rig sees
 radial_load_N = {}
 temperature_C = {}
 minimum_speed_rpm = {}              # slower rows of a coast-down are left out
-# inertia_kgm2 = 0.5               # of all that turns; coast-down records need it
+# inertia_kgm2 = 0.5               # of all that turns; coast-down records need it, or "unknown"
 
 [solver]
 race_control = "outer"             # or "inner"

@@ -14,6 +14,18 @@ constexpr Key temperature{"temperature_C", "C", -273, 500};
 constexpr Key room_temperature{"room_temperature_C", "C", -273, 500};
 constexpr Key minimum_speed{"minimum_speed_rpm", "rpm", 0, 1e6};
 
+/// The number, or the word for one that nobody knows.
+void read_inertia(const Section& s, model::Rig& rig) {
+  const toml::node* const node = s.find(inertia.name);
+  if (!node) return;
+  rig.unknown_inertia = node->is_string() && *node->value<std::string>() == "unknown";
+  if (rig.unknown_inertia) return;
+  if (node->is_string())
+    s.fail(inertia.name,
+           fmt::format("{} = {}: {}, or \"unknown\"", inertia.name, shown(*node), range(inertia)));
+  rig.inertia = s.number(inertia).value_or(unset);
+}
+
 }  // namespace
 
 model::Rig read_rig(ModelTables& tables) {
@@ -24,7 +36,7 @@ model::Rig read_rig(ModelTables& tables) {
     known.emplace_back(key.name);
   s.allow_only(known);
   model::Rig rig;
-  if (const auto value = s.number(inertia)) rig.inertia = *value;
+  read_inertia(s, rig);
   if (const auto value = s.number(axial_load)) rig.axial_load = *value;
   if (const auto value = s.whole_number(bearings))
     rig.bearings = *value;

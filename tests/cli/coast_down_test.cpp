@@ -66,5 +66,51 @@ TEST(CoastDownRecords, FourSecondsOfPlateauChangeNoVerdict) {
   }
 }
 
+TEST(CoastDownRecords, AnUnknownInertiaChangesSizesAndNothingElse) {
+  const ScratchFolder folder;
+  const std::string unknown =
+      folder.write("unknown.toml", replaced(file_text(shipped + "flywheel.toml"),
+                                            "inertia_kgm2 = 0.8489", "inertia_kgm2 = \"unknown\""));
+  const std::string record = " " + shipped + "flywheel_unloaded.csv";
+  const Result r = run("diagnose --json " + unknown + record);
+  const std::string said = "the inertia is unknown: all torques, f0, z and sizes in N mm have one";
+  EXPECT_THAT(r.err, testing::HasSubstr("inertia_kgm2 = \"unknown\": 0.4782 kg m2 taken"));
+  EXPECT_THAT(r.err, testing::HasSubstr(said));
+  const json a = parsed(r), b = parsed(run("diagnose --json " + flywheel + record));
+  EXPECT_THAT(a["messages"].dump(), testing::HasSubstr(said));
+  EXPECT_THAT(b["messages"].dump(), testing::Not(testing::HasSubstr("inertia")));
+  EXPECT_EQ(a["verdict"], b["verdict"]);
+  EXPECT_NEAR(best_share(a), best_share(b), 1e-4);
+  const double factor = a["rmse_before"].get<double>() / b["rmse_before"].get<double>();
+  const auto windage = [](const json& d) {
+    for (const json& e : d["effects"])
+      if (e["id"] == "windage") return e;
+    return json();
+  };
+  EXPECT_NEAR(windage(a)["gain"], windage(b)["gain"], 1e-3 * windage(b)["gain"].get<double>());
+  const std::string size = "torque_at_10000_rpm_Nmm";
+  EXPECT_NEAR(windage(a)["parameters"][size]["value"].get<double>(),
+              factor * windage(b)["parameters"][size]["value"].get<double>(), 1.0);
+  for (const char* command : {"calibrate --json ", "calibrate "})
+    EXPECT_THAT(run(command + unknown + record).err, testing::HasSubstr(said));
+  EXPECT_THAT(run("add " + unknown + " windage --data" + record).err, testing::HasSubstr(said));
+}
+
+TEST(CoastDownRecords, CheckNamesTimesBetweenTwoSpeeds) {
+  const ScratchFolder folder;
+  const std::string good = folder.write(
+      "falls.csv",
+      "\xef\xbb\xbfspeed_from_rpm;speed_to_rpm;time_s\r\n1000,5;900;41,2\r\n900;800;46,9\r\n"
+      "800;700;53,5\r\n700;600;61,8\r\n");
+  const Result r = run("check " + flywheel + good);
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.err, testing::HasSubstr("note: 4 torques from the times between two speeds"));
+  EXPECT_THAT(r.out, testing::HasSubstr("4 rows of friction torque"));
+  const std::string bad =
+      folder.write("bad.csv", "speed_from_rpm,speed_to_rpm,time_s\n900,800,40\n800,900,44\n");
+  expect_refused(run("check " + flywheel + bad),
+                 "bad.csv:3: speed_to_rpm = 900: must be below speed_from_rpm = 800 rpm");
+}
+
 }  // namespace
 }  // namespace raceway::tests

@@ -323,6 +323,102 @@ TEST(DataFile, ACoastDownNeedsTheInertia) {
               HasSubstr("the model needs inertia_kgm2 under [rig]"));
 }
 
+/// Times of falls by 100 rpm from 1000 to 500 under M = J k (ω + ω0): t = ln(...)/k.
+std::string falls(const std::string& header = "speed_from_rpm,speed_to_rpm,time_s") {
+  std::string text = header + "\n";
+  for (int from = 1000; from > 500; from -= 100)
+    text += fmt::format("{},{},{:.6f}\n", from, from - 100,
+                        std::log((from + 300.0) / (from + 200.0)) / 0.01);
+  return text;
+}
+
+TEST(DataFile, TimesBetweenTwoSpeedsBecomeTorque) {
+  const Record r = record_of(falls(), flywheel());
+  ASSERT_EQ(r.rows(), 5u);
+  EXPECT_FALSE(r.has(record::time));
+  EXPECT_EQ(r.deviation_of(record::friction_torque), nullptr);
+  for (std::size_t i = 0; i < r.rows(); ++i) {
+    const double truth = 0.85 * 0.01 * (r.value(record::speed, i) + 300 * rpm);
+    EXPECT_NEAR(r.value(record::friction_torque, i), truth, 3e-5 * truth);
+    EXPECT_EQ(r.line(i), static_cast<int>(i) + 2);
+  }
+  EXPECT_THAT(r.notes, Contains(StartsWith("5 torques from the times between two speeds, M = J (w1 "
+                                           "- w2)/t with J = 0.85 kg m2")));
+}
+
+TEST(DataFile, TimesBetweenTwoSpeedsAreReadAsExcelWritesThem) {
+  const Record r = record_of(
+      "run_id;speed_from_rpm;speed_to_rpm;time_s;std_time_s;axial_load_N\r\n"
+      "a;1000,0;900,0;10,5;0,1;250\r\na;900,0;800,0;12,5;0,1;250\r\na;50;30;9;0,1;250\r\n",
+      flywheel());
+  EXPECT_THAT(r.notes, Contains("read with semicolons, decimal commas and CRLF line ends"));
+  EXPECT_THAT(r.notes, Contains("1 of 3 falls end below minimum_speed_rpm = 40 and are left out"));
+  ASSERT_EQ(r.rows(), 2u);
+  EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.85 * 100 * rpm / 10.5);
+  EXPECT_NEAR(r.value(record::torque_deviation, 1),
+              r.value(record::friction_torque, 1) * 0.1 / 12.5, 1e-12);
+  EXPECT_DOUBLE_EQ(r.value(record::axial_load, 0), 250.0);
+  EXPECT_THAT(r.runs, ElementsAre("a"));
+}
+
+TEST(DataFile, WhatIsWrongWithTimesBetweenTwoSpeedsIsNamed) {
+  const auto error = [](const std::string& header, const std::string& row) {
+    return error_of(header + "\n" + row + "\n", flywheel());
+  };
+  const std::string header = "speed_from_rpm,speed_to_rpm,time_s";
+  EXPECT_EQ(error(header, "800,900,5"),
+            "d.csv:2: speed_to_rpm = 900: must be below speed_from_rpm = 800 rpm");
+  EXPECT_EQ(error(header, "900,800,0"), "d.csv:2: time_s = 0: must be from 1e-06 to 1000000000 s");
+  EXPECT_EQ(error(header, "900,0,5"),
+            "d.csv:2: speed_to_rpm = 0: must be from 0.001 to 1000000 rpm");
+  EXPECT_EQ(error(header + ",speed_rpm", "900,800,5,850"),
+            "d.csv:1: column speed_rpm beside speed_from_rpm: a file has times between two speeds, "
+            "speeds at a time, or readings at a speed");
+  EXPECT_THAT(error(header + ",friction_torque_Nmm", "900,800,5,850"),
+              StartsWith("d.csv:1: column friction_torque_Nmm beside speed_from_rpm"));
+  EXPECT_THAT(error("speed_from_rpm,time_s", "900,5"),
+              StartsWith("d.csv:1: column speed_to_rpm is missing"));
+  EXPECT_THAT(error("speed_from_rpm,speed_to_rpm", "900,800"),
+              StartsWith("d.csv:1: column time_s is missing"));
+  EXPECT_EQ(error(header, "30,20,5"),
+            "d.csv: no fall ends above minimum_speed_rpm = 40 of [rig]; nothing is left");
+  EXPECT_THAT(error_of(falls()), HasSubstr("the model needs inertia_kgm2 under [rig]"));
+}
+
+TEST(DataFile, AnUnknownInertiaMakesTheMeanTorqueThatOfTheModel) {
+  model::Rig rig = flywheel();
+  rig.axial_load = 100.0;
+  const std::string text = "run_id,time_s,speed_rpm\n" + falling("a", 60);
+  const Record known = record_of(text, rig);
+  rig.inertia = unset;
+  rig.unknown_inertia = true;
+  for (const std::string& data : {text, falls()}) {
+    const Record r = record_of(data, rig);
+    EXPECT_THAT(r.notes, Contains(StartsWith("inertia_kgm2 = \"unknown\": ")));
+    // The model's torques by its own formula, f0 and z of the sample.
+    double of_model = 0.0, of_record = 0.0;
+    for (std::size_t i = 0; i < r.rows(); ++i) {
+      const bearing::OperatingPoint point{.speed = r.value(record::speed, i),
+                                          .axial_load = 100.0,
+                                          .temperature = r.value(record::temperature, i)};
+      of_model += model::predict_friction(fit::synthetic_model(), point).reading;
+      of_record += r.value(record::friction_torque, i);
+    }
+    EXPECT_NEAR(of_record, of_model, 1e-9 * of_model);
+  }
+  // A factor, and nothing else.
+  const Record r = record_of(text, rig);
+  ASSERT_EQ(r.rows(), known.rows());
+  const double factor =
+      r.value(record::friction_torque, 0) / known.value(record::friction_torque, 0);
+  for (std::size_t i = 0; i < r.rows(); ++i) {
+    EXPECT_NEAR(r.value(record::friction_torque, i),
+                factor * known.value(record::friction_torque, i), 1e-12);
+    EXPECT_NEAR(r.value(record::torque_deviation, i),
+                factor * known.value(record::torque_deviation, i), 1e-12);
+  }
+}
+
 TEST(DataFile, TimeMustNotGoBackWithinARunOfACoastDown) {
   EXPECT_EQ(error_of("run_id,time_s,speed_rpm\na,1,1000\nb,0,1000\na,0,900\n", flywheel()),
             "d.csv:4: time_s = 0: must not go back within a run");

@@ -278,6 +278,19 @@ TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
   EXPECT_THAT(file.defaults, Contains(StartsWith("effect[0].friction_coefficient = ")));
 }
 
+TEST(ModelFile, AnInertiaMayBeUnknownIfThatIsSaid) {
+  const model::Rig rig =
+      parse_model(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = \"unknown\""), "m.toml")
+          .model.rig;
+  EXPECT_TRUE(rig.unknown_inertia && rig.coasts_down());
+  EXPECT_TRUE(std::isnan(rig.inertia));
+  EXPECT_THAT(error_of(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = \"none\"")),
+              HasSubstr("inertia_kgm2 = \"none\": must be from 1e-09 to 1000000 kg m2, or "
+                        "\"unknown\""));
+  EXPECT_THAT(error_of(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = true")),
+              HasSubstr("inertia_kgm2 = true: must be a number, not true or false"));
+}
+
 const std::string windage = R"([[effect]]
 id = "my-windage"
 torque_Nmm = "c * (speed_rpm/1000)^2"
