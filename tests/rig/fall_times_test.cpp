@@ -94,7 +94,9 @@ TEST(FallTimes, TheErrorOfSmoothLawsFallsFasterThanTheSquareOfTheWidth) {
       const std::vector<Fall> falls = chain(law, share, 6);
       const double error = worst(law, fall_torque(record_of(falls), falls, rig()));
       EXPECT_LT(error, 0.02 * std::pow(1.0 - share, 2)) << share;
-      if (!std::isnan(before)) EXPECT_LT(error, before / 5.0) << share;
+      if (!std::isnan(before)) {
+        EXPECT_LT(error, before / 5.0) << share;
+      }
       before = error;
     }
   }
