@@ -44,7 +44,8 @@ Check check(const Subject& subject, const Record& record) {
                        [&](const Measured& p) { return *p.channel == *m.channel; });
   });
   for (const record::Column& column : record.columns) {
-    if (column.channel->role == record::Role::run) continue;
+    if (column.channel->role == record::Role::run || column.channel->role == record::Role::part)
+      continue;
     if (const Check::Column c = summary(column); c.levels > 0) result.columns.push_back(c);
   }
   try {

@@ -46,6 +46,8 @@ ErrorRange error_range(const Channel& channel, const std::vector<RowError>& erro
   range.bias = sum / count;
   if (range.is_run() && range.from >= 0.0)
     range.run = record.runs.at(static_cast<std::size_t>(range.from));
+  if (channel.role == record::Role::part)
+    range.run = record.parts.at(static_cast<std::size_t>(range.from)).name;
   return range;
 }
 
@@ -99,6 +101,16 @@ void add_ranges(const Channel& channel, const Record& record, Comparison& result
     result.where.push_back(error_range(channel, result.errors, part, record));
 }
 
+void add_records(const Record& record, Comparison& result) {
+  for (std::size_t k = 0; k < record.parts.size(); ++k) {
+    std::vector<std::size_t> members;
+    for (std::size_t m = 0; m < result.errors.size(); ++m)
+      if (record.part_of(result.errors[m].row) == k) members.push_back(m);
+    if (!members.empty())
+      result.records.push_back(error_range(record::part, result.errors, members, record));
+  }
+}
+
 /// What rows are strung along: the first setting on a ratio scale, otherwise time.
 const record::Column* swept(const Record& record) {
   for (const record::Column& c : record.columns)
@@ -115,7 +127,7 @@ Pattern find_pattern(const Record& record, const std::vector<RowError>& errors) 
   for (const record::Column& c : record.columns)
     if (&c != along && c.channel->role == record::Role::setting) others.push_back(&c);
   const auto key = [&](const RowError& e) {
-    std::vector<long> steps{record.run_of(e.row)};
+    std::vector<long> steps{record.run_of(e.row), static_cast<long>(record.part_of(e.row))};
     for (const record::Column* c : others) {
       const double v = c->values[e.row];
       steps.push_back(std::isnan(v)        ? std::numeric_limits<long>::max()
@@ -331,9 +343,12 @@ Comparison compare(std::span<const double> predicted, const Record& record,
         result.lack_of_fit.p_value < alarm_level ? Judgement::structure : Judgement::noise;
   else if (result.pattern.p_value < alarm_level)
     result.judgement = Judgement::structure;
+  // Runs that are records are told as these.
+  const bool runs = record.parts.empty() || record.runs.size() > record.parts.size();
   for (const record::Column& c : record.columns)
-    if (c.channel->is_input() || c.channel->role == record::Role::run)
+    if (c.channel->is_input() || (runs && c.channel->role == record::Role::run))
       add_ranges(*c.channel, record, result);
+  add_records(record, result);
   std::stable_sort(result.where.begin(), result.where.end(),
                    [](const ErrorRange& a, const ErrorRange& b) { return a.rmse > b.rmse; });
   result.worst = result.errors;

@@ -15,7 +15,7 @@ namespace raceway::fit {
 struct ErrorRange {
   const Channel* channel = nullptr;
   double from = unset, to = unset;  ///< smallest and largest value within [SI]; index of a run
-  std::string run{};                ///< run_id, empty unless the channel is that of runs
+  std::string run{};                ///< run_id, or name of a record; empty for all else
   int rows = 0;
   double rmse = unset;  ///< SI
   double bias = unset;  ///< mean of prediction minus reading [SI]
@@ -79,8 +79,9 @@ struct Comparison {
   Judgement judgement = Judgement::unknown;
   double tolerance = unset;         ///< error below which it does not matter [SI]; NaN: nobody said
   std::vector<ErrorRange> where{};  ///< worst first; only of what varies
-  std::vector<RowError> worst{};    ///< the five worst rows, worst first
-  std::vector<RowError> errors{};   ///< all compared rows, in the order of the data
+  std::vector<ErrorRange> records{};  ///< of each of several joined records, in their order
+  std::vector<RowError> worst{};      ///< the five worst rows, worst first
+  std::vector<RowError> errors{};     ///< all compared rows, in the order of the data
   std::vector<std::size_t> rows_not_predicted{};  ///< but read
   std::string statement{};  ///< in one sentence: how wrong, structure or noise, and where
 };

@@ -44,15 +44,16 @@ double latest(const Record& record) {
   return last;
 }
 
-/// Every combination of the levels of the axes as rows of a record: all other settings as in its
-/// first row, time at its end, nothing read.
+/// Every combination of the levels of the axes as rows of a record: all other settings, and what is
+/// a record's own, as in its first row, time at its end, nothing read.
 Record grid_of(const std::vector<Axis>& axes, const Record& record) {
   std::size_t count = 1;
   for (const Axis& axis : axes) count *= axis.levels.size();
   Record result = record.without_rows();
   for (record::Column& c : result.columns) {
     double value = unset;
-    if (c.channel->is_input() || c.channel->role == record::Role::run)
+    if (c.channel->is_input() || c.channel->role == record::Role::run ||
+        c.channel->role == record::Role::part)
       value = record.value(*c.channel, 0);
     if (c.channel->role == record::Role::time) value = latest(record);
     c.values.assign(count, value);

@@ -74,6 +74,7 @@ std::vector<std::size_t> order_of_rows(const Record& record) {
   const bool timed = record.complete(record::time);
   const bool by_run = record.has(record::run) && (!timed || runs_overlap(record));
   std::vector<std::span<const double>> keys;
+  if (record.has(record::part)) keys.push_back(record.values(record::part));
   if (by_run) keys.push_back(record.values(record::run));
   if (timed) keys.push_back(record.values(record::time));
   for (const record::Role role : {record::Role::setting, record::Role::measured})
@@ -124,14 +125,16 @@ RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
   std::vector<double> steps;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double now = record.value(record::time, rows[i]);
-    const double before = i == 0 ? unset : record.value(record::time, rows[i - 1]);
+    const bool first = i == 0 || record.part_of(rows[i]) != record.part_of(rows[i - 1]);
+    const double before = first ? unset : record.value(record::time, rows[i - 1]);
     const double step = now - before;
     if (!std::isfinite(now)) order.has_time = false;
     // A step back: the clock of another run.
-    order.step.push_back(i == 0 || step < 0.0 || !std::isfinite(step) ? infinity : step);
-    order.new_run.push_back(i == 0 || record.run_of(rows[i]) != record.run_of(rows[i - 1]));
+    order.step.push_back(first || step < 0.0 || !std::isfinite(step) ? infinity : step);
+    order.new_run.push_back(first || record.run_of(rows[i]) != record.run_of(rows[i - 1]));
     if (std::isfinite(order.step.back()) && step > 0.0) steps.push_back(step);
-    order.has_runs = order.has_runs || (i > 0 && order.new_run.back());
+    // Records that were joined are no runs by themselves: what differs between them is their own.
+    order.has_runs = order.has_runs || (!first && order.new_run.back());
   }
   if (steps.empty()) order.has_time = false;
   const double middle = order.has_time ? record::median(steps) : 1.0;

@@ -16,7 +16,8 @@ namespace raceway::fit {
 [[nodiscard]] std::string nested_settings(const Record& record, bool each_in_one_run = false);
 
 /// Rows in the one order that all of the diagnosis uses, whatever order a record has: by time where
-/// all rows have one (within runs, if runs overlap in time), then by settings.
+/// all rows have one (within runs, if runs overlap in time), then by settings. Joined records stay
+/// apart.
 [[nodiscard]] std::vector<std::size_t> order_of_rows(const Record& record);
 
 /// Time since the reading before, whether a run begins, and blocks that may be runs, of readings at

@@ -108,6 +108,7 @@ std::string difference_text(const Record& record, const HiddenInput& hidden) {
                   record.line(hidden.low), record.line(hidden.high),
                   hidden.channel->in_unit(readings[hidden.low]),
                   hidden.channel->in_unit(readings[hidden.high]), hidden.channel->unit);
+  if (!record.parts.empty()) text += " in " + record.parts[record.part_of(hidden.low)].name;
   for (const record::Column& c : record.columns)
     if (c.channel->role == record::Role::setting && c.channel->ratio)
       return text + fmt::format(" at {:.0f} and {:.0f} {}",

@@ -18,7 +18,8 @@ enum class Role {
   measured,   ///< what a model predicts
   deviation,  ///< standard deviation of a measured one
   time,
-  run  ///< index of the run that a row belongs to
+  run,  ///< index of the run that a row belongs to
+  part  ///< index of the record that a row comes from, where several were joined
 };
 
 /// A quantity that can stand in a column. All that reads, shows or sorts by columns looks here, so
@@ -196,5 +197,8 @@ inline constexpr const Channel& friction_torque = *find_channel("friction_torque
 inline constexpr const Channel& axial_displacement = *find_channel("axial_displacement_um");
 inline constexpr const Channel& torque_deviation = *find_channel("std_Nmm");
 inline constexpr const Channel& displacement_deviation = *find_channel("std_um");
+
+/// Which of several joined records a row comes from. No file has such a column.
+inline constexpr Channel part{.name = "record", .words = "record", .role = Role::part, .step = 0.5};
 
 }  // namespace raceway::record

@@ -33,6 +33,11 @@ int Record::run_of(std::size_t row) const {
   return std::isnan(index) ? -1 : static_cast<int>(index);
 }
 
+std::size_t Record::part_of(std::size_t row) const {
+  const double index = value(part, row);
+  return std::isnan(index) ? 0 : static_cast<std::size_t>(index);
+}
+
 Column& Record::set(const Channel& channel, std::vector<double> values) {
   Column* const known = find(channel);
   const bool only = columns.empty() || (known && columns.size() == 1);
@@ -82,13 +87,15 @@ Record Record::picked(std::span<const std::size_t> wanted) const {
 }
 
 Record Record::without_rows() const {
-  Record result{.source = source, .columns = {}, .runs = runs, .lines = {}, .notes = notes};
+  Record result{
+      .source = source, .columns = {}, .runs = runs, .lines = {}, .notes = notes, .parts = parts};
   for (const Column& c : columns) result.columns.push_back({c.channel, {}, c.known});
   return result;
 }
 
 std::string Record::place(std::size_t row) const {
-  return (lines.empty() ? "row " : "line ") + std::to_string(line(row));
+  return (lines.empty() ? "row " : "line ") + std::to_string(line(row)) +
+         (parts.empty() ? "" : " of " + parts[part_of(row)].name);
 }
 
 int Record::line(std::size_t row) const {

@@ -18,6 +18,12 @@ struct Column {
   bool known = false;
 };
 
+/// One of several records that were joined to one.
+struct Part {
+  std::string name;    ///< "monday" of data/monday.csv
+  std::string source;  ///< file name, for messages
+};
+
 /// What was measured: columns over rows. Rows are known by their place here; the line of a file is
 /// kept for messages alone.
 struct Record {
@@ -26,6 +32,8 @@ struct Record {
   std::vector<std::string> runs{};   ///< names of the runs, to which the column `run` has indices
   std::vector<int> lines{};          ///< of the file, by row; empty where rows come from no file
   std::vector<std::string> notes{};  ///< what the reader did that the user should know, a line each
+  /// Of a record that joined() made, to which the column `part` has indices; otherwise empty.
+  std::vector<Part> parts{};
 
   [[nodiscard]] std::size_t rows() const {
     return columns.empty() ? 0 : columns.front().values.size();
@@ -40,6 +48,8 @@ struct Record {
   [[nodiscard]] double value(const Channel& channel, std::size_t row) const;
   /// Index of the run of a row, -1 without.
   [[nodiscard]] int run_of(std::size_t row) const;
+  /// Index of the part of a row; 0 where nothing was joined.
+  [[nodiscard]] std::size_t part_of(std::size_t row) const;
 
   /// Adds a column, or replaces the one of that channel. Throws std::invalid_argument where its
   /// length is another than that of the others.
@@ -58,10 +68,17 @@ struct Record {
   /// The same columns without any row.
   [[nodiscard]] Record without_rows() const;
 
-  /// "line 12" of a file, otherwise "row 3", counted from 1.
+  /// "line 12" of a file, otherwise "row 3", counted from 1; "line 12 of monday" of a part.
   [[nodiscard]] std::string place(std::size_t row) const;
   /// The line of a row, or its number counted from 1.
   [[nodiscard]] int line(std::size_t row) const;
 };
+
+/// Records of one kind as one, in the order of their sources, whatever the order they come in: rows
+/// one record after the other, all columns that any of them has (NaN where one has none), the runs
+/// of each for themselves. A part is named by its source without folder and ending; where two would
+/// be alike, with the folder. A deviation is as good as known where it is so in all.
+/// Throws std::invalid_argument: less than two records, two of one source.
+[[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

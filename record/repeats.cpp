@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <span>
 #include <string_view>
 
 namespace raceway::record {
@@ -18,7 +19,7 @@ bool near(double a, double b, double relative, double absolute) {
 /// 1000 N of axial load is none.
 class Points {
  public:
-  explicit Points(const Record& record) {
+  explicit Points(const Record& record) : part_(record.values(part)) {
     std::map<std::string_view, std::size_t> kinds;
     for (const Column& c : record.columns) {
       if (!c.channel->is_input()) continue;
@@ -39,6 +40,7 @@ class Points {
   }
 
   [[nodiscard]] bool alike(std::size_t a, std::size_t b, const SamePoint& same) const {
+    if (!part_.empty() && part_[a] != part_[b]) return false;
     std::vector<double> largest(kinds_, 0.0);
     for (const Input& i : inputs_)
       for (const std::size_t row : {a, b})
@@ -54,6 +56,7 @@ class Points {
     const Column* column;
     std::size_t kind;
   };
+  std::span<const double> part_;
   std::vector<Input> inputs_;
   std::size_t kinds_ = 0;
   const Column* order_ = nullptr;

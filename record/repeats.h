@@ -16,7 +16,8 @@ struct SamePoint {
 };
 
 /// Groups of two or more rows at the same point, of those in `rows` (all where empty). A speed that
-/// falls all the time differs from row to row: then there are none.
+/// falls all the time differs from row to row: then there are none. Rows of two joined records are
+/// none: what differs from day to day is no scatter.
 [[nodiscard]] std::vector<RepeatGroup> find_repeats(const Record& record,
                                                     const SamePoint& same = {},
                                                     std::span<const std::size_t> rows = {});
