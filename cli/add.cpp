@@ -4,7 +4,9 @@
 
 #include "cli/commands.h"
 #include "cli/error_text.h"
+#include "cli/fitted_models.h"
 #include "cli/open_input.h"
+#include "cli/per_record_flag.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
 #include "cli/tolerance_flag.h"
@@ -18,8 +20,9 @@ namespace raceway::cli {
 namespace {
 
 struct AddFlags {
-  std::vector<std::string> model_and_effects;
+  std::vector<std::string> names;  // model, effects, further data
   std::string data, output;
+  PerRecordFlag per_record;
   bool json = false, force = false;
   ReportFlag report;
   ToleranceFlag tolerance;
@@ -60,15 +63,22 @@ void print(const fit::AddResult& r) {
 
 int run(const AddFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+  if (!flags.output.empty() && flags.per_record.names.empty())
+    io::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
-  const std::string& path = flags.model_and_effects.front();
-  const std::vector<std::string> ids(flags.model_and_effects.begin() + 1,
-                                     flags.model_and_effects.end());
+  const std::string& path = flags.names.front();
+  std::vector<std::string> ids, files{flags.data};
+  for (std::size_t k = 1; k < flags.names.size(); ++k)
+    (flags.names[k].ends_with(".csv") ? files : ids).push_back(flags.names[k]);
+  if (ids.empty())
+    throw io::InputError(
+        "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects");
   io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
-  const auto subject = io::make_subject(file.model);
-  const record::Record data = open_data(flags.data, *subject);
+  const record::Record data = open_records(files, path, *io::make_subject(file.model));
+  const auto subject = flags.per_record.subject(file.model, data);
+  const FittedModels output(flags.output, if_exists);
+  output.require_writable(*subject);
   fit::AddResult result = [&] {
     try {
       return fit::add(*subject, ids, data);
@@ -92,11 +102,7 @@ int run(const AddFlags& flags) {
     say(fmt::format("raceway add: refused: {} (--force adds it all the same)", result.reason));
     return wrong_input;
   }
-  if (!flags.output.empty()) {
-    io::write_text(flags.output, io::with_model(file, model::model_of(*result.calibration.subject)),
-                   if_exists);
-    say(flags.output + " written");
-  }
+  output.write(file, result.calibration);
   return done;
 }
 
@@ -105,22 +111,31 @@ int run(const AddFlags& flags) {
 Run setup_add(CLI::App& command) {
   auto flags = std::make_shared<AddFlags>();
   command
-      .add_option("MODEL EFFECT...", flags->model_and_effects,
+      .add_option("MODEL EFFECT...", flags->names,
                   "model file (TOML), then the effects to switch on; see raceway effects")
       ->required()
       ->expected(2, 100)
       ->type_name("");
-  command.add_option("--data", flags->data, "measurements (CSV)")->required()->type_name("FILE");
+  command
+      .add_option("--data", flags->data,
+                  "measurements (CSV), one file or more: --data monday.csv friday.csv")
+      ->required()
+      ->type_name("FILE");
   command
       .add_option("-o,--output", flags->output,
-                  "model file to write: MODEL with the effects and the new values")
+                  "model file to write: MODEL with the effects and the new values;\n"
+                  "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
+  flags->per_record.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--force", flags->force,
                    "add an effect that does not help, and replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
-  command.footer("Example:\n  raceway add my.toml lubricant-drag --data rig.csv -o better.toml");
+  command.footer(
+      "Example:\n  raceway add my.toml lubricant-drag --data rig.csv -o better.toml\n"
+      "  raceway add my.toml windage --data monday.csv friday.csv --per-record f0,z -o "
+      "better.toml");
   return [flags] { return run(*flags); };
 }
 

@@ -7,7 +7,9 @@
 #include "cli/calibrate_conformity.h"
 #include "cli/commands.h"
 #include "cli/error_text.h"
+#include "cli/fitted_models.h"
 #include "cli/open_input.h"
+#include "cli/per_record_flag.h"
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
@@ -18,7 +20,9 @@ namespace raceway::cli {
 namespace {
 
 struct CalibrateFlags {
-  std::string model, data, output;
+  std::string model, output;
+  std::vector<std::string> data;
+  PerRecordFlag per_record;
   bool json = false, force = false;
 };
 
@@ -43,9 +47,11 @@ void print_parameters(const fit::Calibration& c) {
 
 void print(const fit::Calibration& c) {
   print_parameters(c);
+  // Numbers of two records hardly know of each other.
+  constexpr double worth_a_line = 0.005;
   for (Eigen::Index i = 0; i < c.correlation.rows(); ++i)
     for (Eigen::Index j = 0; j < i; ++j)
-      if (!std::isnan(c.correlation(i, j)))
+      if (std::abs(c.correlation(i, j)) >= worth_a_line)
         fmt::print("correlation of {} and {}: {:.2f}\n",
                    c.parameters[static_cast<std::size_t>(j)].name,
                    c.parameters[static_cast<std::size_t>(i)].name, c.correlation(i, j));
@@ -60,14 +66,19 @@ void print(const fit::Calibration& c) {
 int run(const CalibrateFlags& flags) {
   if (flags.output == "-")
     throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file");
+  if (flags.data.empty() && !flags.per_record.names.empty())
+    throw io::InputError("raceway calibrate: --per-record needs measurements: DATA is missing");
   if (flags.data.empty())
     return calibrate_conformity(
         {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+  if (!flags.output.empty() && flags.per_record.names.empty())
+    io::require_writable(flags.output, if_exists);
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
-  const auto subject = io::make_subject(file.model);
-  const record::Record data = open_data(flags.data, *subject);
+  const record::Record data = open_records(flags.data, flags.model, *io::make_subject(file.model));
+  const auto subject = flags.per_record.subject(file.model, data);
+  const FittedModels output(flags.output, if_exists);
+  output.require_writable(*subject);
   fit::Calibration c = [&] {
     try {
       return fit::calibrate(*subject, data);
@@ -83,14 +94,12 @@ int run(const CalibrateFlags& flags) {
   }
   tell(c.messages);
   if (!c.converged()) {
-    say(fmt::format("raceway calibrate: {} after {} steps; {}", fit::name(c.status), c.iterations,
-                    flags.output.empty() ? "no result" : flags.output + " is not written"));
+    say(fmt::format(
+        "raceway calibrate: {} after {} steps; {}", fit::name(c.status), c.iterations,
+        flags.output.empty() ? "no result" : output.names(*subject) + " is not written"));
     return not_converged;
   }
-  if (!flags.output.empty()) {
-    io::write_text(flags.output, io::with_model(file, model::model_of(*c.subject)), if_exists);
-    say(flags.output + " written");
-  }
+  output.write(file, c);
   return done;
 }
 
@@ -105,12 +114,15 @@ Run setup_calibrate(CLI::App& command) {
       ->type_name("");
   command
       .add_option("DATA", flags->data,
-                  "measurements (CSV); without them the catalogue's rigidities")
-      ->type_name("");
+                  "measurements (CSV), one or more; without: the catalogue's rigidities")
+      ->type_name("")
+      ->expected(-1);
   command
       .add_option("-o,--output", flags->output,
-                  "model file to write: MODEL with the new values, all else as it is")
+                  "model file to write: MODEL with the new values, all else as it is;\n"
+                  "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
+  flags->per_record.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
@@ -120,6 +132,7 @@ Run setup_calibrate(CLI::App& command) {
       "rigidities\n"
       "that the catalogue prints of the bearing.\n\n"
       "Example:\n  raceway calibrate my.toml rig.csv -o fitted.toml\n"
+      "  raceway calibrate my.toml monday.csv friday.csv --per-record f0,z -o fitted.toml\n"
       "  raceway calibrate \"S 6014 C\" -o my.toml");
   return [flags] { return run(*flags); };
 }

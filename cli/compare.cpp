@@ -8,11 +8,13 @@
 #include "cli/commands.h"
 #include "cli/error_text.h"
 #include "cli/open_input.h"
+#include "cli/per_record_flag.h"
 #include "cli/report_flag.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "cli/tolerance_flag.h"
 #include "fit/calibrate.h"
+#include "fit/several_records.h"
 #include "io/error.h"
 #include "io/report.h"
 #include "io/results.h"
@@ -24,8 +26,9 @@ namespace {
 using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured channel
 
 struct CompareFlags {
-  std::vector<std::string> files;  // models, then the data
+  std::vector<std::string> files;  // models, then data
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
+  PerRecordFlag per_record;        // the same, to each record by itself
   bool json = false, force = false;
   ReportFlag report;
   ToleranceFlag tolerance;
@@ -85,6 +88,17 @@ void print_summary(const fit::Comparison& c) {
                number(c.lack_of_fit.statistic, 3), fit::p_value_text(c.lack_of_fit.p_value));
 }
 
+/// Each of several records by itself.
+void print_records(const fit::Comparison& c) {
+  if (c.records.empty()) return;
+  const std::string unit = error_unit(*c.channel);
+  TextTable records({{"record", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
+  for (const fit::ErrorRange& r : c.records)
+    records.add(
+        {r.run, fmt::format("{}", r.rows), difference(r.rmse, c, false), difference(r.bias, c)});
+  fmt::print("\n{}", records.text(terminal_width()));
+}
+
 void print_where(const fit::Comparison& c) {
   if (c.where.empty()) return;
   const std::string unit = error_unit(*c.channel);
@@ -117,6 +131,7 @@ void print(const std::string& model, const Comparisons& comparisons, const recor
     fmt::print("{} against {}: {} row{}, {}\n\n", model, data.source, c.rows,
                c.rows == 1 ? "" : "s", c.channel->words);
     print_summary(c);
+    print_records(c);
     print_where(c);
     print_worst(c, data);
     fmt::print("\n{}\n",
@@ -142,9 +157,13 @@ void print_ladder(const std::vector<Rung>& rungs) {
                     {"", std::isnan(first.noise.rms) ? "" : "| noise", true}});
   double worst = 0.0;
   for (const Rung& rung : rungs) worst = std::max(worst, rung.comparison.rmse);
-  for (const auto& [model, c] : rungs)
+  for (const auto& [model, c] : rungs) {
     ladder.add({model, error_text(c.rmse, *c.channel), difference(c.bias, c),
                 number(c.fit_percent, 3), bar(c.rmse, worst, bar_width, c.noise.rms)});
+    for (const fit::ErrorRange& r : c.records)
+      ladder.add({"  " + r.run, difference(r.rmse, c, false), difference(r.bias, c), "",
+                  bar(r.rmse, worst, bar_width, c.noise.rms)});
+  }
   fmt::print("{}noise of the data: {}\n", ladder.text(terminal_width()), noise_text(first));
 }
 
@@ -184,18 +203,42 @@ void note_other_rigs(const std::vector<io::ModelFile>& files) {
   }
 }
 
-/// The model with `names` fitted to the data and everything else as it stands.
-model::Model refitted(const model::Model& model, const std::vector<std::string>& names,
-                      const record::Record& data) {
-  if (names.empty()) return model;
+/// A model as it is compared.
+struct Compared {
+  std::shared_ptr<const fit::Subject> subject;
+  int fitted = 0;  // parameters
+};
+
+/// The model with the parameters that are named fitted to the data and everything else as it
+/// stands.
+Compared refitted(const model::Model& model, const CompareFlags& flags,
+                  const record::Record& data) {
   model::Model wanted = model;
-  wanted.free = names;
-  const fit::Calibration calibration = fit::calibrate(*io::make_subject(wanted), data);
+  std::vector<std::string> names = flags.refit;
+  for (const std::string& own : flags.per_record.names)
+    if (std::find(names.begin(), names.end(), own) == names.end()) names.push_back(own);
+  if (!names.empty()) wanted.free = names;
+  auto subject = flags.per_record.subject(wanted, data);
+  if (names.empty()) return {std::move(subject)};
+  const fit::Calibration calibration = fit::calibrate(*subject, data);
   if (!calibration.converged())
     throw std::invalid_argument("the refit of " + fmt::format("{}", fmt::join(names, ", ")) +
                                 " does not converge");
   tell(calibration.messages);
-  return model::model_of(*calibration.subject);
+  return {calibration.subject, static_cast<int>(calibration.parameters.size())};
+}
+
+/// Its numbers; as in the file where each record has its own.
+const model::Model& model_of(const fit::Subject& subject) {
+  const auto* const several = dynamic_cast<const fit::SeveralRecords*>(&subject);
+  return model::model_of(several ? several->shared() : subject);
+}
+
+/// Models come first; data begin with the first name that ends in .csv, else are the last.
+std::size_t first_data(const std::vector<std::string>& files) {
+  const auto found = std::find_if(files.begin() + 1, files.end() - 1,
+                                  [](const std::string& name) { return name.ends_with(".csv"); });
+  return static_cast<std::size_t>(found - files.begin());
 }
 
 void tell_not_predicted(const std::string& model, const Comparisons& comparisons,
@@ -223,18 +266,22 @@ int run(const CompareFlags& flags) {
   if (flags.files.size() < 2)
     throw io::InputError(
         "raceway compare: DATA is missing: one model or more come first, the measurements last");
-  const std::vector<std::string> models(flags.files.begin(), flags.files.end() - 1);
+  const auto data_begin =
+      flags.files.begin() + static_cast<std::ptrdiff_t>(first_data(flags.files));
+  const std::vector<std::string> models(flags.files.begin(), data_begin);
   flags.report.check(flags.force);
   const std::vector<io::ModelFile> files = open_models(models, flags.tolerance);
-  const record::Record data = open_data(flags.files.back(), *io::make_subject(files.front().model));
+  const record::Record data = open_records({data_begin, flags.files.end()}, models.front(),
+                                           *io::make_subject(files.front().model));
   std::vector<model::Model> compared;
   std::vector<Comparisons> comparisons;
-  std::shared_ptr<const model::ModelSubject> subject;
+  std::shared_ptr<const fit::Subject> subject;
   for (const io::ModelFile& file : files) {
     try {
-      compared.push_back(refitted(file.model, flags.refit, data));
-      subject = io::make_subject(compared.back());
-      comparisons.push_back(fit::compare(*subject, data, static_cast<int>(flags.refit.size())));
+      const Compared one = refitted(file.model, flags, data);
+      subject = one.subject;
+      compared.push_back(model_of(*subject));
+      comparisons.push_back(fit::compare(*subject, data, one.fitted));
     } catch (const std::invalid_argument& e) {
       refuse_data(file.source, data, e);
     }
@@ -245,6 +292,9 @@ int run(const CompareFlags& flags) {
   if (!flags.refit.empty())
     tell({fmt::format("{} refitted to {} in each model; all else as in the files",
                       fmt::join(flags.refit, " and "), data.source)});
+  if (!flags.per_record.names.empty())
+    tell({fmt::format("{} refitted to each record by itself in each model",
+                      fmt::join(flags.per_record.names, " and "))});
   if (flags.json) {
     fmt::print("{}", io::comparison_json(models, comparisons, data));
   } else if (models.size() == 1) {
@@ -261,13 +311,16 @@ int run(const CompareFlags& flags) {
 
 Run setup_compare(CLI::App& command) {
   auto flags = std::make_shared<CompareFlags>();
-  command.add_option("FILES", flags->files, "MODEL [MODEL2 ...] DATA: models (TOML), then one CSV")
+  command
+      .add_option("FILES", flags->files,
+                  "MODEL [MODEL2 ...] DATA [DATA2 ...]: models (TOML), then data (CSV)")
       ->type_name("")
       ->expected(-1);
   command.add_option("--refit", flags->refit, "fit these to DATA first, such as f0,z (by comma)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
+  flags->per_record.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
@@ -275,7 +328,8 @@ Run setup_compare(CLI::App& command) {
   command.footer(
       "Errors are prediction minus reading.\n\n"
       "Example:\n  raceway compare my.toml rig.csv\n"
-      "  raceway compare my.toml fitted.toml rig.csv --report page.html");
+      "  raceway compare my.toml fitted.toml rig.csv --report page.html\n"
+      "  raceway compare my.toml monday.csv friday.csv --per-record f0,z");
   return [flags] { return run(*flags); };
 }
 

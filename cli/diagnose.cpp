@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/error_text.h"
 #include "cli/open_input.h"
+#include "cli/per_record_flag.h"
 #include "cli/report_flag.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
@@ -22,11 +23,13 @@ namespace raceway::cli {
 namespace {
 
 struct DiagnoseFlags {
-  std::string model, data;
+  std::string model;
+  std::vector<std::string> data;
   bool json = false, no_pairs = false, force = false;
   int tried_before = 0;
   ReportFlag report;
   ToleranceFlag tolerance;
+  PerRecordFlag per_record;
 };
 
 std::atomic<bool> interrupted{false};
@@ -226,7 +229,7 @@ void print(const fit::Diagnosis& d) {
   print_limits(d);
 }
 
-fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const model::ModelSubject& subject,
+fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const fit::Subject& subject,
                             const record::Record& data) {
   fit::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
@@ -247,8 +250,9 @@ int run(const DiagnoseFlags& flags) {
   flags.report.check(flags.force);
   io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
-  const auto subject = io::make_subject(file.model);
-  const record::Record data = open_data(flags.data, *subject);
+  const auto model = io::make_subject(file.model);
+  const record::Record data = open_records(flags.data, flags.model, *model);
+  const auto subject = flags.per_record.subject(file.model, data);
   fit::Diagnosis diagnosis = diagnosis_of(flags, *subject, data);
   tell_of_scale(data, diagnosis.messages);
   if (flags.json) {
@@ -257,7 +261,7 @@ int run(const DiagnoseFlags& flags) {
     print(diagnosis);
   }
   tell(diagnosis.messages);
-  flags.report.write([&] { return io::diagnosis_report(flags.model, *subject, data, diagnosis); },
+  flags.report.write([&] { return io::diagnosis_report(flags.model, *model, data, diagnosis); },
                      flags.force);
   return done;
 }
@@ -267,17 +271,24 @@ int run(const DiagnoseFlags& flags) {
 Run setup_diagnose(CLI::App& command) {
   auto flags = std::make_shared<DiagnoseFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
-  command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
+  command.add_option("DATA", flags->data, "measurements (CSV), one file or more")
+      ->required()
+      ->type_name("")
+      ->expected(-1);
   command.add_flag("--no-pairs", flags->no_pairs, "single effects only, for a quick look");
   command
       .add_option("--tried-before", flags->tried_before,
                   "explanations of your own already tried on these data")
       ->type_name("N");
+  flags->per_record.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");
-  command.footer("Example:\n  raceway diagnose my.toml rig.csv --report page.html");
+  command.footer(
+      "Several DATA make one record: what may be missing is one for all of them.\n\n"
+      "Example:\n  raceway diagnose my.toml rig.csv --report page.html\n"
+      "  raceway diagnose my.toml monday.csv friday.csv --per-record f0,z");
   return [flags] { return run(*flags); };
 }
 

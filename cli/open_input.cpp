@@ -75,4 +75,32 @@ void tell_of_scale(const record::Record& data, std::vector<std::string>& message
         "this record does not tell; the result rests on the shape alone");
 }
 
+record::Record open_records(const std::vector<std::string>& paths, const std::string& model,
+                            const model::ModelSubject& subject) {
+  if (paths.size() == 1) return open_data(paths.front(), subject);
+  std::vector<record::Record> records;
+  for (const std::string& path : paths) {
+    records.push_back(open_data(path, subject));
+    try {
+      subject.require(records.back());
+    } catch (const std::invalid_argument& e) {
+      refuse_data(model, records.back(), e);
+    }
+  }
+  for (const fit::Measured& m : subject.measured()) {
+    const auto declares = [&](const record::Record& r) { return r.deviation_of(*m.channel); };
+    if (std::any_of(records.begin(), records.end(), declares) &&
+        !std::all_of(records.begin(), records.end(), declares))
+      tell(
+          {fmt::format("std_{} is not in every file: it counts in none, and one noise is found "
+                       "for all records",
+                       m.channel->key_unit())});
+  }
+  try {
+    return record::joined(std::move(records));
+  } catch (const std::invalid_argument& e) {
+    throw io::InputError(e.what());
+  }
+}
+
 }  // namespace raceway::cli

@@ -20,6 +20,12 @@ enum class Accepts { rig, rig_or_shaft, shaft };
 /// Reads measurements for a model, a coast-down turned into torque, and tells the notes on stderr.
 [[nodiscard]] record::Record open_data(const std::string& path, const model::ModelSubject& subject);
 
+/// The same of one file or several, which are joined to one record. Each must be of what the model
+/// stands for; `model` is its file, for messages.
+[[nodiscard]] record::Record open_records(const std::vector<std::string>& paths,
+                                          const std::string& model,
+                                          const model::ModelSubject& subject);
+
 /// Puts the name of the model before what `fit` says of the data, and makes it an io::InputError.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);

@@ -167,7 +167,7 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
   const Channels channels = channels_of(d);
   const bool limited = d.tolerance_limited();
   json document = {{"model", model_file},
-                   {"data", record.source},
+                   {"data", data_of(record)},
                    {"verdict", fit::name(d.verdict)},
                    {"sentence", d.sentence},
                    {"p_value", d.p_value},
@@ -210,7 +210,7 @@ std::string add_json(const std::string& model_file, const record::Record& record
     channels.push_back(&c.channel());
   }
   json document = {{"model", model_file},
-                   {"data", record.source},
+                   {"data", data_of(record)},
                    {"refused", r.refused},
                    {"reason", r.reason},
                    {"unit", first["unit"]},

@@ -27,7 +27,10 @@ namespace raceway::io {
 /// Puts a list with one entry for each measured channel into a document, where there are several.
 void add_channels(json& document, json channels);
 
-/// Rows for people.
+/// The file of a record, or a list of those that were joined.
+[[nodiscard]] json data_of(const record::Record& record);
+
+/// Rows for people: lines, with the name of the record where several were joined.
 [[nodiscard]] json lines_of(const record::Record& record, const std::vector<std::size_t>& rows);
 
 [[nodiscard]] json hold_out_object(const std::vector<fit::HoldOut>& hold_out,

@@ -23,14 +23,29 @@ json range_object(const fit::ErrorRange& r, double factor) {
   return range;
 }
 
-json worst_rows(const fit::Comparison& c, double factor) {
+json worst_rows(const fit::Comparison& c, const record::Record& record) {
+  const double factor = c.channel->factor;
   json list = json::array();
-  for (const fit::RowError& r : c.worst)
+  for (const fit::RowError& r : c.worst) {
     list.push_back({{"line", r.line},
                     {"predicted", r.predicted / factor},
                     {"measured", r.measured / factor},
                     {"residual", r.residual / factor},
                     {"sigmas", r.sigmas}});
+    if (!record.parts.empty()) list.back()["record"] = record.parts[record.part_of(r.row)].name;
+  }
+  return list;
+}
+
+/// The error of each of several records by itself.
+json records_of(const fit::Comparison& c, const record::Record& record) {
+  json list = json::array();
+  for (const fit::ErrorRange& r : c.records)
+    list.push_back({{"record", r.run},
+                    {"data", record.parts.at(static_cast<std::size_t>(r.from)).source},
+                    {"rows", r.rows},
+                    {"rmse", r.rmse / c.channel->factor},
+                    {"bias", r.bias / c.channel->factor}});
   return list;
 }
 
@@ -57,7 +72,8 @@ json compared_channel(const fit::Comparison& c, const record::Record& record) {
     result["within_tolerance"] = c.rmse <= c.tolerance;
   }
   result.update(
-      {{"statement", c.statement}, {"where", where}, {"worst_rows", worst_rows(c, factor)}});
+      {{"statement", c.statement}, {"where", where}, {"worst_rows", worst_rows(c, record)}});
+  if (!c.records.empty()) result["records"] = records_of(c, record);
   return result;
 }
 
@@ -101,9 +117,21 @@ void add_channels(json& document, json channels) {
 }
 
 json lines_of(const record::Record& record, const std::vector<std::size_t>& rows) {
-  std::vector<int> lines;
-  for (const std::size_t row : rows) lines.push_back(record.line(row));
+  json lines = json::array();
+  for (const std::size_t row : rows)
+    if (record.parts.empty())
+      lines.push_back(record.line(row));
+    else
+      lines.push_back(
+          {{"record", record.parts[record.part_of(row)].name}, {"line", record.line(row)}});
   return lines;
+}
+
+json data_of(const record::Record& record) {
+  if (record.parts.empty()) return record.source;
+  json list = json::array();
+  for (const record::Part& part : record.parts) list.push_back(part.source);
+  return list;
 }
 
 json hold_out_object(const std::vector<fit::HoldOut>& hold_out,
@@ -136,7 +164,7 @@ json comparison_object(const std::string& model_file,
   for (const fit::Comparison* c : channels) list.push_back(compared_channel(*c, record));
   json document = {{"model", model_file}};
   document.update(list.at(0));
-  document["data"] = record.source;
+  document["data"] = data_of(record);
   add_channels(document, std::move(list));
   return document;
 }

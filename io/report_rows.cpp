@@ -62,10 +62,10 @@ ReportRows::ReportRows(const record::Record& record, const Channel& channel,
   std::vector<double> lines, runs;
   for (const std::size_t row : rows_) {
     lines.push_back(record.line(row));
-    runs.push_back(record.run_of(row));
+    runs.push_back(by_record() ? static_cast<double>(record.part_of(row)) : record.run_of(row));
   }
   columns_.add("line", std::move(lines));
-  if (record.runs.size() > 1) columns_.add("run", std::move(runs));
+  if (record.runs.size() > 1 || by_record()) columns_.add("run", std::move(runs));
   add_inputs();
   add_readings("measured", picked(record.values(channel)));
 }
@@ -146,7 +146,12 @@ void ReportRows::finish(Document& document) const {
       "quantity",
       {{"name", channel_.variable}, {"in_words", channel_.words}, {"unit", channel_.key_unit()}});
   document.add("inputs", inputs_);
-  document.add("runs", record_.runs);
+  std::vector<std::string> runs = record_.runs;
+  if (by_record()) {
+    runs.clear();
+    for (const record::Part& part : record_.parts) runs.push_back(part.name);
+  }
+  document.add("runs", runs);
   document.add_text("rows", columns_.json());
 }
 

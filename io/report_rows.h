@@ -37,6 +37,10 @@ class ReportRows {
 
  private:
   void add_inputs();
+  /// Several records, which take the place of runs where they have none beside.
+  [[nodiscard]] bool by_record() const {
+    return !record_.parts.empty() && record_.runs.size() <= record_.parts.size();
+  }
   [[nodiscard]] bool shows(const record::Column& input) const;
   [[nodiscard]] std::vector<double> picked(std::span<const double> values) const;
 

@@ -196,6 +196,66 @@ TEST(SeveralRecords, PredictEachRecordByItself) {
   for (std::size_t i = 0; i < friday.rows(); ++i) EXPECT_EQ(first[i], again[i]);
 }
 
+constexpr Channel drive{.name = "drive_V"};
+constexpr Channel level{.name = "level_m", .role = record::Role::measured};
+
+/// A tank that keeps what runs into it: y = gain * sum of all rows so far.
+struct Tank : Subject, Predictor {
+  double gain = 1.0;
+  const Record* rows = nullptr;
+  std::vector<Measured> measured() const override { return {{&level}}; }
+  void require(const Record&) const override {}
+  bool has_memory() const override { return true; }
+  std::vector<std::string> free() const override { return {"gain"}; }
+  std::vector<Parameter> parameters() const override {
+    return {{.name = "gain", .unit = "1", .start = gain, .value = gain, .lower = 0, .upper = 9}};
+  }
+  std::vector<Candidate> candidates() const override { return {}; }
+  std::unique_ptr<Subject> with_values(std::span<const NamedValue> values) const override {
+    auto copy = std::make_unique<Tank>(*this);
+    for (const NamedValue& v : values) copy->gain = v.value;
+    return copy;
+  }
+  std::unique_ptr<Subject> with_candidates(std::span<const std::string>) const override {
+    return with_values({});
+  }
+  std::unique_ptr<Predictor> predictor(const Record& record, const std::vector<std::string>&,
+                                       const std::shared_ptr<const void>&) const override {
+    auto copy = std::make_unique<Tank>(*this);
+    copy->rows = &record;
+    return copy;
+  }
+  void readings(std::span<const double> values, std::span<double> out) override {
+    if (!values.empty()) gain = values[0];
+    double sum = 0.0;
+    for (std::size_t i = 0; i < rows->rows(); ++i) out[i] = gain * (sum += rows->value(drive, i));
+  }
+};
+
+TEST(SeveralRecords, StartAnewWhereRowsRememberThoseBefore) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> gauss(0.0, 0.05);
+  const auto filled = [&](const std::string& name, double gain) {
+    Record record{.source = name};
+    std::vector<double> in, out;
+    double sum = 0.0;
+    for (int i = 0; i < 30; ++i) {
+      in.push_back(i % 3 + 0.5);
+      out.push_back(gain * (sum += in.back()) + gauss(random));
+    }
+    record.set(drive, in);
+    record.set(level, out);
+    return record;
+  };
+  const Record record = record::joined({filled("a", 2.0), filled("b", 3.0)});
+  const SeveralRecords subject(std::make_shared<Tank>(), record, {"gain"});
+  const Calibration fit = calibrate(subject, record);
+  ASSERT_TRUE(fit.converged());
+  EXPECT_NEAR(find(fit.parameters, "gain@a").value, 2.0, 0.01);
+  EXPECT_NEAR(find(fit.parameters, "gain@b").value, 3.0, 0.01);
+  EXPECT_LT(fit.channels[0].rmse_after, 0.08);
+}
+
 TEST(SeveralRecords, KeepClockRunsAndLinesApart) {
   const auto timed = [](const std::string& name, std::vector<double> time) {
     Record record{.source = name + ".csv"};

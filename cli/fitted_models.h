@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/calibrate.h"
+#include "io/model_file.h"
+#include "io/output_file.h"
+#include "record/record.h"
+
+namespace raceway::cli {
+
+/// Model files that a fit writes: one, or where records have values of their own one for each,
+/// FILE-RECORD.toml of FILE.toml.
+class FittedModels {
+ public:
+  /// `output` may be empty: then nothing is written.
+  FittedModels(std::string output, io::IfExists if_exists)
+      : output_(std::move(output)), if_exists_(if_exists) {}
+
+  /// Throws io::InputError where a file that will be written cannot be.
+  void require_writable(const fit::Subject& subject) const;
+  /// Writes the models that `calibration` found, made from `file`, and says so.
+  void write(const io::ModelFile& file, const fit::Calibration& calibration) const;
+  /// "a.toml" or "a-monday.toml and a-friday.toml", for messages.
+  [[nodiscard]] std::string names(const fit::Subject& subject) const;
+
+ private:
+  [[nodiscard]] std::vector<std::string> files(const fit::Subject& subject) const;
+
+  std::string output_;
+  io::IfExists if_exists_;
+};
+
+}  // namespace raceway::cli

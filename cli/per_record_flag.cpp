@@ -1,0 +1,47 @@
+#include "cli/per_record_flag.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fit/several_records.h"
+#include "io/error.h"
+#include "io/subject.h"
+
+namespace raceway::cli {
+
+void PerRecordFlag::declare(CLI::App& command) {
+  command
+      .add_option("--per-record", names,
+                  "of several DATA: fitted to each by itself, such as f0,z (by comma), as\n"
+                  "the oil and the temperature of a day; all else is one for all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
+}
+
+std::shared_ptr<const fit::Subject> PerRecordFlag::subject(const model::Model& model,
+                                                           const record::Record& data) const {
+  if (data.parts.empty()) {
+    if (!names.empty())
+      throw io::InputError(fmt::format(
+          "--per-record {}: {} is one record, whose parameters are all its own; name two files of "
+          "measurements or more",
+          fmt::join(names, ","), data.source));
+    return io::make_subject(model);
+  }
+  // Free in the model too, so that an effect of which a number is named counts as one to be learnt.
+  model::Model wanted = model;
+  wanted.free = io::make_subject(model)->free();
+  for (const std::string& name : names)
+    if (std::find(wanted.free.begin(), wanted.free.end(), name) == wanted.free.end())
+      wanted.free.push_back(name);
+  try {
+    (void)fit::find_parameters(*io::make_subject(model), names);
+    return std::make_shared<fit::SeveralRecords>(io::make_subject(wanted), data, names);
+  } catch (const std::invalid_argument& e) {
+    throw io::InputError(std::string("--per-record: ") + e.what());
+  }
+}
+
+}  // namespace raceway::cli
