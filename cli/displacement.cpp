@@ -1,8 +1,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "cli/axis_flag.h"
+#include "cli/band_flag.h"
 #include "cli/commands.h"
 #include "cli/law_statement.h"
 #include "cli/open_input.h"
@@ -23,6 +25,7 @@ struct DisplacementFlags {
   double axial_load = unset, temperature = unset;
   bool json = false, force = false;
   ReportFlag report;
+  BandFlag band;
 };
 
 std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const model::Model& model) {
@@ -41,7 +44,7 @@ std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const model::M
 }
 
 void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
-           std::span<const shaft::ShaftPrediction> predictions) {
+           std::span<const shaft::ShaftPrediction> predictions, const io::BandOfResult* band) {
   const bearing::Arrangement a = shaft::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
   fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
@@ -49,6 +52,11 @@ void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
       "preload {:.4g} N at standstill; the front set comes free at {} N, the rear set at {} N "
       "of external load\n\n",
       a.preload(), number(free.front), number(free.rear));
+  // A number, and behind it how sure it is.
+  const auto with_band = [&](std::string text, std::size_t row, std::size_t number_of_row,
+                             double unit) {
+    return band ? text + " " + band_text(band->half_widths[3 * row + number_of_row], unit) : text;
+  };
   TextTable table({{"speed", "rpm"},
                    {"position", "um"},
                    {"front", "N"},
@@ -59,10 +67,13 @@ void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const shaft::ShaftPrediction& p = predictions[k];
     table.add({fmt::format("{:.6g}", asked[k].speed / rpm),
-               p.equilibrium.report.converged() ? fmt::format("{:.4f}", p.displacement / um) : "-",
+               p.equilibrium.report.converged()
+                   ? with_band(fmt::format("{:.4f}", p.displacement / um), k, 0, um)
+                   : "-",
                number(p.equilibrium.front_force), number(p.equilibrium.rear_force),
-               number(p.equilibrium.axial_stiffness / N_per_um), number(p.torque / N_mm),
-               number(p.power_loss)});
+               number(p.equilibrium.axial_stiffness / N_per_um),
+               with_band(number(p.torque / N_mm), k, 1, N_mm),
+               with_band(number(p.power_loss), k, 2, 1.0)});
   }
   fmt::print("{}", table.text(terminal_width()));
 }
@@ -112,9 +123,13 @@ int run(const DisplacementFlags& flags) {
   const io::ModelFile file = open_model(flags.model, Accepts::shaft);
   const model::Model& model = file.model;
   const std::vector<shaft::ShaftPoint> asked = points(flags, model);
+  const std::optional<model::Band> band = flags.band.of(file);
   const std::vector<shaft::ShaftPrediction> predictions = shaft::predict_shaft(model, asked);
+  std::optional<io::BandOfResult> half_widths;
+  if (band) half_widths = shaft_band(*band, asked);
+  const io::BandOfResult* const of_band = half_widths ? &*half_widths : nullptr;
   if (!flags.output.empty()) {
-    const std::string csv = io::displacement_text(model, asked, predictions, file.text);
+    const std::string csv = io::displacement_text(model, asked, predictions, file.text, of_band);
     if (to_file) {
       io::write_text(flags.output, csv, if_exists);
       say(fmt::format("{} written, {} speeds", flags.output, asked.size()));
@@ -123,9 +138,10 @@ int run(const DisplacementFlags& flags) {
     }
   }
   if (flags.json) {
-    fmt::print("{}", io::displacement_json(model, asked, predictions));
+    fmt::print("{}", io::displacement_json(model, asked, predictions, of_band));
   } else if (flags.output.empty()) {
-    print(model, asked, predictions);
+    print(model, asked, predictions, of_band);
+    if (band) fmt::print("+-: {}\n", band_statement(*band));
   }
   const std::vector<std::string> said = warnings(model, asked, predictions);
   flags.report.write(
@@ -159,6 +175,7 @@ Run setup_displacement(CLI::App& command) {
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");
+  flags->band.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.footer("Example:\n  raceway displacement my.toml --speed 0:10000:250 -o kinematic.csv");

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
+#include "cli/band_flag.h"
 #include "cli/commands.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
@@ -109,18 +111,43 @@ void print(const model::Model& model, const shaft::ShaftPoint& point,
 
 }  // namespace
 
+io::BandOfResult shaft_band(const model::Band& band, std::span<const shaft::ShaftPoint> points) {
+  io::BandOfResult result{
+      .parameters = band.fitted(),
+      .names = {"axial_displacement_band_um", "friction_torque_band_Nmm", "power_loss_band_W"},
+      .half_widths = {}};
+  result.half_widths = band([&](const model::Model& m) {
+    std::vector<double> numbers;
+    for (const shaft::ShaftPrediction& p : shaft::predict_shaft(m, points)) {
+      const bool found = p.equilibrium.report.converged();
+      for (const double v : {p.displacement, p.torque, p.power_loss})
+        numbers.push_back(found ? v : unset);
+    }
+    return numbers;
+  });
+  return result;
+}
+
 int solve_shaft(const std::string& file, const model::Model& model, const shaft::ShaftPoint& point,
-                bool json) {
+                bool json, const model::Band* band) {
   const auto predictions = shaft::predict_shaft(model, {&point, 1});
   const shaft::ShaftPrediction& p = predictions[0];
   const bearing::SolveReport& report = p.equilibrium.report;
-  if (json) fmt::print("{}", io::shaft_solve_json(model, point, p));
+  std::optional<io::BandOfResult> half_widths;
+  if (band) half_widths = shaft_band(*band, {&point, 1});
+  if (json)
+    fmt::print("{}", io::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr));
   if (!report.converged()) {
     say(fmt::format("raceway solve: {}: {:.6g} rpm, {:.6g} N external load: {}", file,
                     point.speed / rpm, point.external_load, shaft_problem(report.status)));
     return not_converged;
   }
   if (!json) print(model, point, p);
+  if (!json && band)
+    fmt::print("\n{}\naxial displacement {} um, friction torque {} N mm, power loss {} W\n",
+               band_statement(*band), band_text(half_widths->half_widths[0], um),
+               band_text(half_widths->half_widths[1], N_mm),
+               band_text(half_widths->half_widths[2]));
   tell(shaft_warnings(model, {&point, 1}, predictions));
   return done;
 }

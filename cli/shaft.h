@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "io/band_of_result.h"
+#include "model/band.h"
 #include "shaft/shaft_prediction.h"
 
 namespace raceway::cli {
@@ -17,8 +19,12 @@ namespace raceway::cli {
 /// What a status means for a shaft, in words.
 [[nodiscard]] std::string shaft_problem(bearing::SolveStatus status);
 
-/// `raceway solve` for a model with an arrangement; gives the exit status.
+/// `raceway solve` for a model with an arrangement; gives the exit status. `band` may be null.
 [[nodiscard]] int solve_shaft(const std::string& file, const model::Model& model,
-                              const shaft::ShaftPoint& point, bool json);
+                              const shaft::ShaftPoint& point, bool json, const model::Band* band);
+
+/// The band of position, torque and loss at every point.
+[[nodiscard]] io::BandOfResult shaft_band(const model::Band& band,
+                                          std::span<const shaft::ShaftPoint> points);
 
 }  // namespace raceway::cli

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "cli/band_flag.h"
 #include "cli/commands.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
@@ -20,6 +22,7 @@ struct SolveFlags {
   double speed = unset, axial_load = unset, radial_load = unset, temperature = unset;
   double moment_y = 0.0, moment_z = 0.0;
   bool json = false;
+  BandFlag band;
 };
 
 shaft::ShaftPoint shaft_point(const SolveFlags& f, const model::Model& model) {
@@ -96,10 +99,34 @@ void print(const model::Model& model, const bearing::OperatingPoint& p,
                number(friction.effects[i] / N_mm));
 }
 
+io::BandOfResult band_at(const model::Band& band, const bearing::OperatingPoint& point) {
+  io::BandOfResult result{.parameters = band.fitted(),
+                          .names = {"friction_torque_band_Nmm", "power_loss_band_W",
+                                    "inner_ring_heat_band_W", "outer_ring_heat_band_W"},
+                          .half_widths = {}};
+  result.half_widths = band([&](const model::Model& m) {
+    const model::FrictionPrediction f = model::predict_friction(m, point, true);
+    if (!f.report.converged()) return std::vector<double>(4, unset);
+    const friction::HeatSplit heat = model::heat_split(m, point, *f.equilibrium, f);
+    return std::vector<double>{f.torque, f.power_loss, heat.inner, heat.outer};
+  });
+  return result;
+}
+
+void print_band(const model::Band& band, const std::vector<double>& half_widths) {
+  fmt::print("\n{}\n", band_statement(band));
+  fmt::print("friction torque     {:>10} N mm    power loss        {:>8} W\n",
+             band_text(half_widths[0], N_mm), band_text(half_widths[1]));
+  fmt::print("inner ring          {:>10} W       outer ring        {:>8} W\n",
+             band_text(half_widths[2]), band_text(half_widths[3]));
+}
+
 int run(const SolveFlags& flags) {
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  const std::optional<model::Band> band = flags.band.of(file);
   if (file.model.shaft)
-    return solve_shaft(flags.model, file.model, shaft_point(flags, file.model), flags.json);
+    return solve_shaft(flags.model, file.model, shaft_point(flags, file.model), flags.json,
+                       band ? &*band : nullptr);
   const bearing::OperatingPoint point = operating_point(flags, file.model.rig);
   model::FrictionPrediction friction = model::predict_friction(file.model, point, true);
   const bearing::SolveReport report = friction.report;
@@ -115,10 +142,14 @@ int run(const SolveFlags& flags) {
   const friction::HeatSplit heat = report.converged()
                                        ? model::heat_split(file.model, point, e, friction)
                                        : friction::HeatSplit();
+  std::optional<io::BandOfResult> half_widths;
+  if (band) half_widths = band_at(*band, point);
   if (flags.json) {
-    fmt::print("{}", io::solve_json(file.model, point, e, friction, heat));
+    fmt::print("{}", io::solve_json(file.model, point, e, friction, heat,
+                                    half_widths ? &*half_widths : nullptr));
   } else if (report.converged()) {
     print(file.model, point, e, friction, heat);
+    if (band) print_band(*band, half_widths->half_widths);
   }
   if (report.converged()) return done;
   say(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",
@@ -146,6 +177,7 @@ Run setup_solve(CLI::App& command) {
              "about y [N mm], carried where tilt is free; default 0");
   add_number(command, "--moment-z", flags->moment_z, moment_range,
              "about z [N mm], carried where tilt is free; default 0");
+  flags->band.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
       "Example:\n  raceway solve my.toml --speed 10000 --axial-load 600\n"

@@ -9,10 +9,12 @@
 #include <string_view>
 
 #include "cli/axis_flag.h"
+#include "cli/band_flag.h"
 #include "cli/commands.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/report_flag.h"
+#include "cli/shaft.h"
 #include "cli/text_table.h"
 #include "friction/stribeck_table.h"
 #include "io/csv.h"
@@ -34,6 +36,7 @@ struct TableFlags {
   std::string data, slab;
   bool json = false, force = false;
   ReportFlag report;
+  BandFlag band;
 };
 
 friction::TableAxes axes(const TableFlags& f, const model::Model& model) {
@@ -104,13 +107,18 @@ std::vector<std::string> shaft_columns(const model::Model& model) {
   return names;
 }
 
-void fill_shaft_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
-                     std::span<friction::TablePoint> out) {
+std::vector<shaft::ShaftPoint> shaft_points(std::span<const bearing::OperatingPoint> points) {
   std::vector<shaft::ShaftPoint> asked;
   for (const bearing::OperatingPoint& p : points)
     asked.push_back(
         {.speed = p.speed, .external_load = p.axial_load, .temperature = p.temperature});
-  const std::vector<shaft::ShaftPrediction> predictions = shaft::predict_shaft(model, asked);
+  return asked;
+}
+
+void fill_shaft_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
+                     std::span<friction::TablePoint> out) {
+  const std::vector<shaft::ShaftPrediction> predictions =
+      shaft::predict_shaft(model, shaft_points(points));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const shaft::ShaftPrediction& p = predictions[i];
     const bearing::ArrangementEquilibrium& e = p.equilibrium;
@@ -123,7 +131,7 @@ void fill_shaft_line(const model::Model& model, std::span<const bearing::Operati
            {e.bearings[k].axial_load, p.friction[k].torque, e.bearings[k].ball.inner_contact_angle,
             e.bearings[k].ball.outer_contact_angle})
         out[i].columns[c++] = v;
-    out[i].columns[out[i].columns.size() - 1] = p.displacement;
+    out[i].columns[c] = p.displacement;
   }
 }
 
@@ -156,6 +164,39 @@ void fill_line(const model::Model& model, std::span<const bearing::OperatingPoin
   }
 }
 
+/// The columns of the band, behind all others.
+std::vector<std::string> band_columns(const model::Model& model) {
+  std::vector<std::string> names{"friction_torque_band_Nmm", "power_loss_band_W"};
+  if (model.shaft) names.insert(names.begin(), "axial_displacement_band_um");
+  return names;
+}
+
+/// Friction torque and loss of a bearing at every point.
+std::vector<double> numbers_with_band(const model::Model& model,
+                                      std::span<const bearing::OperatingPoint> points) {
+  std::vector<model::FrictionPrediction> predictions(points.size());
+  model::predict_sweep(model, points, predictions);
+  std::vector<double> numbers;
+  for (const model::FrictionPrediction& p : predictions) {
+    numbers.push_back(p.torque);
+    numbers.push_back(p.power_loss);
+  }
+  return numbers;
+}
+
+/// Fills in the last columns of a line.
+void fill_band(const model::Model& model, const model::Band& band,
+               std::span<const bearing::OperatingPoint> points,
+               std::span<friction::TablePoint> out) {
+  const std::vector<double> half_widths =
+      model.shaft ? shaft_band(band, shaft_points(points)).half_widths
+                  : band([&](const model::Model& m) { return numbers_with_band(m, points); });
+  const std::size_t count = band_columns(model).size();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    std::copy_n(half_widths.begin() + static_cast<std::ptrdiff_t>(i * count), count,
+                out[i].columns.end() - static_cast<std::ptrdiff_t>(count));
+}
+
 void show_progress(double fraction) {
   constexpr int width = 40;
   const int filled = static_cast<int>(fraction * width);
@@ -168,6 +209,14 @@ void show_progress(double fraction) {
 /// Speed down, axial load across, a block for each radial load and temperature.
 void print(const model::Model& model, const friction::StribeckTable& t) {
   fmt::print("Friction torque [N mm] of {}\n", model.name);
+  const auto of_band = static_cast<std::size_t>(
+      std::find(t.columns.begin(), t.columns.end(), "friction_torque_band_Nmm") -
+      t.columns.begin());
+  const auto torque = [&](std::size_t point) {
+    const std::string text = number(t.friction_moment[point] / N_mm, 4);
+    if (of_band == t.columns.size() || std::isnan(t.friction_moment[point])) return text;
+    return text + " " + band_text(t.row(point)[of_band], N_mm);
+  };
   for (std::size_t k = 0; k < t.axes.temperature.size(); ++k) {
     for (std::size_t r = 0; r < t.axes.radial_load.size(); ++r) {
       fmt::print("\nradial load {:.6g} N, {:.4g} C, axial load across\n", t.axes.radial_load[r],
@@ -179,7 +228,7 @@ void print(const model::Model& model, const friction::StribeckTable& t) {
       for (std::size_t s = 0; s < t.axes.speed.size(); ++s) {
         std::vector<std::string> row{fmt::format("{:.6g}", t.axes.speed[s] / rpm)};
         for (std::size_t a = 0; a < t.axes.axial_load.size(); ++a)
-          row.push_back(number(t.friction_moment[t.index(s, a, r, k)] / N_mm, 4));
+          row.push_back(torque(t.index(s, a, r, k)));
         table.add(row);
       }
       fmt::print("{}", table.text(terminal_width()));
@@ -240,10 +289,16 @@ int run(const TableFlags& flags) {
         fmt::format("raceway table: {} points: at most 1e8; --slab makes a part", points));
   std::function<void(double)> progress;
   if (isatty(STDERR_FILENO) != 0 && points >= 20000) progress = show_progress;
+  const std::optional<model::Band> band = flags.band.of(file);
+  std::vector<std::string> names = model.shaft ? shaft_columns(model) : columns(model);
+  const std::size_t displacement = names.size() - 1;
+  if (band)
+    for (std::string& name : band_columns(model)) names.push_back(std::move(name));
   const friction::StribeckTable table = friction::build_stribeck_table(
-      grid, model.shaft ? shaft_columns(model) : columns(model),
+      grid, std::move(names),
       [&](auto given, auto out) {
         model.shaft ? fill_shaft_line(model, given, out) : fill_line(model, given, out);
+        if (band) fill_band(model, *band, given, out);
       },
       progress, part);
   if (to_file) {
@@ -253,20 +308,24 @@ int run(const TableFlags& flags) {
     fmt::print("{}", io::table_text(table, model.name, file.text));
   }
   if (flags.json) {
-    fmt::print("{}", io::table_json(model, table));
+    const io::BandOfResult of_band{.parameters = band ? band->fitted() : std::vector<std::string>(),
+                                   .names = {},
+                                   .half_widths = {}};
+    fmt::print("{}", io::table_json(model, table, band ? &of_band : nullptr));
   } else if (flags.output.empty()) {
     print(model, table);
+    if (band) fmt::print("\n+-: {}\n", band_statement(*band));
   }
+  if (band && (flags.json || !flags.output.empty())) tell({"band: " + band_statement(*band)});
   flags.report.write(
       [&] {
         return io::table_report(flags.model, model, table, states_to_draw(model, grid),
                                 measured ? &*measured : nullptr);
       },
       flags.force);
-  // Displacement is the last column.
   std::size_t only_torque = 0;
   for (std::size_t i = 0; i < points; ++i)
-    only_torque += !std::isnan(table.friction_moment[i]) && std::isnan(table.row(i).back());
+    only_torque += !std::isnan(table.friction_moment[i]) && std::isnan(table.row(i)[displacement]);
   if (only_torque > 0)
     tell(
         {fmt::format("{} of {} points have no equilibrium: a torque, which needs none, but no "
@@ -317,6 +376,7 @@ Run setup_table(CLI::App& command) {
                   "i/N: only the i-th of N parts, to be joined by raceway merge")
       ->type_name("i/N");
   command.add_flag("--force", flags->force, "replace the file if it exists");
+  flags->band.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command

@@ -331,4 +331,28 @@ Calibration calibration_of(std::shared_ptr<const Subject> fitted, const Response
   return result;
 }
 
+std::optional<Covariance> covariance_of(const Calibration& calibration) {
+  std::vector<Eigen::Index> sure;
+  Covariance result;
+  for (std::size_t k = 0; k < calibration.parameters.size(); ++k) {
+    const Parameter& p = calibration.parameters[k];
+    if (!std::isfinite(p.std)) continue;
+    sure.push_back(static_cast<Eigen::Index>(k));
+    result.names.push_back(p.name);
+  }
+  if (sure.empty()) return std::nullopt;
+  const auto size = static_cast<Eigen::Index>(sure.size());
+  result.values.resize(size);
+  Eigen::VectorXd std(size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    const Parameter& p =
+        calibration.parameters[static_cast<std::size_t>(sure[static_cast<std::size_t>(k)])];
+    result.values[k] = p.value;
+    std[k] = p.std;
+  }
+  result.matrix =
+      std.asDiagonal() * Eigen::MatrixXd(calibration.correlation(sure, sure)) * std.asDiagonal();
+  return result;
+}
+
 }  // namespace raceway::fit

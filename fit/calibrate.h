@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "fit/covariance.h"
 #include "fit/evidence.h"
 #include "fit/fit_status.h"
 
@@ -52,6 +54,10 @@ struct Calibration {
 /// its bounds. Throws std::invalid_argument: a record of something else, unknown parameter, fewer
 /// readings than parameters.
 [[nodiscard]] Calibration calibrate(const Subject& subject, const Record& record);
+
+/// Of those parameters that have a standard error; names and values as in the calibration. Nothing
+/// where none has one.
+[[nodiscard]] std::optional<Covariance> covariance_of(const Calibration& calibration);
 
 /// What a fit of the free parameters `response.parameters` that was made elsewhere says: values,
 /// errors, correlation. `before` are the readings without it, `whitening` is the noise of the data.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "io/column_unit.h"
+#include "model/band.h"
 #include "record/units.h"
 
 namespace raceway::io {
@@ -67,6 +69,16 @@ json report_json(const bearing::SolveReport& report) {
           {"iterations", report.iterations},
           {"residual", report.residual},
           {"recovered_load_error", report.recovered_load_error}};
+}
+
+json band_json(const BandOfResult& band) {
+  return {{"level", model::Band::level}, {"parameters", band.parameters}};
+}
+
+void add_band(json& row, const BandOfResult& band, std::size_t index) {
+  for (std::size_t k = 0; k < band.names.size(); ++k)
+    row[band.names[k]] =
+        band.half_widths[index * band.names.size() + k] / column_unit(band.names[k]);
 }
 
 json friction_json(const model::Model& model, const model::FrictionPrediction& f) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bearing/solve.h"
+#include "io/band_of_result.h"
 #include "model/model.h"
 #include "model/prediction.h"
 
@@ -20,6 +21,12 @@ using json = nlohmann::ordered_json;
 [[nodiscard]] std::string line_text(const json& value);
 
 [[nodiscard]] json report_json(const bearing::SolveReport& report);
+
+/// What a band is of: its level and the fitted parameters.
+[[nodiscard]] json band_json(const BandOfResult& band);
+
+/// Puts the half widths of one row of it beside the numbers of that row.
+void add_band(json& row, const BandOfResult& band, std::size_t index);
 
 /// Parts of a friction torque by name.
 [[nodiscard]] json friction_json(const model::Model& model,

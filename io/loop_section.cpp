@@ -1,4 +1,6 @@
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 
@@ -39,21 +41,17 @@ Names words_of(const std::vector<fit::Measured>& measured) {
   return words;
 }
 
-}  // namespace
-
-Names read_free(ModelTables& tables, const model::Model& model) {
-  const Section s = tables.section("calibration");
-  s.allow_only({"free"});
-  const toml::node* const node = s.find("free");
-  if (!node) return default_names(tables, model);
+/// A list of parameters, by full name.
+Names names_in(const Section& s, std::string_view key, const toml::node& node,
+               const model::Model& model) {
   const auto wrong = [&](const toml::node& at, const std::string& problem) {
-    throw InputError(fmt::format("{}: free = {}: {}", s.place(&at), shown(at), problem));
+    throw InputError(fmt::format("{}: {} = {}: {}", s.place(&at), key, shown(at), problem));
   };
-  if (!node->is_array() || node->as_array()->empty())
-    wrong(*node, "must be a list of one name or more, as in [\"f0\", \"z\"]");
+  if (!node.is_array() || node.as_array()->empty())
+    wrong(node, "must be a list of one name or more, as in [\"f0\", \"z\"]");
   const std::multimap<std::string, std::string> known = full_names(model);
   Names names;
-  for (const toml::node& entry : *node->as_array()) {
+  for (const toml::node& entry : *node.as_array()) {
     const auto name = entry.is_string() ? entry.value<std::string>() : std::nullopt;
     if (!name) wrong(entry, "must be the name of a parameter in quotes");
     const auto [first, last] = known.equal_range(*name);
@@ -69,6 +67,142 @@ Names read_free(ModelTables& tables, const model::Model& model) {
     names.push_back(first->second);
   }
   return names;
+}
+
+/// [calibration.covariance] of some parameters, checked key by key.
+class CovarianceReader {
+ public:
+  CovarianceReader(const Section& section, const model::Model& model)
+      : s_(section), model_(model), known_(model::parameters(model)) {}
+
+  fit::Covariance read() {
+    s_.allow_only({"parameters", "units", "values", "std", "correlation"});
+    fit::Covariance c;
+    c.names = names_in(s_, "parameters", required("parameters"), model_);
+    count_ = c.names.size();
+    check_units(c.names);
+    const std::vector<double> values = numbers("values", required("values"), count_);
+    const std::vector<double> std = numbers("std", required("std"), count_);
+    if (std::any_of(std.begin(), std.end(), [](double v) { return v < 0.0; }))
+      s_.fail("std", "std: no standard deviation may be below 0");
+    const auto size = static_cast<Eigen::Index>(count_);
+    c.values = Eigen::Map<const Eigen::VectorXd>(values.data(), size);
+    const Eigen::VectorXd scale = Eigen::Map<const Eigen::VectorXd>(std.data(), size);
+    c.matrix = scale.asDiagonal() * correlation() * scale.asDiagonal();
+    return c;
+  }
+
+ private:
+  const toml::node& required(std::string_view key) const {
+    const toml::node* const node = s_.find(key);
+    if (!node) s_.fail(key, fmt::format("[{}] {} is missing", s_.name(), key));
+    return *node;
+  }
+
+  void check_units(const Names& names) const {
+    const toml::node& node = required("units");
+    const toml::array* const list = node.as_array();
+    if (!list || list->size() != names.size()) wrong_count("units", node, names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto p = std::find_if(known_.begin(), known_.end(),
+                                  [&](const auto& one) { return one.name == names[k]; });
+      if (list->get(k)->value<std::string>() != p->unit)
+        throw InputError(fmt::format("{}: units = {}: {} is in \"{}\"", s_.place(list->get(k)),
+                                     shown(*list->get(k)), names[k], p->unit));
+    }
+  }
+
+  [[noreturn]] void wrong_count(std::string_view key, const toml::node& node,
+                                std::size_t count) const {
+    throw InputError(
+        fmt::format("{}: {} = {}: must be a list of {}", s_.place(&node), key, shown(node), count));
+  }
+
+  std::vector<double> numbers(std::string_view key, const toml::node& node,
+                              std::size_t count) const {
+    const toml::array* const list = node.as_array();
+    if (!list || list->size() != count) wrong_count(key, node, count);
+    std::vector<double> result;
+    for (const toml::node& entry : *list) {
+      const auto value = entry.value<double>();
+      if (!value || !std::isfinite(*value))
+        throw InputError(
+            fmt::format("{}: {} = {}: must be a number", s_.place(&entry), key, shown(entry)));
+      result.push_back(*value);
+    }
+    return result;
+  }
+
+  /// The lower triangle with its diagonal of ones.
+  Eigen::MatrixXd correlation() const {
+    constexpr double rounding = 1e-9;  // of the digits that are written
+    const toml::node& node = required("correlation");
+    const toml::array* const rows = node.as_array();
+    if (!rows || rows->size() != count_) wrong_count("correlation", node, count_);
+    const auto size = static_cast<Eigen::Index>(count_);
+    Eigen::MatrixXd matrix(size, size);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::vector<double> row = numbers("correlation", *rows->get(i), i + 1);
+      for (std::size_t j = 0; j <= i; ++j) {
+        if (i == j ? row[j] != 1.0 : std::abs(row[j]) > 1.0)
+          throw InputError(fmt::format("{}: correlation = {}: {}", s_.place(rows->get(i)), row[j],
+                                       i == j ? "each row ends with 1, of a parameter with itself"
+                                              : "must be from -1 to 1"));
+        matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+            matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = row[j];
+      }
+    }
+    const double least =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().minCoeff();
+    if (least < -rounding)
+      s_.fail("correlation",
+              fmt::format("correlation: no parameters can be correlated like that (not positive "
+                          "semidefinite, least eigenvalue {:.2g})",
+                          least));
+    return matrix;
+  }
+
+  const Section& s_;
+  const model::Model& model_;
+  std::vector<record::Parameter> known_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+Names read_free(ModelTables& tables, const model::Model& model) {
+  const Section s = tables.section("calibration");
+  s.allow_only({"free", "covariance"});
+  const toml::node* const node = s.find("free");
+  return node ? names_in(s, "free", *node, model) : default_names(tables, model);
+}
+
+std::optional<fit::Covariance> read_covariance(const ModelTables& tables,
+                                               const model::Model& model) {
+  const Section calibration = tables.section("calibration");
+  const toml::node* const node = calibration.find("covariance");
+  if (!node) return std::nullopt;
+  if (!node->is_table())
+    calibration.fail("covariance", fmt::format("covariance = {}: must be a table, written as "
+                                               "[calibration.covariance]",
+                                               shown(*node)));
+  const Section s(tables.source(), "calibration.covariance", node->as_table());
+  return CovarianceReader(s, model).read();
+}
+
+std::string other_values(const fit::Covariance& covariance, const model::Model& model) {
+  constexpr double same = 1e-9;
+  const std::vector<record::Parameter> known = model::parameters(model);
+  for (std::size_t k = 0; k < covariance.names.size(); ++k)
+    for (const record::Parameter& p : known)
+      if (const double value = covariance.values[static_cast<Eigen::Index>(k)];
+          p.name == covariance.names[k] &&
+          !(std::abs(p.value - value) <= same * std::max(std::abs(p.value), std::abs(value))))
+        return fmt::format(
+            "{0} = {1:.6g} stands in the model, [calibration.covariance] is of {0} "
+            "= {2:.6g}",
+            p.name, p.value, value);
+  return {};
 }
 
 std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/model.h"
@@ -14,6 +16,14 @@ namespace raceway::io {
 
 /// Full names of the parameters that may be fitted.
 [[nodiscard]] Names read_free(ModelTables& tables, const model::Model& model);
+
+/// [calibration.covariance]; nothing where there is none.
+[[nodiscard]] std::optional<fit::Covariance> read_covariance(const ModelTables& tables,
+                                                             const model::Model& model);
+
+/// Where the covariance is not that of the values in the model: which, in words; otherwise empty.
+[[nodiscard]] std::string other_values(const fit::Covariance& covariance,
+                                       const model::Model& model);
 
 /// `tolerance_Nmm`, `tolerance_um`, ...: of a channel that the model predicts.
 [[nodiscard]] std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "effects/temperature_sensor.h"
@@ -252,6 +254,61 @@ std::vector<KeyValue> changed_data(const model::Model& file, const model::Model&
 
 }  // namespace
 
+namespace {
+
+/// The text without the table [calibration.covariance], where it has one.
+std::string without_covariance(std::string text) {
+  const toml::table root = parse_toml(text, "model");
+  const toml::table* const table = root["calibration"]["covariance"].as_table();
+  if (!table) return text;
+  const auto [last_key, last] = last_of(*table);
+  const std::size_t begin = line_start(text, table->source().begin.line);
+  if (table->is_inline() || text.find_first_not_of(" \t", begin) != text.find('[', begin))
+    throw InputError(
+        "the covariance under [calibration] is in braces: make it a table of its own, "
+        "[calibration.covariance], or take it out");
+  std::size_t end = text.find('\n', line_start(text, (last ? last : table)->source().end.line));
+  end = end == text.npos ? text.size() : end + 1;
+  text.erase(begin, end - begin);
+  // Nor the blank line before it.
+  const std::string line_end(line_end_of(text));
+  if (begin >= 2 * line_end.size() &&
+      std::string_view(text).substr(0, begin).ends_with(line_end + line_end))
+    text.erase(begin - line_end.size(), line_end.size());
+  return text;
+}
+
+/// With [calibration.covariance] at the end.
+std::string with_covariance(std::string text, const fit::Covariance& c,
+                            const std::vector<record::Parameter>& parameters) {
+  const std::string line_end(line_end_of(text));
+  if (!text.empty() && text.back() != '\n') text += line_end;
+  std::vector<std::string> names, units, values, std, rows;
+  for (std::size_t k = 0; k < c.names.size(); ++k) {
+    const auto p = std::find_if(parameters.begin(), parameters.end(),
+                                [&](const auto& one) { return one.name == c.names[k]; });
+    if (p == parameters.end())
+      throw std::invalid_argument(c.names[k] +
+                                  ": its covariance is given, but the model has no "
+                                  "such parameter");
+    names.push_back(fmt::format("\"{}\"", c.names[k]));
+    units.push_back(fmt::format("\"{}\"", p->unit));
+    values.push_back(toml_float(with_15_digits(c.values[static_cast<Eigen::Index>(k)])));
+    std.push_back(toml_float(with_digits(c.std(k), 6)));
+    std::vector<std::string> row;
+    for (std::size_t j = 0; j <= k; ++j)
+      row.push_back(toml_float(with_digits(c.correlation(k, j), 12)));
+    rows.push_back(fmt::format("  [{}],", fmt::join(row, ", ")));
+  }
+  text += fmt::format("{0}[calibration.covariance]  # of what was fitted, for --band{0}", line_end);
+  for (const auto& [key, list] :
+       {std::pair{"parameters", &names}, {"units", &units}, {"values", &values}, {"std", &std}})
+    text += fmt::format("{} = [{}]{}", key, fmt::join(*list, ", "), line_end);
+  return text + fmt::format("correlation = [{0}{1}{0}]{0}", line_end, fmt::join(rows, line_end));
+}
+
+}  // namespace
+
 std::string with_model(const ModelFile& file, const model::Model& found) {
   const model::Model fitted = model::with_corrected_data(found);
   const auto in_file = [&](const effects::Effect& effect) {
@@ -259,7 +316,7 @@ std::string with_model(const ModelFile& file, const model::Model& found) {
         file.model.effects.begin(), file.model.effects.end(),
         [&](const effects::Effect& e) { return e.description->id == effect.description->id; });
   };
-  std::string text = file.text;
+  std::string text = without_covariance(file.text);
   for (effects::Effect effect : fitted.effects) {
     if (in_file(effect)) continue;
     for (double& value : effect.values) value = with_15_digits(value);
@@ -274,7 +331,9 @@ std::string with_model(const ModelFile& file, const model::Model& found) {
     for (const std::string& address : old->addresses)
       changes.push_back({address, with_15_digits(p.value)});
   }
-  return with_values(text, changes);
+  text = with_values(text, changes);
+  if (!found.covariance) return text;
+  return with_covariance(std::move(text), *found.covariance, model::parameters(fitted));
 }
 
 }  // namespace raceway::io

@@ -113,6 +113,12 @@ ModelFile parse_model(std::string text, const std::string& source) {
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);
   std::vector<std::string> notes = notes_on_effects(model);
+  model.covariance = read_covariance(tables, model);
+  if (model.covariance)
+    if (const std::string other = other_values(*model.covariance, model); !other.empty()) {
+      notes.push_back(other + ": there is no band until raceway calibrate has found it anew");
+      model.covariance.reset();
+    }
   return {.model = std::move(model),
           .source = source,
           .text = std::move(text),

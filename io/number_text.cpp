@@ -7,11 +7,13 @@
 
 namespace raceway::io {
 
-double with_15_digits(double value) {
+double with_digits(double value, int digits) {
   if (!std::isfinite(value)) return value;
-  const double rounded = std::strtod(fmt::format("{:.15g}", value).c_str(), nullptr);
+  const double rounded = std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
   return std::isfinite(rounded) ? rounded : value;  // the largest double rounds up
 }
+
+double with_15_digits(double value) { return with_digits(value, 15); }
 
 double value_in_unit(const record::Channel& channel, double si) {
   const double value = channel.in_unit(si);

@@ -12,6 +12,9 @@ namespace raceway::io {
 /// the rounding of a change of unit off, 6000 rpm are not 6000.000000000001.
 [[nodiscard]] double with_15_digits(double value);
 
+/// The same of any number of digits.
+[[nodiscard]] double with_digits(double value, int digits);
+
 /// A value of a channel in its unit, without the rounding of an offset that is larger than the
 /// value: 60 C are not 59.9999999999999.
 [[nodiscard]] double value_in_unit(const record::Channel& channel, double si);

@@ -48,7 +48,8 @@ json effect_page(const effects::Description& d) {
 
 std::string solve_json(const model::Model& model, const bearing::OperatingPoint& point,
                        const bearing::BearingEquilibrium& e,
-                       const model::FrictionPrediction& friction, const friction::HeatSplit& heat) {
+                       const model::FrictionPrediction& friction, const friction::HeatSplit& heat,
+                       const BandOfResult* band) {
   json balls = json::array();
   for (const bearing::BallEquilibrium& b : e.balls) {
     balls.push_back({{"azimuth_deg", b.azimuth / degree},
@@ -66,29 +67,35 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
     matrix.push_back(row);
   }
   const auto& u = e.displacement;
-  return text({{"bearing", model.name},
-               {"speed_rpm", point.speed / rpm},
-               {"axial_load_N", point.axial_load},
-               {"radial_load_N", point.radial_load},
-               {"temperature_C", celsius(point.temperature)},
-               {"axial_displacement_um", u[0] / um},
-               {"radial_displacement_um", std::hypot(u[1], u[2]) / um},
-               {"tilt_y_mrad", u[3] / mrad},
-               {"tilt_z_mrad", u[4] / mrad},
-               {"balls", balls},
-               {"stiffness",
-                {{"axial_N_um", e.stiffness(0, 0) / N_per_um},
-                 {"radial_N_um", e.stiffness(1, 1) / N_per_um},
-                 {"matrix", matrix}}},
-               {"friction", friction_json(model, friction)},
-               {"friction_torque_Nmm", friction.torque / N_mm},
-               {"power_loss_W", friction.power_loss},
-               {"inner_ring_heat_W", heat.inner},
-               {"outer_ring_heat_W", heat.outer},
-               {"report", report_json(e.report)}});
+  json document = {{"bearing", model.name},
+                   {"speed_rpm", point.speed / rpm},
+                   {"axial_load_N", point.axial_load},
+                   {"radial_load_N", point.radial_load},
+                   {"temperature_C", celsius(point.temperature)},
+                   {"axial_displacement_um", u[0] / um},
+                   {"radial_displacement_um", std::hypot(u[1], u[2]) / um},
+                   {"tilt_y_mrad", u[3] / mrad},
+                   {"tilt_z_mrad", u[4] / mrad},
+                   {"balls", balls},
+                   {"stiffness",
+                    {{"axial_N_um", e.stiffness(0, 0) / N_per_um},
+                     {"radial_N_um", e.stiffness(1, 1) / N_per_um},
+                     {"matrix", matrix}}},
+                   {"friction", friction_json(model, friction)},
+                   {"friction_torque_Nmm", friction.torque / N_mm},
+                   {"power_loss_W", friction.power_loss},
+                   {"inner_ring_heat_W", heat.inner},
+                   {"outer_ring_heat_W", heat.outer},
+                   {"report", report_json(e.report)}};
+  if (band) {
+    add_band(document, *band, 0);
+    document["band"] = band_json(*band);
+  }
+  return text(std::move(document));
 }
 
-std::string table_json(const model::Model& model, const friction::StribeckTable& table) {
+std::string table_json(const model::Model& model, const friction::StribeckTable& table,
+                       const BandOfResult* band) {
   json rows = json::array();
   for (std::size_t i = 0; i < table.friction_moment.size(); ++i) {
     const bearing::OperatingPoint p = table.point(i);
@@ -102,7 +109,9 @@ std::string table_json(const model::Model& model, const friction::StribeckTable&
     row["status"] = bearing::name(table.status[i]);
     rows.push_back(std::move(row));
   }
-  return text({{"bearing", model.name}, {"rows", rows}});
+  json document = {{"bearing", model.name}, {"rows", rows}};
+  if (band) document["band"] = band_json(*band);
+  return text(std::move(document));
 }
 
 std::string bearings_json(const std::vector<CatalogueBearing>& rows) {

@@ -12,6 +12,7 @@
 #include "fit/compare.h"
 #include "friction/heat.h"
 #include "friction/stribeck_table.h"
+#include "io/band_of_result.h"
 #include "io/catalogue_file.h"
 #include "model/model.h"
 #include "model/prediction.h"
@@ -23,14 +24,18 @@
 /// `channels` lists all.
 namespace raceway::io {
 
+/// `band`, of one row, may be null: then there is none in the document.
 [[nodiscard]] std::string solve_json(const model::Model& model,
                                      const bearing::OperatingPoint& point,
                                      const bearing::BearingEquilibrium& equilibrium,
                                      const model::FrictionPrediction& friction,
-                                     const friction::HeatSplit& heat);
+                                     const friction::HeatSplit& heat,
+                                     const BandOfResult* band = nullptr);
 
+/// The columns of a band are those of the table; `band` tells its parameters, and may be null.
 [[nodiscard]] std::string table_json(const model::Model& model,
-                                     const friction::StribeckTable& table);
+                                     const friction::StribeckTable& table,
+                                     const BandOfResult* band = nullptr);
 
 /// `record` is what was fitted to.
 [[nodiscard]] std::string calibration_json(const fit::Calibration& calibration,

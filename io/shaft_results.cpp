@@ -126,7 +126,7 @@ std::vector<DisplacementColumn> displacement_columns(const Arrangement& a) {
 
 std::string displacement_text(const model::Model& model, std::span<const shaft::ShaftPoint> points,
                               std::span<const shaft::ShaftPrediction> predictions,
-                              std::string_view model_text) {
+                              std::string_view model_text, const BandOfResult* band) {
   const std::vector<DisplacementColumn> columns = displacement_columns(model.shaft->arrangement);
   fmt::memory_buffer out;
   const auto put = std::back_inserter(out);
@@ -135,6 +135,8 @@ std::string displacement_text(const model::Model& model, std::span<const shaft::
   append_model(out, model_text);
   fmt::format_to(put, "speed_rpm,");
   for (const DisplacementColumn& c : columns) fmt::format_to(put, "{},", c.name);
+  const std::vector<std::string> of_band = band ? band->names : std::vector<std::string>();
+  for (const std::string& name : of_band) fmt::format_to(put, "{},", name);
   fmt::format_to(put, "status\n");
   for (std::size_t k = 0; k < points.size(); ++k) {
     append_value(out, points[k].speed / rpm);
@@ -143,25 +145,37 @@ std::string displacement_text(const model::Model& model, std::span<const shaft::
       append_value(out, c.value(predictions[k]));
       out.push_back(',');
     }
+    for (std::size_t c = 0; c < of_band.size(); ++c) {
+      append_value(out, in_unit(band->half_widths[k * of_band.size() + c], of_band[c]));
+      out.push_back(',');
+    }
     fmt::format_to(put, "{}\n", bearing::name(predictions[k].equilibrium.report.status));
   }
   return fmt::to_string(out);
 }
 
 std::string displacement_json(const model::Model& model, std::span<const shaft::ShaftPoint> points,
-                              std::span<const shaft::ShaftPrediction> predictions) {
+                              std::span<const shaft::ShaftPrediction> predictions,
+                              const BandOfResult* band) {
   json rows = json::array();
-  for (std::size_t k = 0; k < points.size(); ++k)
+  for (std::size_t k = 0; k < points.size(); ++k) {
     rows.push_back(row_json(model, points[k], predictions[k]));
-  return text({{"bearing", model.name},
-               {"arrangement", arrangement_json(model)},
-               {"rows", std::move(rows)}});
+    if (band) add_band(rows.back(), *band, k);
+  }
+  json document = {
+      {"bearing", model.name}, {"arrangement", arrangement_json(model)}, {"rows", std::move(rows)}};
+  if (band) document["band"] = band_json(*band);
+  return text(std::move(document));
 }
 
 std::string shaft_solve_json(const model::Model& model, const shaft::ShaftPoint& point,
-                             const shaft::ShaftPrediction& prediction) {
+                             const shaft::ShaftPrediction& prediction, const BandOfResult* band) {
   json document = {{"bearing", model.name}, {"arrangement", arrangement_json(model)}};
   document.update(row_json(model, point, prediction));
+  if (band) {
+    add_band(document, *band, 0);
+    document["band"] = band_json(*band);
+  }
   return text(std::move(document));
 }
 

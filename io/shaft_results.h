@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/band_of_result.h"
 #include "shaft/shaft_prediction.h"
 
 /// Results of a shaft as CSV and as JSON, keys with their units (docs/files.md). What has no
@@ -28,20 +29,24 @@ struct DisplacementColumn {
 
 /// Shaft position against speed as CSV: `#` lines with title, version and the model's text, then
 /// speed_rpm, axial_displacement_um, front_force_N, rear_force_N, axial_stiffness_N_um,
-/// friction_torque_Nmm, power_loss_W, columns of every bearing and the status. 12 digits.
+/// friction_torque_Nmm, power_loss_W, columns of every bearing, of the band and the status. 12
+/// digits. `band`, of as many rows, may be null.
 [[nodiscard]] std::string displacement_text(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
                                             std::span<const shaft::ShaftPrediction> predictions,
-                                            std::string_view model_text);
+                                            std::string_view model_text,
+                                            const BandOfResult* band = nullptr);
 
 /// The same as JSON: {"rows": [...]} with what stands still at its head.
 [[nodiscard]] std::string displacement_json(const model::Model& model,
                                             std::span<const shaft::ShaftPoint> points,
-                                            std::span<const shaft::ShaftPrediction> predictions);
+                                            std::span<const shaft::ShaftPrediction> predictions,
+                                            const BandOfResult* band = nullptr);
 
 /// One of these rows, with all digits of friction and heat of its bearings.
 [[nodiscard]] std::string shaft_solve_json(const model::Model& model,
                                            const shaft::ShaftPoint& point,
-                                           const shaft::ShaftPrediction& prediction);
+                                           const shaft::ShaftPrediction& prediction,
+                                           const BandOfResult* band = nullptr);
 
 }  // namespace raceway::io

@@ -8,6 +8,7 @@
 #include "bearing/bearing.h"
 #include "bearing/bearing_equilibrium.h"
 #include "effects/effect.h"
+#include "fit/covariance.h"
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
 #include "record/parameter.h"
@@ -58,6 +59,8 @@ struct Model {
   std::optional<Shaft> shaft = {};
   /// Errors that do not matter to whoever uses the model, by the name of the measured channel [SI].
   std::vector<record::NamedValue> tolerances = {};
+  /// Of parameters that were fitted, at the values that they have here.
+  std::optional<fit::Covariance> covariance = {};
 
   /// The form of the effects that it may have.
   [[nodiscard]] effects::Form form() const {

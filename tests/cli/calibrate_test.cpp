@@ -43,7 +43,7 @@ TEST(Calibrate, OfACoastDownBringsTheErrorDownAndSaysThatStructureIsLeft) {
   EXPECT_THAT(text.out, Not(HasSubstr("e-0")));
 }
 
-TEST(Calibrate, ChangesTheValuesAndNothingElse) {
+TEST(Calibrate, ChangesTheValuesAndAddsTheirCovarianceAndNothingElse) {
   const ScratchFolder scratch;
   const std::string fitted = scratch.file("fitted.toml");
   ASSERT_EQ(run("calibrate " + measurements + "flywheel.toml " + measurements +
@@ -52,7 +52,9 @@ TEST(Calibrate, ChangesTheValuesAndNothingElse) {
             0);
   const auto old_lines = lines(file_text(measurements + "flywheel.toml"));
   const auto new_lines = lines(file_text(fitted));
-  ASSERT_EQ(old_lines.size(), new_lines.size());
+  ASSERT_GT(new_lines.size(), old_lines.size() + 1);
+  EXPECT_EQ(new_lines[old_lines.size()], "");
+  EXPECT_THAT(new_lines[old_lines.size() + 1], HasSubstr("[calibration.covariance]"));
   std::vector<std::string> changed;
   for (std::size_t i = 0; i < old_lines.size(); ++i)
     if (old_lines[i] != new_lines[i]) changed.push_back(old_lines[i]);

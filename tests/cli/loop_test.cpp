@@ -86,7 +86,7 @@ TEST(Loop, FindsAndAddsAFormulaOfTheUsersOwnWhereItStands) {
   const std::string text = file_text(better);
   EXPECT_THAT(text, HasSubstr("(speed_rpm/10000)^2\"  # mine"));
   EXPECT_THAT(text, Not(HasSubstr("value = 0.0")));
-  EXPECT_EQ(text.find("my-drag"), text.rfind("my-drag"));
+  EXPECT_EQ(text.find("id = \"my-drag\""), text.rfind("id = \"my-drag\""));
 }
 
 TEST(Loop, RefusesAnEffectThatImitatesTheMissingOne) {

@@ -77,6 +77,7 @@ TEST(SeveralFiles, CalibrateAndAddWriteAModelForEachRecord) {
   EXPECT_LT(parsed(run("compare " + friday + " " + d.friday + " --json"))["rmse"].get<double>(), 3);
   EXPECT_GT(parsed(run("compare " + monday + " " + d.friday + " --json"))["rmse"].get<double>(),
             30);
+  EXPECT_THAT(file_text(monday), HasSubstr("[calibration.covariance]"));
   EXPECT_THAT(file_text(monday), Not(HasSubstr("@")));
   // Nothing is overwritten, of either.
   std::filesystem::remove(friday);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "io/model_file.h"
+#include "model/band.h"
+
+namespace raceway::cli {
+
+/// `--band` of a command: how sure its numbers are, as far as fitted parameters go.
+struct BandFlag {
+  bool on = false;
+
+  /// Declares the flag.
+  void declare(CLI::App& command);
+  /// Nothing where nobody asked. Throws io::InputError for a model without a covariance of its
+  /// values.
+  [[nodiscard]] std::optional<model::Band> of(const io::ModelFile& file) const;
+};
+
+/// What a band is, in a sentence.
+[[nodiscard]] std::string band_statement(const model::Band& band);
+
+/// "+- 0.23" for a half width [SI] and the factor of its unit.
+[[nodiscard]] std::string band_text(double half_width, double unit = 1.0);
+
+}  // namespace raceway::cli
