@@ -92,8 +92,8 @@ record::Record open_records(const std::vector<std::string>& paths, const std::st
     if (std::any_of(records.begin(), records.end(), declares) &&
         !std::all_of(records.begin(), records.end(), declares))
       tell(
-          {fmt::format("std_{} is not in every file: it counts in none, and one noise is found "
-                       "for all records",
+          {fmt::format("std_{} is not in every file: it counts in none, and the noise is found "
+                       "from the rows",
                        m.channel->key_unit())});
   }
   try {

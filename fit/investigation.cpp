@@ -154,6 +154,19 @@ void Investigation::tell_of_runs() {
       nested.empty() ? "what changes from run to run" : nested));
 }
 
+/// Records that do not scatter alike.
+void Investigation::tell_of_records() {
+  for (const ChannelDiagnosis& d : result_.channels) {
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < d.noise.records.size(); ++k)
+      texts.push_back(fmt::format("{} {:.2g} times", record_.parts.at(k).name, d.noise.records[k]));
+    if (!texts.empty())
+      result_.messages.push_back(fmt::format(
+          "the records scatter differently, of the noise of all {}; rows are weighed by that",
+          joined(texts, "and")));
+  }
+}
+
 bool Investigation::base_is_identifiable() const {
   Eigen::MatrixXd columns = evidence_.base.tangent;
   if (columns.cols() == 0) return true;
@@ -203,6 +216,7 @@ void Investigation::describe_base() {
           d.channel().words,
           reading_text(d.channel(), d.noise.rms * std::sqrt(d.noise.run_share))));
   tell_of_runs();
+  tell_of_records();
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.repeats_p_value < passed)
       tell(fmt::format(

@@ -37,6 +37,7 @@ class Investigation {
   void describe_base();
   void tell_declared_noise();
   void tell_of_runs();
+  void tell_of_records();
   [[nodiscard]] bool base_is_identifiable() const;
   [[nodiscard]] bool outside_the_inputs() const { return hidden_ && hidden_->follows_the_runs(); }
   [[nodiscard]] double degrees() const;

@@ -26,6 +26,8 @@ constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
 constexpr int robust_steps = 12;
 constexpr double biweight = 4.685;          // robust deviations at which a reading has no weight
 constexpr double worth_an_input = 3.84;     // of -2 ln L: 5 % level of one parameter
+constexpr double worth_a_record = 3.84;     // the same
+constexpr double fewest_of_a_record = 4.0;  // degrees of freedom, to tell its scatter
 constexpr double most_outliers = 0.2;       // of the rows
 constexpr double undetermined = 0.5;        // of -2 ln L
 constexpr double contradicted = 0.01;       // p of declared standard deviations
@@ -143,7 +145,8 @@ class NoiseSearch {
         some_columns_(pick(columns, some_)),
         some_deviation_(regress(some_columns_, readings.measured(some_)).residual),
         declared_(readings.std.size() == rows_),
-        widening_(Eigen::VectorXd::Ones(rows_)) {
+        widening_(Eigen::VectorXd::Ones(rows_)),
+        by_record_(Eigen::VectorXd::Ones(rows_)) {
     parts_.own = declared_ ? of_rms_one(readings.std) : widening_;
     parts_.reading = of_rms_one(size);
     if (readings.slope.size() == rows_ && readings.slope.norm() > 0.0)
@@ -156,10 +159,13 @@ class NoiseSearch {
     // Size of the parts and outliers, first as if readings were independent.
     if (declared_) shares_ = {.relative = 0.0, .input = 0.0};
     if (options_.absolute && !declared_) find_shares();
+    const bool several = !declared_ && !readings_.part.empty();
+    if (several) find_records();
     if (options_.outliers) suspect_outliers();
     for (int round = 0; round < 3; ++round) {
       if (options_.absolute && !declared_) find_shares();
       find_outliers();
+      if (several) find_records();
     }
     // Readings that hardly count tell nothing of the scatter of the others.
     noise_.degrees_of_freedom = std::max(
@@ -177,9 +183,13 @@ class NoiseSearch {
     const Parts some{
         parts_.reading(some_), parts_.own(some_),
         parts_.slope.size() > 0 ? Eigen::VectorXd(parts_.slope(some_)) : Eigen::VectorXd()};
-    return restricted(Whitening(shape(shares, some, widening_(some_)), some_order_, phi, run_share),
-                      some_columns_, some_deviation_);
+    return restricted(
+        Whitening(shape(shares, some, stretched()(some_)), some_order_, phi, run_share),
+        some_columns_, some_deviation_);
   }
+
+  /// By what a standard deviation is larger than its parts make it.
+  [[nodiscard]] Eigen::VectorXd stretched() const { return widening_.cwiseProduct(by_record_); }
 
   [[nodiscard]] std::vector<Shares> all_shares() const {
     std::vector<Shares> list;
@@ -210,7 +220,7 @@ class NoiseSearch {
   /// least absolute deviations. What is doubted without reason find_outliers() takes back.
   void suspect_outliers() {
     const Eigen::Index some = std::min(columns_.cols(), rows_ / 6);
-    const Eigen::VectorXd scale = shape(shares_, parts_, widening_).cwiseInverse();
+    const Eigen::VectorXd scale = shape(shares_, parts_, stretched()).cwiseInverse();
     const Eigen::MatrixXd x = scale.asDiagonal() * columns_.leftCols(some);
     const Eigen::VectorXd y = scale.cwiseProduct(readings_.measured);
     Eigen::ArrayXd weight = Eigen::ArrayXd::Ones(rows_), deviation;
@@ -237,7 +247,7 @@ class NoiseSearch {
   }
 
   void find_outliers() {
-    const Whitening independent(shape(shares_, parts_, widening_), {}, 0.0, 0.0);
+    const Whitening independent(shape(shares_, parts_, stretched()), {}, 0.0, 0.0);
     const Regression regression = regress(independent(columns_), independent(readings_.measured));
     const Eigen::VectorXd reading =
         regression.fitted.cwiseProduct(independent.std()).cwiseAbs().cwiseMax(0.1 * size_);
@@ -260,6 +270,39 @@ class NoiseSearch {
       // What is far off says little: its pull falls as it moves further.
       widening_[i] = sigmas * sigmas / limit;
     }
+  }
+
+  /// How much each of several records scatters, of the common shape: days and sensors differ.
+  void find_records() {
+    const std::size_t count = 1 + *std::max_element(readings_.part.begin(), readings_.part.end());
+    const Eigen::VectorXd before = by_record_;
+    by_record_.setOnes();
+    const double alike = misfit(0.0, 0.0, shares_);
+    by_record_ = before;
+    const Whitening independent(shape(shares_, parts_, stretched()), {}, 0.0, 0.0);
+    const Regression r = regress(independent(columns_), independent(readings_.measured));
+    std::vector<double> square(count, 0.0), freedom(count, 0.0), factor(count, 1.0);
+    for (Eigen::Index i = 0; i < rows_; ++i) {
+      const std::size_t k = readings_.part[static_cast<std::size_t>(i)];
+      square[k] += std::pow(r.residual[i] * before[i], 2);
+      freedom[k] += r.freedom[i];
+    }
+    double parameters = -1.0;  // the size of all is no parameter of the shape
+    for (std::size_t k = 0; k < count; ++k)
+      if (freedom[k] >= fewest_of_a_record && square[k] > 0.0) {
+        factor[k] = std::sqrt(square[k] / freedom[k]);
+        parameters += 1.0;
+      }
+    double all = 0.0;
+    for (std::size_t k = 0; k < count; ++k) all += freedom[k] * std::log(factor[k]);
+    all = std::exp(all / static_cast<double>(r.freedom.sum()));
+    for (Eigen::Index i = 0; i < rows_; ++i)
+      by_record_[i] = factor[readings_.part[static_cast<std::size_t>(i)]] / all;
+    noise_.records.clear();
+    if (misfit(0.0, 0.0, shares_) + worth_a_record * parameters < alike)
+      for (std::size_t k = 0; k < count; ++k) noise_.records.push_back(factor[k] / all);
+    else
+      by_record_.setOnes();
   }
 
   /// Correlation and runs both at once, as each can look like the other.
@@ -321,7 +364,7 @@ class NoiseSearch {
   /// Scaled to what the regression leaves.
   [[nodiscard]] Whitening scaled(double phi, double run_share, const Shares& shares,
                                  double& factor) const {
-    const Eigen::VectorXd std = shape(shares, parts_, widening_);
+    const Eigen::VectorXd std = shape(shares, parts_, stretched());
     const Whitening unscaled(std, order_, phi, run_share);
     const Regression regression = regress(unscaled(columns_), unscaled(readings_.measured));
     factor = std::sqrt(regression.residual.squaredNorm() / noise_.degrees_of_freedom);
@@ -349,7 +392,7 @@ class NoiseSearch {
     factor = declared;
     noise_.as_declared = true;
     noise_.degrees_of_freedom = as_good_as_known;
-    noise_.whitening = Whitening(factor * shape(shares_, parts_, widening_), order_,
+    noise_.whitening = Whitening(factor * shape(shares_, parts_, stretched()), order_,
                                  noise_.correlation, noise_.run_share);
   }
 
@@ -430,7 +473,8 @@ class NoiseSearch {
   bool declared_;
   Parts parts_;
   double reading_size_ = unset;  // rms of what Parts::reading has without its scale [SI]
-  Eigen::VectorXd widening_;
+  Eigen::VectorXd widening_;     // of outliers
+  Eigen::VectorXd by_record_;    // NoiseModel::records
   Shares shares_;
   NoiseModel noise_;
 };
@@ -449,6 +493,8 @@ ChannelReadings readings_of(const Record& record, const Observations& observed,
     result.known = std->known && result.std.size() > 0;
   }
   result.order = row_order(record, rows);
+  if (!record.parts.empty())
+    for (const std::size_t row : rows) result.part.push_back(record.part_of(row));
   std::map<std::size_t, std::size_t> place;
   for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = i;
   for (record::RepeatGroup group : record::find_repeats(record, {}, rows)) {
@@ -471,8 +517,11 @@ Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
   if (readings.known) return known_noise_model(readings).whitening;
   Eigen::VectorXd own = Eigen::VectorXd::Ones(size.size());
   if (readings.std.size() > 0) own = readings.std / fit::rms(readings.std);
-  const Eigen::VectorXd std =
+  Eigen::VectorXd std =
       ((noise.relative * size).array().square() + (noise.absolute * own).array().square()).sqrt();
+  if (!noise.records.empty())
+    for (Eigen::Index i = 0; i < std.size(); ++i)
+      std[i] *= noise.records.at(readings.part.at(static_cast<std::size_t>(i)));
   // The correlation belongs to the step of the readings that it was found in.
   const double steps = readings.order.median_step / noise.median_step;
   const double correlation = noise.correlation > 0.0 ? std::pow(noise.correlation, steps) : 0.0;

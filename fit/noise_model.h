@@ -34,8 +34,11 @@ struct NoiseModel {
   bool undeclared_blocks = false;       ///< `run_share` is that of blocks nobody declared as runs
   bool as_declared = false;             ///< the declared standard deviations are what is found
   std::vector<std::size_t> outliers{};  ///< readings counted with less weight, none left out
-  double rms = unset;                   ///< over the readings [SI]
-  double median_step = unset;           ///< of time, to which the correlation belongs [s]
+  /// By which the standard deviations of each of several joined records are larger or smaller [1];
+  /// empty where they scatter alike.
+  std::vector<double> records{};
+  double rms = unset;          ///< over the readings [SI]
+  double median_step = unset;  ///< of time, to which the correlation belongs [s]
   /// Repeats against the saturated regression: F and its p; NaN below 8 degrees of freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
 };
@@ -57,6 +60,7 @@ struct ChannelReadings {
   /// input scatters.
   Eigen::VectorXd slope{};
   RowOrder order{};
+  std::vector<std::size_t> part{};                  ///< the joined record of each; may be empty
   std::vector<std::vector<std::size_t>> repeats{};  ///< readings at the same point
 };
 

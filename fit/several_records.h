@@ -14,7 +14,8 @@ namespace raceway::fit {
 /// is one for all. The loop sees one subject and one record.
 ///
 /// A parameter of a record's own is called "name@record", as "f0@monday", and stands in the place
-/// of the shared one. The noise is one for all records where no deviations are declared.
+/// of the shared one. The noise has one shape for all records where no deviations are declared, and
+/// a size for each where they scatter differently (NoiseModel::records).
 class SeveralRecords : public Subject {
  public:
   /// `record` was joined; `own` are names of parameters of the model, which need not be free in it:

@@ -93,11 +93,13 @@ json suggested_object(const fit::SuggestedMeasurement& m) {
 }
 
 json noise_object(const fit::NoiseModel& noise, double factor) {
-  return {{"rms", noise.rms / factor},
-          {"relative", noise.relative},
-          {"absolute", noise.absolute / factor},
-          {"correlation", noise.correlation},
-          {"run_share", noise.run_share}};
+  json result = {{"rms", noise.rms / factor},
+                 {"relative", noise.relative},
+                 {"absolute", noise.absolute / factor},
+                 {"correlation", noise.correlation},
+                 {"run_share", noise.run_share}};
+  if (!noise.records.empty()) result["records"] = noise.records;
+  return result;
 }
 
 /// Error and noise of one channel, and its tolerance where there is one.
