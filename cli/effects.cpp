@@ -9,6 +9,7 @@
 #include "io/error.h"
 #include "io/names.h"
 #include "io/results.h"
+#include "model/own_data.h"
 
 namespace raceway::cli {
 namespace {
@@ -121,8 +122,11 @@ void print_page(const Description& d) {
     table.add({std::string(p.name), plain(p.initial), plain(p.lower), plain(p.upper),
                fmt::format("{} to {}", plain(p.plausible_lower), plain(p.plausible_upper)),
                std::isnan(p.neutral) ? "-" : plain(p.neutral), unit_of(p)});
-  fmt::print("{}\nin a model file:\n\n  [[effect]]\n  id = \"{}\"\n",
-             table.text(std::max<std::size_t>(terminal_width(), 100)), d.id);
+  fmt::print("{}", table.text(std::max<std::size_t>(terminal_width(), 100)));
+  if (d.size_power > 0.0)
+    fmt::print("usual: at a pitch diameter of {:g} mm; it goes with the power {:g} of it\n",
+               effects::size_of_ranges / mm, d.size_power);
+  fmt::print("\nin a model file:\n\n  [[effect]]\n  id = \"{}\"\n", d.id);
   for (const effects::Parameter& p : d.parameters)
     fmt::print("  {} = {}\n", p.name, plain(p.initial));
 }
@@ -138,6 +142,10 @@ int show(const std::string& id, bool json) {
   std::vector<Description> forms;
   for (const Description& d : effects::all_forms())
     if (d.id == id) forms.push_back(d);
+  if (const std::string own = model::own_datum_explained(id); !own.empty() && !json) {
+    fmt::print("{}\n", own);
+    return done;
+  }
   if (forms.empty()) {
     std::vector<std::string> ids;
     for (const Description& known : effects::catalogue()) ids.emplace_back(known.id);

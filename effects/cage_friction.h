@@ -32,6 +32,7 @@ struct CageFriction {
                                                    .upper = 1e5,
                                                    .plausible_lower = 0.5,
                                                    .plausible_upper = 200.0}};
+  static constexpr double size_power = 3.0;
   static constexpr std::array needs{Need::speed_levels};
 
   static double unit_moment(const MomentInputs& in) {

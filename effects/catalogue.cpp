@@ -29,6 +29,7 @@ constexpr Description describe() {
   if constexpr (requires { E::drags_on_the_rotor; }) d.drags_on_the_rotor = E::drags_on_the_rotor;
   if constexpr (requires { E::base_law; }) d.base_law = E::base_law;
   if constexpr (requires { E::spin; }) d.spin = E::spin;
+  if constexpr (requires { E::size_power; }) d.size_power = E::size_power;
   if constexpr (requires { E::follows_heat; }) d.follows_heat = E::follows_heat;
   if constexpr (requires { E::datum; }) d.datum = E::datum;
   if constexpr (requires { &E::entry; }) d.entry = &E::entry;

@@ -33,6 +33,7 @@ struct Churning {
                                                    .upper = 1e5,
                                                    .plausible_lower = 1.0,
                                                    .plausible_upper = 300.0}};
+  static constexpr double size_power = 3.0;
   static constexpr std::array needs{Need::speed_levels, Need::viscosity_levels};
   static constexpr std::array supplies{friction::Supply::bath};
 

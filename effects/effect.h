@@ -128,6 +128,9 @@ struct ReadingInputs {
   const Record& record;
 };
 
+/// Pitch diameter of which the ranges of sizes that go with it are.
+inline constexpr double size_of_ranges = 60 * mm;
+
 /// What the catalogue knows of one physical effect. Each effect is a struct in a file of its own
 /// (see spin_friction.h); this is that struct with its types erased, for choice by name at run
 /// time. Of the steps it takes those that are not null; `values` are in the order of `parameters`.
@@ -152,6 +155,9 @@ struct Description {
   /// Whatever turns on the shaft adds to it. On a rig that coasts down it is the drag on all that,
   /// once and not once per bearing; the plausible range is that of the bearing alone.
   bool drags_on_the_rotor = false;
+  /// The range in which its size is met is that of a pitch diameter of 60 mm, and goes with this
+  /// power of it: 0 where bearings of all sizes have one.
+  double size_power = 0.0;
   /// Warms up and cools down with the machine: what tells it from the rest is temperature or lag.
   bool follows_heat = false;
   bool base_law = false;        ///< corrects an exponent of the base law itself

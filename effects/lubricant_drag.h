@@ -15,8 +15,7 @@ namespace raceway::effects {
 ///           catalogues, 0.4 V_M K_ball d_m^5 n², has this form. The published constants of both
 ///           terms depend on the oil level and are left to c.
 /// Domain:   every speed. Of an oil bath, and by SKF twice that of the bath with an oil jet; the
-/// drops
-///           of oil-air and worked-in grease are not pushed aside by whole balls.
+///           drops of oil-air and worked-in grease are not pushed aside by whole balls.
 struct LubricantDrag {
   static constexpr std::string_view id = "lubricant-drag";
   static constexpr std::string_view title = "drag of balls and cage in the lubricant";
@@ -34,6 +33,7 @@ struct LubricantDrag {
                                                    .upper = 1e5,
                                                    .plausible_lower = 1.0,
                                                    .plausible_upper = 300.0}};
+  static constexpr double size_power = 5.0;
   static constexpr std::array needs{Need::speed_levels};
   static constexpr std::array supplies{friction::Supply::jet, friction::Supply::bath};
 

@@ -42,6 +42,7 @@ struct SealFriction {
                                                    .plausible_lower = 0.0,
                                                    .plausible_upper = 0.015,
                                                    .neutral = unset}};
+  static constexpr double size_power = 2.0;
   static constexpr std::array<Need, 0> needs{};
 
   static double moment(const MomentInputs& in, std::span<const double> values) {

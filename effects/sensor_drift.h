@@ -22,7 +22,8 @@ struct SensorTemperatureDrift : SensorFault<card> {
                                                               .lower = 10.0,
                                                               .upper = 60.0,
                                                               .plausible_lower = 15.0,
-                                                              .plausible_upper = 50.0}};
+                                                              .plausible_upper = 50.0,
+                                                              .neutral = unset}};
   static constexpr std::array needs{Need::viscosity_levels};
 
   static double reading(const ReadingInputs& in, std::span<const double> values) {

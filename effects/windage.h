@@ -13,8 +13,9 @@ namespace raceway::effects {
 ///   M = c (n/10 000 rpm)^1.8
 ///
 /// Of each bearing; on a rig that coasts down of all that turns there, a flywheel too, and once:
-/// not times the number of bearings. Source:   moment of a turning cylinder in a gap, C_f π ρ ω² R⁴
-/// L with C_f ~ Re^-0.2 (Bilgen and
+/// not times the number of bearings.
+///
+/// Source:   moment of a turning cylinder in a gap, C_f π ρ ω² R⁴ L with C_f ~ Re^-0.2 (Bilgen and
 ///           Boulos, turbulent): the exponent 2 - 0.2; the size is left to c.
 /// Domain:   speed >= 0; below Re of about 10 000 the exponent nears 1.5.
 struct Windage {
@@ -23,8 +24,7 @@ struct Windage {
   static constexpr std::string_view mechanism =
       "Shaft, cage and balls drag the air in the gaps along. The flow is turbulent, and its "
       "friction grows a little slower than the square of speed. On a rig that coasts down it is "
-      "the "
-      "air about the whole rotor.";
+      "the air about the whole rotor.";
   static constexpr std::string_view formula = "M = c (n/10000 rpm)^1.8";
   static constexpr std::string_view source =
       "turning cylinder in a gap, [BilgenBoulos1973]: C_f ~ Re^-0.2; size left to c";
@@ -37,6 +37,7 @@ struct Windage {
                                                    .upper = 1e5,
                                                    .plausible_lower = 0.1,
                                                    .plausible_upper = 200.0}};
+  static constexpr double size_power = 5.0;
   static constexpr std::array needs{Need::speed_levels};
   static constexpr bool drags_on_the_rotor = true;
 

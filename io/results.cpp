@@ -18,13 +18,15 @@ json effect_page(const effects::Description& d) {
   for (const friction::Supply supply : d.supplies) supplies.push_back(friction::name(supply));
   json parameters = json::object();
   for (const effects::Parameter& p : d.parameters)
-    parameters[std::string(p.name)] = {{"unit", p.unit},
-                                       {"initial", p.initial},
-                                       {"lower", p.lower},
-                                       {"upper", p.upper},
-                                       {"usual_lower", p.plausible_lower},
-                                       {"usual_upper", p.plausible_upper},
-                                       {"no_effect_at", p.neutral}};
+    parameters[std::string(p.name)] = {
+        {"unit", p.unit},
+        {"initial", p.initial},
+        {"lower", p.lower},
+        {"upper", p.upper},
+        {"usual_lower", p.plausible_lower},
+        {"usual_upper", p.plausible_upper},
+        {"usual_goes_with_pitch_diameter_to_the", std::isnan(p.neutral) ? 0.0 : d.size_power},
+        {"no_effect_at", p.neutral}};
   json measured = json::array();
   for (const auto& [form, channel] : {std::pair{effects::Form::rig, &record::friction_torque},
                                       {effects::Form::shaft, &record::axial_displacement}})

@@ -40,12 +40,13 @@ std::vector<std::string> waiting_effects(const Model& model) {
   return ids;
 }
 
-std::optional<fit::Candidate> candidate_of(const effects::Description& effect, const Rig& rig) {
+std::optional<fit::Candidate> candidate_of(const effects::Description& effect, const Model& model) {
   fit::Candidate c{.id = std::string(effect.id)};
   c.base_law = effect.base_law;
   c.datum = effect.datum;
   c.of_the_user = effect.user_made != nullptr;
-  for (const effects::Parameter& p : effect.parameters)
+  for (const effects::Parameter& p : effect.parameters) {
+    const auto [lower, upper] = plausible_range(effect, p, model);
     c.parameters.push_back({.name = c.id + "." + std::string(p.name),
                             .unit = std::string(p.unit),
                             .start = p.initial,
@@ -53,10 +54,11 @@ std::optional<fit::Candidate> candidate_of(const effects::Description& effect, c
                             .initial = p.initial,
                             .lower = p.lower,
                             .upper = p.upper,
-                            .plausible_lower = p.plausible_lower,
-                            .plausible_upper = plausible_upper(effect, p, rig),
+                            .plausible_lower = lower,
+                            .plausible_upper = upper,
                             .neutral = p.neutral,
                             .scale = typical_size(p)});
+  }
   const auto size = std::find_if(effect.parameters.begin(), effect.parameters.end(), has_size);
   if (size == effect.parameters.end()) return std::nullopt;
   c.size = static_cast<std::size_t>(size - effect.parameters.begin());

@@ -19,6 +19,6 @@ namespace raceway::model {
 /// An effect as something that may be missing; nothing for one without a size. On the rig of a
 /// coast-down what grows with the rotor has no upper end of plausibility.
 [[nodiscard]] std::optional<fit::Candidate> candidate_of(const effects::Description& effect,
-                                                         const Rig& rig);
+                                                         const Model& model);
 
 }  // namespace raceway::model

@@ -9,6 +9,7 @@
 #include "model/candidates.h"
 #include "model/corrected_data.h"
 #include "model/needs.h"
+#include "model/own_data.h"
 #include "record/nearest_names.h"
 
 namespace raceway::model {
@@ -44,6 +45,13 @@ ModelSubject::ModelSubject(const Model& model) : ModelSubject(model, waiting_eff
 ModelSubject::ModelSubject(Model model, std::vector<std::string> waiting)
     : model_(std::move(model)), active_(without(model_, waiting)), waiting_(std::move(waiting)) {}
 
+std::unique_ptr<ModelSubject> ModelSubject::with(Model model,
+                                                 std::vector<std::string> waiting) const {
+  std::unique_ptr<ModelSubject> subject = make(std::move(model), std::move(waiting));
+  subject->corrected_ = corrected_;
+  return subject;
+}
+
 bool ModelSubject::waits(std::string_view id) const {
   return std::find(waiting_.begin(), waiting_.end(), id) != waiting_.end();
 }
@@ -54,6 +62,7 @@ std::vector<fit::Parameter> ModelSubject::parameters() const {
     const std::size_t dot = p.name.find('.');
     return dot != p.name.npos && waits(std::string_view(p.name).substr(0, dot));
   });
+  for (const std::string& id : corrected_) list.push_back(own_datum_parameter(model_, id));
   return list;
 }
 
@@ -72,12 +81,26 @@ std::unique_ptr<fit::Subject> ModelSubject::with_values(
 std::vector<fit::Candidate> ModelSubject::candidates() const {
   std::vector<fit::Candidate> list;
   const auto add = [&](const effects::Description& d) {
-    if (auto candidate = candidate_of(d, model_.rig)) list.push_back(*std::move(candidate));
+    if (auto candidate = candidate_of(d, model_)) list.push_back(*std::move(candidate));
   };
   for (const effects::Effect& e : model_.effects)
     if (waits(e.description->id)) add(*e.description);
   for (const effects::Description& d : effects::catalogue(model_.form()))
     if (d.moves(model_.form()) && !find_effect(model_, d.id)) add(d);
+  // A number is not wrong and free at once.
+  const std::vector<fit::Parameter> free_already = fit::find_parameters(*this, free());
+  for (const std::string& id : own_data(model_)) {
+    fit::Candidate datum = *own_datum(model_, id);
+    const auto shares = [&](const fit::Parameter& p) {
+      return std::any_of(p.addresses.begin(), p.addresses.end(), [&](const std::string& address) {
+        const auto& own = datum.parameters.front().addresses;
+        return std::find(own.begin(), own.end(), address) != own.end();
+      });
+    };
+    if (std::find(corrected_.begin(), corrected_.end(), id) == corrected_.end() &&
+        std::none_of(free_already.begin(), free_already.end(), shares))
+      list.push_back(std::move(datum));
+  }
   std::sort(list.begin(), list.end(),
             [](const fit::Candidate& a, const fit::Candidate& b) { return a.id < b.id; });
   return list;
@@ -87,17 +110,21 @@ std::vector<std::string> ModelSubject::catalogue() const {
   std::vector<std::string> ids;
   for (const effects::Description& d : effects::catalogue(model_.form())) ids.emplace_back(d.id);
   ids.insert(ids.end(), waiting_.begin(), waiting_.end());
+  for (std::string& id : own_data(model_)) ids.push_back(std::move(id));
   return ids;
 }
 
 std::unique_ptr<fit::Subject> ModelSubject::with_candidates(
     std::span<const std::string> ids) const {
   Model extended = model_;
-  std::vector<std::string> waiting = waiting_;
+  std::vector<std::string> waiting = waiting_, corrected = corrected_;
+  const std::vector<std::string> data = own_data(model_);
   for (auto id = ids.begin(); id != ids.end(); ++id) {
     if (std::find(ids.begin(), id, *id) != id)
       throw std::invalid_argument(fmt::format("{} is listed twice", *id));
-    if (waits(*id)) {
+    if (std::find(data.begin(), data.end(), *id) != data.end()) {
+      corrected.push_back(*id);
+    } else if (waits(*id)) {
       effects::Effect& own = *find_effect(extended, *id);
       own.values = effects::initial_values(*own.description);
       std::erase(waiting, *id);
@@ -105,7 +132,9 @@ std::unique_ptr<fit::Subject> ModelSubject::with_candidates(
       extended.effects.push_back(from_catalogue(*id));
     }
   }
-  return with(std::move(extended), std::move(waiting));
+  std::unique_ptr<ModelSubject> subject = with(std::move(extended), std::move(waiting));
+  subject->corrected_ = std::move(corrected);
+  return subject;
 }
 
 std::unique_ptr<fit::Subject> ModelSubject::without_free_candidates() const {
@@ -114,7 +143,7 @@ std::unique_ptr<fit::Subject> ModelSubject::without_free_candidates() const {
   bool any = false;
   for (const effects::Effect& e : active_.effects) {
     const effects::Description& d = *e.description;
-    if (!is_free(model_, d.id) || !candidate_of(d, model_.rig)) continue;
+    if (!is_free(model_, d.id) || !candidate_of(d, model_)) continue;
     any = true;
     (d.user_made ? waiting : leaving).emplace_back(d.id);
     std::erase_if(bare.free, [&](const std::string& name) {
@@ -134,7 +163,7 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
   if (!d->moves(form))
     throw std::invalid_argument(fmt::format("{}: does not change the {}, which is measured", id,
                                             measured().front().channel->words));
-  if (!candidate_of(*d, model_.rig))
+  if (!candidate_of(*d, model_))
     throw std::invalid_argument("an effect without a size cannot be added");
   return {.description = d, .values = effects::initial_values(*d)};
 }
@@ -146,7 +175,7 @@ std::string ModelSubject::rules_out(const std::string& id) const {
 
 std::string ModelSubject::correction(const std::string& id, std::span<const double> values) const {
   const effects::Description* const d = description(id);
-  if (!d) return {};
+  if (!d) return values.empty() ? std::string() : own_datum_text(model_, id, values.front());
   return correction_text(active_, {.description = d, .values = {values.begin(), values.end()}});
 }
 
@@ -162,7 +191,8 @@ std::string ModelSubject::lacks_levels(const std::string& id, const fit::Record&
 
 std::vector<ParameterPlace> ModelSubject::places(const std::vector<std::string>& names) const {
   std::vector<ParameterPlace> list;
-  const std::vector<fit::Parameter> known = model::parameters(active_);
+  std::vector<fit::Parameter> known = model::parameters(active_);
+  for (const std::string& id : corrected_) known.push_back(own_datum_parameter(active_, id));
   for (const fit::Parameter& chosen : fit::find_parameters(*this, names))
     list.emplace_back(active_, *std::find_if(known.begin(), known.end(),
                                              [&](const auto& p) { return p.name == chosen.name; }));

@@ -53,7 +53,8 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_values(
       std::span<const fit::NamedValue> values) const override;
 
-  /// The catalogue's that change what is measured and are not in the model, and the user's own.
+  /// The catalogue's that change what is measured and are not in the model, the user's own, and
+  /// numbers of the model that may be wrong (own_data()) and are not free.
   [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
   /// All effects of the catalogue in the form for the model, and the user's own.
   [[nodiscard]] std::vector<std::string> catalogue() const override;
@@ -72,8 +73,11 @@ class ModelSubject : public fit::Subject {
   explicit ModelSubject(const Model& model);
   ModelSubject(Model model, std::vector<std::string> waiting);
 
+  /// The same kind of subject, with the same data put right.
+  [[nodiscard]] std::unique_ptr<ModelSubject> with(Model model,
+                                                   std::vector<std::string> waiting) const;
   /// The same kind of subject.
-  [[nodiscard]] virtual std::unique_ptr<ModelSubject> with(
+  [[nodiscard]] virtual std::unique_ptr<ModelSubject> make(
       Model model, std::vector<std::string> waiting) const = 0;
 
   /// Without the effects that wait: what is predicted.
@@ -93,7 +97,8 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] effects::Effect from_catalogue(const std::string& id) const;
 
   Model model_, active_;
-  std::vector<std::string> waiting_;  // ids
+  std::vector<std::string> waiting_;    // ids
+  std::vector<std::string> corrected_;  // ids of own_data() that are switched on
 };
 
 /// The model of a subject. Throws std::invalid_argument for one that is no ModelSubject.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -119,8 +120,7 @@ void add_effect(std::vector<Parameter>& list, const Model& model, std::size_t k)
     Parameter p = parameter_at(model, {"effect." + std::to_string(k) + "." + name},
                                std::string(d.id) + "." + name, n.unit, n.lower, n.upper);
     p.initial = n.initial;
-    p.plausible_lower = n.plausible_lower;
-    p.plausible_upper = plausible_upper(d, n, model.rig);
+    std::tie(p.plausible_lower, p.plausible_upper) = plausible_range(d, n, model);
     p.neutral = n.neutral;
     add(list, std::move(p));
   }
@@ -149,9 +149,16 @@ std::vector<Parameter> parameters(const Model& model) {
   return list;
 }
 
-double plausible_upper(const effects::Description& effect, const effects::Parameter& number,
-                       const Rig& rig) {
-  return effect.drags_on_the_rotor && rig.coasts_down() ? number.upper : number.plausible_upper;
+std::pair<double, double> plausible_range(const effects::Description& effect,
+                                          const effects::Parameter& number, const Model& model) {
+  if (effect.drags_on_the_rotor && model.rig.coasts_down())
+    return {number.plausible_lower, number.upper};
+  if (effect.size_power == 0.0 || std::isnan(number.neutral))
+    return {number.plausible_lower, number.plausible_upper};
+  const double larger = std::pow(model.bearing.geometry().pitch_diameter / effects::size_of_ranges,
+                                 effect.size_power);
+  return {std::clamp(larger * number.plausible_lower, number.lower, number.upper),
+          std::clamp(larger * number.plausible_upper, number.lower, number.upper)};
 }
 
 ParameterPlace::ParameterPlace(const Model& model, const Parameter& parameter) {

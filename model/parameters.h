@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/model.h"
@@ -26,10 +27,11 @@ namespace raceway::model {
 /// force. `neutral` and the plausible range are those of effects; NaN elsewhere.
 [[nodiscard]] std::vector<record::Parameter> parameters(const Model& model);
 
-/// The upper end of the range in which a number of an effect is met: its bound where whatever turns
-/// on the shaft of a coast-down adds to it, since that has no published size.
-[[nodiscard]] double plausible_upper(const effects::Description& effect,
-                                     const effects::Parameter& number, const Rig& rig);
+/// The range in which a number of an effect is met at a bearing of this size. Up to its bound where
+/// whatever turns on the shaft of a coast-down adds to it, since that has no published size.
+[[nodiscard]] std::pair<double, double> plausible_range(const effects::Description& effect,
+                                                        const effects::Parameter& number,
+                                                        const Model& model);
 
 /// Where a parameter stands in a model, its addresses resolved once: a fit sets numbers thousands
 /// of times.

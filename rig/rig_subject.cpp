@@ -60,7 +60,7 @@ RigSubject::RigSubject(const model::Model& model) : ModelSubject(model) {
 RigSubject::RigSubject(const model::Model& model, std::vector<std::string> waiting)
     : ModelSubject(model, std::move(waiting)) {}
 
-std::unique_ptr<model::ModelSubject> RigSubject::with(model::Model model,
+std::unique_ptr<model::ModelSubject> RigSubject::make(model::Model model,
                                                       std::vector<std::string> waiting) const {
   return std::unique_ptr<ModelSubject>(new RigSubject(model, std::move(waiting)));
 }

@@ -41,7 +41,7 @@ class RigSubject : public model::ModelSubject {
 
  private:
   RigSubject(const model::Model& model, std::vector<std::string> waiting);
-  [[nodiscard]] std::unique_ptr<ModelSubject> with(model::Model model,
+  [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model model,
                                                    std::vector<std::string> waiting) const override;
 };
 

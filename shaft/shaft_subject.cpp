@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fit/grid.h"
+#include "model/own_data.h"
 #include "shaft/displacement_rows.h"
 
 namespace raceway::shaft {
@@ -15,6 +16,9 @@ namespace {
 
 // Most of the noise of a displacement is that of the sensor whatever it reads.
 constexpr double displacement_floor = 1.0;
+
+constexpr std::string_view inspection_sheet =
+    "contact angle and groove radii of the bearings, from their inspection sheet";
 
 /// Displacement at the rows of a record [m].
 class ShaftPredictor : public fit::Predictor {
@@ -58,7 +62,7 @@ ShaftSubject::ShaftSubject(const model::Model& model) : ModelSubject(model) {
 ShaftSubject::ShaftSubject(const model::Model& model, std::vector<std::string> waiting)
     : ModelSubject(model, std::move(waiting)) {}
 
-std::unique_ptr<model::ModelSubject> ShaftSubject::with(model::Model model,
+std::unique_ptr<model::ModelSubject> ShaftSubject::make(model::Model model,
                                                         std::vector<std::string> waiting) const {
   return std::unique_ptr<ModelSubject>(new ShaftSubject(model, std::move(waiting)));
 }
@@ -173,10 +177,18 @@ std::vector<std::string> ShaftSubject::records_needed(
     return std::any_of(members.begin(), members.end(), warm);
   };
   const bool untested = std::any_of(not_testable.begin(), not_testable.end(), warm);
+  std::vector<std::string> list;
+  const auto add_data = [&] {
+    for (const std::string& id : model::own_data(model()))
+      for (const std::vector<std::string>& members : rivals)
+        if (list.empty() || list.back() != inspection_sheet)
+          if (std::find(members.begin(), members.end(), id) != members.end())
+            list.emplace_back(inspection_sheet);
+    return list;
+  };
   if ((!untested && std::none_of(rivals.begin(), rivals.end(), by_heat)) ||
       std::all_of(rivals.begin(), rivals.end(), by_heat))
-    return {};
-  std::vector<std::string> list;
+    return add_data();
   if (!record.complete(record::inner_ring_temperature) ||
       !record.complete(record::outer_ring_temperature))
     list.emplace_back(
@@ -185,7 +197,7 @@ std::vector<std::string> ShaftSubject::records_needed(
   list.emplace_back(
       "the same speeds up and down, each soon after a change and again when warm: heat lags "
       "behind, speed does not");
-  return list;
+  return add_data();
 }
 
 model::Expected ShaftSubject::expected() const {

@@ -35,7 +35,7 @@ class ShaftSubject : public model::ModelSubject {
 
  private:
   ShaftSubject(const model::Model& model, std::vector<std::string> waiting);
-  [[nodiscard]] std::unique_ptr<ModelSubject> with(model::Model model,
+  [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model model,
                                                    std::vector<std::string> waiting) const override;
   [[nodiscard]] std::vector<double> preload_levels(const fit::Record& record) const;
 };

@@ -69,7 +69,7 @@ class TwoSensors : public model::ModelSubject {
   }
 
  private:
-  [[nodiscard]] std::unique_ptr<ModelSubject> with(model::Model,
+  [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model,
                                                    std::vector<std::string>) const override {
     return nullptr;
   }

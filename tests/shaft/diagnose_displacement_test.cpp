@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "model/parameters.h"
 #include "tests/shaft/shaft_records.h"
 #include "tests/support/loop.h"
 
@@ -55,6 +56,54 @@ TEST(DiagnoseDisplacement, NamesWhatIsHiddenAtTwoPreloads) {
       EXPECT_THAT(d.sentence, HasSubstr(" um"));
       EXPECT_THAT(d.sentence, Not(HasSubstr("N mm")));
     }
+}
+
+/// A number that was entered wrong is named as such, and put right where it stands.
+TEST(DiagnoseDisplacement, FindsWhatWasEnteredWrong) {
+  struct Wrong {
+    const char *id, *parameter;
+    double truth;
+    int alone;  // of ten, at least; the others name it beside what does the same
+  };
+  const Wrong all[] = {{"contact-angle", "contact_angle_deg", 22.5, 3},
+                       {"conformity", "conformity", 0.53, 5}};
+  for (const Wrong& wrong : all) {
+    SCOPED_TRACE(wrong.id);
+    Model truth = two_against_one();
+    const std::vector<Parameter> numbers = model::parameters(truth);
+    const auto number = std::find_if(numbers.begin(), numbers.end(),
+                                     [&](const Parameter& p) { return p.name == wrong.parameter; });
+    ASSERT_NE(number, numbers.end());
+    model::set(truth, *number, wrong.truth);
+    int found = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const DataSet data = undeclared_records(truth, ShaftPlan::two_preloads, seed);
+      const Diagnosis d = diagnose(two_against_one(), data);
+      EXPECT_NE(d.verdict, Verdict::nothing_missing) << d.sentence;
+      EXPECT_THAT(in_verdict(d), Contains(wrong.id)) << d.sentence;
+      if (d.verdict != Verdict::effect) continue;
+      ++found;
+      EXPECT_THAT(d.sentence, testing::StartsWith("Check the bearing card: ")) << d.sentence;
+      EXPECT_NEAR(d.effects[0].parameters[0].value, wrong.truth, 0.03 * wrong.truth);
+    }
+    EXPECT_GE(found, wrong.alone);
+    const DataSet data = undeclared_records(truth, ShaftPlan::two_preloads, 1);
+    const std::vector<std::string> id{wrong.id};
+    const AddResult added = add(two_against_one(), id, data);
+    EXPECT_FALSE(added.refused) << added.reason;
+    EXPECT_NEAR(model::get(model_of(added.calibration), *number), wrong.truth, 0.03 * wrong.truth);
+    EXPECT_TRUE(model_of(added.calibration).effects.empty());
+  }
+}
+
+/// Nor is a number wrong that is free already.
+TEST(DiagnoseDisplacement, DoesNotSuspectWhatIsFree) {
+  Model model = two_against_one();
+  model.free = {"contact_angle_deg", "inner_conformity"};
+  std::vector<std::string> ids;
+  for (const Candidate& c : ShaftSubject(model).candidates()) ids.push_back(c.id);
+  EXPECT_THAT(ids, Not(Contains("contact-angle")));
+  EXPECT_THAT(ids, Not(Contains("conformity")));
 }
 
 TEST(DiagnoseDisplacement, FindsNothingWhereNothingIsHidden) {

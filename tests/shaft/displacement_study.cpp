@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/parameters.h"
 #include "tests/shaft/shaft_records.h"
 #include "tests/support/loop.h"
 
@@ -22,6 +23,14 @@ struct Hidden {
   std::string size;
   Model truth;
 };
+
+/// The truth where the model has another number.
+Model entered_wrong(const std::string& parameter, double truth) {
+  Model model = two_against_one();
+  for (const Parameter& p : model::parameters(model))
+    if (p.name == parameter) model::set(model, p, truth);
+  return model;
+}
 
 std::vector<Hidden> cases() {
   const auto effect = [](const char* id, double value, const char* size) {
@@ -39,7 +48,9 @@ std::vector<Hidden> cases() {
           {"ball-material", "silicon nitride for steel",
            two_against_one_with(bearing::silicon_nitride())},
           effect("displacement-offset", 0.3, "0.3 um"),
-          effect("displacement-temperature-drift", 0.5, "0.5 um / 10 K")};
+          effect("displacement-temperature-drift", 0.5, "0.5 um / 10 K"),
+          {"contact-angle", "22.5 for 25 deg", entered_wrong("contact_angle_deg", 22.5)},
+          {"conformity", "0.53 for 0.52", entered_wrong("conformity", 0.53)}};
 }
 
 struct Counts {
