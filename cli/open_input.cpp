@@ -68,8 +68,7 @@ record::Record open_data(const std::string& path, const model::ModelSubject& sub
 }
 
 void tell_of_scale(const record::Record& data, std::vector<std::string>& messages) {
-  const auto of_scale = [](const std::string& note) { return note.starts_with("inertia_kgm2 = "); };
-  if (std::any_of(data.notes.begin(), data.notes.end(), of_scale))
+  if (data.up_to_a_factor)
     messages.emplace_back(
         "the inertia is unknown: all torques, f0, z and sizes in N mm have one common factor that "
         "this record does not tell; the result rests on the shape alone");

@@ -290,10 +290,10 @@ class Reader {
       Record result = of(assumed);
       result.notes.push_back(fmt::format(
           "inertia_kgm2 = \"unknown\": {:.4g} kg m2 taken, with which the mean torque is that of "
-          "the "
-          "model as it stands; torques, f0, z and all sizes in N mm are known up to this factor, "
-          "and what the record tells is the shape",
+          "the model as it stands; torques, f0, z and all sizes in N mm are known up to this "
+          "factor, and what the record tells is the shape",
           assumed.inertia));
+      result.up_to_a_factor = true;
       return result;
     } catch (const std::invalid_argument& e) {
       const std::string message = e.what();

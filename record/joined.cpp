@@ -44,6 +44,12 @@ std::vector<Column> empty_columns(const std::vector<Record>& records) {
 
 Record joined(std::vector<Record> records) {
   if (records.size() < 2) throw std::invalid_argument("two records or more can be joined");
+  for (const Record& r : records)
+    if (r.up_to_a_factor)
+      throw std::invalid_argument(
+          r.source +
+          ": its readings have a common factor that nobody knows (inertia_kgm2 = \"unknown\"), so "
+          "they cannot be held against those of another record");
   std::sort(records.begin(), records.end(),
             [](const Record& a, const Record& b) { return a.source < b.source; });
   Record result;

@@ -87,8 +87,13 @@ Record Record::picked(std::span<const std::size_t> wanted) const {
 }
 
 Record Record::without_rows() const {
-  Record result{
-      .source = source, .columns = {}, .runs = runs, .lines = {}, .notes = notes, .parts = parts};
+  Record result{.source = source,
+                .columns = {},
+                .runs = runs,
+                .lines = {},
+                .notes = notes,
+                .up_to_a_factor = up_to_a_factor,
+                .parts = parts};
   for (const Column& c : columns) result.columns.push_back({c.channel, {}, c.known});
   return result;
 }

@@ -32,6 +32,8 @@ struct Record {
   std::vector<std::string> runs{};   ///< names of the runs, to which the column `run` has indices
   std::vector<int> lines{};          ///< of the file, by row; empty where rows come from no file
   std::vector<std::string> notes{};  ///< what the reader did that the user should know, a line each
+  /// The readings have one factor in common that nobody knows.
+  bool up_to_a_factor = false;
   /// Of a record that joined() made, to which the column `part` has indices; otherwise empty.
   std::vector<Part> parts{};
 
@@ -78,7 +80,8 @@ struct Record {
 /// one record after the other, all columns that any of them has (NaN where one has none), the runs
 /// of each for themselves. A part is named by its source without folder and ending; where two would
 /// be alike, with the folder. A deviation is as good as known where it is so in all.
-/// Throws std::invalid_argument: less than two records, two of one source.
+/// Throws std::invalid_argument: less than two records, two of one source, one of which the
+/// readings are known up to a factor alone.
 [[nodiscard]] Record joined(std::vector<Record> records);
 
 }  // namespace raceway::record

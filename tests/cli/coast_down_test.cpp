@@ -94,6 +94,10 @@ TEST(CoastDownRecords, AnUnknownInertiaChangesSizesAndNothingElse) {
   for (const char* command : {"calibrate --json ", "calibrate "})
     EXPECT_THAT(run(command + unknown + record).err, testing::HasSubstr(said));
   EXPECT_THAT(run("add " + unknown + " windage --data" + record).err, testing::HasSubstr(said));
+  const Result two =
+      run("calibrate " + unknown + record + " " + shipped + "flywheel_unloaded_5_28.csv");
+  EXPECT_EQ(two.status, 1);
+  EXPECT_THAT(two.err, testing::HasSubstr("have a common factor that nobody knows"));
 }
 
 TEST(CoastDownRecords, CheckNamesTimesBetweenTwoSpeeds) {

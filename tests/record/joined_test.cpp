@@ -53,6 +53,14 @@ TEST(Joined, NamesPartsWithTheirFolderWhereTheyWouldBeAlike) {
   EXPECT_THROW((void)joined({named("a.csv")}), std::invalid_argument);
 }
 
+/// Of two factors that nobody knows none can be told.
+TEST(Joined, RefusesReadingsThatAreKnownUpToAFactor) {
+  Record first = named("a.csv");
+  first.up_to_a_factor = true;
+  EXPECT_TRUE(first.picked(std::vector<std::size_t>{0}).up_to_a_factor);
+  EXPECT_THROW((void)joined({first, named("b.csv")}), std::invalid_argument);
+}
+
 TEST(Joined, KnowsADeviationThatAllKnow) {
   Record first = named("a.csv"), second = named("b.csv");
   first.set(torque_deviation, {0.1, 0.1}).known = true;
