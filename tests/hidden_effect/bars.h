@@ -30,7 +30,7 @@ struct Outcome {
   bool wrong_after_proposed = false;
   std::string changed_by;  ///< presentation under which the answer was another one
   bool outside = false;
-  /// A believable size does not reach half the wished share: no case for a bar on effects.
+  /// No size that leaves a torque reaches half the wished share: no case for a bar on effects.
   bool too_small = false;
 
   [[nodiscard]] bool alarm() const { return answer.verdict != "nothing-missing"; }

@@ -149,8 +149,8 @@ std::vector<double> torques(const Bearing& bearing, const BaseLaw& law,
   return out;
 }
 
-/// The size that changes the torque by the wished share, or the largest that is believed and leaves
-/// every torque at 40 % of what it was.
+/// The size that changes the torque by the wished share, or the largest that leaves every torque at
+/// 40 % of what it was.
 double size_for(const Bearing& bearing, const BaseLaw& law, std::span<const Point> points,
                 const Wish& wish, const Effect& effect, double sign) {
   const std::vector<double> base = torques(bearing, law, points, {});
@@ -165,7 +165,7 @@ double size_for(const Bearing& bearing, const BaseLaw& law, std::span<const Poin
     }
     return (absurd ? 1e3 : rms(change) / scale) - wish.share;
   };
-  const double top = std::log(std::min(effect.largest, effect.believable));
+  const double top = std::log(effect.largest);
   if (gap(top) <= 0.0) return sign * std::exp(top);
   double lower = top;
   do lower -= 3.0;

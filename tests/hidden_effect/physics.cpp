@@ -139,7 +139,6 @@ Effect added(std::string_view id, Kind kind, void (*moment)(Scene&, const Values
           .shape_lower = 0.0,
           .shape_upper = 0.0,
           .largest = 1e6,
-          .believable = 1e9,
           .condition = nullptr,
           .moment = moment};
 }
@@ -156,12 +155,6 @@ Effect shaped(Effect e, double shape, double lower, double upper) {
   e.shape = shape;
   e.shape_lower = lower;
   e.shape_upper = upper;
-  return e;
-}
-
-/// Three times what is published or met in practice: more is refused by anyone who reads the size.
-Effect believed(Effect e, double largest) {
-  e.believable = largest;
   return e;
 }
 
@@ -184,21 +177,19 @@ std::vector<Effect> make_catalogue() {
             s.factor *= std::pow(std::max(nu(s) * s.point.speed, 2000.0) / 1e5, v.size);
           },
           true),
-      believed(limited(added(
-                           "load-exponent", in,
-                           [](Scene& s, const Values& v) {
-                             BaseLaw other = s.law;
-                             other.y += v.size;
-                             // Both laws agree at a load in the middle: only the slope is hidden.
-                             const double scale = load_moment(s.bearing, s.law, 800.0, 0.0) /
-                                                  load_moment(s.bearing, other, 800.0, 0.0);
-                             s.moment +=
-                                 scale * load_moment(s.bearing, other, s.load, s.point.radial) -
-                                 load_moment(s.bearing, s.law, s.load, s.point.radial);
-                           },
-                           alone, true),
-                       0.5),
-               0.24),
+      limited(added(
+                  "load-exponent", in,
+                  [](Scene& s, const Values& v) {
+                    BaseLaw other = s.law;
+                    other.y += v.size;
+                    // Both laws agree at a load in the middle: only the slope is hidden.
+                    const double scale = load_moment(s.bearing, s.law, 800.0, 0.0) /
+                                         load_moment(s.bearing, other, 800.0, 0.0);
+                    s.moment += scale * load_moment(s.bearing, other, s.load, s.point.radial) -
+                                load_moment(s.bearing, s.law, s.load, s.point.radial);
+                  },
+                  alone, true),
+              0.5),
       added("spin-friction", in,
             [](Scene& s, const Values& v) {
               const Balance& b = s.bearing.balance(s.point.speed, s.load);
@@ -248,10 +239,8 @@ std::vector<Effect> make_catalogue() {
                        s.factor *= std::pow(1.0 + r * r, -v.size);
                      }),
              4000.0, 1000.0, 20000.0),
-      believed(
-          changed("film-self-heating", in, 5.0,
-                  [](Scene& s, const Values& v) { s.temperature = film_temperature(s, v.size); }),
-          0.12),
+      changed("film-self-heating", in, 5.0,
+              [](Scene& s, const Values& v) { s.temperature = film_temperature(s, v.size); }),
       limited(added("mixed-lubrication", in,
                     [](Scene& s, const Values& v) {
                       s.moment += v.size * boundary_share(s) * 1.30e-2 *
@@ -266,10 +255,8 @@ std::vector<Effect> make_catalogue() {
                  },
                  as_offset),
              0.0075, 0.0, 0.015),
-      believed(
-          changed(
-              "load-offset", in, 5000.0, [](Scene& s, const Values& v) { s.load += v.size; }, true),
-          900.0),
+      changed(
+          "load-offset", in, 5000.0, [](Scene& s, const Values& v) { s.load += v.size; }, true),
       added("lubricant-drag", in, speed_power<2.0>, as_windage),
       added("churning", in,
             [](Scene& s, const Values& v) {
@@ -288,13 +275,10 @@ std::vector<Effect> make_catalogue() {
       added(
           "torque-offset", in, [](Scene& s, const Values& v) { s.moment += v.size; }, as_seal,
           true),
-      believed(added(
-                   "torque-temperature-drift", in,
-                   [](Scene& s, const Values& v) {
-                     s.moment += v.size * (s.point.temperature - 40.0) / 10;
-                   },
-                   alone, true),
-               60.0),
+      added(
+          "torque-temperature-drift", in,
+          [](Scene& s, const Values& v) { s.moment += v.size * (s.point.temperature - 40.0) / 10; },
+          alone, true),
       added(
           "torque-time-drift", in,
           [](Scene& s, const Values& v) { s.moment += v.size * s.point.time / 3600.0; }, alone,

@@ -120,7 +120,6 @@ struct Effect {
   bool negative;                              ///< may the size be below zero as well
   double shape, shape_lower, shape_upper;     ///< second parameter; equal bounds: it is fixed
   double largest;                             ///< size beyond which nothing is searched
-  double believable;                          ///< size beyond which nothing is hidden
   void (*condition)(Scene&, const Values&);   ///< changes load, temperature of the film or factor
   void (*moment)(Scene&, const Values&);      ///< adds to the moment
 };

@@ -253,7 +253,8 @@ int main(int argc, char** argv) try {
   const auto small =
       std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return o.too_small; });
   if (small > 0)
-    std::fprintf(stderr, "%td of %zu rigs left out: no believable size gives half the effect\n",
+    std::fprintf(stderr,
+                 "%td of %zu rigs left out: no size that leaves a torque gives half the effect\n",
                  small, outcomes.size());
   if (arguments.json) {
     print_json(table, arguments, all.size());
