@@ -123,7 +123,7 @@ void print_page(const Description& d) {
                fmt::format("{} to {}", plain(p.plausible_lower), plain(p.plausible_upper)),
                std::isnan(p.neutral) ? "-" : plain(p.neutral), unit_of(p)});
   fmt::print("{}", table.text(std::max<std::size_t>(terminal_width(), 100)));
-  if (d.size_power > 0.0)
+  if (d.size_power != 0.0)
     fmt::print("usual: at a pitch diameter of {:g} mm; it goes with the power {:g} of it\n",
                effects::size_of_ranges / mm, d.size_power);
   fmt::print("\nin a model file:\n\n  [[effect]]\n  id = \"{}\"\n", d.id);

@@ -36,6 +36,7 @@ struct FilmSelfHeating {
                                                    .upper = 500.0,
                                                    .plausible_lower = 2.0,
                                                    .plausible_upper = 60.0}};
+  static constexpr double size_power = -1.0;
   static constexpr std::array needs{Need::speed_levels};
 
   static void lubricant(const LubricantInputs& in, std::span<const double> values, Film& film) {

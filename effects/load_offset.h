@@ -32,6 +32,7 @@ struct LoadOffset {
                                                    .upper = 5000.0,
                                                    .plausible_lower = -300.0,
                                                    .plausible_upper = 300.0}};
+  static constexpr double size_power = 2.0;
   static constexpr std::array needs{Need::load_levels};
 
   static void condition(const ConditionInputs&, std::span<const double> values, Condition& c) {

@@ -18,6 +18,7 @@ struct SensorCard {
   std::array<std::string_view, confused> confused_with;
   Parameter size;
   bool follows_heat = false;
+  double size_power = 0.0;  ///< Description::size_power
 };
 
 /// What an effect has from its card.
@@ -32,6 +33,7 @@ struct SensorFault {
   static constexpr auto confused_with = card.confused_with;
   static constexpr std::array parameters{card.size};
   static constexpr bool follows_heat = card.follows_heat;
+  static constexpr double size_power = card.size_power;
 };
 
 }  // namespace raceway::effects

@@ -12,18 +12,19 @@ namespace raceway::effects {
 ///   x_read = x + c (T - T0)/10 K
 ///
 /// Source:   definition. T0 is the temperature at which the sensor was set to zero, which nobody
-///           writes down: it is fitted too, or held by [calibration] free.
+///           writes down: it is fitted too, within the temperatures of the record.
 /// Domain:   every reading; T is the temperature of the row (temperature_C), not that of a ring.
 template <const auto& card>
 struct SensorTemperatureDrift : SensorFault<card> {
   static constexpr std::array parameters{card.size, Parameter{.name = "zero_at_C",
                                                               .unit = "C",
                                                               .initial = 40.0,
-                                                              .lower = 10.0,
-                                                              .upper = 60.0,
+                                                              .lower = -100.0,
+                                                              .upper = 300.0,
                                                               .plausible_lower = 15.0,
                                                               .plausible_upper = 50.0,
-                                                              .neutral = unset}};
+                                                              .neutral = unset,
+                                                              .of_the_record = true}};
   static constexpr std::array needs{Need::viscosity_levels};
 
   static double reading(const ReadingInputs& in, std::span<const double> values) {
@@ -46,7 +47,8 @@ struct SensorTimeDrift : SensorFault<card> {
   }
 };
 
-/// Data sheets of torque sensors give 0.05 to 0.5 % of full scale per 10 K.
+/// Data sheets of torque sensors give 0.05 to 0.5 % of full scale per 10 K; the full scale goes
+/// with the torque of the bearing.
 inline constexpr SensorCard<3> torque_temperature_drift{
     .channel = record::friction_torque,
     .id = "torque-temperature-drift",
@@ -60,7 +62,8 @@ inline constexpr SensorCard<3> torque_temperature_drift{
              .lower = -1e5,
              .upper = 1e5,
              .plausible_lower = -20.0,
-             .plausible_upper = 20.0}};
+             .plausible_upper = 20.0},
+    .size_power = 3.0};
 
 inline constexpr SensorCard<1> torque_time_drift{
     .channel = record::friction_torque,
@@ -76,7 +79,8 @@ inline constexpr SensorCard<1> torque_time_drift{
              .lower = -1e5,
              .upper = 1e5,
              .plausible_lower = -20.0,
-             .plausible_upper = 20.0}};
+             .plausible_upper = 20.0},
+    .size_power = 3.0};
 
 /// Eddy-current transducers drift by 0.02 to 0.05 % of full scale per kelvin [lit], 1 to 5 um per
 /// 10 K at 1 mm. Ring temperatures act through the balance of the sets, not through this.

@@ -38,7 +38,8 @@ inline constexpr SensorCard<3> torque_offset{
              .lower = -1e5,
              .upper = 1e5,
              .plausible_lower = -100.0,
-             .plausible_upper = 100.0}};
+             .plausible_upper = 100.0},
+    .size_power = 3.0};
 
 /// Of a transducer that was zeroed on a warm or turning shaft, or before it had settled in its
 /// seats.

@@ -46,16 +46,18 @@ std::optional<fit::Candidate> candidate_of(const effects::Description& effect, c
   c.datum = effect.datum;
   c.of_the_user = effect.user_made != nullptr;
   for (const effects::Parameter& p : effect.parameters) {
-    const auto [lower, upper] = plausible_range(effect, p, model);
+    const auto [lower, upper] = bounds_of(p, model);
+    const auto [usual_lower, usual_upper] = plausible_range(effect, p, model);
+    const double initial = std::clamp(p.initial, lower, upper);
     c.parameters.push_back({.name = c.id + "." + std::string(p.name),
                             .unit = std::string(p.unit),
-                            .start = p.initial,
-                            .value = p.initial,
-                            .initial = p.initial,
-                            .lower = p.lower,
-                            .upper = p.upper,
-                            .plausible_lower = lower,
-                            .plausible_upper = upper,
+                            .start = initial,
+                            .value = initial,
+                            .initial = initial,
+                            .lower = lower,
+                            .upper = upper,
+                            .plausible_lower = usual_lower,
+                            .plausible_upper = usual_upper,
                             .neutral = p.neutral,
                             .scale = typical_size(p)});
   }

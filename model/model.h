@@ -44,6 +44,8 @@ struct Shaft {
 /// it is answered by rig::RigSubject and shaft::ShaftSubject.
 struct Model {
   std::string name;
+  /// Of the rows of the record that it is held against [K]; NaN where there is none.
+  double coldest = unset, hottest = unset;
   bearing::Bearing bearing;
   friction::Lubricant lubricant;
   std::optional<friction::Supply> supply = {};  ///< rules out effects; none where nobody named it

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "effects/catalogue.h"
@@ -54,6 +55,17 @@ std::unique_ptr<ModelSubject> ModelSubject::with(Model model,
 
 bool ModelSubject::waits(std::string_view id) const {
   return std::find(waiting_.begin(), waiting_.end(), id) != waiting_.end();
+}
+
+std::unique_ptr<fit::Subject> ModelSubject::informed_by(const fit::Record& record) const {
+  Model informed = model_;
+  for (const double t : record.values(record::temperature)) {
+    informed.coldest = std::fmin(informed.coldest, t);
+    informed.hottest = std::fmax(informed.hottest, t);
+  }
+  if (!std::isfinite(informed.hottest - informed.coldest)) return nullptr;
+  if (std::isnan(informed.rig.room_temperature)) informed.rig.room_temperature = informed.coldest;
+  return with(std::move(informed), waiting_);
 }
 
 std::vector<fit::Parameter> ModelSubject::parameters() const {
@@ -165,7 +177,12 @@ effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
                                             measured().front().channel->words));
   if (!candidate_of(*d, model_))
     throw std::invalid_argument("an effect without a size cannot be added");
-  return {.description = d, .values = effects::initial_values(*d)};
+  effects::Effect effect{.description = d, .values = effects::initial_values(*d)};
+  for (std::size_t k = 0; k < effect.values.size(); ++k) {
+    const auto [lower, upper] = bounds_of(d->parameters[k], model_);
+    effect.values[k] = std::clamp(effect.values[k], lower, upper);
+  }
+  return effect;
 }
 
 std::string ModelSubject::rules_out(const std::string& id) const {

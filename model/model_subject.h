@@ -48,6 +48,9 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] virtual Expected expected() const = 0;
 
+  /// With the range of its temperatures, of which the coldest is the room where nobody said.
+  [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
+
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
   [[nodiscard]] std::vector<std::string> free() const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> with_values(

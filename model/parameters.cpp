@@ -122,6 +122,10 @@ void add_effect(std::vector<Parameter>& list, const Model& model, std::size_t k)
     p.initial = n.initial;
     std::tie(p.plausible_lower, p.plausible_upper) = plausible_range(d, n, model);
     p.neutral = n.neutral;
+    // Another record may have given it the value it has.
+    const auto [lower, upper] = bounds_of(n, model);
+    p.lower = std::min(lower, p.value);
+    p.upper = std::max(upper, p.value);
     add(list, std::move(p));
   }
 }
@@ -147,6 +151,11 @@ std::vector<Parameter> parameters(const Model& model) {
   add_arrangement(list, model);
   for (std::size_t k = 0; k < model.effects.size(); ++k) add_effect(list, model, k);
   return list;
+}
+
+std::pair<double, double> bounds_of(const effects::Parameter& number, const Model& model) {
+  if (!number.of_the_record || std::isnan(model.coldest)) return {number.lower, number.upper};
+  return {celsius(model.coldest), celsius(model.hottest)};
 }
 
 std::pair<double, double> plausible_range(const effects::Description& effect,

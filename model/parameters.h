@@ -33,6 +33,11 @@ namespace raceway::model {
                                                         const effects::Parameter& number,
                                                         const Model& model);
 
+/// The bounds of a number of an effect in the unit of the files, those of the record where it has
+/// to be of it.
+[[nodiscard]] std::pair<double, double> bounds_of(const effects::Parameter& number,
+                                                  const Model& model);
+
 /// Where a parameter stands in a model, its addresses resolved once: a fit sets numbers thousands
 /// of times.
 class ParameterPlace {

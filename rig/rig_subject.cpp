@@ -92,16 +92,6 @@ std::unique_ptr<fit::Predictor> RigSubject::predictor(
                                         static_cast<const EnteredBalances*>(prepared.get()));
 }
 
-std::unique_ptr<fit::Subject> RigSubject::informed_by(const fit::Record& record) const {
-  if (std::isfinite(model().rig.room_temperature)) return nullptr;
-  double coldest = std::numeric_limits<double>::infinity();
-  for (const double t : record.values(record::temperature)) coldest = std::fmin(coldest, t);
-  if (!std::isfinite(coldest)) return nullptr;
-  model::Model informed = model();
-  informed.rig.room_temperature = coldest;
-  return with(std::move(informed), waiting());
-}
-
 fit::Saturation RigSubject::saturation(const fit::Record& record) const {
   fit::Saturation s{.levels_before_candidates = true, .proportional = true};
   s.surface.inputs = {{logarithm(by_row(record, [](const auto& p) { return p.speed; })), 1e-3},

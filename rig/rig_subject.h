@@ -18,8 +18,6 @@ class RigSubject : public model::ModelSubject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
 
-  /// The room is as cold as the coldest row where the model does not say it.
-  [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
   /// A torque times a cubic in ln speed, ln axial load and temperature with interactions; where the
   /// radial load varies with its logarithm as well.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;

@@ -48,7 +48,8 @@ std::vector<Hidden> cases() {
           {"ball-material", "silicon nitride for steel",
            two_against_one_with(bearing::silicon_nitride())},
           effect("displacement-offset", 0.3, "0.3 um"),
-          effect("displacement-temperature-drift", 0.5, "0.5 um / 10 K"),
+          {"displacement-temperature-drift", "0.5 um / 10 K from 22 C",
+           with_effect(two_against_one(), "displacement-temperature-drift", {0.5, 22.0})},
           {"contact-angle", "22.5 for 25 deg", entered_wrong("contact_angle_deg", 22.5)},
           {"conformity", "0.53 for 0.52", entered_wrong("conformity", 0.53)}};
 }
