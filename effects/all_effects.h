@@ -13,6 +13,7 @@
 #include "effects/gyroscopic_slip.h"
 #include "effects/inlet_shear_heating.h"
 #include "effects/interference_fit.h"
+#include "effects/load_calibration.h"
 #include "effects/load_exponent.h"
 #include "effects/load_offset.h"
 #include "effects/lubricant_drag.h"
@@ -41,13 +42,13 @@ namespace raceway::effects {
 /// name here. Data come first, as physics acts on what they correct. Effects on the lubricant act
 /// in this order: the film finds its temperature before shares of the viscous moment are taken.
 using Catalogue = std::tuple<
-    LubricantViscosity, ViscositySlope, TemperatureGain, TemperatureOffset, ViscousExponent,
-    LoadExponent, SpinFriction, DifferentialSlip, ElasticHysteresis, GyroscopicSlip,
-    FilmSelfHeating, InletShearHeating, ReplenishmentStarvation, ShearThinning, MixedLubrication,
-    SealFriction, LoadOffset, LubricantDrag, Churning, Windage, CageFriction, ThermalPreload,
-    ShaftThermalPreload, ThermalRingGrowth, ShaftThermalRingGrowth, CentrifugalRingGrowth,
-    ShaftCentrifugalRingGrowth, InterferenceFit, Misalignment, BallMaterial, OtherMounting,
-    ShaftContraction, GreaseChurning, SensorGain<torque_gain, Need::torque_standard>,
+    LubricantViscosity, ViscositySlope, TemperatureGain, TemperatureOffset, LoadCalibration,
+    ViscousExponent, LoadExponent, SpinFriction, DifferentialSlip, ElasticHysteresis,
+    GyroscopicSlip, FilmSelfHeating, InletShearHeating, ReplenishmentStarvation, ShearThinning,
+    MixedLubrication, SealFriction, LoadOffset, LubricantDrag, Churning, Windage, CageFriction,
+    ThermalPreload, ShaftThermalPreload, ThermalRingGrowth, ShaftThermalRingGrowth,
+    CentrifugalRingGrowth, ShaftCentrifugalRingGrowth, InterferenceFit, Misalignment, BallMaterial,
+    OtherMounting, ShaftContraction, GreaseChurning, SensorGain<torque_gain, Need::torque_standard>,
     SensorOffset<torque_offset>, SensorTemperatureDrift<torque_temperature_drift>,
     SensorTimeDrift<torque_time_drift>, RigViscousDrag, SensorOffset<displacement_offset>,
     SensorTemperatureDrift<displacement_temperature_drift>>;

@@ -9,6 +9,8 @@
 
 #include "bearing/hertz.h"
 #include "effects/elastic_hysteresis.h"
+#include "effects/load_calibration.h"
+#include "model/corrected_data.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
 
@@ -86,6 +88,7 @@ TEST(Catalogue, IsComplete) {
                                           "film-self-heating",
                                           "mixed-lubrication",
                                           "seal-friction",
+                                          "load-calibration",
                                           "load-offset",
                                           "lubricant-drag",
                                           "churning",
@@ -124,7 +127,8 @@ TEST(Catalogue, IsComplete) {
     EXPECT_FALSE(d.confused_with.empty());
     for (const auto other : d.confused_with) EXPECT_EQ(names.count(other), 1U) << other;
     for (const Need need : d.needs) EXPECT_FALSE(effects::text(need).empty());
-    EXPECT_EQ(d.entry != nullptr, !d.datum.empty());
+    // A load is corrected where loads are.
+    EXPECT_EQ(d.entry != nullptr || d.id == effects::LoadCalibration::id, !d.datum.empty());
     EXPECT_EQ((d.entry != nullptr) + (d.condition != nullptr) + (d.lubricant != nullptr) +
                   d.has_moment() + (d.reading != nullptr),
               1);
@@ -284,8 +288,9 @@ TEST(Catalogue, IsSmooth) {
 }
 
 TEST(Catalogue, SizeMovesTheTorqueOneWay) {
-  const std::set<std::string_view> lowers{"film-self-heating", "inlet-shear-heating",
-                                          "replenishment-starvation", "shear-thinning"};
+  const std::set<std::string_view> lowers{"load-calibration", "film-self-heating",
+                                          "inlet-shear-heating", "replenishment-starvation",
+                                          "shear-thinning"};
   // Lighter balls lower the spin, stiffer ones the contact area, but the angle changes too; a
   // smaller contact angle raises ball loads and lowers spin; the exponents turn at their reference,
   // the slope of an oil at 40 C.
@@ -520,6 +525,12 @@ TEST(Catalogue, ConditionsGoThroughTheEquilibrium) {
   const auto direct = model::predict_friction(fit::synthetic_model(), loaded, true);
   EXPECT_NEAR(more.equilibrium->balls[0].inner_load, direct.equilibrium->balls[0].inner_load, 1e-6);
   EXPECT_NEAR(more.torque, direct.torque, 1e-12);
+  // A load cell that reads 6/7 of the load.
+  EXPECT_NEAR(with("load-calibration", 6.0 / 7.0).torque, direct.torque, 1e-12);
+  EXPECT_EQ(
+      model::correction_text(fit::synthetic_model(),
+                             {.description = effects::find("load-calibration"), .values = {0.8}}),
+      "axial loads are 1.25 times those of the record");
   // Ceramic balls press less on the outer race.
   const auto ceramic = with("ball-material", 1.0);
   EXPECT_NEAR(ceramic.equilibrium->balls[0].centrifugal_force / ball.centrifugal_force,
@@ -558,7 +569,8 @@ TEST(Catalogue, OrderInTheModelChangesNothing) {
 
 TEST(Catalogue, IsRecoveredFromItsOwnData) {
   const std::map<std::string_view, std::string_view> skipped{
-      {"torque-gain", "acts like a common factor on f0 and z"}};
+      {"torque-gain", "acts like a common factor on f0 and z"},
+      {"load-calibration", "acts like a factor on z in pure thrust"}};
   for (const Description& d : torque_effects()) {
     if (skipped.count(d.id) > 0) continue;
     SCOPED_TRACE(std::string(d.id));
@@ -584,6 +596,20 @@ TEST(Catalogue, IsRecoveredFromItsOwnData) {
           << d.parameters[k].name;
     EXPECT_NEAR(fit::model_of(fit).law_values[0], 1.5, 1.5e-4);
   }
+}
+
+TEST(Catalogue, ALoadCalibrationIsRecoveredBesideARadialLoad) {
+  const Description& d = *effects::find("load-calibration");
+  fit::DataSet data = full_plan();
+  for (std::size_t i = 0; i < data.rows.size(); ++i)
+    data.rows[i].point.radial_load = i % 2 == 0 ? 300.0 : 800.0;
+  std::mt19937 random(1);
+  fit::measure(model_with(d, {0.9}), 0.0, random, data);
+  model::Model start = model_with(d, {1.0});
+  start.free = {"f0", "z", "load-calibration.share_read"};
+  const fit::Calibration fit = fit::calibrate(start, data);
+  ASSERT_TRUE(fit.converged()) << fit::name(fit.status);
+  EXPECT_NEAR(fit::model_of(fit).effects.back().values[0], 0.9, 1e-4);
 }
 
 TEST(Catalogue, WithoutWhatItNeedsThereIsNoNumber) {

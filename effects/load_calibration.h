@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// A load cell, or a lever in front of it, that reads a share of the axial load.
+///
+///   F_a,read = s F_a
+///
+/// Source:   definition. Load cells are good for 0.1 to 1 % of full scale; a lever arm, a friction
+///           in the loading device or a wrong sensitivity is off by some ten percent.
+/// Domain:   s > 0. Palmgren's load moment goes with a power of the load, so that z takes this up
+///           where the radial load is none: it is felt beside a radial load and by effects that use
+///           ball loads.
+struct LoadCalibration {
+  static constexpr std::string_view id = "load-calibration";
+  static constexpr Form form = Form::rig;
+  static constexpr std::string_view title = "the load cell reads a share of the axial load";
+  static constexpr std::string_view datum = "the calibration of the axial load";
+  static constexpr std::string_view mechanism =
+      "Not physics but a datum: all axial loads of the record are off by the same factor.";
+  static constexpr std::string_view formula = "F_a_read = s F_a";
+  static constexpr std::string_view source = "definition; range assumed";
+  static constexpr std::array<std::string_view, 3> confused_with{"z", "load-offset",
+                                                                 "load-exponent"};
+  static constexpr std::array parameters{Parameter{.name = "share_read",
+                                                   .unit = "1",
+                                                   .initial = 1.0,
+                                                   .lower = 0.3,
+                                                   .upper = 3.0,
+                                                   .plausible_lower = 0.8,
+                                                   .plausible_upper = 1.25,
+                                                   .neutral = 1.0}};
+  static constexpr std::array needs{Need::load_levels};
+
+  static void condition(const ConditionInputs& in, std::span<const double> values, Condition& c) {
+    c.extra_axial_load += in.point.axial_load * (1.0 / values[0] - 1.0);
+  }
+};
+
+}  // namespace raceway::effects
