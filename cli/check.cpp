@@ -15,10 +15,16 @@ namespace raceway::cli {
 namespace {
 
 std::string noise_text(const fit::Check::MeasuredChannel& m) {
-  return std::isnan(m.noise.rms)
-             ? "not known (no std column, no repeated rows)"
-             : fmt::format("{} {} rms ({})", error_text(m.noise.rms, *m.channel, 3),
-                           error_unit(*m.channel), fit::name(m.noise.source));
+  const auto text = [&](double rms) {
+    return fmt::format("{} {} rms", error_text(rms, *m.channel, 3), error_unit(*m.channel));
+  };
+  const std::string stated = std::isnan(m.noise.rms) ? "not known (no std column, no repeated rows)"
+                                                     : fmt::format("{} ({})", text(m.noise.rms),
+                                                                   fit::name(m.noise.source));
+  // Where it is the same there is nothing more to say.
+  if (std::isnan(m.found_noise) || std::abs(m.found_noise - m.noise.rms) < 1e-3 * m.found_noise)
+    return stated;
+  return fmt::format("{}; calibrate and diagnose find {}", stated, text(m.found_noise));
 }
 
 void print_measured(const fit::Check& c, const record::Record& data) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "fit/calibrate.h"
+#include "fit/estimated_noise.h"
 #include "fit/row_order.h"
 
 namespace raceway::fit {
@@ -43,6 +44,10 @@ Check check(const Subject& subject, const Record& record) {
     return std::any_of(predicted.begin(), predicted.end(),
                        [&](const Measured& p) { return *p.channel == *m.channel; });
   });
+  if (const auto found = estimate_noise_as_diagnosis(subject, record))
+    for (const EstimatedNoise& noise : *found)
+      for (Check::MeasuredChannel& m : result.measured)
+        if (*m.channel == *noise.channel) m.found_noise = noise.rms;
   for (const record::Column& column : record.columns) {
     if (column.channel->role == record::Role::run || column.channel->role == record::Role::part)
       continue;

@@ -19,6 +19,8 @@ struct Check {
     const Channel* channel = nullptr;
     int rows = 0;  ///< at which it was read
     Noise noise{};
+    double found_noise =
+        unset;  ///< rms as calibrate() and diagnose() find it [SI]; NaN: they cannot
   };
   struct Testable {
     std::string id;

@@ -103,6 +103,8 @@ json checked_channel(const fit::Check::MeasuredChannel& m) {
   result["rows"] = m.rows;
   result["noise"] = {{"rms", m.noise.rms / m.channel->factor},
                      {"source", fit::name(m.noise.source)}};
+  if (!std::isnan(m.found_noise))
+    result["noise"]["estimated_rms"] = m.found_noise / m.channel->factor;
   return result;
 }
 

@@ -45,6 +45,17 @@ TEST(Loop, NamesTheMissingEffectAndAddsIt) {
   EXPECT_LT(models[1]["rmse"].get<double>(), 0.25 * models[0]["rmse"].get<double>());
 }
 
+TEST(Loop, StatesOneNoise) {
+  const std::string files = rig + "model.toml " + rig + "train.csv --json";
+  const auto answer = [&](const std::string& command) {
+    return json::parse(run(command + " " + files).out);
+  };
+  const double found = answer("diagnose")["noise"]["rms"].get<double>();
+  EXPECT_GT(found, 0.0);
+  EXPECT_DOUBLE_EQ(answer("check")["noise"]["estimated_rms"].get<double>(), found);
+  EXPECT_DOUBLE_EQ(answer("compare")["noise"]["estimated_rms"].get<double>(), found);
+}
+
 TEST(Loop, AnswersAnUnknownEffectWithTheNearestAndWritesNothing) {
   const ScratchFolder scratch;
   const Result r = run("add " + rig + "model.toml lubricant-drug --data " + rig + "train.csv -o " +
