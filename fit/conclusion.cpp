@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "fit/effect_sizes.h"
 #include "fit/investigation.h"
@@ -104,10 +105,11 @@ std::string Investigation::remains_text() const {
 /// Which of some explanations would be wrong data, and where to look first.
 std::string Investigation::data_text(const Set& set) const {
   std::vector<std::string> ids, data;
+  std::set<std::size_t> said;
   for (const Explanation* e : set)
     for (const std::size_t k : e->members) {
       const Candidate& c = problem_.candidates[k].candidate;
-      if (c.datum.empty()) continue;
+      if (c.datum.empty() || !said.insert(k).second) continue;
       ids.push_back(c.id + " (" + correction_text(problem_, *e, k) + ")");
       if (std::find(data.begin(), data.end(), c.datum) == data.end()) data.push_back(c.datum);
     }
@@ -177,7 +179,21 @@ std::string Investigation::several_text() const {
       "{}{}.{}{}",
       id_of(best), size_text(problem_, best), best.gain, best.least_loss, remains_text(),
       set.size() > 1 ? fmt::format(" {} other set(s) do as well.", set.size() - 1) : "",
-      error_text(result_), shifts(), data_text(set), measure_text(result_));
+      error_text(result_), shifts(), data_text(set) + instead_text(), measure_text(result_));
+}
+
+/// Wrong data that would do in the place of an effect.
+std::string Investigation::instead_text() const {
+  const std::string data = data_text(finding_.with_data);
+  if (data.empty()) return data;
+  std::set<std::string> beside;
+  for (const Explanation* e : finding_.with_data)
+    for (const std::size_t k : e->members)
+      if (const Candidate& c = problem_.candidates[k].candidate; c.datum.empty())
+        beside.insert(c.id);
+  const std::string effects = joined({beside.begin(), beside.end()}, "or");
+  return fmt::format(" {} would do as well:{}",
+                     effects.empty() ? "Wrong data alone" : effects + " beside wrong data", data);
 }
 
 std::string Investigation::base_laws_text() const {

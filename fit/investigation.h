@@ -61,6 +61,7 @@ class Investigation {
   [[nodiscard]] std::string data_text(const Set& set) const;
   [[nodiscard]] std::string single_text() const;
   [[nodiscard]] std::string several_text() const;
+  [[nodiscard]] std::string instead_text() const;
   [[nodiscard]] std::string base_laws_text() const;
   [[nodiscard]] std::string bent_text() const;
   [[nodiscard]] std::string partly_text() const;

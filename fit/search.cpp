@@ -152,8 +152,17 @@ std::optional<Finding> Search::two_candidates() {
   std::vector<const Explanation*> strong;
   for (const Explanation* e : two)
     if (e->least_loss >= loss_of_a_member) strong.push_back(e);
-  if (!strong.empty() && strong.front() == two.front())
-    return Finding{Finding::Kind::several, std::move(strong)};
+  if (!strong.empty() && strong.front() == two.front()) {
+    // Two effects before one and a datum; what the datum would do is said beside them.
+    const auto data = std::stable_partition(strong.begin(), strong.end(), [this](const auto* e) {
+      return std::none_of(e->members.begin(), e->members.end(), [this](std::size_t k) {
+        return !problem_.candidates[k].candidate.datum.empty();
+      });
+    });
+    Finding finding{Finding::Kind::several, {strong.begin(), data}, {data, strong.end()}};
+    if (finding.set.empty()) finding.set.swap(finding.with_data);
+    return finding;
+  }
   for (const Explanation* e : two) weak_pairs_.push_back(ids_of(*e));
   return std::nullopt;
 }

@@ -23,6 +23,8 @@ struct Finding {
   };
   Kind kind = Kind::none;
   std::vector<const Explanation*> set{};  ///< the best first
+  /// Pairs with wrong data that would do as well as the pairs of effects in the set.
+  std::vector<const Explanation*> with_data{};
 };
 
 /// What decides between explanations.

@@ -54,7 +54,7 @@ TEST(Band, OfTorqueThatIsLinearInF0IsTheSlopeTimesItsError) {
 TEST(Band, LeavesAllOtherNumbersAsTheyAre) {
   const ScratchFolder scratch;
   const std::string model = scratch.write("m.toml", model_text + covariance);
-  for (const std::string command :
+  for (const std::string& command :
        {"solve " + model + " --speed 8000 --axial-load 300 --json",
         "table " + model + " --speed 0:9000:3000 --axial-load 300 --json"}) {
     json with = parsed(run(command + " --band")), without = parsed(run(command));

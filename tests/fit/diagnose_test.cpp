@@ -155,6 +155,18 @@ TEST(Diagnose, NamesTwoEffectsAtOnce) {
                                        testing::Contains("torque-offset")));
 }
 
+/// An oil card that is wrong does to these rows what churning does: said, but not led with.
+TEST(Diagnose, PairsWithWrongDataStandBehindTwoEffects) {
+  Model truth = with_effect("churning", {80.0});
+  truth.effects.push_back({.description = effects::find("seal-friction"), .values = {20.0}});
+  const Diagnosis d = diagnose(belief(), measured(truth, 2));
+  EXPECT_EQ(d.verdict, Verdict::several_effects) << d.sentence;
+  for (const auto& set : d.sets)
+    for (const std::string& id : set) EXPECT_TRUE(effects::find(id)->datum.empty()) << id;
+  EXPECT_THAT(d.sentence, HasSubstr("torque-offset beside wrong data would do as well: "
+                                    "temperature-gain (the sensor sees "));
+}
+
 /// Where the best pair leaves more than noise a third is looked for.
 TEST(Diagnose, NamesThreeEffectsAtOnce) {
   Model truth = with_effect("spin-friction", {0.04});
