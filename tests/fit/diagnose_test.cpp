@@ -25,6 +25,15 @@ DataSet full_plan() {
                         {25, 35, 45, 55, 65});
 }
 
+/// An effect of that size; its other parameters as the catalogue starts them.
+effects::Effect sized(const std::string& id, double size) {
+  effects::Effect effect;
+  effect.description = effects::find(id);
+  effect.values = effects::initial_values(*effect.description);
+  effect.values[0] = size;
+  return effect;
+}
+
 Model with_effect(const std::string& id, std::vector<double> values) {
   Model model = synthetic_model();
   effects::Effect effect;
@@ -143,11 +152,7 @@ TEST(Diagnose, NamesAnEffectWithItsSizeAndWhatItHadBeenHiding) {
 
 TEST(Diagnose, NamesTwoEffectsAtOnce) {
   Model truth = with_effect("lubricant-drag", {30.0});
-  effects::Effect seal;
-  seal.description = effects::find("seal-friction");
-  seal.values = effects::initial_values(*seal.description);
-  seal.values[0] = 20.0;
-  truth.effects.push_back(seal);
+  truth.effects.push_back(sized("seal-friction", 20.0));
   const Diagnosis d = diagnose(belief(), measured(truth, 2));
   EXPECT_EQ(d.verdict, Verdict::several_effects) << d.sentence;
   EXPECT_THAT(named(d), testing::Contains("lubricant-drag"));
@@ -157,13 +162,13 @@ TEST(Diagnose, NamesTwoEffectsAtOnce) {
 
 /// An oil card that is wrong does to these rows what churning does: said, but not led with.
 TEST(Diagnose, PairsWithWrongDataStandBehindTwoEffects) {
-  Model truth = with_effect("churning", {80.0});
-  truth.effects.push_back({.description = effects::find("seal-friction"), .values = {20.0}});
+  Model truth = with_effect("churning", {40.0});
+  truth.effects.push_back(sized("seal-friction", 20.0));
   const Diagnosis d = diagnose(belief(), measured(truth, 2));
   EXPECT_EQ(d.verdict, Verdict::several_effects) << d.sentence;
   for (const auto& set : d.sets)
     for (const std::string& id : set) EXPECT_TRUE(effects::find(id)->datum.empty()) << id;
-  EXPECT_THAT(d.sentence, HasSubstr("torque-offset beside wrong data would do as well: "
+  EXPECT_THAT(d.sentence, HasSubstr("seal-friction beside wrong data would do as well: "
                                     "temperature-gain (the sensor sees "));
 }
 

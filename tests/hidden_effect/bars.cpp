@@ -155,6 +155,10 @@ bool Outcome::names_a_right() const {
                      [&](const auto& ids) { return has_name(answer.names, ids); });
 }
 
+bool Outcome::names_data() const {
+  return std::any_of(answer.names.begin(), answer.names.end(), is_datum);
+}
+
 bool Outcome::names_every_hidden() const {
   return !accepted.empty() && std::all_of(accepted.begin(), accepted.end(), [&](const auto& ids) {
     return has_name(answer.names, ids);
@@ -589,6 +593,10 @@ std::vector<Bar> bars(const std::vector<Outcome>& judged) {
                                    o.visibility.separation >= 50.0;
                           },
                           [](O o) { return o.is({"effect"}) && !o.names_a_right(); })));
+  out.push_back(share(
+      "21", "right cards: wrong data in the verdict", false, 5, 1,
+      count(
+          outcomes, [](O o) { return o.trial.kind.empty(); }, [](O o) { return o.names_data(); })));
   for (const RealRig& rig : real_rigs())
     for (const Demand& d : rig.demands)
       out.push_back(share("r", std::string(rig.id) + ": " + std::string(d.what), d.at_least, d.must,

@@ -37,6 +37,7 @@ struct Outcome {
   [[nodiscard]] bool names_only_right() const;
   [[nodiscard]] bool names_every_hidden() const;
   [[nodiscard]] bool names_a_right() const;
+  [[nodiscard]] bool names_data() const;
   [[nodiscard]] bool is(std::initializer_list<std::string_view> verdicts) const;
   /// One name or exact aliases of one effect, and it is right.
   [[nodiscard]] bool exact() const;

@@ -160,5 +160,6 @@ Improvement improve(const Rig& rig, std::span<const std::string> names) {
 }
 
 bool is_known(std::string_view id) { return effects::find(id) != nullptr; }
+bool is_datum(std::string_view id) { return is_known(id) && !effects::find(id)->datum.empty(); }
 
 }  // namespace hidden_effect

@@ -53,5 +53,7 @@ struct Presentation {
 
 /// True if the library has an effect of that id.
 [[nodiscard]] bool is_known(std::string_view id);
+/// True if it stands for wrong data, as of an oil card or a sensor.
+[[nodiscard]] bool is_datum(std::string_view id);
 
 }  // namespace hidden_effect

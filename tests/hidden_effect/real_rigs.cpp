@@ -23,13 +23,7 @@ bool excludes(const Outcome& o) {
 bool names_radial_load(const Outcome& o) {
   return o.answer.shape.find("radial_load") != std::string::npos;
 }
-bool names_data(const Outcome& o) {
-  static constexpr std::array<std::string_view, 4> data{"lubricant-viscosity", "viscosity-slope",
-                                                        "temperature-offset", "temperature-gain"};
-  return std::any_of(o.answer.names.begin(), o.answer.names.end(), [](const std::string& name) {
-    return std::find(data.begin(), data.end(), name) != data.end();
-  });
-}
+bool names_data(const Outcome& o) { return o.names_data(); }
 
 constexpr std::array<Demand, 2> few_alarms(double must, double good) {
   return {{{"false alarm", false, must, good, alarm},
