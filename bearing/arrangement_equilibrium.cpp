@@ -5,14 +5,12 @@
 #include <stdexcept>
 
 #include "bearing/ball_report.h"
+#include "bearing/ring_balance.h"
 #include "bearing/shaft_system.h"
 #include "bearing/validation.h"
 
 namespace raceway::bearing {
 namespace {
-
-/// Of the loads summed again from the reported balls, relative; rounding leaves a thousandth of it.
-constexpr double largest_load_error = 1e-8;
 
 void check(const Arrangement& arrangement, const ArrangementCondition& c) {
   require_between("speed", c.speed, 0.0, 1e6 * rpm, rpm, "rpm");

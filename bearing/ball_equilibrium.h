@@ -180,8 +180,17 @@ template <RaceControl control, typename T>
   const T v1 = groove_centre.axial - x1, v2 = groove_centre.radial - x2;
   const T outer_length = sqrt(x1 * x1 + x2 * x2);
   const T inner_length = sqrt(v1 * v1 + v2 * v2);
+  const T delta_o = outer_length - c.outer_radius;
+  const T delta_i = inner_length - c.inner_radius;
+  const T product = outer_length * inner_length, straight = x1 * v1 + x2 * v2;
+  // The centre of the inner groove may come to lie behind a ball that has lost the race. There it
+  // is no groove that could touch, and cos(αi - αo) stays at -1/2, far from the pole at -1.
+  const Mask<T> behind = straight < -0.5 * product;
+  const Mask<T> touches = contact == InnerContact::automatic
+                              ? delta_i > T(0.0) && !behind
+                              : Mask<T>(contact == InnerContact::kept);
+  const T along = select(behind, -0.5 * product, straight);
   // One division for 1/|X|, 1/|V| and 1/(1 + cos(αi - αo)).
-  const T product = outer_length * inner_length, along = x1 * v1 + x2 * v2;
   const T both = product + along;
   const T reciprocal = 1.0 / (product * both);
   const T inv_product = both * reciprocal;
@@ -189,25 +198,21 @@ template <RaceControl control, typename T>
   const T si = v1 * inv_li, ci = v2 * inv_li;
   const T so = x1 * inv_lo, co = x2 * inv_lo;
 
-  const T delta_o = outer_length - c.outer_radius;
-  const T delta_i = inner_length - c.inner_radius;
   const T root_o = sqrt(max(delta_o, T(0.0)));
-  const Mask<T> touches = contact == InnerContact::automatic
-                              ? delta_i > T(0.0)
-                              : Mask<T>(contact == InnerContact::kept);
   const T root_i = select(touches, sqrt(abs(delta_i)), T(0.0));
   const T ko = 1.5 * c.outer_stiffness * root_o;  // dQ/dδ
   const T ki = 1.5 * c.inner_stiffness * root_i;
   const T qo = c.outer_stiffness * root_o * root_o * root_o;
   const T qi = c.inner_stiffness * root_i * delta_i;
 
-  const ContactAngles<T> angles{.si = si,
-                                .ci = ci,
-                                .so = so,
-                                .co = co,
-                                .cos_difference = along * inv_product,
-                                .sin_difference = (v1 * x2 - v2 * x1) * inv_product,
-                                .inv = product * (product * reciprocal)};
+  const ContactAngles<T> angles{
+      .si = si,
+      .ci = ci,
+      .so = so,
+      .co = co,
+      .cos_difference = along * inv_product,
+      .sin_difference = select(behind, T(0.0), (v1 * x2 - v2 * x1) * inv_product),
+      .inv = product * (product * reciprocal)};
   const RaceLaw<T> law = race_law<control>(c, angles, touches);
   const T fc = law.fc, fc_i = law.fc_i, fc_o = law.fc_o;
   const T ti = law.ti, ti_i = law.ti_i, ti_o = law.ti_o;

@@ -21,7 +21,9 @@ BearingEquilibrium solve(const Bearing& bearing, const OperatingPoint& point,
   if (result.report.recovered_load_error <= largest_load_error) return result;
   BearingEquilibrium refused;
   refused.report = result.report;
-  refused.report.status = SolveStatus::no_equilibrium;
+  refused.report.status = std::isnan(result.report.recovered_load_error)
+                              ? SolveStatus::not_finite
+                              : SolveStatus::no_equilibrium;
   return refused;
 }
 

@@ -21,7 +21,7 @@ struct EquilibriumOptions {
   Tilt tilt = Tilt::locked;
   bool gyroscopic_moment = true;  ///< false leaves M_g out, for comparison
   double tolerance = 1e-11;       ///< on the scaled residual [1]
-  int max_iterations = 100000;    ///< Newton steps over all stages
+  int max_iterations = 2000;      ///< Newton steps over all stages
 };
 
 /// The inner-ring displacement that carries a load, and all that follows from it.

@@ -10,6 +10,13 @@
 namespace raceway::bearing {
 namespace {
 
+// What each way may cost; together less than EquilibriumOptions::max_iterations. Steps are spent
+// where a path crawls towards a fold, or where no pattern of lost balls fits.
+constexpr int steps_of_load_path = 300;
+constexpr int steps_of_speed_path = 400;
+constexpr int steps_of_drops = 250;
+constexpr int steps_of_search = 960;
+
 class Search {
  public:
   explicit Search(RingSystem& system) : system_(system) {}
@@ -28,17 +35,22 @@ class Search {
     if (point.axial_load > 0.0 && start_from_thrust(point.axial_load, state) &&
         system_.newton(state))
       return SolveStatus::converged;
+    system_.allow(steps_of_load_path);
     if (point.axial_load > 0.0 && follow_load(point, state)) return SolveStatus::converged;
     system_.set_point(point);
+    system_.allow(steps_of_speed_path);
     if (follow_speed(point, state)) return SolveStatus::converged;
     system_.set_point(point);
     if (system_.options().race_control == RaceControl::inner) {
       const RingState last = expanded(state);
-      if (search_contacts(point, state)) return SolveStatus::converged;
+      system_.allow(steps_of_drops);
       if (point.axial_load > 0.0 && drop_least_loaded(point.axial_load, last, state))
         return SolveStatus::converged;
+      system_.allow(steps_of_search);
+      if (search_contacts(point, state)) return SolveStatus::converged;
     }
-    return system_.exhausted() ? SolveStatus::iteration_limit : system_.failure();
+    return system_.iterations() >= system_.options().max_iterations ? SolveStatus::iteration_limit
+                                                                    : system_.failure();
   }
 
  private:
@@ -111,10 +123,10 @@ class Search {
     found = contacts_hold(base);
     state = base;
     // A pattern that fits is found in a few steps; there are many that do not.
-    system_.newton_limit = 16;
+    system_.newton_limit = 8;
     const bool free_tilt = system_.options().tilt == Tilt::free;
     // Intervals that grow away from each place where they can begin.
-    for (std::size_t first = 0; first < n && !found; ++first) {
+    for (std::size_t first = 0; first < n && !found && !system_.exhausted(); ++first) {
       found = grow_lost(order, first, 1, base, state);
       if (!found && (free_tilt ? first > 0 : true))
         found = grow_lost(order, n - 1 - first, -1, base, state);
@@ -131,7 +143,7 @@ class Search {
     const auto n = order.size();
     system_.contacts.assign(n, InnerContact::kept);
     RingState chain = base;
-    for (std::size_t lost = 1, place = first; lost < n && place < n;
+    for (std::size_t lost = 1, place = first; lost < n && place < n && !system_.exhausted();
          ++lost, place += static_cast<std::size_t>(direction)) {
       system_.contacts[order[place]] = InnerContact::lost;
       chain.balls[order[place]] = system_.thrown_ball();
@@ -206,7 +218,7 @@ class Search {
     }
     std::sort(order.begin(), order.end());
     double carrying = system_.geometry().ball_count;
-    for (std::size_t lost = 1; lost < n; ++lost) {
+    for (std::size_t lost = 1; lost < n && !system_.exhausted(); ++lost) {
       carrying -= system_.weight(order[lost - 1].second);
       ThrustStart<double> start;
       if (!thrust_start(race_control(), constants(), system_.free_groove_centre(),
@@ -266,6 +278,7 @@ class Search {
     constexpr double shortest = 1e-5;
     double s = 0.0;
     while (s < 1.0) {
+      if (system_.exhausted()) return false;
       const double next = std::min(1.0, s + step);
       system_.set_point(path(next));
       RingState trial = expanded(state);
@@ -276,7 +289,7 @@ class Search {
         step *= system_.iterations() - before <= 6 ? 2.5 : 1.3;
       } else {
         step *= 0.3;
-        if (step < shortest || system_.exhausted()) return false;
+        if (step < shortest) return false;
       }
     }
     return true;

@@ -2,9 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace raceway::bearing {
+namespace {
+
+/// A load goes with the 3/2 power of an approach, which is the difference of two lengths: under a
+/// load that presses balls by little more than the last digit of these, no more digits are to be
+/// had.
+double rounding_of(const BallConstantsOf<double>& c, double load) {
+  constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
+  const double root = std::cbrt(load / std::max(c.inner_stiffness, c.outer_stiffness));
+  return 1.5 * digits * (c.inner_radius + c.outer_radius) / (root * root);
+}
+
+}  // namespace
 
 RingPoint<double> unloaded_point(const Bearing& bearing, const EquilibriumOptions& options) {
   const BearingGeometry& g = bearing.geometry();
@@ -34,6 +47,7 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing, const 
     ring.load_scale = std::max(ring.load_scale, std::abs(loads[i]));
   }
   ring.ball_scale = ring.load_scale / bearing.geometry().ball_count;
+  ring.rounding = rounding_of(ring.ball, ring.ball_scale);
 }
 
 BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& p) {

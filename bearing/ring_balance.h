@@ -83,6 +83,7 @@ struct RingPoint {
   T load[5];                ///< moments divided by the lever [N]
   T load_scale;             ///< largest of these [N]
   T ball_scale;             ///< load_scale / Z [N]
+  T rounding;               ///< residual that the rounding of lengths may leave [1]
 };
 
 /// A bearing at rest without load.
@@ -139,9 +140,12 @@ template <BallModel model, typename T>
     // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r; one division for this and for the imbalance.
     const T scale = p.ball_scale + b.outer_load;
     const T squared = scale * scale;
-    const T determinant = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
+    // Nothing moves a ball that lies in the outer race with less than a digit of approach.
+    const T product = b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2];
+    const Mask<T> lies = product == T(0.0);
+    const T determinant = select(lies, T(1.0), product);
     const T reciprocal = 1.0 / (determinant * squared);
-    const T inv = -squared * reciprocal;
+    const T inv = select(lies, T(0.0), -squared * reciprocal);
     step.own[0] = inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial);
     step.own[1] = inv * (b.r_x[0] * b.imbalance.radial - b.r_x[2] * b.imbalance.axial);
     step.follow[0] = inv * (b.r_x[3] * b.r_a[0] - b.r_x[1] * b.r_a[2]);
@@ -266,9 +270,10 @@ inline constexpr double largest_load_error = 1e-8;
 /// A ring in balance as it is reported.
 template <typename T>
 struct RingReport {
-  T stiffness[5][5];       ///< [N/m]
-  T residual;              ///< largest imbalance of ring and balls, scaled [1]
-  T recovered_load_error;  ///< loads summed again from the reported balls, relative [1]
+  T stiffness[5][5];  ///< [N/m]
+  T residual;         ///< largest imbalance of ring and balls, scaled [1]
+  /// Loads summed again from the reported balls, relative; NaN where a number is not finite [1].
+  T recovered_load_error;
 };
 
 /// Angles and forces of all balls used at a state of balance, and the loads summed again from
@@ -281,6 +286,8 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
   const T diameter = 2.0 * p.moment_arm_ratio * p.lever - 2.0 * p.ball.inner_radius;
   RingSums<AllCoordinates, T> sums;
   T worst_ball = zero, sum[5] = {zero, zero, zero, zero, zero};
+  T nothing = zero;  // but NaN once a number is not finite
+  const auto look = [&nothing](const T& number) { nothing = nothing + (number - number); };
   for (int k = 0; k < circle.used(); ++k) {
     const PlaneOf<T> a = groove_centre<AllCoordinates>(p, circle, ring, k);
     const PlaneOf<T> x = balls[k];
@@ -294,6 +301,11 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
         ball_report<model == BallModel::at_rest>(f, a, x, diameter);
 
     const T angle = select(touches, b.inner_contact_angle, zero);
+    // A ball that lies loose at rest has no outer angle either.
+    look(select(b.outer_load > zero, b.outer_contact_angle, zero));
+    for (const T& number :
+         {angle, b.inner_load, b.outer_load, b.outer_friction, b.centrifugal_force})
+      look(number);
     const auto [s, c] = sincos(angle);
     const T axial = select(touches, b.inner_load * s + b.inner_friction * c, zero);
     const T radial = select(touches, b.inner_load * c - b.inner_friction * s, zero);
@@ -314,10 +326,12 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
                       (circle.symmetry == Symmetry::mirror && (i == 1 || i == 4));
     if (even) error = max(error, abs(p.load[i] - sum[i]));
   }
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < 5; ++j) report.stiffness[i][j] = sums.stiffness[i][j];
+  for (int i = 0; i < 5; ++i) {
+    look(ring[i]);
+    for (int j = 0; j < 5; ++j) look(report.stiffness[i][j] = sums.stiffness[i][j]);
+  }
   report.residual = max(missing / p.load_scale, sqrt(worst_ball));
-  report.recovered_load_error = error / p.load_scale;
+  report.recovered_load_error = error / p.load_scale + nothing;
 }
 
 /// Sets all of `result` but status and iterations at a ring in balance and the balls used, all in

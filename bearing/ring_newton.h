@@ -167,14 +167,15 @@ template <typename T>
 template <BallModel model, class C>
 NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimits& limits,
                                       const InnerContact* contacts) {
-  using std::abs, std::max;
+  using std::abs, std::max, std::min;
   assemble<model, C>(circle, contacts);
   const Mask<T> fresh = fresh_ != T(0.0);
   const T accept = select(halvings_ == T(0.0), T(4.0), T(1.0));
   NewtonProgress<T> progress;
   progress.taken = fresh || trial_merit_ <= accept * merit_ || halvings_ == T(6.0);
-  const Mask<T> stalled =
-      !fresh && trial_residual_ <= T(10.0 * limits.tolerance) && trial_merit_ > 0.25 * merit_;
+  // As near as rounding lets it come, which under a tiny load is not within the tolerance.
+  const T near = min(max(T(10.0 * limits.tolerance), point.rounding), T(0.1 * largest_load_error));
+  const Mask<T> stalled = !fresh && trial_residual_ <= near && trial_merit_ > 0.25 * merit_;
   take<C>(progress.taken, circle.used());
   progress.converged = progress.taken && (residual <= T(limits.tolerance) || stalled);
   const Mask<T> open = progress.taken && !progress.converged;

@@ -11,7 +11,8 @@ RingSystem::RingSystem(const Bearing& bearing, const OperatingPoint& point,
     : bearing_(bearing),
       options_(options),
       workspace_(workspace),
-      point_(unloaded_point(bearing, options)) {
+      point_(unloaded_point(bearing, options)),
+      end_(options.max_iterations) {
   set_point(point);
 }
 
@@ -31,7 +32,7 @@ bool RingSystem::newton(RingState& state) {
   newton.trial_balls.swap(state.balls);
   newton.begin(0);
   const NewtonLimits limits{.tolerance = options_.tolerance,
-                            .steps = std::min(newton_limit, options_.max_iterations - iterations_)};
+                            .steps = std::min(newton_limit, std::max(0, end_ - iterations_))};
   const InnerContact* const held = contacts.empty() ? nullptr : contacts.data();
   const NewtonProgress<double> end = with_model(model_, [&](auto model) {
     return with_coordinates(circle_.symmetry, options_.tilt == Tilt::free, [&](auto coordinates) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "bearing/bearing_equilibrium.h"
@@ -50,7 +51,10 @@ class RingSystem {
   [[nodiscard]] int iterations() const { return iterations_; }
   /// Why newton() failed: no_equilibrium unless every attempt was singular or not finite.
   [[nodiscard]] SolveStatus failure() const { return failure_; }
-  [[nodiscard]] bool exhausted() const { return iterations_ >= options_.max_iterations; }
+  /// Gives what follows that many steps at most, beside the limit of the options.
+  void allow(int steps) { end_ = std::min(options_.max_iterations, iterations_ + steps); }
+  /// The steps that were allowed have been made; newton() then makes none.
+  [[nodiscard]] bool exhausted() const { return iterations_ >= end_; }
 
   /// Balls that are unknowns: one, half of them, or all.
   [[nodiscard]] std::size_t balls_used() const { return static_cast<std::size_t>(circle_.used()); }
@@ -74,7 +78,7 @@ class RingSystem {
   RingPoint<double> point_;
   BallCircle circle_{};
   BallModel model_ = BallModel::at_rest;
-  int iterations_ = 0;
+  int iterations_ = 0, end_;
   SolveStatus failure_ = SolveStatus::no_equilibrium;
   bool attempted_ = false;
 };

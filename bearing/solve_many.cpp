@@ -105,7 +105,10 @@ class Chunk {
     const KernelBlock& block = m_.blocks[n / Eight::size];
     const std::size_t lane = n % Eight::size;
     BearingEquilibrium& result = results_[m_.index[n]];
+    // Where rounding decides, instruction sets that round less would see what others do not: there
+    // the word is that of the single solve.
     if (!block.converged[lane] ||
+        !(block.points.rounding.lanes[lane] <= 10.0 * options_.tolerance) ||
         !(block.report.recovered_load_error.lanes[lane] <= largest_load_error)) {
       const auto [bearing, point] = at_(m_.index[n]);
       result = solve_bearing_equilibrium(bearing, point, options_);

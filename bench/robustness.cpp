@@ -2,11 +2,14 @@
 // that it finds an equilibrium wherever there is one, put to the test.
 //
 //   robustness [--points 1000000] [--seed 1] [--control outer|inner|both] [--scan 300]
-//              [--mode scalar|batch|both] [--of bearings|arrangements]
+//              [--mode scalar|batch|both] [--of bearings|arrangements|wild]
 //
 // `--mode batch` solves through solve_many(), `both` also counts where the two disagree.
 // `--scan N` proves up to N of the `no_equilibrium` (loads along y) by a brute-force search that
 // shares nothing of the solver's own search; see equilibrium_scan.h. It is for bearings only.
+// `--of wild` solves whatever files and flags let through, wild_domain.h, one by one and side by
+// side with every instruction set; the exit status is 1 where they disagree, where a converged
+// number is not finite or where a solve takes more than 2000 steps.
 
 #include <fmt/core.h>
 #include <tbb/parallel_for.h>
@@ -22,6 +25,7 @@
 #include "bench/arrangement_domain.h"
 #include "bench/equilibrium_scan.h"
 #include "bench/robustness_domain.h"
+#include "bench/wild_domain.h"
 #include "tests/reference_table.h"
 
 namespace {
@@ -167,6 +171,37 @@ Tally solve_arrangements(const std::vector<robustness::Size>& sizes, RaceControl
   return total;
 }
 
+/// False where the claims of the wild domain do not hold.
+bool solve_wild(std::uint64_t seed, long points) {
+  constexpr int most_steps = 2000;
+  std::atomic<long> converged = 0, other_status = 0, not_finite = 0, too_long = 0, finished = 0;
+  std::atomic<int> most = 0;
+  tbb::parallel_for(0L, points, [&](long i) {
+    const auto c = robustness::make_wild_case(seed, static_cast<std::uint64_t>(i));
+    const auto one = solve_bearing_equilibrium(c.bearing, c.point, c.options);
+    converged += one.report.converged();
+    not_finite += !robustness::finite_if_converged(one);
+    too_long += one.report.iterations > most_steps;
+    for (int seen = most; one.report.iterations > seen;)
+      if (most.compare_exchange_weak(seen, one.report.iterations)) break;
+    for (const auto set : {bearing::InstructionSet::sse2, bearing::InstructionSet::avx2,
+                           bearing::InstructionSet::avx512}) {
+      if (!available(set)) continue;
+      bearing::BearingEquilibrium many;
+      solve_many(c.bearing, {&c.point, 1}, {&many, 1}, c.options, set);
+      other_status += many.report.status != one.report.status;
+      not_finite += !robustness::finite_if_converged(many);
+    }
+    show_progress("solved", ++finished, points);
+  });
+  fmt::print(
+      "{} wild points: {} converged, {} other statuses side by side, {} converged but not\n"
+      "finite, {} over {} steps (at most {})\n",
+      points, converged.load(), other_status.load(), not_finite.load(), too_long.load(), most_steps,
+      most.load());
+  return other_status == 0 && not_finite == 0 && too_long == 0;
+}
+
 struct ScanResult {
   long scanned = 0, found = 0;
 };
@@ -239,6 +274,7 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
+  if (of == "wild") return solve_wild(seed, points) ? 0 : 1;
   const auto sizes = catalogue_sizes();
   for (const RaceControl c : {RaceControl::outer, RaceControl::inner}) {
     const char* name = c == RaceControl::outer ? "outer" : "inner";

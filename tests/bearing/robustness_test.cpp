@@ -7,6 +7,7 @@
 
 #include "bench/arrangement_domain.h"
 #include "bench/equilibrium_scan.h"
+#include "bench/wild_domain.h"
 #include "tests/bearing/random_case.h"
 
 namespace raceway::bearing {
@@ -56,6 +57,42 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(part.param.race_control == RaceControl::outer ? "Outer" : "Inner") +
              "Control" + std::to_string(part.param.seed);
     });
+
+// Every bearing and load that files and flags let through. Optimised builds go through 20 000,
+// others through every tenth of these.
+#ifdef NDEBUG
+constexpr std::uint64_t wild_step = 1;
+#else
+constexpr std::uint64_t wild_step = 10;
+#endif
+
+class Wild : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(Wild, ConvergedMeansFiniteBatchAgreesAndTwoThousandStepsAreEnough) {
+  const std::uint64_t first = GetParam() * 2000;
+  int converged = 0;
+  for (std::uint64_t index = first; index < first + 2000; index += wild_step) {
+    const auto c = robustness::make_wild_case(1, index);
+    const auto one = solve_bearing_equilibrium(c.bearing, c.point, c.options);
+    converged += one.report.converged();
+    EXPECT_LE(one.report.iterations, 2000) << "case " << index;
+    EXPECT_NE(one.report.status, SolveStatus::not_run) << "case " << index;
+    EXPECT_TRUE(robustness::finite_if_converged(one)) << "case " << index;
+    for (const InstructionSet set :
+         {InstructionSet::sse2, InstructionSet::avx2, InstructionSet::avx512}) {
+      if (!available(set)) continue;
+      BearingEquilibrium many;
+      solve_many(c.bearing, {&c.point, 1}, {&many, 1}, c.options, set);
+      EXPECT_EQ(name(many.report.status), name(one.report.status))
+          << "case " << index << " with " << name(set);
+      EXPECT_TRUE(robustness::finite_if_converged(many))
+          << "case " << index << " with " << name(set);
+    }
+  }
+  EXPECT_GT(converged, static_cast<int>(1000 / wild_step));
+}
+
+INSTANTIATE_TEST_SUITE_P(Domain, Wild, testing::Range(std::uint64_t{0}, std::uint64_t{10}));
 
 struct SetPart {
   RaceControl race_control;
