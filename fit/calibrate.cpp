@@ -264,6 +264,77 @@ Weighed weigh(const Subject& subject, const Record& record, const std::optional<
   return weighed;
 }
 
+std::vector<std::string> names_of_moving(const Calibration& result) {
+  std::vector<std::string> names;
+  for (const Parameter& p : result.parameters)
+    if (!p.held) names.push_back(p.name);
+  return names;
+}
+
+/// A fit of the parameters that are not held; `weighed` is its own.
+Calibration fit_once(const Subject& started, const std::optional<Evidence>& evidence,
+                     Weighed weighed, Calibration result) {
+  const Problem& problem = weighed.problem;
+  const Observations& observed = problem.observed;
+  const std::vector<std::string> moving = names_of_moving(result);
+  Response response = response_of(started, problem.record, observed, moving, problem.prepared);
+  if (moving.empty()) {
+    result.subject = started.with_values({});
+    result.status = FitStatus::nothing_to_fit;
+    result.degrees_of_freedom = static_cast<int>(observed.size());
+    const auto size = static_cast<Eigen::Index>(result.parameters.size());
+    result.correlation = Eigen::MatrixXd::Constant(size, size, unset);
+    set_errors(observed, response.readings({}), &ChannelError::rmse_after, result);
+    return result;
+  }
+  response.find_affine_form();
+  const bool made =
+      evidence && moving == evidence->problem.base && problem.record == evidence->problem.record;
+  const Eigen::VectorXd x = response.start();
+  ResponseFit fit = made ? evidence->base
+                         : fit_response(response, weighed.whitening, observed.measured,
+                                        {x, 0.8 * x, 1.25 * x, 0.5 * x});
+  if (weighed.as_declared)
+    fit = fit_with_excess(response, observed, std::move(fit), weighed.whitening, result);
+  take_fit(response, fit, observed, weighed.whitening, weighed.noise_known, result);
+  result.subject = started.with_values(named_values(result.parameters));
+  return result;
+}
+
+/// The last parameter of a fit that the data could tell at its start and cannot tell where the fit
+/// has carried it; null where they hold all.
+const Parameter* adrift(const Calibration& before, const Calibration& fitted) {
+  for (std::size_t k = fitted.parameters.size(); k-- > 0;)
+    if (before.parameters[k].identifiable && !fitted.parameters[k].identifiable)
+      return &fitted.parameters[k];
+  return nullptr;
+}
+
+/// Where the data do not hold a parameter, the value that a fit gives it says nothing: it stays at
+/// its start, and the others are fitted again.
+Calibration fit_moving(const Subject& started, const std::optional<Evidence>& evidence,
+                       const Weighed& weighed, Calibration result) {
+  for (;;) {
+    Calibration fitted = fit_once(started, evidence, weighed, result);
+    const Parameter* const lost = fitted.converged() ? adrift(result, fitted) : nullptr;
+    if (!lost) return fitted;
+    Parameter& p = result.parameters[static_cast<std::size_t>(lost - fitted.parameters.data())];
+    p.held = true;
+    p.identifiable = false;
+    const std::string carried = with_unit(lost->value, p.unit, 5),
+                      held = with_unit(p.value, p.unit, 5);
+    result.messages.push_back(
+        lost->at_bound != Bound::none
+            ? fmt::format("{} is not fixed by these data: a fit carries it to its bound, {}; it is "
+                          "held at {}. Do sign and unit of the readings agree with the model?",
+                          p.name, carried, held)
+            : fmt::format(
+                  "{} is not fixed by these data: a fit carries it to {}, where a change as "
+                  "large as its range is lost in the noise; it is held at {}",
+                  p.name, carried, held));
+  }
+}
+
 }  // namespace
 
 Calibration calibrate(const Subject& subject, const Record& record) {
@@ -293,31 +364,7 @@ Calibration calibrate(const Subject& subject, const Record& record) {
   };
   set_errors(observed, response_by(subject, {}).readings({}), &ChannelError::rmse_before, result);
   hold_dependent(response_by(*started, started->free()), weighed.whitening, result);
-  std::vector<std::string> moving;
-  for (const Parameter& p : result.parameters)
-    if (!p.held) moving.push_back(p.name);
-  result.subject = started->with_values({});
-  if (moving.empty()) {
-    result.status = FitStatus::nothing_to_fit;
-    result.degrees_of_freedom = static_cast<int>(observed.size());
-    const auto size = static_cast<Eigen::Index>(count);
-    result.correlation = Eigen::MatrixXd::Constant(size, size, unset);
-    set_errors(observed, response_by(*started, {}).readings({}), &ChannelError::rmse_after, result);
-    return result;
-  }
-  Response response = response_by(*started, moving);
-  response.find_affine_form();
-  const bool made =
-      evidence && moving == evidence->problem.base && problem.record == evidence->problem.record;
-  const Eigen::VectorXd x = response.start();
-  ResponseFit fit = made ? evidence->base
-                         : fit_response(response, weighed.whitening, observed.measured,
-                                        {x, 0.8 * x, 1.25 * x, 0.5 * x});
-  if (weighed.as_declared)
-    fit = fit_with_excess(response, observed, std::move(fit), weighed.whitening, result);
-  take_fit(response, fit, observed, weighed.whitening, weighed.noise_known, result);
-  result.subject = started->with_values(named_values(result.parameters));
-  return result;
+  return fit_moving(*started, evidence, weighed, std::move(result));
 }
 
 Calibration calibration_of(std::shared_ptr<const Subject> fitted, const Response& response,

@@ -50,8 +50,9 @@ struct Calibration {
 /// cover what a missing effect does to the values.
 ///
 /// A parameter that the data cannot tell from those before it in the list is held at its start; all
-/// of the group are marked not identifiable. So is one whose standard error exceeds the range of
-/// its bounds. Throws std::invalid_argument: a record of something else, unknown parameter, fewer
+/// of the group are marked not identifiable. So is, and held at its start too, one that the fit
+/// carries to where its standard error exceeds the range of its bounds: what such a value would be
+/// says nothing. Throws std::invalid_argument: a record of something else, unknown parameter, fewer
 /// readings than parameters.
 [[nodiscard]] Calibration calibrate(const Subject& subject, const Record& record);
 

@@ -83,6 +83,7 @@ class Errors {
   }
 
   void estimate() {
+    check_bounds();
     if (free_.empty()) return;
     find_covariance();
     for (std::size_t k = 0; k < free_.size(); ++k) set_error(k);
@@ -91,6 +92,22 @@ class Errors {
   }
 
  private:
+  /// A parameter at its bound has no error. Where nothing depends on it there, or the bound is one
+  /// of the computation and not of any machine, it is not the data that want it so far.
+  void check_bounds() {
+    constexpr double beyond_reason = 1000.0;  // times the start, or of it
+    Eigen::Index column = 0;
+    for (Parameter& p : result_.parameters) {
+      if (p.held) continue;
+      const double norm = jacobian_.col(column++).norm();
+      if (p.at_bound == Bound::none) continue;
+      const double times = p.value != 0.0 ? std::abs(p.value / p.start) : 1.0;
+      if (times > beyond_reason || times * beyond_reason < 1.0 ||
+          (!std::isnan(factor_) && factor_ > norm * (p.upper - p.lower)))
+        p.identifiable = false;
+    }
+  }
+
   void find_covariance() {
     const auto size = static_cast<Eigen::Index>(free_.size());
     Eigen::MatrixXd scaled = jacobian_(Eigen::all, columns_);
