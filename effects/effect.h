@@ -152,6 +152,8 @@ struct Description {
   /// Supplies of lubricant with which it can be at work; any where empty.
   std::span<const friction::Supply> supplies = {};
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
+  /// What it takes in of the bearing beside these, as friction::bearing_data() names it.
+  std::span<const std::string_view> bearing_data = {};
   /// Whatever turns on the shaft adds to it. On a rig that coasts down it is the drag on all that,
   /// once and not once per bearing; the plausible range is that of the bearing alone.
   bool drags_on_the_rotor = false;

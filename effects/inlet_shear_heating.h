@@ -35,6 +35,7 @@ struct InletShearHeating {
                                                    .plausible_lower = 0.2,
                                                    .plausible_upper = 3.0}};
   static constexpr std::array needs{Need::speed_levels, Need::palmgren_law};
+  static constexpr std::array<std::string_view, 2> bearing_data{"bore", "outer_diameter"};
 
   static void lubricant(const LubricantInputs& in, std::span<const double> values, Film& film) {
     const bearing::BearingGeometry& g = in.state.bearing->geometry();

@@ -39,6 +39,7 @@ struct MixedLubrication {
                                                    .plausible_lower = 0.02,
                                                    .plausible_upper = 0.15}};
   static constexpr std::array needs{Need::speed_levels, Need::palmgren_law};
+  static constexpr std::array<std::string_view, 2> bearing_data{"bore", "outer_diameter"};
 
   static double unit_moment(const MomentInputs& in) {
     const friction::BearingState<double>& s = in.state;

@@ -38,6 +38,7 @@ struct ReplenishmentStarvation {
                                                    .plausible_lower = 0.5e-8,
                                                    .plausible_upper = 12e-8}};
   static constexpr std::array needs{Need::speed_levels, Need::palmgren_law};
+  static constexpr std::array<std::string_view, 2> bearing_data{"bore", "outer_diameter"};
   static constexpr std::array supplies{friction::Supply::oil_air, friction::Supply::grease,
                                        friction::Supply::jet};
 

@@ -29,6 +29,12 @@ std::span<const Parameter> parameters(FrictionLaw law) {
   return skf_parameters;
 }
 
+std::span<const std::string_view> bearing_data(FrictionLaw law) {
+  // The load moments take in all that the other moment does (tests).
+  if (law == FrictionLaw::palmgren) return PalmgrenLoad::bearing_data;
+  return SkfSliding::bearing_data;
+}
+
 void require_data(FrictionLaw law, const bearing::Bearing& bearing) {
   const bearing::BearingGeometry& g = bearing.geometry();
   if (law == FrictionLaw::palmgren) {

@@ -24,6 +24,13 @@ enum class FrictionLaw { palmgren, skf };
 ///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
+/// What the law takes in of a bearing, by the names of the keys of a model file without their
+/// units. All else of it changes no digit of the moments: not a ball's diameter, nor what carries
+/// the load at speed.
+///   palmgren: contact_angle, pitch_diameter, static_load_rating
+///   skf:      ball_material (its density), bore, outer_diameter
+[[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
+
 /// Throws std::invalid_argument if the law needs data that the bearing does not have: C0 for
 /// Palmgren, an angular contact for SKF. Called once per model; the laws do not check.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);

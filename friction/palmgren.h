@@ -98,6 +98,8 @@ struct PalmgrenLoad {
   static constexpr std::array parameters{
       Parameter{.name = "z", .unit = "1", .initial = 0.001, .lower = 0.0, .upper = 0.02},
       Parameter{.name = "y", .unit = "1", .initial = 0.33, .lower = 0.0, .upper = 1.0}};
+  static constexpr std::array<std::string_view, 3> bearing_data{"contact_angle", "pitch_diameter",
+                                                                "static_load_rating"};
 
   template <typename T>
   static T moment(const BearingState<T>& s, const T& z, const T& y) {
@@ -124,6 +126,7 @@ struct PalmgrenViscous {
   static constexpr std::string_view id = "palmgren_viscous";
   static constexpr std::array parameters{
       Parameter{.name = "f0", .unit = "1", .initial = 1.5, .lower = 0.01, .upper = 30.0}};
+  static constexpr std::array<std::string_view, 1> bearing_data{"pitch_diameter"};
 
   template <typename T>
   static T moment(const BearingState<T>& s, const T& f0) {

@@ -110,6 +110,8 @@ struct SkfRolling {
   static constexpr std::string_view id = "skf_rolling";
   static constexpr std::array parameters{
       Parameter{.name = "K_rs", .unit = "1", .initial = 6e-8, .lower = 0.0, .upper = 1e-6}};
+  static constexpr std::array<std::string_view, 3> bearing_data{"ball_material", "bore",
+                                                                "outer_diameter"};
 
   template <typename T>
   static T moment(const BearingState<T>& s, const T& K_rs) {
@@ -145,6 +147,7 @@ struct SkfSliding {
   static constexpr std::array parameters{
       Parameter{.name = "mu_bl", .unit = "1", .initial = 0.15, .lower = 0.01, .upper = 0.5},
       Parameter{.name = "mu_EHL", .unit = "1", .initial = 0.05, .lower = 0.005, .upper = 0.2}};
+  static constexpr std::array<std::string_view, 3> bearing_data = SkfRolling::bearing_data;
 
   template <typename T>
   static T moment(const BearingState<T>& s, const T& mu_bl, const T& mu_EHL) {

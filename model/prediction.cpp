@@ -1,5 +1,6 @@
 #include "model/prediction.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -17,6 +18,32 @@ constexpr std::size_t points_of_a_thread = 256;  // points that a thread takes
 }  // namespace
 
 bool FrictionPrediction::predicted() const { return std::isfinite(torque); }
+
+bearing::SolveStatus FrictionPrediction::status() const {
+  using bearing::SolveStatus;
+  if (report.status != SolveStatus::not_run && !report.converged()) return report.status;
+  const bool finite = std::isfinite(torque) && std::isfinite(load) && std::isfinite(viscous) &&
+                      std::isfinite(power_loss) &&
+                      std::all_of(effects.begin(), effects.end(),
+                                  [](double moment) { return std::isfinite(moment); });
+  return finite ? SolveStatus::converged : SolveStatus::not_finite;
+}
+
+std::string why_not_converged(const Model& model, const FrictionPrediction& prediction) {
+  const bearing::SolveStatus status = prediction.status();
+  // Without a moment of the base law nothing was computed: an effect lacks its input.
+  if (status != bearing::SolveStatus::not_finite || !std::isfinite(prediction.load))
+    return std::string(bearing::name(status));
+  for (std::size_t k = 0; k < prediction.effects.size(); ++k)
+    if (const double moment = prediction.effects[k]; !std::isfinite(moment)) {
+      const effects::Description& effect = *model.effects[k].description;
+      return fmt::format(
+          "not_finite: the moment of effect {} is {}{}", effect.id,
+          std::isnan(moment) ? "not a number" : "infinite",
+          effect.user_made ? fmt::format(", torque_Nmm = \"{}\"", effect.formula) : std::string());
+    }
+  return std::string(bearing::name(status));
+}
 
 double share_of_bearing(const effects::Description& effect, const Rig& rig) {
   return effect.drags_on_the_rotor && rig.coasts_down() ? 1.0 / rig.bearings : 1.0;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "effects/effect.h"
@@ -12,7 +13,7 @@ namespace raceway::model {
 
 /// Friction of one bearing at one operating point, and what the rig reads of it. All numbers are
 /// NaN where an input is not known, or where the point has no balance and an effect needs it;
-/// `report` then says why. A model that needs no balls has its torque also without balance.
+/// `report` then says why. Where an effect has no number, the base moments have. A model that needs no balls has its torque also without balance.
 struct FrictionPrediction {
   double load = unset;  ///< load moment of the base law, at the load the bearing really sees [N m]
   double viscous = unset;  ///< viscous moment of the base law, as the film leaves it [N m]
@@ -32,7 +33,15 @@ struct FrictionPrediction {
   bearing::SolveReport report;  ///< not_run where no equilibrium was needed
 
   [[nodiscard]] bool predicted() const;  ///< torque is a number
+  /// How the point ended, for every command alike: as the search for its balance did, and
+  /// `converged` only where the torque, its parts and the loss are finite; else `not_finite`.
+  [[nodiscard]] bearing::SolveStatus status() const;
 };
+
+/// What keeps a prediction from converging, in words: "no_equilibrium" and the like, or which
+/// effect gives no finite moment.
+[[nodiscard]] std::string why_not_converged(const Model& model,
+                                            const FrictionPrediction& prediction);
 
 /// Friction of one bearing [N m] on its way through four steps, at each of which effects may act:
 ///

@@ -194,6 +194,7 @@ double RowPredictor::predict(const Model& model, const Steps& steps, Stage from)
   if (from <= Stage::moment) torque_ = unset;
   reading_ = unset;
   if (from == Stage::entry) correct(model, steps);
+  if (from <= Stage::base) base_ = {unset, unset};
   if (from <= Stage::condition && !find_balance(model, steps)) return reading_;
   if (steps.needs_balls && !report_.converged()) return reading_;
 
@@ -219,7 +220,8 @@ FrictionPrediction RowPredictor::prediction(const Model& model) const {
   if (report_.converged()) p.equilibrium = equilibrium_;
   p.report = report_;
   p.effects.assign(model.effects.size(), unset);
-  if (std::isnan(reading_) && std::isnan(torque_)) {
+  // With base moments it is an effect that has no number.
+  if (std::isnan(reading_) && std::isnan(torque_) && std::isnan(base_.load)) {
     if (report_.status == bearing::SolveStatus::not_run)
       p.report.status = bearing::SolveStatus::not_finite;
     return p;

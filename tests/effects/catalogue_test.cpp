@@ -11,6 +11,7 @@
 #include "effects/elastic_hysteresis.h"
 #include "effects/load_calibration.h"
 #include "model/corrected_data.h"
+#include "tests/support/bearing_data.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
 
@@ -69,6 +70,32 @@ double reading(const model::Model& model, const fit::Row& row) {
 /// Sizes that a test may use where bounds are infinite or far beyond all reason.
 std::pair<double, double> usual_range(const effects::Parameter& p) {
   return {p.plausible_lower, p.plausible_upper};
+}
+
+// As FrictionLaw.TakesInOfABearingWhatItSaysAndNothingElse; what looks at the balls may take in
+// all.
+TEST(Catalogue, EffectsTakeInOfABearingWhatTheySayAndNothingElse) {
+  const fit::DataSet data = full_plan();
+  for (const Description& d : torque_effects()) {
+    if (d.needs_equilibrium || has_need(d, Need::ball_load_law)) continue;
+    model::Model with = fit::synthetic_model();
+    with.rig.room_temperature = kelvin(20);
+    with.effects.push_back({&d, effects::initial_values(d), nullptr});
+    const auto base = friction::bearing_data(with.law);
+    const bearing::Bearing entered = with.bearing;
+    for (const auto& [datum, changed] : tests::with_each_datum_changed(entered)) {
+      if (std::find(base.begin(), base.end(), datum) != base.end()) continue;
+      const auto readings = [&, &other = changed](model::Model model, bool change) {
+        if (change) model.bearing = other;
+        std::vector<double> all;
+        for (const fit::Row& row : data.rows) all.push_back(reading(model, row));
+        return all;
+      };
+      const bool said =
+          std::find(d.bearing_data.begin(), d.bearing_data.end(), datum) != d.bearing_data.end();
+      EXPECT_EQ(readings(with, true) != readings(with, false), said) << d.id << ", " << datum;
+    }
+  }
 }
 
 TEST(Catalogue, IsComplete) {

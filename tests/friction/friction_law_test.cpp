@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/friction/sample.h"
+#include "tests/support/bearing_data.h"
 
 namespace raceway {
 namespace {
@@ -48,6 +49,31 @@ TEST(FrictionLaw, ParametersStandInTheOrderInWhichValuesAreTaken) {
   const auto q = base_moments<double>(FrictionLaw::skf, s, skf);
   EXPECT_EQ(q.load, friction::SkfSliding::moment(s, 0.15, 0.05));
   EXPECT_EQ(q.viscous, friction::SkfRolling::moment(s, 6e-8));
+}
+
+// What a law does not take in must not change a digit, so that a user can be told.
+TEST(FrictionLaw, TakesInOfABearingWhatItSaysAndNothingElse) {
+  const auto moments = [](FrictionLaw law, const bearing::Bearing& bearing) {
+    std::vector<double> values;
+    for (const auto& p : friction::parameters(law)) values.push_back(p.initial);
+    friction::BearingState<double> s;
+    s.bearing = &bearing;
+    s.speed = 5000 * rpm;
+    s.axial_load = 500;
+    s.radial_load = 50;
+    s.kinematic_viscosity = 22 * mm2_per_s;
+    const auto m = base_moments<double>(law, s, values);
+    return std::pair(m.load, m.viscous);
+  };
+  const bearing::Bearing entered = tests::spindle_bearing();
+  for (const FrictionLaw law : {FrictionLaw::palmgren, FrictionLaw::skf}) {
+    const auto data = friction::bearing_data(law);
+    for (const auto& [datum, changed] : tests::with_each_datum_changed(entered)) {
+      const bool said = std::find(data.begin(), data.end(), datum) != data.end();
+      EXPECT_EQ(moments(law, changed) != moments(law, entered), said)
+          << friction::name(law) << ", " << datum;
+    }
+  }
 }
 
 TEST(FrictionLaw, DemandsTheDataItNeeds) {
