@@ -45,6 +45,17 @@ constexpr std::array known_variables{
     Variable{"static_load_rating_N", "of the bearing",
              [](const In& i) { return i.state.bearing->geometry().static_load_rating; }}};
 
+/// What variables tell of the bearing, as Description::bearing_data names it.
+struct BearingVariable {
+  std::string_view variable, datum;
+};
+constexpr std::array bearing_variables{
+    BearingVariable{"pitch_diameter_mm", "pitch_diameter"},
+    BearingVariable{"ball_diameter_mm", "ball_diameter"},
+    BearingVariable{"ball_count", "ball_count"},
+    BearingVariable{"contact_angle_deg", "contact_angle"},
+    BearingVariable{"static_load_rating_N", "static_load_rating"}};
+
 /// True for an input of the table of channels that is not among them.
 constexpr bool is_further(const record::Channel& channel) {
   return channel.is_input() &&
@@ -70,6 +81,35 @@ double Formula::Variable::value(const MomentInputs& inputs) const {
   return channel ? channel->in_unit(inputs.record.value(*channel)) : computed(inputs);
 }
 
+namespace {
+
+/// What muParser takes and nobody means: several expressions, of which the last would count, and
+/// values given to names. Operators of other languages get a hint.
+void refuse_what_is_no_formula(const std::string& text) {
+  const auto refuse = [](const std::string& what, std::size_t where) {
+    throw FormulaError(what, where, "");
+  };
+  if (const std::size_t at = text.find("**"); at != text.npos)
+    refuse("** is no operator here; a power is written x^2", at);
+  for (std::size_t at = text.find('='); at != text.npos; at = text.find('=', at + 1)) {
+    const char before = at > 0 ? text[at - 1] : ' ';
+    if (at + 1 < text.size() && text[at + 1] == '=')
+      ++at;
+    else if (before != '<' && before != '>' && before != '!')
+      refuse("= gives a value to a name, which a formula cannot; == compares", at);
+  }
+  int depth = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+    if (text[at] == ',' && depth <= 0)
+      refuse("a comma stands between the arguments of a function only; decimals have a point, 1.5",
+             at);
+    if (text[at] == ';') refuse("a formula is one expression, without ;", at);
+  }
+}
+
+}  // namespace
+
 /// A parser and the numbers it looks at; muParser keeps them by address.
 struct Formula::Instance {
   mu::Parser parser;
@@ -83,6 +123,10 @@ struct Formula::Instance {
     for (const std::string& name : parameters) parser.DefineVar(name, &numbers[k++]);
     parser.SetExpr(text);
     (void)parser.Eval();
+    // "(1,5)": a comma within brackets that are no function's.
+    if (parser.GetNumResults() > 1)
+      throw FormulaError("this is several expressions; decimals have a point, 1.5", text.find(','),
+                         "");
     for (const auto& [name, address] : parser.GetUsedVar()) {
       const auto index = static_cast<std::size_t>(address - numbers.data());
       if (index < variable_list.size()) used.push_back(index);
@@ -98,6 +142,7 @@ struct Formula::Pool {
 
 Formula::Formula(std::string text, std::vector<std::string> parameters)
     : text_(std::move(text)), parameters_(std::move(parameters)), pool_(new Pool) {
+  refuse_what_is_no_formula(text_);
   try {
     pool_->at_rest.push_back(std::make_unique<Instance>(text_, parameters_));
   } catch (const mu::Parser::exception_type& error) {
@@ -180,6 +225,7 @@ struct Owner {
   std::vector<Parameter> parameters;
   std::vector<Need> needs;
   std::vector<const record::Channel*> channels;
+  std::vector<std::string_view> bearing_data;
   std::unique_ptr<Formula> formula;
   Description description;
 };
@@ -219,6 +265,8 @@ Effect make_effect(const UserMadeEffect& given) {
     owner->needs.push_back(Need::ring_temperatures);
   for (const Variable& v : Formula::variables().subspan(known_variables.size()))
     if (f.uses(v.name)) owner->channels.push_back(v.channel);
+  for (const auto& [variable, datum] : bearing_variables)
+    if (f.uses(variable)) owner->bearing_data.push_back(datum);
   if (owner->given.title.empty()) owner->given.title = "formula of the model file";
   owner->description = {.id = owner->given.id,
                         .title = owner->given.title,
@@ -228,7 +276,8 @@ Effect make_effect(const UserMadeEffect& given) {
                         .confused_with = {},
                         .parameters = owner->parameters,
                         .needs = owner->needs,
-                        .channels = owner->channels};
+                        .channels = owner->channels,
+                        .bearing_data = owner->bearing_data};
   owner->description.user_made = owner->formula.get();
   effect.description = &owner->description;
   effect.owner = owner;

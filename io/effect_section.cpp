@@ -17,6 +17,16 @@ using effects::UserMadeEffect;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// A name that muParser takes for a variable.
+bool valid_name(std::string_view name) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !name.empty() && letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
+    return letter(c) || (c >= '0' && c <= '9');
+  });
+}
+
 /// File, line and column of what is wrong with a formula, and the formula with a mark under it.
 [[noreturn]] void wrong_formula(const Section& s, const UserMadeEffect& effect,
                                 const effects::FormulaError& error) {
@@ -26,7 +36,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const auto& v : effects::Formula::variables()) known.emplace_back(v.name);
     for (const auto& p : effect.parameters) known.push_back(p.name);
     hint = suggestion(error.unknown_name, known);
-    if (hint.empty()) hint = "; a formula knows " + listed(known);
+    if (hint.empty()) {
+      if (valid_name(error.unknown_name))
+        hint = fmt::format("; if it is a parameter, give {} = {{value = 1.0, unit = \"N mm\"}}",
+                           error.unknown_name);
+      hint += "; a formula knows " + listed(known);
+    }
   }
   const toml::source_position at = s.find("torque_Nmm")->source().begin;
   // Exact for a formula in plain quotes, which has no escapes.
@@ -35,14 +50,22 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
                                hint, effect.torque_Nmm, "^", error.position + 1));
 }
 
-/// A name that muParser takes for a variable.
-bool valid_name(std::string_view name) {
-  const auto letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !name.empty() && letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
-    return letter(c) || (c >= '0' && c <= '9');
-  });
+/// A part of a unit that is another one than that of the files, as m or kN; empty where there is
+/// none. A unit of a formula's parameter is a label: nothing is converted by it.
+std::string unit_of_no_file(std::string_view unit) {
+  static const Names others{"Nm", "mNm", "kNm", "Ncm",  "uNm", "kN",  "MN", "m",
+                            "cm", "rad", "Hz",  "krpm", "F",   "lbf", "in", "inch"};
+  std::string word;
+  for (std::size_t at = 0; at <= unit.size(); ++at) {
+    const char c = at < unit.size() ? unit[at] : ' ';
+    if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) {
+      word += c;
+      continue;
+    }
+    if (std::find(others.begin(), others.end(), word) != others.end()) return word;
+    word.clear();
+  }
+  return {};
 }
 
 /// `c = { value = 0.0, unit = "N mm", lower = 0.0 }` or short `c = 0.0`.
@@ -62,6 +85,12 @@ UserMadeEffect::Number read_number(const Section& s, const std::string& id, cons
   const Section t(s.source(), fmt::format("effect {}, {}", id, name), node.as_table());
   t.allow_only({"value", "unit", "lower", "upper"});
   number.unit = t.text("unit").value_or("1");
+  if (const std::string other = unit_of_no_file(number.unit); !other.empty())
+    t.fail("unit",
+           fmt::format("{}: unit = \"{}\": a formula is in the units of the files, N mm, N, "
+                       "rpm, C, mm2/s, mm, s; {} is none of them, and no value is "
+                       "converted: give it in these",
+                       name, number.unit, other));
   if (const auto lower = t.number({"lower", number.unit, -infinity, infinity}))
     number.lower = *lower;
   if (const auto upper = t.number({"upper", number.unit, -infinity, infinity}))

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
+#include <set>
 
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
@@ -119,6 +121,52 @@ TEST(Formula, SaysWhatIsWrongAndWhere) {
   EXPECT_STRNE(e.what(), "accepted");
   EXPECT_EQ(e.position, 4U);
   EXPECT_STRNE(error_of("").what(), "accepted");
+}
+
+TEST(Formula, IsOneExpressionWithDecimalPoints) {
+  // muParser takes the last of several expressions: 5 * speed_rpm.
+  FormulaError e = error_of("1,5 * speed_rpm");
+  EXPECT_STREQ(e.what(),
+               "a comma stands between the arguments of a function only; decimals have a point, "
+               "1.5");
+  EXPECT_EQ(e.position, 1U);
+  EXPECT_STREQ(error_of("c * (1,5)").what(),
+               "this is several expressions; decimals have a point, 1.5");
+  EXPECT_STREQ(error_of("c * min(1.5, speed_rpm)").what(), "accepted");
+}
+
+TEST(Formula, AssignsNothing) {
+  const std::string message = "= gives a value to a name, which a formula cannot; == compares";
+  EXPECT_EQ(error_of("c = 3").what(), message);
+  EXPECT_EQ(error_of("c * (speed_rpm = 0)").position, 15U);
+  EXPECT_EQ(error_of("c += 3").what(), message);
+  for (const char* compares : {"c * (speed_rpm == 0)", "speed_rpm >= 100 ? c : 0",
+                               "speed_rpm <= 100 ? c : 0", "c * (speed_rpm != 0)"})
+    EXPECT_STREQ(error_of(compares).what(), "accepted") << compares;
+}
+
+TEST(Formula, HasAPowerSignOfItsOwn) {
+  const FormulaError e = error_of("c * speed_rpm**2");
+  EXPECT_STREQ(e.what(), "** is no operator here; a power is written x^2");
+  EXPECT_EQ(e.position, 13U);
+}
+
+TEST(Formula, HasItsVariablesInTheDocuments) {
+  std::ifstream in(RACEWAY_SOURCE_DIR "/docs/effects.md");
+  std::set<std::string> shown, known;
+  bool inside = false;
+  for (std::string line; std::getline(in, line);) {
+    inside = line.starts_with("| variable |") || (inside && line.starts_with("|"));
+    if (!inside) continue;
+    const std::string names = line.substr(0, line.find('|', 1));
+    for (std::size_t at = names.find('`'); at != names.npos; at = names.find('`', at + 1)) {
+      const std::size_t end = names.find('`', at + 1);
+      shown.insert(names.substr(at + 1, end - at - 1));
+      at = end;
+    }
+  }
+  for (const Formula::Variable& v : Formula::variables()) known.emplace(v.name);
+  EXPECT_EQ(shown, known);
 }
 
 TEST(Formula, WithoutANumberThereIsNoPrediction) {
