@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "bearing/ball_equilibrium.h"
+#include "bearing/contact_pressure.h"
 #include "bearing/validation.h"
 
 namespace raceway::bearing {
@@ -164,6 +165,20 @@ Arrangement::Arrangement(ArrangementDesign design) : design_(std::move(design)) 
   }
 }
 
+namespace {
+
+/// True if the contacts of a set at rest take that force without dents.
+bool endures(const std::vector<MountedBearing>& set, double force) {
+  double carrying = 0.0;
+  for (const MountedBearing& m : set)
+    carrying += m.bearing->geometry().ball_count * std::sin(m.bearing->geometry().contact_angle);
+  return std::all_of(set.begin(), set.end(), [&](const MountedBearing& m) {
+    return m.bearing->contact(Race::inner).peak_pressure(force / carrying) <= static_limit_pressure;
+  });
+}
+
+}  // namespace
+
 LiftOff lift_off(const Arrangement& a) {
   const ArrangementDesign& d = a.design();
   const Arrangement::Seat seat = a.seat();
@@ -186,7 +201,8 @@ LiftOff lift_off(const Arrangement& a) {
   result.front = a.direction() * at_rest(d.rear, loaded).force;
   if (seat.hardness > 0.0) {
     const double back = -seat.softness * a.preload() / seat.hardness + free - rear;
-    result.rear = -a.direction() * at_rest(d.front, a.displacement(Side::front) - back).force;
+    const double force = at_rest(d.front, a.displacement(Side::front) - back).force;
+    if (endures(d.front, force)) result.rear = -a.direction() * force;
   }
   return result;
 }

@@ -126,7 +126,9 @@ class Arrangement {
 /// Source: geometry of the mounted state; F ~ δ^1.5 gives 2.83 preloads for a pair [SNFA, p. 33].
 struct LiftOff {
   double front = unset;  ///< the front set comes free; positive towards the tool
-  double rear = unset;   ///< the rear set; NaN where a spring follows it
+  /// The rear set; NaN where a spring follows it, for ever or until the front set has long got
+  /// dents.
+  double rear = unset;
 };
 
 [[nodiscard]] LiftOff lift_off(const Arrangement& arrangement);

@@ -179,8 +179,7 @@ StribeckTable build_stribeck_table(const TableAxes& axes, std::vector<std::strin
     line(std::span(given).first(count), std::span(results).first(count));
     for (std::size_t i = 0; i < count; ++i) {
       table.status[first + i] = results[i].status;
-      // No number without balance, whatever `line` has left there.
-      if (results[i].status == bearing::SolveStatus::converged)
+      if (std::isfinite(results[i].friction_moment))
         table.friction_moment[first + i] = results[i].friction_moment;
     }
     if (!progress) return;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -47,6 +48,33 @@ Names keys_of_a_bearing(const Names& further) {
   known.insert(known.end(), envelope.begin(), envelope.end());
   known.insert(known.end(), further.begin(), further.end());
   return known;
+}
+
+/// Numbers of a bearing that may be left to the catalogue.
+struct GeometryNumber {
+  Key key;
+  double BearingGeometry::*number;
+};
+constexpr std::array lengths_and_ratios{
+    GeometryNumber{ball_diameter, &BearingGeometry::ball_diameter},
+    GeometryNumber{pitch_diameter, &BearingGeometry::pitch_diameter},
+    GeometryNumber{contact_angle, &BearingGeometry::contact_angle},
+    GeometryNumber{inner_conformity, &BearingGeometry::inner_conformity},
+    GeometryNumber{outer_conformity, &BearingGeometry::outer_conformity},
+    GeometryNumber{static_load_rating, &BearingGeometry::static_load_rating},
+    GeometryNumber{bore, &BearingGeometry::bore},
+    GeometryNumber{outer_diameter, &BearingGeometry::outer_diameter},
+    GeometryNumber{radial_clearance, &BearingGeometry::radial_clearance}};
+
+/// The bearing of the catalogue with that very name; none without a catalogue.
+std::optional<CatalogueBearing> row_named(const std::string& name) {
+  try {
+    for (const CatalogueBearing& row : read_catalogues())
+      if (row.full_name() == name) return row;
+  } catch (const InputError&) {
+    // Whoever needs the catalogue is told so.
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -112,11 +140,29 @@ NamedBearing BearingReader::read(const Section& s, const NamedBearing* base, con
   const Material balls = material(s, "ball_material", base ? &base->bearing.balls() : nullptr);
   const Material rings = material(s, "ring_material", base ? &base->bearing.rings() : nullptr);
   if (auto given = s.text("name")) draft.name = *given;
+  note_written(s, draft);
   if (draft.name.empty()) {
     draft.name = std::filesystem::path(tables_.source()).stem().string();
     tables_.note_default("bearing", "name", fmt::format("\"{}\"", draft.name));
   }
   return {bearing::Bearing(draft.geometry, balls, rings), draft.name, draft.row};
+}
+
+void BearingReader::note_written(const Section& s, const Draft& draft) {
+  const std::optional<CatalogueBearing> like = draft.row ? draft.row : row_named(draft.name);
+  const auto note = [&](std::string_view key, bool says_something) {
+    if (says_something && s.find(key) &&
+        std::find(written_.begin(), written_.end(), key) == written_.end())
+      written_.emplace_back(key);
+  };
+  const BearingGeometry& g = draft.geometry;
+  const BearingGeometry none, &usual = like ? like->geometry : none;
+  note(ball_count.name, g.ball_count != usual.ball_count);
+  for (const auto& [key, number] : lengths_and_ratios)
+    // Written with ten digits.
+    note(key.name, !(std::abs(g.*number - usual.*number) <= 1e-9 * std::abs(usual.*number)));
+  for (const char* key : {"ball_material", "ring_material"})
+    note(key, s.text(key).value_or("steel") != "steel");
 }
 
 void BearingReader::take_catalogue_row(const Section& s, const NamedBearing* base,

@@ -35,18 +35,25 @@ class BearingReader {
   [[nodiscard]] NamedBearing read(const Section& s, const NamedBearing* base,
                                   const Names& further = {});
 
+  /// The keys of the tables read so far, each once, that say something: not `name` and `catalogue`,
+  /// nor one with the value of its default or of the catalogue's bearing of that name, as
+  /// new_model_text() writes them.
+  [[nodiscard]] const Names& written() const { return written_; }
+
  private:
   struct Draft;
   void read_material(const toml::key& key, const toml::node& node);
   [[nodiscard]] const bearing::Material* find_material(std::string_view name) const;
   void take_catalogue_row(const Section& s, const NamedBearing* base, Draft& draft) const;
   void read_geometry(const Section& s, Draft& draft);
+  void note_written(const Section& s, const Draft& draft);
   void read_envelope(const Section& s, const Names& known, bearing::BearingGeometry& g);
   [[nodiscard]] bearing::Material material(const Section& s, const char* key,
                                            const bearing::Material* inherited);
 
   ModelTables& tables_;
   std::vector<bearing::Material> materials_;
+  Names written_;
 };
 
 }  // namespace raceway::io

@@ -19,7 +19,7 @@ void append_model(fmt::memory_buffer& out, std::string_view model_text) {
 }
 
 void append_value(fmt::memory_buffer& out, double value) {
-  if (!std::isnan(value)) fmt::format_to(std::back_inserter(out), "{:.12g}", value);
+  if (std::isfinite(value)) fmt::format_to(std::back_inserter(out), "{:.12g}", value);
 }
 
 }  // namespace raceway::io

@@ -6,6 +6,7 @@
 
 #include "effects/temperature_sensor.h"
 #include "io/input_file.h"
+#include "io/plausible.h"
 #include "io/subject.h"
 #include "model/needs.h"
 
@@ -75,6 +76,20 @@ std::vector<std::string> notes_on_effects(const model::Model& model) {
   return notes;
 }
 
+/// What lies within its range, but not where such numbers lie.
+void note_the_implausible(const model::Model& model, std::vector<std::string>& notes) {
+  const auto note = [&](std::string text) {
+    if (!text.empty() && std::find(notes.begin(), notes.end(), text) == notes.end())
+      notes.push_back(std::move(text));
+  };
+  note(looks_like_inches(model.bearing.geometry()));
+  if (model.shaft)
+    for (const bearing::MountedBearing& m : model.shaft->arrangement.bearings())
+      note(looks_like_inches(m.bearing->geometry()));
+  note(looks_like_kelvin("temperature_C", celsius(model.rig.temperature)));
+  note(looks_like_kelvin("room_temperature_C", celsius(model.rig.room_temperature)));
+}
+
 }  // namespace
 
 ModelFile parse_model(std::string text, const std::string& source) {
@@ -89,6 +104,9 @@ ModelFile parse_model(std::string text, const std::string& source) {
   std::optional<model::Shaft> shaft = read_arrangement(tables, bearings, bearing, law.law);
   std::vector<effects::Effect> effects = read_effects(tables, shaft ? &*shaft : nullptr);
   const bearing::EquilibriumOptions solver = read_solver(tables);
+  Names written = bearings.written();
+  if (solver.race_control != bearing::RaceControl::outer) written.emplace_back("race_control");
+  if (solver.tilt != bearing::Tilt::locked) written.emplace_back("tilt");
   const model::Rig rig = read_rig(tables);
   model::Model model{
       .name = bearing.name,
@@ -113,6 +131,7 @@ ModelFile parse_model(std::string text, const std::string& source) {
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);
   std::vector<std::string> notes = notes_on_effects(model);
+  note_the_implausible(model, notes);
   model.covariance = read_covariance(tables, model);
   if (model.covariance)
     if (const std::string other = other_values(*model.covariance, model); !other.empty()) {
@@ -123,6 +142,7 @@ ModelFile parse_model(std::string text, const std::string& source) {
           .source = source,
           .text = std::move(text),
           .catalogue = bearing.row ? bearing.row->full_name() : std::string(),
+          .written = std::move(written),
           .defaults = tables.defaults(),
           .notes = std::move(notes)};
 }

@@ -17,6 +17,9 @@ struct ModelFile {
   std::string text;    ///< of the file, to be edited with with_values() or with_model()
   /// Full name of the row that [bearing] catalogue picked; empty where it picks none.
   std::string catalogue = {};
+  /// What the user says of bearings and solver beside defaults and catalogue: keys of [bearing], of
+  /// the bearings of an [arrangement] and of [solver].
+  std::vector<std::string> written = {};
   /// Every default that was used, e.g. `solver.tilt = "locked" (default)`.
   std::vector<std::string> defaults;
   /// What else the user should know, one line each, without the file's name.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bearing/contact_pressure.h"
 #include "io/column_unit.h"
 #include "io/json_text.h"
 #include "record/units.h"
@@ -69,6 +70,8 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
     matrix.push_back(row);
   }
   const auto& u = e.displacement;
+  const bearing::ContactPressure pressure =
+      largest_pressure(friction.bearing ? *friction.bearing : model.bearing, e);
   json document = {{"bearing", model.name},
                    {"speed_rpm", point.speed / rpm},
                    {"axial_load_N", point.axial_load},
@@ -78,6 +81,9 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                    {"radial_displacement_um", std::hypot(u[1], u[2]) / um},
                    {"tilt_y_mrad", u[3] / mrad},
                    {"tilt_z_mrad", u[4] / mrad},
+                   {"lost_balls", e.report.converged() ? json(e.lost_balls()) : json(nullptr)},
+                   {"inner_contact_pressure_MPa", pressure.inner / MPa},
+                   {"outer_contact_pressure_MPa", pressure.outer / MPa},
                    {"balls", balls},
                    {"stiffness",
                     {{"axial_N_um", e.stiffness(0, 0) / N_per_um},

@@ -61,7 +61,8 @@ constexpr ShaftColumn shaft_columns[] = {
     {"rear_force_N", [](const auto& p) { return p.equilibrium.rear_force; }},
     {"axial_stiffness_N_um", [](const auto& p) { return p.equilibrium.axial_stiffness; }},
     {"friction_torque_Nmm", [](const auto& p) { return p.torque; }},
-    {"power_loss_W", [](const auto& p) { return p.power_loss; }}};
+    {"power_loss_W", [](const auto& p) { return p.power_loss; }},
+    {"axial_position_um", [](const auto& p) { return p.equilibrium.position; }}};
 
 double in_unit(double value, std::string_view name) { return value / column_unit(name); }
 
@@ -98,7 +99,9 @@ json row_json(const model::Model& model, const shaft::ShaftPoint& point,
     bearings.push_back(std::move(one));
   }
   row["bearings"] = std::move(bearings);
-  row["report"] = report_json(p.equilibrium.report);
+  bearing::SolveReport report = p.equilibrium.report;
+  report.status = p.status();
+  row["report"] = report_json(report);
   return row;
 }
 
@@ -149,7 +152,7 @@ std::string displacement_text(const model::Model& model, std::span<const shaft::
       append_value(out, in_unit(band->half_widths[k * of_band.size() + c], of_band[c]));
       out.push_back(',');
     }
-    fmt::format_to(put, "{}\n", bearing::name(predictions[k].equilibrium.report.status));
+    fmt::format_to(put, "{}\n", bearing::name(predictions[k].status()));
   }
   return fmt::to_string(out);
 }

@@ -1,7 +1,10 @@
 #include "shaft/displacement_rows.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -88,6 +91,28 @@ std::vector<double> predict_displacement(const Model& model, const record::Recor
   std::vector<double> readings(record.rows());
   DisplacementRows(model, record).predict(model, readings);
   return readings;
+}
+
+std::string note_on_standstill(const record::Record& record) {
+  const std::span<const double> speed = record.values(record::speed),
+                                load = record.values(record::axial_load),
+                                read = record.values(record::axial_displacement);
+  if (load.empty() || read.empty()) return {};
+  std::size_t rows = 0;
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    if (speed[i] != 0.0 || !std::isfinite(read[i])) continue;
+    ++rows;
+    least = std::min(least, load[i]);
+    most = std::max(most, load[i]);
+  }
+  if (rows == 0 || !(most - least > 1e-3 * std::max(std::abs(most), std::abs(least)))) return {};
+  return fmt::format(
+      "{} row{} at standstill, {:.6g} to {:.6g} N: axial_displacement_um counts from standstill "
+      "under "
+      "the same load, so that the model has 0 um there; the load-deflection curve is "
+      "axial_position_um, of raceway table --speed 0 --axial-load FROM:TO:STEP",
+      rows, rows == 1 ? "" : "s", least, most);
 }
 
 }  // namespace raceway::shaft

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "model/row.h"
@@ -57,5 +58,10 @@ class DisplacementRows {
 /// Throws std::invalid_argument for a model without shaft, and as add_expansion() does.
 [[nodiscard]] std::vector<double> predict_displacement(const Model& model,
                                                        const record::Record& record);
+
+/// What to say of rows that stand still under different loads: their displacement counts from
+/// standstill under the same load, so that the model has 0 there whatever was read. Empty where
+/// there are none.
+[[nodiscard]] std::string note_on_standstill(const record::Record& record);
 
 }  // namespace raceway::shaft

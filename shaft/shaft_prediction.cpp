@@ -1,5 +1,6 @@
 #include "shaft/shaft_prediction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -140,6 +141,16 @@ class ShaftModels {
 };
 
 }  // namespace
+
+bearing::SolveStatus ShaftPrediction::status() const {
+  if (!equilibrium.report.converged()) return equilibrium.report.status;
+  const bool all =
+      std::isfinite(displacement) && std::isfinite(torque) && std::isfinite(power_loss) &&
+      std::all_of(friction.begin(), friction.end(), [](const model::FrictionPrediction& f) {
+        return f.status() == bearing::SolveStatus::converged;
+      });
+  return all ? bearing::SolveStatus::converged : bearing::SolveStatus::not_finite;
+}
 
 std::vector<ShaftPrediction> predict_shaft(const Model& model, std::span<const ShaftPoint> points) {
   ShaftModels models(model);

@@ -29,6 +29,10 @@ struct ShaftPrediction {
   std::vector<friction::HeatSplit> heat;            ///< of each bearing
   double torque = unset;                            ///< sum over the bearings [N m]
   double power_loss = unset;                        ///< torque times speed [W]
+
+  /// How the point ended, for every command alike: as the search for the balance of the sets did,
+  /// and `converged` only where position, torques and losses are finite; else `not_finite`.
+  [[nodiscard]] bearing::SolveStatus status() const;
 };
 
 /// Position, forces and friction of the model's shaft, each point from the one before it.

@@ -264,6 +264,30 @@ TEST(Arrangement, PairHasTheRigidityPrintedByMakers) {
   }
 }
 
+// A soft spring would have to be pressed by a millimetre and more: "comes free at -543677 N".
+TEST(Arrangement, ASetOnASoftSpringComesFreeAtNoLoadThatTheOtherOneEndures) {
+  const auto pair = [](double rate) {
+    const auto bearing =
+        std::make_shared<const Bearing>(BearingGeometry{.ball_count = 20,
+                                                        .ball_diameter = 11.906 * mm,
+                                                        .pitch_diameter = 90 * mm,
+                                                        .contact_angle = 25 * degree,
+                                                        .inner_conformity = 0.52,
+                                                        .outer_conformity = 0.52},
+                                        steel(), steel());
+    return lift_off(Arrangement({.front = {{bearing}},
+                                 .rear = {{bearing}},
+                                 .mounting = Mounting::spring,
+                                 .preload = PreloadForce{600},
+                                 .spring_rate = rate}));
+  };
+  EXPECT_TRUE(std::isnan(pair(0.5 * N_per_um).rear));
+  EXPECT_GT(pair(0.5 * N_per_um).front, 600);
+  // A stiff one is pulled open long before.
+  EXPECT_LT(pair(100 * N_per_um).rear, -600);
+  EXPECT_GT(pair(100 * N_per_um).rear, -20000);
+}
+
 TEST(Arrangement, ExternalLoadAtLiftOffFreesASide) {
   ArrangementDesign design = spindle(2, 1);
   design.housing_stiffness = 700 * N_per_um;
