@@ -19,6 +19,7 @@
 #include "io/report.h"
 #include "io/results.h"
 #include "io/subject.h"
+#include "model/row.h"
 
 namespace raceway::cli {
 namespace {
@@ -241,14 +242,25 @@ std::size_t first_data(const std::vector<std::string>& files) {
   return static_cast<std::size_t>(found - files.begin());
 }
 
-void tell_not_predicted(const std::string& model, const Comparisons& comparisons,
-                        const record::Record& data) {
+/// Why the model predicts nothing for a row.
+std::string why_not_predicted(const model::Model& model, const record::Record& data,
+                              std::size_t row) {
+  if (model.shaft) return "no equilibrium";
+  const model::Row asked = model::rows_of(data)[row];
+  const model::FrictionPrediction p =
+      model::predict_friction(model, asked.point, false, asked.record);
+  return p.status() == bearing::SolveStatus::no_equilibrium ? "no equilibrium"
+                                                            : why_not_converged(model, p);
+}
+
+void tell_not_predicted(const std::string& file, const model::Model& model,
+                        const Comparisons& comparisons, const record::Record& data) {
   for (const fit::Comparison& c : comparisons)
     if (const auto& missing = c.rows_not_predicted; !missing.empty())
-      tell({fmt::format("{}: {} rows{} have no equilibrium and are left out, the first in {}",
-                        model, missing.size(),
-                        comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
-                        data.place(missing.front()))});
+      tell({fmt::format(
+          "{}: {} rows{} have no prediction and are left out, the first in {}: {}", file,
+          missing.size(), comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
+          data.place(missing.front()), why_not_predicted(model, data, missing.front()))});
 }
 
 std::vector<io::ModelFile> open_models(const std::vector<std::string>& paths,
@@ -257,6 +269,7 @@ std::vector<io::ModelFile> open_models(const std::vector<std::string>& paths,
   for (const std::string& path : paths) {
     files.push_back(open_model(path, Accepts::rig_or_shaft));
     tolerance.set(files.back());
+    if (!files.back().model.shaft) warn_of_ignored_data(files.back());
   }
   note_other_rigs(files);
   return files;
@@ -285,7 +298,7 @@ int run(const CompareFlags& flags) {
     } catch (const std::invalid_argument& e) {
       refuse_data(file.source, data, e);
     }
-    tell_not_predicted(file.source, comparisons.back(), data);
+    tell_not_predicted(file.source, file.model, comparisons.back(), data);
   }
   // The noise is that of the data: one for all models, by the last.
   for (Comparisons& of_model : comparisons) fit::estimate_unknown_noise(*subject, data, of_model);

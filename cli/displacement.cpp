@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "cli/axis_flag.h"
@@ -34,6 +35,7 @@ std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const model::M
   if (speeds.size() > 1000000)
     throw io::InputError(
         fmt::format("raceway displacement: {} speeds: at most 1e6", speeds.size()));
+  tell_of_kelvin({f.temperature});
   std::vector<shaft::ShaftPoint> result;
   for (const double speed : speeds)
     result.push_back(
@@ -49,9 +51,10 @@ void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
   const bearing::LiftOff free = lift_off(a);
   fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
   fmt::print(
-      "preload {:.4g} N at standstill; the front set comes free at {} N, the rear set at {} N "
-      "of external load\n\n",
-      a.preload(), number(free.front), number(free.rear));
+      "preload {:.4g} N at standstill; the front set comes free at {} N, the rear set {} of "
+      "external load\n\n",
+      a.preload(), number(free.front),
+      std::isnan(free.rear) ? "at none" : fmt::format("at {} N", number(free.rear)));
   // A number, and behind it how sure it is.
   const auto with_band = [&](std::string text, std::size_t row, std::size_t number_of_row,
                              double unit) {
@@ -100,15 +103,16 @@ std::vector<std::string> warnings(const model::Model& model,
                                   std::span<const shaft::ShaftPrediction> predictions) {
   std::vector<std::string> lines = shaft_warnings(model, asked, predictions);
   const auto failed = [](const shaft::ShaftPrediction& p) {
-    return !p.equilibrium.report.converged();
+    return p.status() != bearing::SolveStatus::converged;
   };
   const auto first = std::find_if(predictions.begin(), predictions.end(), failed);
   if (first != predictions.end())
-    lines.push_back(
-        fmt::format("{} of {} speeds have no value, the first {:.6g} rpm: {}",
-                    std::count_if(predictions.begin(), predictions.end(), failed), asked.size(),
-                    asked[static_cast<std::size_t>(first - predictions.begin())].speed / rpm,
-                    shaft_problem(first->equilibrium.report.status)));
+    lines.push_back(fmt::format(
+        "{} of {} speeds have {}, the first {:.6g} rpm: {}",
+        std::count_if(predictions.begin(), predictions.end(), failed), asked.size(),
+        first->equilibrium.report.converged() ? "a position, but no torque" : "no value",
+        asked[static_cast<std::size_t>(first - predictions.begin())].speed / rpm,
+        shaft_problem(model, *first)));
   return lines;
 }
 
@@ -152,8 +156,9 @@ int run(const DisplacementFlags& flags) {
       flags.force);
   tell(said);
   const bool all =
-      std::all_of(predictions.begin(), predictions.end(),
-                  [](const shaft::ShaftPrediction& p) { return p.equilibrium.report.converged(); });
+      std::all_of(predictions.begin(), predictions.end(), [](const shaft::ShaftPrediction& p) {
+        return p.status() == bearing::SolveStatus::converged;
+      });
   return all ? done : not_converged;
 }
 

@@ -7,6 +7,9 @@
 
 #include "io/data_file.h"
 #include "io/error.h"
+#include "io/plausible.h"
+#include "model/ignored_data.h"
+#include "shaft/displacement_rows.h"
 
 namespace raceway::cli {
 
@@ -14,6 +17,8 @@ void say(const std::string& line) {
   std::fflush(stdout);  // a log of both keeps the order
   fmt::print(stderr, "{}\n", line);
 }
+
+void warn(const std::string& line) { say("warning: " + line); }
 
 void tell(const std::vector<std::string>& notes) {
   for (const std::string& note : notes) say("note: " + note);
@@ -59,10 +64,35 @@ io::ModelFile open_model(const std::string& path, Accepts accepts) {
   return file;
 }
 
+void tell_of_kelvin(const std::vector<double>& temperatures_C) {
+  for (const double value : temperatures_C)
+    if (const std::string note = io::looks_like_kelvin("--temperature", value); !note.empty())
+      return tell({note});
+}
+
+void warn_of_ignored_data(const io::ModelFile& file) {
+  const std::vector<std::string> ignored = model::ignored_by_friction(file.model, file.written);
+  if (ignored.empty()) return;
+  const friction::FrictionLaw law = file.model.law;
+  const friction::FrictionLaw other = law == friction::FrictionLaw::palmgren
+                                          ? friction::FrictionLaw::skf
+                                          : friction::FrictionLaw::palmgren;
+  const std::vector<std::string> taken = model::taken_in(other, ignored);
+  warn(fmt::format(
+      "{}: in the friction torque {} ignores {} and running contact angles; {}an effect of the "
+      "balls, such as spin-friction, takes in all (docs/laws.md)",
+      file.source, friction::name(law), fmt::join(ignored, ", "),
+      taken.empty() ? std::string()
+                    : fmt::format("law = \"{}\" takes in {}, ", friction::name(other),
+                                  fmt::join(taken, ", "))));
+}
+
 record::Record open_data(const std::string& path, const model::ModelSubject& subject) {
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected");
   record::Record data = io::read_record(path, subject);
+  if (std::string note = shaft::note_on_standstill(data); !note.empty())
+    data.notes.push_back(std::move(note));
   tell(data.notes);
   return data;
 }

@@ -17,6 +17,10 @@ enum class Accepts { rig, rig_or_shaft, shaft };
 /// that the command does not take.
 [[nodiscard]] io::ModelFile open_model(const std::string& path, Accepts accepts = Accepts::rig);
 
+/// Warns where the file says something of its bearing or solver that changes no digit of the
+/// friction torque: the law takes no account of it.
+void warn_of_ignored_data(const io::ModelFile& file);
+
 /// Reads measurements for a model, a coast-down turned into torque, and tells the notes on stderr.
 [[nodiscard]] record::Record open_data(const std::string& path, const model::ModelSubject& subject);
 
@@ -34,8 +38,14 @@ enum class Accepts { rig, rig_or_shaft, shaft };
 /// so.
 void tell_of_scale(const record::Record& data, std::vector<std::string>& messages);
 
+/// A note where a temperature of the flag --temperature looks like kelvin.
+void tell_of_kelvin(const std::vector<double>& temperatures_C);
+
 /// A line on stderr, behind all that stdout has so far.
 void say(const std::string& line);
+
+/// A line on stderr behind `warning: `: an answer that is not what a user would take it for.
+void warn(const std::string& line);
 
 /// Lines on stderr, each behind `note: `.
 void tell(const std::vector<std::string>& notes);

@@ -7,6 +7,7 @@
 
 #include "cli/band_flag.h"
 #include "cli/commands.h"
+#include "cli/load_notes.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
 #include "io/shaft_results.h"
@@ -45,8 +46,10 @@ std::vector<std::string> shaft_warnings(const model::Model& model,
   return lines;
 }
 
-std::string shaft_problem(bearing::SolveStatus status) {
-  switch (status) {
+std::string shaft_problem(const model::Model& model, const shaft::ShaftPrediction& prediction) {
+  for (const model::FrictionPrediction& f : prediction.friction)
+    if (f.status() != bearing::SolveStatus::converged) return why_not_converged(model, f);
+  switch (prediction.status()) {
     case bearing::SolveStatus::no_equilibrium:
       return "no_equilibrium: the sets balance at no position of the shaft";
     case bearing::SolveStatus::singular:
@@ -54,7 +57,7 @@ std::string shaft_problem(bearing::SolveStatus status) {
     case bearing::SolveStatus::not_finite:
       return "not_finite: an effect lacks what it looks at, as ring temperatures";
     default:
-      return std::string(bearing::name(status));
+      return std::string(bearing::name(prediction.status()));
   }
 }
 
@@ -87,6 +90,8 @@ void print_sums(const bearing::Arrangement& a, const shaft::ShaftPrediction& p) 
   const bearing::LiftOff free = lift_off(a);
   fmt::print("\naxial displacement  {:>10} um      against standstill, positive towards the tool\n",
              number(p.displacement / um));
+  fmt::print("axial position      {:>10} um      against the mounted state without external load\n",
+             number(e.position / um));
   fmt::print("axial stiffness     {:>10} N/um\n", number(e.axial_stiffness / N_per_um));
   fmt::print("front force         {:>10} N       rear force        {:>8} N\n",
              number(e.front_force), number(e.rear_force));
@@ -132,14 +137,14 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
                 bool json, const model::Band* band) {
   const auto predictions = shaft::predict_shaft(model, {&point, 1});
   const shaft::ShaftPrediction& p = predictions[0];
-  const bearing::SolveReport& report = p.equilibrium.report;
+  const bearing::SolveStatus status = p.status();
   std::optional<io::BandOfResult> half_widths;
   if (band) half_widths = shaft_band(*band, {&point, 1});
   if (json)
     fmt::print("{}", io::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr));
-  if (!report.converged()) {
+  if (status != bearing::SolveStatus::converged) {
     say(fmt::format("raceway solve: {}: {:.6g} rpm, {:.6g} N external load: {}", file,
-                    point.speed / rpm, point.external_load, shaft_problem(report.status)));
+                    point.speed / rpm, point.external_load, shaft_problem(model, p)));
     return not_converged;
   }
   if (!json) print(model, point, p);
@@ -149,6 +154,18 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
                band_text(half_widths->half_widths[1], N_mm),
                band_text(half_widths->half_widths[2]));
   tell(shaft_warnings(model, {&point, 1}, predictions));
+  LoadNotes notes;
+  for (std::size_t i = 0; i < p.equilibrium.bearings.size(); ++i) {
+    const bearing::BearingInSet& b = p.equilibrium.bearings[i];
+    const bearing::Arrangement& a = model.shaft->arrangement;
+    notes.look(*a.bearings()[i].bearing, io::bearing_place(a, i),
+               {.speed = point.speed, .axial_load = point.external_load},
+               {.axial_load = b.axial_load,
+                .radial_load = 0.0,
+                .inner_pressure = b.inner_pressure,
+                .outer_pressure = b.outer_pressure});
+  }
+  tell(notes.lines());
   return done;
 }
 

@@ -16,8 +16,9 @@ namespace raceway::cli {
     const model::Model& model, std::span<const shaft::ShaftPoint> points,
     std::span<const shaft::ShaftPrediction> predictions);
 
-/// What a status means for a shaft, in words.
-[[nodiscard]] std::string shaft_problem(bearing::SolveStatus status);
+/// Why a point has not converged, in words.
+[[nodiscard]] std::string shaft_problem(const model::Model& model,
+                                        const shaft::ShaftPrediction& prediction);
 
 /// `raceway solve` for a model with an arrangement; gives the exit status. `band` may be null.
 [[nodiscard]] int solve_shaft(const std::string& file, const model::Model& model,

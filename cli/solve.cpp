@@ -4,8 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "bearing/contact_pressure.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
+#include "cli/load_notes.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/shaft.h"
@@ -86,6 +88,10 @@ void print(const model::Model& model, const bearing::OperatingPoint& p,
              number(u[0] / um), number(e.stiffness(0, 0) / N_per_um));
   fmt::print("radial displacement {:>10} um      radial stiffness  {:>8} N/um\n",
              number(std::hypot(u[1], u[2]) / um), number(e.stiffness(1, 1) / N_per_um));
+  const bearing::ContactPressure pressure =
+      largest_pressure(friction.bearing ? *friction.bearing : model.bearing, e);
+  fmt::print("inner pressure      {:>10} MPa     outer pressure    {:>8} MPa\n",
+             number(pressure.inner / MPa), number(pressure.outer / MPa));
   if (model.solver.tilt == bearing::Tilt::free)
     fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[3] / mrad), number(u[4] / mrad));
   fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
@@ -123,13 +129,23 @@ void print_band(const model::Band& band, const std::vector<double>& half_widths)
 
 int run(const SolveFlags& flags) {
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  warn_of_ignored_data(file);
+  tell_of_kelvin({flags.temperature});
   const std::optional<model::Band> band = flags.band.of(file);
   if (file.model.shaft)
     return solve_shaft(flags.model, file.model, shaft_point(flags, file.model), flags.json,
                        band ? &*band : nullptr);
   const bearing::OperatingPoint point = operating_point(flags, file.model.rig);
+  if ((point.moment_y != 0.0 || point.moment_z != 0.0) &&
+      file.model.solver.tilt == bearing::Tilt::locked)
+    warn(flags.model +
+         ": --moment-y and --moment-z change nothing where the shaft holds the tilt; [solver] tilt "
+         "= "
+         "\"free\" lets the balls carry them");
   model::FrictionPrediction friction = model::predict_friction(file.model, point, true);
-  const bearing::SolveReport report = friction.report;
+  bearing::SolveReport report = friction.report;
+  report.status = friction.status();
+  const std::string why = why_not_converged(file.model, friction);
   // Without balance there are no numbers: what is printed then is all unset.
   if (!report.converged()) {
     const std::size_t effects = friction.effects.size();
@@ -151,13 +167,25 @@ int run(const SolveFlags& flags) {
     print(file.model, point, e, friction, heat);
     if (band) print_band(*band, half_widths->half_widths);
   }
-  if (report.converged()) return done;
+  if (report.converged()) {
+    const bearing::Bearing& bearing = friction.bearing ? *friction.bearing : file.model.bearing;
+    const bearing::ContactPressure pressure = largest_pressure(bearing, e);
+    LoadNotes notes;
+    // Lost balls stand in the result.
+    notes.look(bearing, "", point,
+               {.axial_load = point.axial_load,
+                .radial_load = std::hypot(point.radial_load, point.radial_load_z),
+                .inner_pressure = pressure.inner,
+                .outer_pressure = pressure.outer});
+    tell(notes.lines());
+    return done;
+  }
   say(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",
-                  flags.model, bearing::name(report.status), flags.speed, point.axial_load,
-                  point.radial_load,
+                  flags.model, why, flags.speed, point.axial_load, point.radial_load,
                   report.status == bearing::SolveStatus::no_equilibrium
                       ? ": no position of the inner ring carries this load"
-                      : fmt::format(" after {} Newton steps", report.iterations)));
+                  : report.status != bearing::SolveStatus::not_finite ? fmt::format(" after {} Newton steps", report.iterations)
+                                          : ""));
   return not_converged;
 }
 

@@ -15,6 +15,7 @@
 #include "cli/open_input.h"
 #include "cli/report_flag.h"
 #include "cli/shaft.h"
+#include "cli/table_columns.h"
 #include "cli/text_table.h"
 #include "friction/stribeck_table.h"
 #include "io/csv.h"
@@ -22,10 +23,8 @@
 #include "io/output_file.h"
 #include "io/report.h"
 #include "io/results.h"
-#include "io/shaft_results.h"
 #include "io/subject.h"
 #include "io/table_file.h"
-#include "shaft/shaft_prediction.h"
 
 namespace raceway::cli {
 namespace {
@@ -61,6 +60,7 @@ friction::TableAxes axes(const TableFlags& f, const model::Model& model) {
   a.temperature = f.temperature.empty() ? std::vector{celsius(rig.temperature)}
                                         : axis(f.temperature, "--temperature");
   require_all(a.temperature, temperature_range, "--temperature");
+  if (!f.temperature.empty()) tell_of_kelvin(a.temperature);
   for (double& v : a.temperature) v = kelvin(v);
   return a;
 }
@@ -82,86 +82,6 @@ friction::TableSlab slab(const std::string& text) {
     throw io::InputError("--slab: " + io::quoted(text) +
                          ": write i/N with i from 1 to N, N up to a million, as 2/4");
   return {.index = index - 1, .count = count};
-}
-
-std::vector<std::string> columns(const model::Model& model) {
-  std::vector<std::string> names{"load_Nmm", "viscous_Nmm"};
-  for (const effects::Effect& e : model.effects)
-    names.push_back(std::string(e.description->id) + "_Nmm");
-  for (const char* name :
-       {"power_loss_W", "inner_contact_angle_min_deg", "inner_contact_angle_max_deg",
-        "outer_contact_angle_min_deg", "outer_contact_angle_max_deg", "axial_displacement_um"})
-    names.emplace_back(name);
-  return names;
-}
-
-// The position comes last, as in the columns of a bearing.
-std::vector<std::string> shaft_columns(const model::Model& model) {
-  std::vector<std::string> names{"power_loss_W", "front_force_N", "rear_force_N"};
-  const bearing::Arrangement& a = model.shaft->arrangement;
-  for (std::size_t i = 0; i < a.bearings().size(); ++i)
-    for (const char* name : {"axial_load_N", "friction_torque_Nmm", "inner_contact_angle_deg",
-                             "outer_contact_angle_deg"})
-      names.push_back(io::bearing_place(a, i) + "_" + name);
-  names.emplace_back("axial_displacement_um");
-  return names;
-}
-
-std::vector<shaft::ShaftPoint> shaft_points(std::span<const bearing::OperatingPoint> points) {
-  std::vector<shaft::ShaftPoint> asked;
-  for (const bearing::OperatingPoint& p : points)
-    asked.push_back(
-        {.speed = p.speed, .external_load = p.axial_load, .temperature = p.temperature});
-  return asked;
-}
-
-void fill_shaft_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
-                     std::span<friction::TablePoint> out) {
-  const std::vector<shaft::ShaftPrediction> predictions =
-      shaft::predict_shaft(model, shaft_points(points));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const shaft::ShaftPrediction& p = predictions[i];
-    const bearing::ArrangementEquilibrium& e = p.equilibrium;
-    out[i].status = e.report.status;
-    out[i].friction_moment = p.torque;
-    std::size_t c = 0;
-    for (const double v : {p.power_loss, e.front_force, e.rear_force}) out[i].columns[c++] = v;
-    for (std::size_t k = 0; k < e.bearings.size(); ++k)
-      for (const double v :
-           {e.bearings[k].axial_load, p.friction[k].torque, e.bearings[k].ball.inner_contact_angle,
-            e.bearings[k].ball.outer_contact_angle})
-        out[i].columns[c++] = v;
-    out[i].columns[c] = p.displacement;
-  }
-}
-
-void fill_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
-               std::span<friction::TablePoint> out) {
-  std::vector<model::FrictionPrediction> predictions(points.size());
-  model::predict_sweep(model, points, predictions, true);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const model::FrictionPrediction& p = predictions[i];
-    // A law that needs no balls has a torque where they find no balance.
-    out[i].status = p.predicted() ? bearing::SolveStatus::converged : p.report.status;
-    out[i].friction_moment = p.torque;
-    std::size_t c = 0;
-    out[i].columns[c++] = p.load;
-    out[i].columns[c++] = p.viscous;
-    for (const double moment : p.effects) out[i].columns[c++] = moment;
-    out[i].columns[c++] = p.power_loss;
-    if (!p.equilibrium || !p.equilibrium->report.converged()) continue;
-    // NaN of lost balls must not spread: fmin and fmax pass over it.
-    double inner_min = unset, inner_max = unset, outer_min = unset, outer_max = unset;
-    for (const bearing::BallEquilibrium& b : p.equilibrium->balls.distinct()) {
-      inner_min = std::fmin(inner_min, b.inner_contact_angle);
-      inner_max = std::fmax(inner_max, b.inner_contact_angle);
-      outer_min = std::fmin(outer_min, b.outer_contact_angle);
-      outer_max = std::fmax(outer_max, b.outer_contact_angle);
-    }
-    for (const double v :
-         {inner_min, inner_max, outer_min, outer_max, p.equilibrium->displacement[0]})
-      out[i].columns[c++] = v;
-  }
 }
 
 /// The columns of the band, behind all others.
@@ -266,6 +186,40 @@ io::BearingStates states_to_draw(const model::Model& model, const friction::Tabl
   return states;
 }
 
+std::string why(const model::Model& model, const bearing::OperatingPoint& point,
+                bearing::SolveStatus status) {
+  if (model.shaft || status != bearing::SolveStatus::not_finite)
+    return std::string(bearing::name(status));
+  return why_not_converged(model, model::predict_friction(model, point, true));
+}
+
+/// Says how many points have not converged, and why; gives the exit status. A torque without
+/// balance is one, where the law needs no balls.
+int tell_of_failures(const model::Model& model, const friction::StribeckTable& table) {
+  struct Failure {
+    std::size_t points = 0, first = 0;
+  };
+  std::map<std::pair<bool, bearing::SolveStatus>, Failure> failures;  // with a torque or without
+  for (std::size_t i = 0; i < table.points(); ++i) {
+    if (table.status[i] == bearing::SolveStatus::converged) continue;
+    const bool torque = !std::isnan(table.friction_moment[i]);
+    ++failures.try_emplace({torque, table.status[i]}, Failure{0, i}).first->second.points;
+  }
+  int result = done;
+  for (const auto& [kind, failure] : failures) {
+    const bearing::OperatingPoint p = table.point(table.first() + failure.first);
+    const auto& [torque, status] = kind;
+    tell(
+        {fmt::format("{} of {} points have no {}: {}, the first at {:.6g} rpm, {:.6g} N axial, "
+                     "{:.6g} N radial",
+                     failure.points, table.points(),
+                     torque ? "balance, but a torque, which needs none" : "value",
+                     why(model, p, status), p.speed / rpm, p.axial_load, p.radial_load)});
+    if (!torque) result = not_converged;
+  }
+  return result;
+}
+
 int run(const TableFlags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError("raceway table: --json and --output - both write to stdout; take one");
@@ -280,6 +234,7 @@ int run(const TableFlags& flags) {
   flags.report.check(flags.force);
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   const model::Model& model = file.model;
+  warn_of_ignored_data(file);
   std::optional<record::Record> measured;
   if (!flags.data.empty()) measured = open_data(flags.data, *io::make_subject(model));
   const friction::TableAxes grid = axes(flags, model);
@@ -290,14 +245,13 @@ int run(const TableFlags& flags) {
   std::function<void(double)> progress;
   if (isatty(STDERR_FILENO) != 0 && points >= 20000) progress = show_progress;
   const std::optional<model::Band> band = flags.band.of(file);
-  std::vector<std::string> names = model.shaft ? shaft_columns(model) : columns(model);
-  const std::size_t displacement = names.size() - 1;
+  std::vector<std::string> names = table_columns(model);
   if (band)
     for (std::string& name : band_columns(model)) names.push_back(std::move(name));
   const friction::StribeckTable table = friction::build_stribeck_table(
       grid, std::move(names),
       [&](auto given, auto out) {
-        model.shaft ? fill_shaft_line(model, given, out) : fill_line(model, given, out);
+        fill_table_line(model, given, out);
         if (band) fill_band(model, *band, given, out);
       },
       progress, part);
@@ -323,29 +277,8 @@ int run(const TableFlags& flags) {
                                 measured ? &*measured : nullptr);
       },
       flags.force);
-  std::size_t only_torque = 0;
-  for (std::size_t i = 0; i < points; ++i)
-    only_torque += !std::isnan(table.friction_moment[i]) && std::isnan(table.row(i)[displacement]);
-  if (only_torque > 0)
-    tell(
-        {fmt::format("{} of {} points have no equilibrium: a torque, which needs none, but no "
-                     "contact angles",
-                     only_torque, points)});
-  const auto missing = std::count_if(table.friction_moment.begin(), table.friction_moment.end(),
-                                     [](double moment) { return std::isnan(moment); });
-  if (missing == 0) return done;
-  std::map<bearing::SolveStatus, std::pair<long, std::size_t>> failures;  // count, first point
-  for (std::size_t i = 0; i < points; ++i)
-    if (std::isnan(table.friction_moment[i]))
-      ++failures.try_emplace(table.status[i], 0, i).first->second.first;
-  for (const auto& [status, failure] : failures) {
-    const bearing::OperatingPoint p = table.point(table.first() + failure.second);
-    tell({fmt::format(
-        "{} of {} points have no value: {}, the first at {:.6g} rpm, {:.6g} N axial, "
-        "{:.6g} N radial",
-        failure.first, points, bearing::name(status), p.speed / rpm, p.axial_load, p.radial_load)});
-  }
-  return not_converged;
+  tell(table_notes(model, table));
+  return tell_of_failures(model, table);
 }
 
 }  // namespace

@@ -81,9 +81,10 @@ TEST_F(Displacement, WritesAFileWithEveryBearing) {
   const std::string csv = file_text(file);
   EXPECT_THAT(csv, StartsWith("# Shaft position against speed: 7014\n# raceway "));
   EXPECT_THAT(csv, HasSubstr("\n#| [arrangement]\n"));
-  EXPECT_THAT(csv, HasSubstr("\nspeed_rpm,axial_displacement_um,front_force_N,rear_force_N,"
-                             "axial_stiffness_N_um,friction_torque_Nmm,power_loss_W,"
-                             "front_1_axial_load_N,front_1_inner_contact_angle_deg,"));
+  EXPECT_THAT(csv,
+              HasSubstr("\nspeed_rpm,axial_displacement_um,front_force_N,rear_force_N,"
+                        "axial_stiffness_N_um,friction_torque_Nmm,power_loss_W,"
+                        "axial_position_um,front_1_axial_load_N,front_1_inner_contact_angle_deg,"));
   EXPECT_THAT(csv, HasSubstr(",rear_1_outer_ring_heat_W,status\n0,0,600,600,"));
   EXPECT_EQ(raceway("displacement", "--speed 0:10000:2500 -o -").out, csv);
   expect_refused(raceway("displacement", "--speed 0 -o " + file), "exists");

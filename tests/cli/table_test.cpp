@@ -96,15 +96,16 @@ TEST_F(Table, LeavesPointsWithoutBalanceEmptyWhereAnEffectNeedsIt) {
   EXPECT_TRUE(point["inner_contact_angle_min_deg"].is_null());
   const Result csv = table(axes + "-o -", model_text + inner_control + spin_effect);
   EXPECT_EQ(csv.status, 2);
-  EXPECT_THAT(csv.out, HasSubstr("\n20000,5,0,40,,,,,,,,,,,no_equilibrium\n"));
+  EXPECT_THAT(csv.out, HasSubstr("\n20000,5,0,40,,,,,,,,,,,,,,no_equilibrium\n"));
 }
 
 TEST_F(Table, OfALawThatNeedsNoBalanceHasATorqueEverywhere) {
   const Result r = table("--speed 0,20000 --axial-load 5 --json", model_text + inner_control);
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("1 of 2 points have no equilibrium: a torque"));
+  EXPECT_THAT(r.err, HasSubstr("1 of 2 points have no balance, but a torque, which needs none: "));
   const json point = parsed(r)["rows"][1];
   EXPECT_TRUE(point["friction_torque_Nmm"].is_number());
+  EXPECT_EQ(point["status"], "no_equilibrium");
   EXPECT_TRUE(point["inner_contact_angle_min_deg"].is_null());
 }
 

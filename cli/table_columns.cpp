@@ -1,0 +1,152 @@
+#include "cli/table_columns.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "bearing/contact_pressure.h"
+#include "cli/load_notes.h"
+#include "io/shaft_results.h"
+#include "model/prediction.h"
+
+namespace raceway::cli {
+namespace {
+
+constexpr std::string_view lost_balls = "lost_balls", inner_pressure = "inner_contact_pressure_MPa",
+                           outer_pressure = "outer_contact_pressure_MPa";
+
+std::vector<std::string> bearing_columns(const model::Model& model) {
+  std::vector<std::string> names{"load_Nmm", "viscous_Nmm"};
+  for (const effects::Effect& e : model.effects)
+    names.push_back(std::string(e.description->id) + "_Nmm");
+  for (const std::string_view name :
+       {std::string_view("power_loss_W"), std::string_view("inner_contact_angle_min_deg"),
+        std::string_view("inner_contact_angle_max_deg"),
+        std::string_view("outer_contact_angle_min_deg"),
+        std::string_view("outer_contact_angle_max_deg"), inner_pressure, outer_pressure, lost_balls,
+        std::string_view("axial_displacement_um")})
+    names.emplace_back(name);
+  return names;
+}
+
+std::vector<std::string> shaft_columns(const model::Model& model) {
+  std::vector<std::string> names{"power_loss_W", "front_force_N", "rear_force_N",
+                                 "axial_position_um"};
+  const bearing::Arrangement& a = model.shaft->arrangement;
+  for (std::size_t i = 0; i < a.bearings().size(); ++i)
+    for (const std::string_view name :
+         {std::string_view("axial_load_N"), std::string_view("friction_torque_Nmm"),
+          std::string_view("inner_contact_angle_deg"), std::string_view("outer_contact_angle_deg"),
+          inner_pressure, outer_pressure, lost_balls})
+      names.push_back(fmt::format("{}_{}", io::bearing_place(a, i), name));
+  names.emplace_back("axial_displacement_um");
+  return names;
+}
+
+void fill_shaft_point(const model::Model& model, const shaft::ShaftPrediction& p,
+                      friction::TablePoint& out) {
+  const bearing::ArrangementEquilibrium& e = p.equilibrium;
+  out.status = p.status();
+  out.friction_moment = p.torque;
+  std::size_t c = 0;
+  for (const double v : {p.power_loss, e.front_force, e.rear_force, e.position})
+    out.columns[c++] = v;
+  for (std::size_t k = 0; k < e.bearings.size(); ++k) {
+    const bearing::BearingInSet& b = e.bearings[k];
+    const auto& mounted = model.shaft->arrangement.bearings()[k].bearing;
+    for (const double v : {b.axial_load, p.friction[k].torque, b.ball.inner_contact_angle,
+                           b.ball.outer_contact_angle, b.inner_pressure, b.outer_pressure,
+                           b.lost() ? mounted->geometry().ball_count : 0.0})
+      out.columns[c++] = v;
+  }
+  // Without balance the columns stay as they are, without a number.
+  if (!e.bearings.empty()) out.columns[c] = p.displacement;
+}
+
+void fill_bearing_point(const model::Model& model, const model::FrictionPrediction& p,
+                        friction::TablePoint& out) {
+  out.status = p.status();
+  out.friction_moment = p.torque;
+  std::size_t c = 0;
+  out.columns[c++] = p.load;
+  out.columns[c++] = p.viscous;
+  for (const double moment : p.effects) out.columns[c++] = moment;
+  out.columns[c++] = p.power_loss;
+  if (!p.equilibrium || !p.equilibrium->report.converged()) return;
+  // NaN of lost balls must not spread: fmin and fmax pass over it.
+  double inner_min = unset, inner_max = unset, outer_min = unset, outer_max = unset;
+  for (const bearing::BallEquilibrium& b : p.equilibrium->balls.distinct()) {
+    inner_min = std::fmin(inner_min, b.inner_contact_angle);
+    inner_max = std::fmax(inner_max, b.inner_contact_angle);
+    outer_min = std::fmin(outer_min, b.outer_contact_angle);
+    outer_max = std::fmax(outer_max, b.outer_contact_angle);
+  }
+  const bearing::ContactPressure pressure =
+      largest_pressure(p.bearing ? *p.bearing : model.bearing, *p.equilibrium);
+  for (const double v :
+       {inner_min, inner_max, outer_min, outer_max, pressure.inner, pressure.outer,
+        static_cast<double>(p.equilibrium->lost_balls()), p.equilibrium->displacement[0]})
+    out.columns[c++] = v;
+}
+
+}  // namespace
+
+std::vector<std::string> table_columns(const model::Model& model) {
+  return model.shaft ? shaft_columns(model) : bearing_columns(model);
+}
+
+std::vector<shaft::ShaftPoint> shaft_points(std::span<const bearing::OperatingPoint> points) {
+  std::vector<shaft::ShaftPoint> asked;
+  for (const bearing::OperatingPoint& p : points)
+    asked.push_back(
+        {.speed = p.speed, .external_load = p.axial_load, .temperature = p.temperature});
+  return asked;
+}
+
+void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
+                     std::span<friction::TablePoint> out) {
+  if (model.shaft) {
+    const auto predictions = shaft::predict_shaft(model, shaft_points(points));
+    for (std::size_t i = 0; i < points.size(); ++i) fill_shaft_point(model, predictions[i], out[i]);
+    return;
+  }
+  std::vector<model::FrictionPrediction> predictions(points.size());
+  model::predict_sweep(model, points, predictions, true);
+  for (std::size_t i = 0; i < points.size(); ++i) fill_bearing_point(model, predictions[i], out[i]);
+}
+
+std::vector<std::string> table_notes(const model::Model& model,
+                                     const friction::StribeckTable& table) {
+  LoadNotes notes;
+  const auto column_of = [&](std::size_t i, std::string_view name) {
+    const std::string place =
+        model.shaft ? io::bearing_place(model.shaft->arrangement, i) + "_" : std::string();
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      if (table.columns[c] == place + std::string(name)) return c;
+    return table.columns.size();
+  };
+  const std::size_t bearings = model.shaft ? model.shaft->arrangement.bearings().size() : 1;
+  for (std::size_t i = 0; i < bearings; ++i) {
+    const std::size_t lost = column_of(i, lost_balls), inner = column_of(i, inner_pressure),
+                      outer = column_of(i, outer_pressure),
+                      load = model.shaft ? column_of(i, "axial_load_N") : 0;
+    const bearing::Bearing& bearing =
+        model.shaft ? *model.shaft->arrangement.bearings()[i].bearing : model.bearing;
+    const std::string place =
+        model.shaft ? io::bearing_place(model.shaft->arrangement, i) : std::string();
+    for (std::size_t k = 0; k < table.points(); ++k) {
+      const bearing::OperatingPoint p = table.point(table.first() + k);
+      const auto row = table.row(k);
+      notes.look(bearing, place, p,
+                 {.axial_load = model.shaft ? row[load] : p.axial_load,
+                  .radial_load = p.radial_load,
+                  .lost_balls = row[lost],
+                  .inner_pressure = row[inner],
+                  .outer_pressure = row[outer]});
+    }
+  }
+  return notes.lines();
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "friction/stribeck_table.h"
+#include "model/model.h"
+#include "shaft/shaft_prediction.h"
+
+/// What stands in a table beside the torque: of a bearing its moments, angles and pressures, of a
+/// shaft those of every bearing. The position comes last.
+namespace raceway::cli {
+
+[[nodiscard]] std::vector<std::string> table_columns(const model::Model& model);
+
+/// Fills the columns, the torque and the status of some points; safe from several threads.
+void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
+                     std::span<friction::TablePoint> out);
+
+/// The points of a table as those of a shaft.
+[[nodiscard]] std::vector<shaft::ShaftPoint> shaft_points(
+    std::span<const bearing::OperatingPoint> points);
+
+/// What a user should know of a table beside its numbers: balls that have lost the inner race,
+/// loads above the static rating, contact pressures that leave dents. One line each, with how many
+/// points and the worst of them.
+[[nodiscard]] std::vector<std::string> table_notes(const model::Model& model,
+                                                   const friction::StribeckTable& table);
+
+}  // namespace raceway::cli
