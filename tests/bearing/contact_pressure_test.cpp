@@ -21,7 +21,8 @@ BearingGeometry size_7014() {
 
 // "Contact stresses in a steel ball bearing", amesweb.info/HertzianContact, read 2026: a ball of
 // radius 4.90 mm in a groove of radius 5 mm on an inner race of radius 25 mm, E = 210 GPa, ν =
-// 0.29, 1500 N; printed 2193.6 MPa, semi-axes 2.101 and 0.156 mm, approach 0.012 mm.
+// 0.29, 1500 N; printed 2193.6 MPa, semi-axes 2.101 and 0.156 mm, approach 0.012 mm. The page fits
+// the ellipse: its numbers carry (2/3) pi p a b = 1506 N, and are good to 0.4 %.
 TEST(ContactPressure, IsThatOfAPublishedBallBearing) {
   const Material steel{.name = "printed",
                        .elastic_modulus = 210 * GPa,
@@ -36,8 +37,8 @@ TEST(ContactPressure, IsThatOfAPublishedBallBearing) {
                          .outer_conformity = 5.0 / 9.8},
                         steel, steel);
   const HertzContact& contact = bearing.contact(Race::inner);
-  EXPECT_NEAR(contact.peak_pressure(1500), 2193.6 * MPa, 0.1 * MPa);
-  EXPECT_NEAR(contact.semi_major_axis(1500), 2.101 * mm, 0.0005 * mm);
+  EXPECT_NEAR(contact.peak_pressure(1500), 2193.6 * MPa, 0.002 * 2193.6 * MPa);
+  EXPECT_NEAR(contact.semi_major_axis(1500), 2.101 * mm, 0.004 * 2.101 * mm);
   EXPECT_NEAR(contact.semi_minor_axis(1500), 0.156 * mm, 0.0005 * mm);
   EXPECT_NEAR(contact.approach(1500), 0.012 * mm, 0.0005 * mm);
 }
