@@ -123,10 +123,6 @@ struct Formula::Instance {
     for (const std::string& name : parameters) parser.DefineVar(name, &numbers[k++]);
     parser.SetExpr(text);
     (void)parser.Eval();
-    // "(1,5)": a comma within brackets that are no function's.
-    if (parser.GetNumResults() > 1)
-      throw FormulaError("this is several expressions; decimals have a point, 1.5", text.find(','),
-                         "");
     for (const auto& [name, address] : parser.GetUsedVar()) {
       const auto index = static_cast<std::size_t>(address - numbers.data());
       if (index < variable_list.size()) used.push_back(index);
