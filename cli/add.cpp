@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "cli/commands.h"
+#include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
 #include "cli/open_input.h"
@@ -23,6 +24,7 @@ struct AddFlags {
   std::vector<std::string> names;  // model, effects, further data
   std::string data, output;
   PerRecordFlag per_record;
+  DataFlag reading;
   bool json = false, force = false;
   ReportFlag report;
   ToleranceFlag tolerance;
@@ -75,7 +77,8 @@ int run(const AddFlags& flags) {
         "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects");
   io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
-  const record::Record data = open_records(files, path, *io::make_subject(file.model));
+  const record::Record data =
+      open_records(files, path, *io::make_subject(file.model), flags.reading.options(file));
   const auto subject = flags.per_record.subject(file.model, data);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*subject);
@@ -127,6 +130,7 @@ Run setup_add(CLI::App& command) {
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
   flags->per_record.declare(command);
+  flags->reading.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--force", flags->force,
                    "add an effect that does not help, and replace the file if it exists");

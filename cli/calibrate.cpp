@@ -6,6 +6,7 @@
 
 #include "cli/calibrate_conformity.h"
 #include "cli/commands.h"
+#include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
 #include "cli/open_input.h"
@@ -23,6 +24,7 @@ struct CalibrateFlags {
   std::string model, output;
   std::vector<std::string> data;
   PerRecordFlag per_record;
+  DataFlag reading;
   bool json = false, force = false;
 };
 
@@ -75,7 +77,8 @@ int run(const CalibrateFlags& flags) {
   if (!flags.output.empty() && flags.per_record.names.empty())
     io::require_writable(flags.output, if_exists);
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
-  const record::Record data = open_records(flags.data, flags.model, *io::make_subject(file.model));
+  const record::Record data = open_records(flags.data, flags.model, *io::make_subject(file.model),
+                                           flags.reading.options(file));
   const auto subject = flags.per_record.subject(file.model, data);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*subject);
@@ -123,6 +126,7 @@ Run setup_calibrate(CLI::App& command) {
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
   flags->per_record.declare(command);
+  flags->reading.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

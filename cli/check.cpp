@@ -5,11 +5,17 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
+#include "io/doubts.h"
+#include "io/error.h"
+#include "io/output_file.h"
+#include "io/record_text.h"
 #include "io/results.h"
 #include "io/subject.h"
+#include "io/suggest_columns.h"
 
 namespace raceway::cli {
 namespace {
@@ -60,13 +66,34 @@ void print(const fit::Check& c, const record::Record& data) {
                                     : "testable");
 }
 
-int run(const std::string& model, const std::string& path, bool json) {
+/// A map of the columns of the file on stdout.
+int suggest(const std::string& model, const std::string& path) {
+  if (path.ends_with(".toml"))
+    throw io::InputError(path + ": stands where measurements (CSV) are expected");
+  const io::ModelFile file = open_model(model, Accepts::rig_or_shaft);
+  fmt::print("{}", io::suggested_columns(path, *io::make_subject(file.model)));
+  return done;
+}
+
+struct CheckFlags {
+  std::string model, data, output;
+  DataFlag reading;
+  bool json = false, suggest = false, force = false;
+};
+
+int run(const CheckFlags& flags) {
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (flags.output == "-")
+    throw io::InputError("raceway check: --output -: stdout shows what was read; name a file");
+  if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+  const std::string& model = flags.model;
   const io::ModelFile file = open_model(model, Accepts::rig_or_shaft);
   const auto subject = io::make_subject(file.model);
-  const record::Record data = open_data(path, *subject);
+  const record::Record data = open_data(flags.data, *subject, flags.reading.options(file));
   const fit::Check check = fit::check(*subject, data);
   std::vector<std::string> notes = file.notes;
   notes.insert(notes.end(), data.notes.begin(), data.notes.end());
+  for (const std::string& doubt : io::doubts(*subject, data)) notes.push_back(doubt);
   if (!check.problem.empty()) {
     tell({check.problem});
     notes.push_back(check.problem);
@@ -79,10 +106,14 @@ int run(const std::string& model, const std::string& path, bool json) {
         check.runs_coincide_with));
     tell({notes.back()});
   }
-  if (json) {
+  if (flags.json) {
     fmt::print("{}", io::check_json(file.model.name, check, file.defaults, notes));
   } else {
     print(check, data);
+  }
+  if (!flags.output.empty()) {
+    io::write_text(flags.output, io::record_text(data), if_exists);
+    say(fmt::format("{} written, {} rows", flags.output, data.rows()));
   }
   return done;
 }
@@ -90,16 +121,28 @@ int run(const std::string& model, const std::string& path, bool json) {
 }  // namespace
 
 Run setup_check(CLI::App& command) {
-  struct Flags {
-    std::string model, data;
-    bool json = false;
-  };
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<CheckFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
+  flags->reading.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway check my.toml rig.csv");
-  return [flags] { return run(flags->model, flags->data, flags->json); };
+  command
+      .add_option("-o,--output", flags->output,
+                  "the rows as they were read, in our columns (CSV);\nof a coast-down its torques")
+      ->type_name("FILE");
+  command.add_flag("--force", flags->force, "replace the file if it exists");
+  command
+      .add_flag("--suggest-columns", flags->suggest,
+                "only propose which of their columns is which of ours (TOML)")
+      ->excludes("--json");
+  command.footer(
+      "Example:\n  raceway check my.toml rig.csv\n"
+      "  raceway check my.toml export.csv --suggest-columns > map.toml\n"
+      "  raceway check my.toml export.csv --columns map.toml");
+  return [flags] {
+    if (flags->suggest) return suggest(flags->model, flags->data);
+    return run(*flags);
+  };
 }
 
 }  // namespace raceway::cli

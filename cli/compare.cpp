@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/per_record_flag.h"
@@ -29,7 +30,8 @@ using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured 
 struct CompareFlags {
   std::vector<std::string> files;  // models, then data
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
-  PerRecordFlag per_record;        // the same, to each record by itself
+  PerRecordFlag per_record;
+  DataFlag reading;  // the same, to each record by itself
   bool json = false, force = false;
   ReportFlag report;
   ToleranceFlag tolerance;
@@ -284,8 +286,9 @@ int run(const CompareFlags& flags) {
   const std::vector<std::string> models(flags.files.begin(), data_begin);
   flags.report.check(flags.force);
   const std::vector<io::ModelFile> files = open_models(models, flags.tolerance);
-  const record::Record data = open_records({data_begin, flags.files.end()}, models.front(),
-                                           *io::make_subject(files.front().model));
+  const record::Record data =
+      open_records({data_begin, flags.files.end()}, models.front(),
+                   *io::make_subject(files.front().model), flags.reading.options(files.front()));
   std::vector<model::Model> compared;
   std::vector<Comparisons> comparisons;
   std::shared_ptr<const fit::Subject> subject;
@@ -334,6 +337,7 @@ Run setup_compare(CLI::App& command) {
       ->allow_extra_args(false)
       ->type_name("NAMES");
   flags->per_record.declare(command);
+  flags->reading.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

@@ -8,6 +8,7 @@
 #include <csignal>
 
 #include "cli/commands.h"
+#include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/per_record_flag.h"
@@ -30,6 +31,7 @@ struct DiagnoseFlags {
   ReportFlag report;
   ToleranceFlag tolerance;
   PerRecordFlag per_record;
+  DataFlag reading;
 };
 
 std::atomic<bool> interrupted{false};
@@ -251,7 +253,8 @@ int run(const DiagnoseFlags& flags) {
   io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
   const auto model = io::make_subject(file.model);
-  const record::Record data = open_records(flags.data, flags.model, *model);
+  const record::Record data =
+      open_records(flags.data, flags.model, *model, flags.reading.options(file));
   const auto subject = flags.per_record.subject(file.model, data);
   fit::Diagnosis diagnosis = diagnosis_of(flags, *subject, data);
   tell_of_scale(data, diagnosis.messages);
@@ -281,6 +284,7 @@ Run setup_diagnose(CLI::App& command) {
                   "explanations of your own already tried on these data")
       ->type_name("N");
   flags->per_record.declare(command);
+  flags->reading.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

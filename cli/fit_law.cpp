@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/data_flag.h"
 #include "cli/law_statement.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
@@ -22,6 +23,7 @@ struct FitLawFlags {
   std::string curve, output;
   double at = unset;  // [rpm]
   bool json = false, force = false;
+  DataFlag reading;
 };
 
 void print(const shaft::KinematicLawFit& f, const std::string& source,
@@ -65,7 +67,8 @@ int run(const FitLawFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
 
-  const io::DisplacementCurve curve = io::read_displacement_curve(flags.curve);
+  const io::DisplacementCurve curve =
+      io::read_displacement_curve(flags.curve, flags.reading.options());
   tell(curve.notes);
   const shaft::KinematicLawFit f = [&] {
     try {
@@ -116,6 +119,7 @@ Run setup_fit_law(CLI::App& command) {
       .add_option("-o,--output", flags->output,
                   "monotone table to write in place of the law; - for stdout")
       ->type_name("FILE");
+  flags->reading.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

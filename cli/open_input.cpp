@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "io/data_file.h"
+#include "io/doubts.h"
 #include "io/error.h"
 #include "io/plausible.h"
 #include "model/ignored_data.h"
@@ -87,13 +88,15 @@ void warn_of_ignored_data(const io::ModelFile& file) {
                                   fmt::join(taken, ", "))));
 }
 
-record::Record open_data(const std::string& path, const model::ModelSubject& subject) {
+record::Record open_data(const std::string& path, const model::ModelSubject& subject,
+                         const io::ReadOptions& options) {
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected");
-  record::Record data = io::read_record(path, subject);
+  record::Record data = io::read_record(path, subject, options);
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(std::move(note));
   tell(data.notes);
+  for (const std::string& doubt : io::doubts(subject, data)) warn(doubt);
   return data;
 }
 
@@ -105,11 +108,11 @@ void tell_of_scale(const record::Record& data, std::vector<std::string>& message
 }
 
 record::Record open_records(const std::vector<std::string>& paths, const std::string& model,
-                            const model::ModelSubject& subject) {
-  if (paths.size() == 1) return open_data(paths.front(), subject);
+                            const model::ModelSubject& subject, const io::ReadOptions& options) {
+  if (paths.size() == 1) return open_data(paths.front(), subject, options);
   std::vector<record::Record> records;
   for (const std::string& path : paths) {
-    records.push_back(open_data(path, subject));
+    records.push_back(open_data(path, subject, options));
     try {
       subject.require(records.back());
     } catch (const std::invalid_argument& e) {

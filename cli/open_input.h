@@ -22,13 +22,15 @@ enum class Accepts { rig, rig_or_shaft, shaft };
 void warn_of_ignored_data(const io::ModelFile& file);
 
 /// Reads measurements for a model, a coast-down turned into torque, and tells the notes on stderr.
-[[nodiscard]] record::Record open_data(const std::string& path, const model::ModelSubject& subject);
+[[nodiscard]] record::Record open_data(const std::string& path, const model::ModelSubject& subject,
+                                       const io::ReadOptions& options);
 
 /// The same of one file or several, which are joined to one record. Each must be of what the model
 /// stands for; `model` is its file, for messages.
 [[nodiscard]] record::Record open_records(const std::vector<std::string>& paths,
                                           const std::string& model,
-                                          const model::ModelSubject& subject);
+                                          const model::ModelSubject& subject,
+                                          const io::ReadOptions& options);
 
 /// Puts the name of the model before what `fit` says of the data, and makes it an io::InputError.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,

@@ -11,6 +11,7 @@
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
+#include "cli/data_flag.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/report_flag.h"
@@ -36,6 +37,7 @@ struct TableFlags {
   bool json = false, force = false;
   ReportFlag report;
   BandFlag band;
+  DataFlag reading;
 };
 
 friction::TableAxes axes(const TableFlags& f, const model::Model& model) {
@@ -236,7 +238,7 @@ int run(const TableFlags& flags) {
   const model::Model& model = file.model;
   warn_of_ignored_data(file);
   std::optional<record::Record> measured;
-  if (!flags.data.empty()) measured = open_data(flags.data, *io::make_subject(model));
+  if (!flags.data.empty()) measured = open_data(flags.data, *io::make_subject(model), flags.reading.options(file));
   const friction::TableAxes grid = axes(flags, model);
   const std::size_t points = part.points(grid.size());
   if (static_cast<double>(points) > 1e8)
@@ -315,6 +317,7 @@ Run setup_table(CLI::App& command) {
   command
       .add_option("--data", flags->data, "measurements (CSV) to draw into the curves of the report")
       ->type_name("FILE");
+  flags->reading.declare(command);
   command.footer(
       "Example:\n  raceway table my.toml --speed 0:12000:250 --axial-load 100,300,900 "
       "-o stribeck.csv");

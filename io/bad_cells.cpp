@@ -34,14 +34,15 @@ void BadCells::throw_if_any() const {
 }
 
 ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
-                       const record::Channel& channel, double lower, BadCells& bad) {
+                       const CellRange& range, BadCells& bad) {
   const std::string_view cell = table.cell(row, column);
   ParsedNumber number = parse_number(cell, table.separator != ',');
   if (!number.problem.empty())
-    bad.add(table.line(row), channel.name, cell, number.problem);
-  else if (!(number.value >= lower && number.value <= channel.upper))
-    bad.add(table.line(row), channel.name, cell,
-            fmt::format("must be from {} to {} {}", lower, channel.upper, channel.unit));
+    bad.add(table.line(row), range.column, cell, number.problem);
+  else if (!(number.value >= range.lower && number.value <= range.upper))
+    bad.add(
+        table.line(row), range.column, cell,
+        fmt::format("must be from {:.10g} to {:.10g} {}", range.lower, range.upper, range.unit));
   return number;
 }
 

@@ -32,9 +32,20 @@ class BadCells {
   std::vector<BadCell> first_;  // by line
 };
 
-/// A cell in the unit of its channel; what is no number or lies outside `lower` and the upper end
-/// of the channel goes to `bad`.
+/// What the cells of a column may be, in the unit of the column.
+struct CellRange {
+  std::string_view column;  ///< its name, for messages
+  double lower, upper;      ///< closed
+  std::string_view unit;
+};
+
+/// The range of a channel in its own unit.
+[[nodiscard]] inline CellRange range_of(const record::Channel& channel) {
+  return {channel.name, channel.lower, channel.upper, channel.unit};
+}
+
+/// A cell in the unit of its column; what is no number or lies outside of the range goes to `bad`.
 [[nodiscard]] ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
-                                     const record::Channel& channel, double lower, BadCells& bad);
+                                     const CellRange& range, BadCells& bad);
 
 }  // namespace raceway::io

@@ -9,6 +9,7 @@
 
 #include "io/error.h"
 #include "io/input_file.h"
+#include "io/text_encoding.h"
 
 namespace raceway::io {
 namespace {
@@ -37,37 +38,6 @@ std::size_t count_separators(std::string_view line, char separator) {
     if (c == separator && !inside) ++count;
   }
   return count;
-}
-
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const std::size_t more = c < 0x80                ? 0
-                             : c >= 0xc2 && c < 0xe0 ? 1
-                             : c >= 0xe0 && c < 0xf0 ? 2
-                                                     : 3;
-    if (c >= 0x80 && (c < 0xc2 || c > 0xf4)) return false;
-    if (i + more >= text.size()) return false;
-    for (std::size_t k = 1; k <= more; ++k)
-      if ((static_cast<unsigned char>(text[i + k]) & 0xc0) != 0x80) return false;
-    i += more + 1;
-  }
-  return true;
-}
-
-std::string utf8_from_latin1(std::string_view text) {
-  std::string result;
-  result.reserve(text.size() + text.size() / 8);
-  for (const char byte : text) {
-    const auto c = static_cast<unsigned char>(byte);
-    if (c < 0x80) {
-      result += byte;
-    } else {
-      result += static_cast<char>(0xc0 | (c >> 6));
-      result += static_cast<char>(0x80 | (c & 0x3f));
-    }
-  }
-  return result;
 }
 
 char separator_of_header(std::string_view header, const std::string& place) {
@@ -152,7 +122,8 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
   return parsed.value;
 }
 
-CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_mark) {
+CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_mark,
+                   const FormFinder& find_form) {
   CsvTable table;
   table.source = source;
   table.byte_order_mark = byte_order_mark;
@@ -164,6 +135,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
   std::string& all = table.text_;
   if (all.find_first_not_of(" \t\r\n") == all.npos)
     throw InputError(source + ": the file is empty");
+  const CsvForm form = find_form ? find_form(all) : CsvForm{};
 
   std::vector<CsvTable::Cell> cells;  // of the current line
   const auto split = [&](std::size_t begin, std::size_t end, const std::string& place) {
@@ -204,7 +176,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
 
   bool trailing_separator = false;
   std::size_t empty_rows = 0;
-  int line = 0;
+  int line = 0, titles = 0;
   for (std::size_t begin = 0, next = 0; begin < all.size(); begin = next) {
     ++line;
     std::size_t end = std::min(all.find_first_of("\r\n", begin), all.size());
@@ -220,10 +192,14 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
       table.comments.emplace_back(whole.substr(start));
       continue;
     }
+    if (line < form.header_line) {
+      ++titles;
+      continue;
+    }
     const std::string place = table.header.empty() ? fmt::format("{}:{}", source, line) : "";
 
     if (table.header.empty()) {
-      table.separator = separator_of_header(whole, place);
+      table.separator = form.separator != '\0' ? form.separator : separator_of_header(whole, place);
       table.header_line = line;
       split(begin, end, place);
       trailing_separator = cells.size() > 1 && cells.back().size == 0;
@@ -256,6 +232,10 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
       split(begin, end, {});
     if (trailing_separator && cells.size() == columns + 1 && cells.back().size == 0)
       cells.pop_back();
+    if (line == form.unit_line) {
+      for (const auto& cell : cells) table.units.push_back(all.substr(cell.begin, cell.size));
+      continue;
+    }
     if (std::all_of(cells.begin(), cells.end(), [](const auto& c) { return c.size == 0; })) {
       ++empty_rows;
       continue;
@@ -287,16 +267,35 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
   if (table.lines_.empty())
     throw InputError(
         fmt::format("{}: no data rows below the header (line {})", source, table.header_line));
+  if (titles > 0)
+    table.notes.push_back(fmt::format("{} line{} above the header (line {}) skipped", titles,
+                                      titles == 1 ? "" : "s", table.header_line));
+  if (form.unit_line > 0)
+    table.notes.push_back(fmt::format("line {} is a row of units", form.unit_line));
   if (empty_rows > 0)
     table.notes.push_back(fmt::format("{} row{} of empty cells only skipped", empty_rows,
                                       empty_rows == 1 ? "" : "s"));
   return table;
 }
 
-CsvTable read_csv(const std::string& path) {
+void CsvTable::remove_rows(const std::vector<bool>& remove) {
+  const std::size_t columns = header.size();
+  std::size_t kept = 0;
+  for (std::size_t row = 0; row < lines_.size(); ++row) {
+    if (remove[row]) continue;
+    lines_[kept] = lines_[row];
+    std::copy_n(cells_.begin() + static_cast<std::ptrdiff_t>(row * columns), columns,
+                cells_.begin() + static_cast<std::ptrdiff_t>(kept * columns));
+    ++kept;
+  }
+  lines_.resize(kept);
+  cells_.resize(kept * columns);
+}
+
+CsvTable read_csv(const std::string& path, const FormFinder& find_form) {
   bool marked = false;
   std::string text = read_text(path, &marked);
-  return parse_csv(std::move(text), path, marked);
+  return parse_csv(std::move(text), path, marked, find_form);
 }
 
 }  // namespace raceway::io

@@ -1,12 +1,23 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace raceway::io {
+
+/// Where the header stands in a file that has more than a header and rows.
+struct CsvForm {
+  int header_line = 0;    ///< counted from 1; what stands above is skipped. 0: the first line
+  int unit_line = 0;      ///< a row of units below the header; 0: none
+  char separator = '\0';  ///< '\0': as found in the header
+};
+
+/// Finds it in a text of UTF-8.
+using FormFinder = std::function<CsvForm(std::string_view)>;
 
 /// A delimited text file as it stands: names of columns and cells of text, with their lines.
 ///
@@ -18,7 +29,8 @@ class CsvTable {
   std::string source;                 ///< file name, for messages
   std::vector<std::string> comments;  ///< `#` lines as they stand, wherever they stood
   std::vector<std::string> header;
-  int header_line = 0;  ///< counted from 1
+  std::vector<std::string> units;  ///< of the row of units, empty without
+  int header_line = 0;             ///< counted from 1
   char separator = ',';
   bool byte_order_mark = false;
   bool carriage_returns = false;   ///< lines ended in CR or CR LF
@@ -33,9 +45,12 @@ class CsvTable {
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
   /// The number in a cell; throws InputError with line and column for anything else.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+  /// Leaves out rows; one answer for each.
+  void remove_rows(const std::vector<bool>& remove);
 
  private:
-  friend CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_mark);
+  friend CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_mark,
+                            const FormFinder& find_form);
   struct Cell {
     std::size_t begin;
     std::size_t size;
@@ -47,11 +62,11 @@ class CsvTable {
 
 /// Reads a file. Throws InputError: unreadable, no header, no rows, a column twice or without name,
 /// a row with more or fewer cells than the header, another separator in a row than in the header.
-[[nodiscard]] CsvTable read_csv(const std::string& path);
+[[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
 
 /// The same from text; `source` stands in messages.
 [[nodiscard]] CsvTable parse_csv(std::string text, const std::string& source,
-                                 bool byte_order_mark = false);
+                                 bool byte_order_mark = false, const FormFinder& find_form = {});
 
 /// A number, or why a cell is none.
 struct ParsedNumber {

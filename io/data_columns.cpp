@@ -20,46 +20,52 @@ std::string place_of_header(const CsvTable& table) {
 
 /// Places of times between two speeds. The file has both speeds and the time, and neither a speed
 /// at a time nor a torque.
-void find_falls(const CsvTable& table, DataColumns& columns) {
-  if (!table.column(speed_from.name) && !table.column(speed_to.name)) return;
+void find_falls(const CsvTable& table, const Recognised& found, DataColumns& columns) {
+  if (!found.find(speed_from) && !found.find(speed_to)) return;
   for (const Channel* c : {&speed_from, &speed_to, &fall_time, &fall_time_deviation}) {
-    if (const auto place = table.column(c->name))
-      columns.falls.push_back({c, *place});
-    else if (!(*c == fall_time_deviation))
+    if (const ColumnSource* const source = found.find(*c)) {
+      columns.falls.push_back(*source);
+      columns.falls.back().channel = c;
+    } else if (!(*c == fall_time_deviation)) {
       throw InputError(fmt::format(
           "{}: column {} is missing: the time of a fall needs {}, {} and {}; the header has {}",
           place_of_header(table), c->name, speed_from.name, speed_to.name, fall_time.name,
           listed(table.header)));
+    }
   }
   for (const Channel& c : record::channels)
-    if ((c == record::speed || c.role == Role::measured || c.role == Role::deviation) &&
-        table.column(c.name))
+    if (const ColumnSource* const source = found.find(c);
+        source && (c == record::speed || c.role == Role::measured || c.role == Role::deviation))
       throw InputError(fmt::format(
           "{}: column {} beside {}: a file has times between two speeds, speeds at a time, or "
           "readings at a speed",
-          place_of_header(table), c.name, speed_from.name));
+          place_of_header(table), source->name, speed_from.name));
 }
 
 /// Places of what is known; what is not is an error where it looks misspelt.
-void find_places(const CsvTable& table, DataColumns& columns) {
-  find_falls(table, columns);
-  std::vector<std::string> known{std::string(record::run.name)};
-  for (const Channel& channel : record::channels) {
-    const bool taken = channel == record::time && !columns.falls.empty();
-    if (const auto place = table.column(channel.name); place && !taken)
-      columns.places.push_back({&channel, *place});
-    if (!(channel == record::run)) known.emplace_back(channel.name);
+void find_places(const CsvTable& table, const ColumnMap& map, DataColumns& columns) {
+  Recognised found = recognise(table, map);
+  find_falls(table, found, columns);
+  for (const ColumnSource& source : found.columns) {
+    const bool of_fall = !columns.falls.empty() && *source.channel == record::time;
+    if (!of_fall && record::find_channel(source.channel->name)) columns.places.push_back(source);
   }
-  known.emplace_back(speed_from.name);
-  known.emplace_back(speed_to.name);
-  for (const DataColumns::Place& p : columns.falls) known.emplace_back(p.channel->name);
-  for (const std::string& name : table.header) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    if (const auto near = nearest_name(name, known))
+  columns.constants = std::move(found.constants);
+  columns.notes = std::move(found.notes);
+  std::vector<std::string> known;
+  for (const Channel* c : file_channels())
+    if (!(*c == record::run) && (!(*c == fall_time_deviation) || !columns.falls.empty()))
+      known.emplace_back(c->name);
+  for (const std::string& name : found.others) {
+    // Whoever has named the columns knows what the others are.
+    if (const auto near = map.rules.empty() ? nearest_name(name, known) : std::nullopt)
       throw InputError(fmt::format("{}: column {} is unknown; did you mean {}?",
                                    place_of_header(table), name, *near));
-    columns.notes.push_back(fmt::format("column {} is unknown and ignored", name));
+    if (map.rules.empty())
+      columns.notes.push_back(fmt::format("column {} is unknown and ignored", name));
   }
+  if (!map.rules.empty() && !found.others.empty())
+    columns.notes.push_back("not used: " + listed(found.others));
 }
 
 /// Of the measured columns keeps those that are predicted, or the first that the model may refuse.
@@ -88,8 +94,10 @@ void require_measured(const CsvTable& table, const model::Expected& expected,
   const std::string wanted = fmt::format("{}: no measured column: {} is expected",
                                          place_of_header(table), listed(names, "or"));
   if (!columns.find(record::time) && columns.falls.empty())
-    throw InputError(fmt::format("{}, or {} for a coast-down; the header has {}", wanted,
-                                 record::time.name, listed(table.header)));
+    throw InputError(fmt::format(
+        "{}, or {} for a coast-down; the header has {}\nIf these are columns of another program, "
+        "raceway check MODEL {} --suggest-columns proposes which is which",
+        wanted, record::time.name, listed(table.header), table.source));
   if (!expected.coast_down)
     throw InputError(fmt::format(
         "{}; for a coast-down ({}) the model needs inertia_kgm2 under [rig], a number or "
@@ -115,10 +123,15 @@ void require_inputs(const CsvTable& table, const model::Expected& expected,
   for (const model::Expected::Default& d : expected.defaults) {
     const Channel& c = *d.channel;
     if (c == record::speed && !columns.falls.empty()) continue;
-    if (!std::isnan(d.value) || columns.find(c) || d.from.empty() == may_stand_in_model) continue;
+    if (!std::isnan(d.value) || columns.find(c) || columns.constant(c) ||
+        d.from.empty() == may_stand_in_model)
+      continue;
     if (!may_stand_in_model)
-      throw InputError(fmt::format("{}: column {} is missing; the header has {}",
-                                   place_of_header(table), c.name, listed(table.header)));
+      throw InputError(
+          fmt::format("{0}: column {1} is missing; the header has {2}\nIf these are columns of "
+                      "another program, "
+                      "raceway check MODEL {3} --suggest-columns proposes which is which",
+                      place_of_header(table), c.name, listed(table.header), table.source));
     const std::string none =
         c.kind.empty() ? "" : fmt::format(", 0 if the {} is unknown or none", c.kind);
     throw InputError(fmt::format(
@@ -135,6 +148,12 @@ const DataColumns::Place* DataColumns::find(const Channel& channel) const {
   return nullptr;
 }
 
+const Recognised::Constant* DataColumns::constant(const Channel& channel) const {
+  for (const Recognised::Constant& c : constants)
+    if (*c.channel == channel) return &c;
+  return nullptr;
+}
+
 bool DataColumns::keeps(const Channel& channel) const {
   const std::string_view name = channel.role == Role::deviation ? channel.of : channel.name;
   if (channel.role != Role::measured && channel.role != Role::deviation) return true;
@@ -143,9 +162,9 @@ bool DataColumns::keeps(const Channel& channel) const {
 }
 
 DataColumns find_columns(const CsvTable& table, const model::ModelSubject& subject,
-                         const model::Expected& expected) {
+                         const model::Expected& expected, const ColumnMap& map) {
   DataColumns columns;
-  find_places(table, columns);
+  find_places(table, map, columns);
   choose_measured(subject, expected, columns);
   require_inputs(table, expected, columns, false);
   require_measured(table, expected, columns);

@@ -4,17 +4,27 @@
 #include <string>
 #include <vector>
 
-#include "io/csv.h"
+#include "io/column_source.h"
 #include "model/model_subject.h"
 
 /// The header of a measurement file; shared with the reader of records, not for other code.
 namespace raceway::io {
 
 /// Columns of a file of times between two speeds, which become rows of torque.
-inline constexpr record::Channel speed_from{
-    .name = "speed_from_rpm", .unit = "rpm", .factor = rpm, .lower = 1e-3, .upper = 1e6};
-inline constexpr record::Channel speed_to{
-    .name = "speed_to_rpm", .unit = "rpm", .factor = rpm, .lower = 1e-3, .upper = 1e6};
+inline constexpr record::Channel speed_from{.name = "speed_from_rpm",
+                                            .variable = "speed_from",
+                                            .words = "speed from",
+                                            .unit = "rpm",
+                                            .factor = rpm,
+                                            .lower = 1e-3,
+                                            .upper = 1e6};
+inline constexpr record::Channel speed_to{.name = "speed_to_rpm",
+                                          .variable = "speed_to",
+                                          .words = "speed to",
+                                          .unit = "rpm",
+                                          .factor = rpm,
+                                          .lower = 1e-3,
+                                          .upper = 1e6};
 inline constexpr record::Channel fall_time{
     .name = "time_s", .unit = "s", .lower = 1e-6, .upper = 1e9};
 inline constexpr record::Channel fall_time_deviation{
@@ -22,18 +32,18 @@ inline constexpr record::Channel fall_time_deviation{
 
 /// Which columns of a file hold which channels.
 struct DataColumns {
-  struct Place {
-    const record::Channel* channel;
-    std::size_t column;  ///< of the file
-  };
+  using Place = ColumnSource;
   std::vector<Place> places;  ///< in the order of the table of channels
   /// Measured channels that are kept, and those that are not. Both are empty for a coast-down.
   std::vector<const record::Channel*> measured, unused;
-  std::vector<Place> falls;        ///< of times between two speeds; empty where the file has none
-  std::vector<std::string> notes;  ///< on columns that nobody knows
+  std::vector<Place> falls;  ///< of times between two speeds; empty where the file has none
+  std::vector<Recognised::Constant> constants;  ///< of channels without a column
+  std::vector<std::string> notes;               ///< on units and on columns that nobody knows
 
   /// Null where the file has no such column.
   [[nodiscard]] const Place* find(const record::Channel& channel) const;
+  /// Null where there is none.
+  [[nodiscard]] const Recognised::Constant* constant(const record::Channel& channel) const;
   [[nodiscard]] bool coast_down() const { return measured.empty(); }
   /// False for a measured channel that is not kept, and for its deviation.
   [[nodiscard]] bool keeps(const record::Channel& channel) const;
@@ -41,6 +51,6 @@ struct DataColumns {
 
 /// Throws InputError for a column that looks misspelt and for one that is missing.
 [[nodiscard]] DataColumns find_columns(const CsvTable& table, const model::ModelSubject& subject,
-                                       const model::Expected& expected);
+                                       const model::Expected& expected, const ColumnMap& map);
 
 }  // namespace raceway::io

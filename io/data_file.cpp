@@ -13,6 +13,7 @@
 #include "io/data_columns.h"
 #include "io/error.h"
 #include "io/names.h"
+#include "io/timestamp.h"
 #include "rig/coast_down.h"
 #include "rig/fall_times.h"
 #include "rig/unknown_inertia.h"
@@ -32,18 +33,23 @@ std::string names_of(const std::vector<const Channel*>& channels) {
 
 class Reader {
  public:
-  Reader(CsvTable table, const model::ModelSubject& subject)
+  Reader(CsvTable table, const model::ModelSubject& subject, const ReadOptions& options)
       : table_(std::move(table)),
         subject_(subject),
         expected_(subject.expected()),
-        columns_(find_columns(table_, subject, expected_)),
+        columns_(find_columns(table_, subject, expected_, options.columns)),
+        dropped_(options.drop_nan ? drop_empty_rows(table_, used_columns()) : std::string()),
         bad_(table_.source, table_.rows()),
-        notes_(columns_.notes) {}
+        notes_(columns_.notes) {
+    if (!dropped_.empty()) notes_.push_back(dropped_);
+  }
 
   Record read() {
     for (const DataColumns::Place& place : columns_.places) {
       if (place.channel->role == Role::run)
         values(*place.channel) = runs(place);
+      else if (is_stamped(place))
+        values(*place.channel) = times(place);
       else
         values(*place.channel) = numbers(place);
     }
@@ -87,7 +93,6 @@ class Reader {
     const auto& below_zero = expected_.signed_inputs;
     const bool with_sign = std::any_of(below_zero.begin(), below_zero.end(),
                                        [&](const Channel* s) { return *s == c; });
-    const double lower = with_sign ? -c.upper : c.lower;
     std::vector<double> list;
     list.reserve(table_.rows());
     for (std::size_t row = 0; row < table_.rows(); ++row) {
@@ -96,10 +101,47 @@ class Reader {
         list.push_back(unset);
         continue;
       }
-      const ParsedNumber number = read_cell(table_, row, place.column, c, lower, bad_);
+      const ParsedNumber number = si_of_cell(table_, row, place, with_sign, bad_);
       keep_mark(number.decimal_mark, row, text);
-      list.push_back(c.to_SI(number.value));
+      list.push_back(number.value);
     }
+    return list;
+  }
+
+  /// Columns whose cells count.
+  [[nodiscard]] std::vector<ColumnSource> used_columns() const {
+    std::vector<ColumnSource> used = columns_.falls;
+    for (const DataColumns::Place& place : columns_.places)
+      if (columns_.keeps(*place.channel) && !is_unused(*place.channel)) used.push_back(place);
+    return used;
+  }
+
+  [[nodiscard]] bool is_stamped(const DataColumns::Place& place) const {
+    return *place.channel == record::time &&
+           (place.excel_date || parse_timestamp(cell(place, 0)).has_value());
+  }
+
+  /// Times of a column of dates, from that of the first row on [s].
+  std::vector<double> times(const DataColumns::Place& place) {
+    std::vector<double> list;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      const std::string_view text = cell(place, row);
+      std::optional<double> time = parse_timestamp(text);
+      if (!time && place.excel_date) {
+        const ParsedNumber days = parse_number(text, table_.separator != ',');
+        if (days.problem.empty()) time = seconds_of_excel(days.value);
+      }
+      if (!time)
+        bad_.add(table_.line(row), place.name, text,
+                 "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
+      list.push_back(time.value_or(unset));
+    }
+    const double first = list.front();
+    for (double& time : list) time -= first;
+    if (!std::isnan(first))
+      notes_.push_back(fmt::format("column {} has {}: time_s counts from {}", place.name,
+                                   place.excel_date ? "dates of Excel" : "dates",
+                                   timestamp_text(first)));
     return list;
   }
 
@@ -147,8 +189,15 @@ class Reader {
   }
 
   void fill_in() {
+    for (const Recognised::Constant& c : columns_.constants) {
+      if (c.channel->role == Role::time || c.channel->role == Role::run) continue;
+      std::vector<double>& column = values(*c.channel);
+      column.assign(table_.rows(), c.value);
+      notes_.push_back(fmt::format("{}: {:.6g} {} for all rows, from {}", c.channel->name,
+                                   c.channel->in_unit(c.value), c.channel->unit, c.from));
+    }
     for (const model::Expected::Partner& p : expected_.partners)
-      if (has(*p.partner) && !has(*p.channel))
+      if (has(*p.partner) && !has(*p.channel) && !columns_.constant(*p.channel))
         notes_.push_back(fmt::format("no column {}: {}", p.channel->name, p.from));
     for (const model::Expected::Default& d : expected_.defaults) {
       if (has(*d.channel) || !values(*d.channel).empty()) continue;
@@ -306,6 +355,7 @@ class Reader {
   const model::ModelSubject& subject_;
   model::Expected expected_;
   DataColumns columns_;
+  std::string dropped_;  // what is said of rows without a number
   BadCells bad_;
   std::array<std::vector<double>, record::channels.size()> values_;  // [SI]
   std::vector<rig::Fall> falls_;  // by row; empty but in a file of times between two speeds
@@ -315,13 +365,14 @@ class Reader {
 
 }  // namespace
 
-Record read_record(const std::string& path, const model::ModelSubject& subject) {
-  return Reader(read_csv(path), subject).read();
+Record read_record(const std::string& path, const model::ModelSubject& subject,
+                   const ReadOptions& options) {
+  return Reader(read_measurements(path, options), subject, options).read();
 }
 
-Record parse_record(std::string text, const std::string& source,
-                    const model::ModelSubject& subject) {
-  return Reader(parse_csv(std::move(text), source), subject).read();
+Record parse_record(std::string text, const std::string& source, const model::ModelSubject& subject,
+                    const ReadOptions& options) {
+  return Reader(parse_measurements(std::move(text), source, options), subject, options).read();
 }
 
 }  // namespace raceway::io

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "io/column_map.h"
 #include "model/model_subject.h"
 #include "record/record.h"
 
@@ -22,10 +23,12 @@ namespace raceway::io {
 /// cell that is empty, no number or impossible (all of them in one message, the first ten in full),
 /// and a coast-down that gives no torque.
 [[nodiscard]] record::Record read_record(const std::string& path,
-                                         const model::ModelSubject& subject);
+                                         const model::ModelSubject& subject,
+                                         const ReadOptions& options = {});
 
 /// The same from text; `source` stands in messages.
 [[nodiscard]] record::Record parse_record(std::string text, const std::string& source,
-                                          const model::ModelSubject& subject);
+                                          const model::ModelSubject& subject,
+                                          const ReadOptions& options = {});
 
 }  // namespace raceway::io

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "io/bad_cells.h"
+#include "io/column_source.h"
 #include "io/csv.h"
 #include "io/error.h"
 #include "io/input_file.h"
@@ -29,14 +30,16 @@ constexpr std::array columns{
     Column{&record::axial_displacement, true, &shaft::DisplacementPoint::displacement},
     Column{&record::displacement_deviation, false, &shaft::DisplacementPoint::std}};
 
-using Places = std::array<std::optional<std::size_t>, columns.size()>;
+using Places = std::array<std::optional<ColumnSource>, columns.size()>;
 
-Places places(const CsvTable& table) {
+Places places(const CsvTable& table, const Recognised& found) {
   Places result;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const std::string_view name = columns[k].channel->name;
-    result[k] = table.column(name);
-    if (result[k]) continue;
+    if (const ColumnSource* const source = found.find(*columns[k].channel)) {
+      result[k] = *source;
+      continue;
+    }
     const std::string place = fmt::format("{}:{}", table.source, table.header_line);
     if (columns[k].required)
       throw InputError(
@@ -56,7 +59,8 @@ std::vector<std::string> notes_on_others(const CsvTable& table, const Places& re
   std::size_t count = 0;
   constexpr std::size_t shown = 4;
   for (std::size_t c = 0; c < table.header.size(); ++c) {
-    if (std::find(read.begin(), read.end(), c) != read.end()) continue;
+    if (std::any_of(read.begin(), read.end(), [&](const auto& r) { return r && r->column == c; }))
+      continue;
     if (++count <= shown) names += (names.empty() ? "" : ", ") + table.header[c];
     const bool condition =
         table.header[c] == record::preload.name || table.header[c] == record::axial_load.name;
@@ -75,14 +79,23 @@ std::vector<std::string> notes_on_others(const CsvTable& table, const Places& re
   return notes;
 }
 
-DisplacementCurve curve_of(const CsvTable& table) {
-  const Places read = places(table);
+DisplacementCurve curve_of(CsvTable table, const ReadOptions& options) {
+  const Recognised found = recognise(table, options.columns);
+  const Places read = places(table, found);
+  if (options.drop_nan) {
+    std::vector<ColumnSource> needed;
+    for (const auto& place : read)
+      if (place) needed.push_back(*place);
+    if (const std::string note = drop_empty_rows(table, needed); !note.empty())
+      table.notes.push_back(note);
+  }
   const auto status = table.column("status");
   DisplacementCurve curve{.source = table.source, .notes = notes_on_others(table, read)};
+  curve.notes.insert(curve.notes.end(), found.notes.begin(), found.notes.end());
   BadCells bad(table.source, table.rows());
   std::size_t without = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (status && table.cell(row, *read[displacement]).empty() &&
+    if (status && table.cell(row, read[displacement]->column).empty() &&
         table.cell(row, *status) != "converged") {
       ++without;
       continue;
@@ -90,8 +103,7 @@ DisplacementCurve curve_of(const CsvTable& table) {
     shaft::DisplacementPoint point;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (!read[k]) continue;
-      const record::Channel& c = *columns[k].channel;
-      point.*columns[k].member = c.to_SI(read_cell(table, row, *read[k], c, c.lower, bad).value);
+      point.*columns[k].member = si_of_cell(table, row, *read[k], false, bad).value;
     }
     curve.points.push_back(point);
   }
@@ -106,16 +118,16 @@ DisplacementCurve curve_of(const CsvTable& table) {
 
 }  // namespace
 
-DisplacementCurve read_displacement_curve(const std::string& path) {
-  if (path != "-") return curve_of(read_csv(path));
+DisplacementCurve read_displacement_curve(const std::string& path, const ReadOptions& options) {
+  if (path != "-") return curve_of(read_measurements(path, options), options);
   const std::string source = "standard input";
   bool mark = false;
   std::string text = read_text("/dev/stdin", &mark);
-  return curve_of(parse_csv(std::move(text), source, mark));
+  return curve_of(parse_measurements(std::move(text), source, options, mark), options);
 }
 
 DisplacementCurve parse_displacement_curve(std::string text, const std::string& source) {
-  return curve_of(parse_csv(std::move(text), source));
+  return curve_of(parse_measurements(std::move(text), source, {}), {});
 }
 
 std::string displacement_table_text(const shaft::DisplacementTable& table,

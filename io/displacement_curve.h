@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/column_map.h"
 #include "shaft/displacement_table.h"
 
 namespace raceway::io {
@@ -21,7 +22,8 @@ struct DisplacementCurve {
 ///
 /// Throws InputError as read_csv(), for a missing column, and for every other cell that is empty,
 /// no number or impossible (all of them in one message).
-[[nodiscard]] DisplacementCurve read_displacement_curve(const std::string& path);
+[[nodiscard]] DisplacementCurve read_displacement_curve(const std::string& path,
+                                                        const ReadOptions& options = {});
 
 /// The same from text; `source` stands in messages.
 [[nodiscard]] DisplacementCurve parse_displacement_curve(std::string text,

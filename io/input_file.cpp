@@ -1,5 +1,7 @@
 #include "io/input_file.h"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -7,6 +9,7 @@
 #include <memory>
 
 #include "io/error.h"
+#include "io/text_encoding.h"
 
 namespace raceway::io {
 
@@ -30,8 +33,9 @@ std::string read_text(const std::string& path, bool* byte_order_mark) {
     text.append(buffer, count);
   if (std::ferror(file.get())) throw InputError(path + ": cannot be read: " + std::strerror(errno));
 
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-    throw InputError(path + ": is UTF-16 text; save it as UTF-8");
+  if (const std::string_view kind = binary_kind(text); !kind.empty())
+    throw InputError(fmt::format("{}: {}", path, kind));
+  if (is_utf16(text)) text = utf8_from_utf16(text, path);
   if (text.find('\0') != std::string::npos)
     throw InputError(path + ": holds NUL bytes, so it is not a text file");
   const bool marked = text.starts_with("\xef\xbb\xbf");

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/column_unit.h"
+#include "io/units.h"
 #include "model/band.h"
 #include "record/units.h"
 

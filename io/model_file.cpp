@@ -12,6 +12,7 @@
 
 // Last: see io/toml_text.h.
 #include "io/bearing_section.h"
+#include "io/column_section.h"
 #include "io/effect_section.h"
 #include "io/friction_section.h"
 #include "io/loop_section.h"
@@ -22,8 +23,8 @@ namespace raceway::io {
 namespace {
 
 void check_tables(const ModelTables& tables) {
-  const Names known{"bearing", "lubricant", "friction",    "arrangement", "rig",
-                    "solver",  "material",  "calibration", "loop",        "effect"};
+  const Names known{"bearing",  "lubricant",   "friction", "arrangement", "rig",    "solver",
+                    "material", "calibration", "loop",     "effect",      "columns"};
   for (const auto& [key, node] : tables.root()) {
     const std::string name(key.str());
     const std::string place = tables.place(key);
@@ -130,6 +131,7 @@ ModelFile parse_model(std::string text, const std::string& source) {
             source, e.description->id));
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);
+  ColumnMap columns = read_columns(tables);
   std::vector<std::string> notes = notes_on_effects(model);
   note_the_implausible(model, notes);
   model.covariance = read_covariance(tables, model);
@@ -144,7 +146,8 @@ ModelFile parse_model(std::string text, const std::string& source) {
           .catalogue = bearing.row ? bearing.row->full_name() : std::string(),
           .written = std::move(written),
           .defaults = tables.defaults(),
-          .notes = std::move(notes)};
+          .notes = std::move(notes),
+          .columns = std::move(columns)};
 }
 
 ModelFile read_model(const std::string& path) {

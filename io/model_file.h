@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/catalogue_file.h"
+#include "io/column_map.h"
 #include "model/model.h"
 
 namespace raceway::io {
@@ -24,6 +25,7 @@ struct ModelFile {
   std::vector<std::string> defaults;
   /// What else the user should know, one line each, without the file's name.
   std::vector<std::string> notes = {};
+  ColumnMap columns = {};  ///< how its measurements are written
 };
 
 /// Reads a TOML model (keys with their units: docs/files.md) into SI.

@@ -4,17 +4,19 @@
 #include <vector>
 
 namespace raceway::io {
-namespace {
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = lower(c);
-  return result;
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == text.npos ? std::string_view()
+                            : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-}  // namespace
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return result;
+}
 
 std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> known) {
   std::optional<std::string> best;
@@ -27,9 +29,9 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
     }
   }
   if (best || name.empty()) return best;
-  const std::string part = lower(name);
+  const std::string part = lower_case(name);
   for (const std::string& candidate : known) {
-    const std::string whole = lower(candidate);
+    const std::string whole = lower_case(candidate);
     if (whole.starts_with(part + "_") || whole.ends_with("_" + part)) return candidate;
   }
   return std::nullopt;

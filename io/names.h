@@ -11,6 +11,12 @@ namespace raceway::io {
 
 using record::edit_distance;
 
+/// Without blanks at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Letters of ASCII as small ones.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 /// The known name that was probably meant: within two changes (one in names of up to four letters),
 /// or `name` is a known name without its unit ("speed") or its first word ("load_N").
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,

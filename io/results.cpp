@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "bearing/contact_pressure.h"
-#include "io/column_unit.h"
 #include "io/json_text.h"
+#include "io/units.h"
 #include "record/units.h"
 
 namespace raceway::io {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "io/column_unit.h"
 #include "io/csv_text.h"
 #include "io/json_text.h"
+#include "io/units.h"
 #include "record/units.h"
 #include "shaft/shaft_balance.h"
 

@@ -12,12 +12,12 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "io/column_unit.h"
 #include "io/csv.h"
 #include "io/csv_text.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
+#include "io/units.h"
 #include "record/units.h"
 
 namespace raceway::io {

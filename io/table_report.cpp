@@ -3,12 +3,12 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "io/column_unit.h"
 #include "io/report.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
 #include "io/report_rows.h"
 #include "io/shaft_results.h"
+#include "io/units.h"
 #include "model/prediction.h"
 #include "record/units.h"
 

@@ -245,8 +245,8 @@ TEST(DataFile, AnAxialLoadMustStandSomewhere) {
 }
 
 TEST(DataFile, MisspeltColumnsAreErrorsAndForeignOnesAreNoted) {
-  EXPECT_EQ(error_of("speed_rpm,friction_torque_Nm\n1,1\n"),
-            "d.csv:1: column friction_torque_Nm is unknown; did you mean friction_torque_Nmm?");
+  EXPECT_EQ(error_of("speed_rpm,friction_torque_Nnm\n1,1\n"),
+            "d.csv:1: column friction_torque_Nnm is unknown; did you mean friction_torque_Nmm?");
   EXPECT_THAT(error_of("speed,friction_torque_Nmm\n1,1\n"), HasSubstr("did you mean speed_rpm?"));
   const Record data = record_of("speed_rpm,friction_torque_Nmm,samples_in_median\n1,1,50\n");
   EXPECT_THAT(data.notes, Contains("column samples_in_median is unknown and ignored"));

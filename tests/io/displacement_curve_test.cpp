@@ -80,8 +80,8 @@ TEST(DisplacementCurve, NamesTheColumnThatWasMeant) {
               HasSubstr("u.csv:1: column axial_displacement_um is missing; did you mean "
                         "axial_displacment_um?"));
   EXPECT_THAT(problem("speed,axial_displacement_um\n0,0\n"), HasSubstr("column speed_rpm"));
-  EXPECT_THAT(problem("speed_rpm,axial_displacement_um,std_mm\n0,0,1\n"),
-              HasSubstr("column std_mm is unknown; did you mean std_um?"));
+  EXPECT_THAT(problem("speed_rpm,axial_displacement_um,std_u\n0,0,1\n"),
+              HasSubstr("column std_u is unknown; did you mean std_um?"));
 }
 
 TEST(DisplacementTableText, ReadsBackAsACurve) {

@@ -1,0 +1,27 @@
+#include "cli/data_flag.h"
+
+namespace raceway::cli {
+
+void DataFlag::declare(CLI::App& command) {
+  command
+      .add_option("--columns", columns,
+                  "which of their columns is which of ours (TOML, table [columns]);\n"
+                  "default: that of the model; check --suggest-columns proposes one")
+      ->type_name("FILE");
+  command.add_flag("--drop-nan", drop_nan,
+                   "leave out rows with an empty cell, nan or #N/A in a column that counts");
+}
+
+io::ReadOptions DataFlag::options(const io::ModelFile& model) const {
+  io::ReadOptions result = options();
+  if (columns.empty()) result.columns = model.columns;
+  return result;
+}
+
+io::ReadOptions DataFlag::options() const {
+  io::ReadOptions result{.columns = {}, .drop_nan = drop_nan};
+  if (!columns.empty()) result.columns = io::read_column_map(columns);
+  return result;
+}
+
+}  // namespace raceway::cli

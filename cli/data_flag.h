@@ -1,0 +1,23 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "io/model_file.h"
+
+namespace raceway::cli {
+
+/// `--columns map.toml` and `--drop-nan` of a command that reads measurements.
+struct DataFlag {
+  std::string columns;
+  bool drop_nan = false;
+
+  /// Declares the flags.
+  void declare(CLI::App& command);
+  /// How measurements are read: by the map of the flag, else by [columns] of the model.
+  [[nodiscard]] io::ReadOptions options(const io::ModelFile& model) const;
+  /// The same without a model.
+  [[nodiscard]] io::ReadOptions options() const;
+};
+
+}  // namespace raceway::cli

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "io/data_columns.h"
+#include "io/input_file.h"
+
+// Last: see io/toml_text.h.
+#include "io/column_section.h"
+
+namespace raceway::io {
+namespace {
+
+using record::Channel;
+
+std::string_view variable_of(const Channel& channel) {
+  return channel.variable == channel.name ? header_parts(channel.name).name : channel.variable;
+}
+
+/// "Axial load" and "axial_load" are one name.
+bool same_name(std::string_view given, std::string_view variable) {
+  std::string name = lower_case(given);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name == variable;
+}
+
+Names names_of_channels() {
+  Names names;
+  for (const Channel* c : file_channels()) names.emplace_back(c->name);
+  return names;
+}
+
+[[noreturn]] void wrong(const Section& s, const toml::key& key, const toml::node& node,
+                        const std::string& problem) {
+  throw InputError(fmt::format("{}:{}: [columns] {} = {}: {}", s.source(), key.source().begin.line,
+                               key.str(), shown(node), problem));
+}
+
+/// `unit = "Nm"` of a rule, or "excel" for dates.
+void read_unit(const Section& s, const toml::key& key, const std::string& text, ColumnRule& rule) {
+  const Unit* const own = unit_of(*rule.channel);
+  rule.excel_date = *rule.channel == record::time && text == "excel";
+  if (rule.excel_date) return;
+  if (own) rule.unit = find_unit(text, own->dimension);
+  if (rule.unit) return;
+  Names known;
+  for (const Unit& unit : units())
+    if (own && unit.dimension == own->dimension) known.emplace_back(unit.suffix);
+  if (*rule.channel == record::time) known.emplace_back("excel");
+  throw InputError(fmt::format("{}:{}: [columns] {}: unit = \"{}\": {}", s.source(),
+                               key.source().begin.line, key.str(), text,
+                               own ? "must be " + listed(known, "or") : "it has none"));
+}
+
+/// `{ column = "Reibmoment", unit = "Nm", factor = -1 }`
+void read_rule_table(const Section& s, const toml::key& key, const toml::table& table,
+                     ColumnRule& rule) {
+  const Section one(s.source(), fmt::format("columns.{}", key.str()), &table);
+  one.allow_only({"column", "unit", "factor"});
+  const auto column = one.text("column");
+  if (!column || column->empty())
+    wrong(s, key, table, "needs the header of their column: column = \"...\"");
+  rule.header = *column;
+  if (const auto unit = one.text("unit")) read_unit(s, key, *unit, rule);
+  rule.factor = one.number({"factor", "", -1e9, 1e9}).value_or(1.0);
+  if (rule.factor == 0.0) wrong(s, key, table, "factor = 0 makes all of it 0");
+}
+
+ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& node) {
+  const auto named = named_channel(key.str(), file_channels());
+  if (!named) {
+    const Names known = names_of_channels();
+    const std::string near = suggestion(key.str(), known);
+    wrong(s, key, node,
+          "no column of this program" + (near.empty() ? "; it has " + listed(known) : near));
+  }
+  ColumnRule rule{.key = std::string(key.str()),
+                  .channel = named->channel,
+                  .key_unit = named->unit,
+                  .place = fmt::format("{}:{}", s.source(), key.source().begin.line)};
+  if (node.is_number()) {
+    const double value = *node.value<double>();
+    const Channel& c = *rule.channel;
+    const double si = rule.key_unit ? rule.key_unit->to_SI(value) : c.to_SI(value);
+    if (c.role == record::Role::run || c.role == record::Role::measured)
+      wrong(s, key, node, "must be a column of the file in quotes, no number for all rows");
+    const double lower = c.is_input() ? -c.upper : c.lower;  // the sign is judged with the model
+    if (!(si >= c.to_SI(lower) && si <= c.to_SI(c.upper)))
+      wrong(s, key, node, fmt::format("must be from {} to {} {}", c.lower, c.upper, c.unit));
+    rule.constant = value;
+  } else if (node.is_string() && !node.value<std::string>()->empty()) {
+    rule.header = *node.value<std::string>();
+  } else if (node.is_table()) {
+    read_rule_table(s, key, *node.as_table(), rule);
+  } else {
+    wrong(s, key, node,
+          "must be the header of a column in quotes, a number for all rows, or { column = "
+          "\"...\", unit = \"...\" }");
+  }
+  return rule;
+}
+
+/// Rises through a file, also on one line.
+std::uint64_t order_of(const toml::key& key) {
+  constexpr std::uint64_t most_columns = 100000;
+  return std::uint64_t{key.source().begin.line} * most_columns + key.source().begin.column;
+}
+
+}  // namespace
+
+std::span<const Channel* const> file_channels() {
+  static const auto all = [] {
+    std::array<const Channel*, record::channels.size() + 3> list{};
+    for (std::size_t k = 0; k < record::channels.size(); ++k) list[k] = &record::channels[k];
+    list[record::channels.size()] = &speed_from;
+    list[record::channels.size() + 1] = &speed_to;
+    list[record::channels.size() + 2] = &fall_time_deviation;
+    return list;
+  }();
+  return all;
+}
+
+const Unit* unit_of(const Channel& channel) {
+  const std::string_view unit = header_parts(channel.name).unit;
+  return unit.empty() ? nullptr : find_unit(unit);
+}
+
+std::optional<NamedChannel> named_channel(std::string_view name,
+                                          std::span<const Channel* const> channels) {
+  for (const Channel* c : channels)
+    if (c->name == name) return NamedChannel{c};
+  const HeaderParts parts = header_parts(name);
+  if (parts.unit.empty()) return std::nullopt;
+  for (const Channel* c : channels) {
+    const Unit* const own = unit_of(*c);
+    if (!own || !same_name(parts.name, variable_of(*c))) continue;
+    if (const Unit* const unit = find_unit(parts.unit, own->dimension))
+      return NamedChannel{c, unit == own ? nullptr : unit};
+  }
+  return std::nullopt;
+}
+
+const ColumnRule* ColumnMap::find(std::string_view header) const {
+  for (const ColumnRule& rule : rules)
+    if (!rule.header.empty() && rule.header == header) return &rule;
+  return nullptr;
+}
+
+ColumnMap read_columns(const ModelTables& tables) {
+  const Section s = tables.section("columns");
+  ColumnMap map{.source = tables.source()};
+  if (!s.given()) return map;
+  // In the order of the file, for messages.
+  std::map<std::uint64_t, std::pair<const toml::key*, const toml::node*>> lines;
+  for (const auto& [key, node] : *s.table()) lines.emplace(order_of(key), std::pair(&key, &node));
+  for (const auto& [_, entry] : lines) {
+    ColumnRule rule = read_rule(s, *entry.first, *entry.second);
+    for (const ColumnRule& other : map.rules) {
+      if (*other.channel == *rule.channel)
+        throw InputError(fmt::format("{}: [columns] {} and {} are one quantity; keep one of them",
+                                     rule.place, other.key, rule.key));
+      if (!rule.header.empty() && other.header == rule.header)
+        throw InputError(fmt::format("{}: [columns] {} and {} are both the column \"{}\"",
+                                     rule.place, other.key, rule.key, rule.header));
+    }
+    map.rules.push_back(std::move(rule));
+  }
+  return map;
+}
+
+ColumnMap parse_column_map(std::string_view text, const std::string& source) {
+  const ModelTables tables(text, source);
+  for (const auto& [key, node] : tables.root())
+    if (key.str() != "columns" || !node.is_table())
+      throw InputError(fmt::format("{}: {}: a file of columns has the table [columns] alone",
+                                   tables.place(key), key.str()));
+  if (!tables.section("columns").given())
+    throw InputError(source + ": no table [columns]: speed_rpm = \"header of their column\" ...");
+  return read_columns(tables);
+}
+
+ColumnMap read_column_map(const std::string& path) {
+  return parse_column_map(read_text(path), path);
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/units.h"
+#include "record/channel.h"
+
+namespace raceway::io {
+
+/// How the number of a cell becomes SI.
+struct CellUnit {
+  const Unit* unit = nullptr;  ///< null: that of the channel
+  double factor = 1.0;         ///< of the user's own, before all else: -1 turns a sign
+
+  [[nodiscard]] double to_SI(const record::Channel& channel, double cell) const {
+    return unit ? unit->to_SI(cell * factor) : channel.to_SI(cell * factor);
+  }
+  [[nodiscard]] double in_cell(const record::Channel& channel, double si) const {
+    return (unit ? unit->in_unit(si) : channel.in_unit(si)) / factor;
+  }
+};
+
+/// A channel as its name in a file says it.
+struct NamedChannel {
+  const record::Channel* channel;
+  const Unit* unit = nullptr;  ///< null where it is that of the channel, or the channel has none
+};
+
+/// The unit of a channel in the table of units; null for one without (a run, a count).
+[[nodiscard]] const Unit* unit_of(const record::Channel& channel);
+
+/// The channel of that name, also in another unit of its kind: "friction_torque_Nm", "speed
+/// [1/min]".
+[[nodiscard]] std::optional<NamedChannel> named_channel(
+    std::string_view name, std::span<const record::Channel* const> channels);
+
+/// One line of [columns]: what one of our columns is in somebody else's file.
+struct ColumnRule {
+  std::string key;                   ///< as it stands there: "friction_torque_Nmm"
+  const record::Channel* channel;    ///< that it names
+  const Unit* key_unit;              ///< that the key ends in, null where it is that of the channel
+  std::string header{};              ///< of their column; empty for a constant
+  std::optional<double> constant{};  ///< for all rows, in the unit of the key
+  const Unit* unit = nullptr;        ///< of their column, where the rule says it
+  bool excel_date = false;           ///< their numbers are days since 1900, as Excel has them
+  double factor = 1.0;               ///< their numbers are multiplied by it
+  std::string place{};               ///< "map.toml:3"
+};
+
+/// The table [columns] of a model, or of a file of its own.
+struct ColumnMap {
+  std::string source{};
+  std::vector<ColumnRule> rules{};
+
+  [[nodiscard]] const ColumnRule* find(std::string_view header) const;
+};
+
+/// How a file of measurements is read.
+struct ReadOptions {
+  ColumnMap columns{};
+  bool drop_nan = false;  ///< rows with a cell that has no number are left out and told
+};
+
+/// All channels that a file may have, those of a record and those of a fall between two speeds.
+[[nodiscard]] std::span<const record::Channel* const> file_channels();
+
+/// A file with [columns] alone. Throws InputError as read_model().
+[[nodiscard]] ColumnMap read_column_map(const std::string& path);
+[[nodiscard]] ColumnMap parse_column_map(std::string_view text, const std::string& source);
+
+}  // namespace raceway::io

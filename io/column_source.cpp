@@ -1,0 +1,205 @@
+#include "io/column_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "io/csv_form.h"
+#include "io/error.h"
+#include "io/missing_cell.h"
+#include "io/names.h"
+
+namespace raceway::io {
+namespace {
+
+using record::Channel;
+
+std::string place_of(const CsvTable& table) {
+  return fmt::format("{}:{}", table.source, table.header_line);
+}
+
+/// The unit in the row of units, where there is one and it is of this kind.
+const Unit* in_unit_row(const CsvTable& table, std::size_t column, const Unit* own) {
+  if (!own || column >= table.units.size()) return nullptr;
+  return find_unit(table.units[column], own->dimension);
+}
+
+/// Of a column that a rule names: what the rule says, else the header, else the row of units, else
+/// the key.
+const Unit* unit_by_rule(const ColumnRule& rule, const CsvTable& table, std::size_t column) {
+  const Unit* const own = unit_of(*rule.channel);
+  if (rule.unit || !own) return rule.unit;
+  const std::string_view written = header_parts(rule.header).unit;
+  if (const Unit* const unit = written.empty() ? nullptr : find_unit(written, own->dimension))
+    return unit;
+  if (const Unit* const unit = in_unit_row(table, column, own)) return unit;
+  return rule.key_unit;
+}
+
+/// Of a column that is named as ours: its ending, which a row of units must not contradict.
+const Unit* unit_by_name(const NamedChannel& named, const CsvTable& table, std::size_t column) {
+  const Unit* const own = unit_of(*named.channel);
+  const Unit* const ending = named.unit ? named.unit : own;
+  const Unit* const below = in_unit_row(table, column, own);
+  if (below && below != ending)
+    throw InputError(fmt::format("{}: column {} has {} in the row of units below it; mend one",
+                                 place_of(table), table.header[column], below->words));
+  return named.unit;
+}
+
+void note_unit(const ColumnSource& source, Recognised& result) {
+  const Unit* const own = unit_of(*source.channel);
+  if (source.excel_date || !own) return;
+  std::string text;
+  if (source.cells.unit && source.cells.unit != own)
+    text = fmt::format("in {}: {}", source.cells.unit->words, conversion(*source.cells.unit, *own));
+  if (source.cells.factor != 1.0)
+    text += fmt::format("{}times {:.10g}", text.empty() ? "" : ", ", source.cells.factor);
+  if (!text.empty())
+    result.notes.push_back(
+        fmt::format("column {} is {}, read {}", source.name, source.channel->name, text));
+}
+
+void add(ColumnSource source, const CsvTable& table, Recognised& result) {
+  if (const ColumnSource* const twin = result.find(*source.channel))
+    throw InputError(fmt::format("{}: columns {} and {} are both {}; keep one of them",
+                                 place_of(table), twin->name, source.name, source.channel->words));
+  result.columns.push_back(std::move(source));
+}
+
+bool is_ruled(const ColumnMap& map, const Channel& channel) {
+  return std::any_of(map.rules.begin(), map.rules.end(),
+                     [&](const ColumnRule& r) { return *r.channel == channel && !r.constant; });
+}
+
+std::string_view unit_words(const ColumnSource& source) {
+  return source.cells.unit ? source.cells.unit->words : source.channel->unit;
+}
+
+/// Of a channel in the unit of the file.
+CellRange range_of(const ColumnSource& source, bool with_sign) {
+  const Channel& c = *source.channel;
+  CellRange range{source.name, with_sign ? -c.upper : c.lower, c.upper, unit_words(source)};
+  if (source.cells.unit || source.cells.factor != 1.0) {
+    range.lower = source.cells.in_cell(c, c.to_SI(range.lower));
+    range.upper = source.cells.in_cell(c, c.to_SI(range.upper));
+    if (range.lower > range.upper) std::swap(range.lower, range.upper);
+  }
+  return range;
+}
+
+FormFinder finder(const ReadOptions& options) {
+  return [&](std::string_view text) {
+    return find_form(text, [&](std::string_view cell) {
+      return options.columns.find(cell) != nullptr ||
+             named_channel(cell, file_channels()).has_value();
+    });
+  };
+}
+
+/// A file that has our own name in the place of theirs needs no rule.
+void require_columns(const CsvTable& table, const ColumnMap& map, const Recognised& found) {
+  for (const ColumnRule& rule : map.rules)
+    if (!rule.constant && !found.find(*rule.channel))
+      throw InputError(
+          fmt::format("{}: no column \"{}\", which {} takes for {}{}; the header has {}",
+                      place_of(table), rule.header, rule.place, rule.key,
+                      suggestion(rule.header, table.header), listed(table.header)));
+}
+
+}  // namespace
+
+const ColumnSource* Recognised::find(const Channel& channel) const {
+  for (const ColumnSource& source : columns)
+    if (*source.channel == channel) return &source;
+  return nullptr;
+}
+
+Recognised recognise(const CsvTable& table, const ColumnMap& map) {
+  Recognised result;
+  const auto has_column_of = [&](const ColumnRule& rule) {
+    return table.column(rule.header).has_value();
+  };
+  for (std::size_t c = 0; c < table.header.size(); ++c) {
+    const std::string& name = table.header[c];
+    if (const ColumnRule* const rule = map.find(name)) {
+      add({rule->channel, c, name, {unit_by_rule(*rule, table, c), rule->factor}, rule->excel_date},
+          table, result);
+      continue;
+    }
+    const auto named = named_channel(name, file_channels());
+    const bool replaced = named && is_ruled(map, *named->channel) &&
+                          std::any_of(map.rules.begin(), map.rules.end(), [&](const auto& rule) {
+                            return *rule.channel == *named->channel && has_column_of(rule);
+                          });
+    if (named && !replaced)
+      add({named->channel, c, name, {unit_by_name(*named, table, c)}}, table, result);
+    else
+      result.others.push_back(name);
+  }
+  require_columns(table, map, result);
+  for (const ColumnSource& source : result.columns) note_unit(source, result);
+  for (const ColumnRule& rule : map.rules)
+    if (rule.constant && !result.find(*rule.channel))
+      result.constants.push_back({rule.channel,
+                                  rule.key_unit ? rule.key_unit->to_SI(*rule.constant)
+                                                : rule.channel->to_SI(*rule.constant),
+                                  "[columns] of " + map.source});
+  const auto order = [](const Channel* channel) {
+    const auto all = file_channels();
+    return std::find_if(all.begin(), all.end(), [&](const Channel* c) { return *c == *channel; }) -
+           all.begin();
+  };
+  std::stable_sort(result.columns.begin(), result.columns.end(), [&](const auto& a, const auto& b) {
+    return order(a.channel) < order(b.channel);
+  });
+  return result;
+}
+
+bool is_missing(std::string_view cell) {
+  constexpr std::array<std::string_view, 12> words{
+      "", "nan", "na", "n/a", "#n/a", "#nv", "null", "none", "-", "#div/0!", "#wert!", "#value!"};
+  return std::find(words.begin(), words.end(), lower_case(cell)) != words.end();
+}
+
+ParsedNumber si_of_cell(const CsvTable& table, std::size_t row, const ColumnSource& source,
+                        bool with_sign, BadCells& bad) {
+  ParsedNumber number = read_cell(table, row, source.column, range_of(source, with_sign), bad);
+  number.value = source.cells.to_SI(*source.channel, number.value);
+  return number;
+}
+
+CsvTable read_measurements(const std::string& path, const ReadOptions& options) {
+  return read_csv(path, finder(options));
+}
+
+CsvTable parse_measurements(std::string text, const std::string& source, const ReadOptions& options,
+                            bool byte_order_mark) {
+  return parse_csv(std::move(text), source, byte_order_mark, finder(options));
+}
+
+std::string drop_empty_rows(CsvTable& table, const std::vector<ColumnSource>& columns) {
+  std::vector<bool> remove(table.rows());
+  std::string lines;
+  std::size_t count = 0;
+  constexpr std::size_t shown = 5;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    remove[row] = std::any_of(columns.begin(), columns.end(), [&](const ColumnSource& source) {
+      return is_missing(table.cell(row, source.column));
+    });
+    if (!remove[row] || ++count > shown) continue;
+    lines += fmt::format("{}{}", lines.empty() ? "" : ", ", table.line(row));
+  }
+  if (count == 0) return {};
+  const std::size_t all = table.rows();
+  if (count == all)
+    throw InputError(fmt::format(
+        "{}: none of {} rows has a number in every column; nothing is left", table.source, all));
+  table.remove_rows(remove);
+  return fmt::format("{} of {} rows have an empty cell or no number and are left out (line{} {}{})",
+                     count, all, count == 1 ? "" : "s", lines, count > shown ? ", ..." : "");
+}
+
+}  // namespace raceway::io

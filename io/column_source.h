@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "io/bad_cells.h"
+#include "io/column_map.h"
+#include "io/csv.h"
+
+/// Files of measurements: which column of a file holds which channel, in which unit; shared by the
+/// readers of measurements, not for other code.
+namespace raceway::io {
+
+struct ColumnSource {
+  const record::Channel* channel;
+  std::size_t column;  ///< of the file
+  std::string name;    ///< as its header has it, for messages
+  CellUnit cells{};
+  bool excel_date = false;  ///< days since 1900 rather than a time
+};
+
+struct Recognised {
+  struct Constant {
+    const record::Channel* channel;
+    double value;      ///< SI
+    std::string from;  ///< "[columns]"
+  };
+  std::vector<ColumnSource> columns{};  ///< in the order of file_channels()
+  std::vector<Constant> constants{};
+  std::vector<std::string> others{};  ///< headers that nobody knows
+  std::vector<std::string> notes{};   ///< on units that were converted
+
+  [[nodiscard]] const ColumnSource* find(const record::Channel& channel) const;
+};
+
+/// Throws InputError for a column of the map that is not there, for two columns of one quantity and
+/// for a unit that contradicts that of the header.
+[[nodiscard]] Recognised recognise(const CsvTable& table, const ColumnMap& map);
+
+/// A cell in SI; what is no number or out of range goes to `bad`. `with_sign`: an input that may be
+/// below zero here.
+[[nodiscard]] ParsedNumber si_of_cell(const CsvTable& table, std::size_t row,
+                                      const ColumnSource& source, bool with_sign, BadCells& bad);
+
+/// The rows of a file, with its titles skipped and its row of units found by the names of our
+/// columns and by those of the map.
+[[nodiscard]] CsvTable read_measurements(const std::string& path, const ReadOptions& options);
+[[nodiscard]] CsvTable parse_measurements(std::string text, const std::string& source,
+                                          const ReadOptions& options, bool byte_order_mark = false);
+
+/// Takes rows out in which one of these columns is empty, "nan", "#N/A" or the like, and says how
+/// many and which; nothing where there is none.
+[[nodiscard]] std::string drop_empty_rows(CsvTable& table,
+                                          const std::vector<ColumnSource>& columns);
+
+}  // namespace raceway::io

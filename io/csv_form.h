@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "io/csv.h"
+
+namespace raceway::io {
+
+/// Looks for the header of a file of measurements among its first lines: the first line with a name
+/// that is `known`, else the line above the first row of numbers, if it has as many cells. A line
+/// of units alone, below it, is its row of units.
+[[nodiscard]] CsvForm find_form(std::string_view text,
+                                const std::function<bool(std::string_view)>& known);
+
+/// Whether a cell is a number with a point or a comma, or a time (io/timestamp.h).
+[[nodiscard]] bool is_reading(std::string_view cell);
+
+}  // namespace raceway::io

@@ -1,0 +1,77 @@
+// Files of other programs, from their columns to a verdict.
+#include "tests/cli/sample.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string german = std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/german_export.csv";
+
+TEST(Columns, AGermanExcelExportGoesInWithoutAScript) {
+  const ScratchFolder folder;
+  const std::string at = "cd '" + folder.path().string() + "'; ";
+  EXPECT_EQ(run_shell(at + "$raceway new 'S 6014 C' -o my.toml").status, 0);
+  // As it stands it is refused, with the way on.
+  expect_refused(run_shell(at + "$raceway check my.toml " + german), "--suggest-columns");
+  EXPECT_EQ(
+      run_shell(at + "$raceway check my.toml " + german + " --suggest-columns >map.toml").status,
+      0);
+  const Result refused = run_shell(at + "$raceway check my.toml " + german + " --columns map.toml");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("Reibmoment = \"#NV\": is not a number"));
+  const std::string flags = german + " --columns map.toml --drop-nan";
+  const Result check = run_shell(at + "$raceway check my.toml " + flags + " -o rows.csv");
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("71 rows of friction torque"));
+  EXPECT_THAT(check.err, HasSubstr("1 of 72 rows have an empty cell or no number"));
+  EXPECT_THAT(check.err, HasSubstr("1 N m = 1000 N mm"));
+  EXPECT_THAT(check.err, Not(HasSubstr("warning:")));
+  const Result verdict = run_shell(at + "$raceway diagnose my.toml " + flags + " | head -n 1");
+  EXPECT_THAT(verdict.out, testing::StartsWith("Consistent with lubricant-drag"));
+  // The map may stand in the model, and the rows as they were read say the same.
+  EXPECT_EQ(run_shell(at + "sed '/^#/d' map.toml >>my.toml").status, 0);
+  EXPECT_EQ(run_shell(at + "$raceway diagnose my.toml " + german + " --drop-nan | head -n 1").out,
+            verdict.out);
+  EXPECT_EQ(run_shell(at + "$raceway diagnose my.toml rows.csv | head -n 1").out, verdict.out);
+  // As Excel's "Unicode text" has it.
+  EXPECT_EQ(run_shell(at + "iconv -f latin1 -t utf-16 " + german +
+                      " >utf16.csv; $raceway diagnose my.toml utf16.csv --drop-nan | head -n 1")
+                .out,
+            verdict.out);
+}
+
+TEST(Columns, AnotherUnitIsAskedAboutBeforeTheVerdict) {
+  const ScratchFolder folder;
+  const std::string model = folder.write("m.toml", model_text);
+  std::string rows = "speed_rpm,axial_load_N,friction_torque_Nmm\n";
+  for (int speed = 1000; speed < 12000; speed += 1000)
+    rows += std::to_string(speed) + ",300," + std::to_string(0.02 + 4e-5 * speed) + "\n";
+  const std::string data = folder.write("d.csv", rows);
+  const std::string question =
+      "warning: readings of friction torque are about 1000 times too small for the model: N m in a "
+      "column of N mm?";
+  for (const std::string& command :
+       {"check " + model + " " + data, "compare " + model + " " + data,
+        "calibrate " + model + " " + data, "diagnose " + model + " " + data,
+        "add " + model + " windage --data " + data})
+    EXPECT_THAT(run(command).err, HasSubstr(question)) << command;
+  const json document = parsed(run("check " + model + " " + data + " --json"));
+  EXPECT_THAT(document["notes"].dump(), HasSubstr("1000 times too small"));
+}
+
+TEST(Columns, WorkbooksAndBinaryFilesAreNamed) {
+  const ScratchFolder folder;
+  const std::string model = folder.write("m.toml", model_text);
+  const auto refused = [&](const std::string& text, const std::string& message) {
+    const std::string data = folder.write("d.csv", text);
+    expect_refused(run("check " + model + " " + data), message);
+  };
+  refused(std::string("PK\3\4\0\0", 6), "d.csv: is an Excel workbook (.xlsx)");
+  refused("\xd0\xcf\x11\xe0\xa1", "is an Excel workbook of the old kind (.xls)");
+  refused("\x89HDF\r\n", "is an HDF5 file");
+}
+
+}  // namespace
+}  // namespace raceway::tests

@@ -1,0 +1,36 @@
+// No rig of the study, with whatever is hidden in it, looks entered wrong.
+#include "io/doubts.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "io/data_file.h"
+#include "io/model_file.h"
+#include "io/subject.h"
+#include "tests/hidden_effect/bars.h"
+
+namespace hidden_effect {
+namespace {
+
+using namespace raceway;
+
+TEST(Doubts, AreNotRaisedByHiddenEffects) {
+  constexpr int seeds = RACEWAY_DOUBT_SEEDS;
+  int rigs = 0;
+  for (const Block& block : blocks())
+    for (const Trial& trial : trials(block.id, seeds)) {
+      const Rig rig = make_rig(trial.setup);
+      const auto subject = io::make_subject(io::parse_model(model_text(rig), "model.toml").model);
+      const record::Record data =
+          io::parse_record(measurement_text(rig, rig.train), "train.csv", *subject);
+      for (const std::string& doubt : io::doubts(*subject, data))
+        ADD_FAILURE() << block.id << ", seed " << trial.setup.seed << ": " << doubt;
+      ++rigs;
+    }
+  EXPECT_GT(rigs, 200);
+  RecordProperty("rigs", rigs);
+}
+
+}  // namespace
+}  // namespace hidden_effect
