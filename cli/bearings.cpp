@@ -1,16 +1,36 @@
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "cli/commands.h"
+#include "cli/number_flag.h"
 #include "cli/text_table.h"
 #include "io/catalogue_file.h"
 #include "io/error.h"
 #include "io/results.h"
+#include "record/units.h"
 
 namespace raceway::cli {
 namespace {
 
-int list_bearings(const std::string& filter, bool json) {
-  const auto rows = io::matching_bearings(io::read_catalogues(), filter);
+struct BearingsFlags {
+  std::string filter;
+  double bore = unset, outer_diameter = unset;  // [m]
+  bool json = false;
+};
+
+/// As printed: to a tenth of a millimetre.
+bool is_size(double wanted, double size) {
+  return std::isnan(wanted) || std::abs(wanted - size) < 0.05 * mm;
+}
+
+int list_bearings(const BearingsFlags& flags) {
+  auto rows = io::matching_bearings(io::read_catalogues(), flags.filter);
+  std::erase_if(rows, [&](const io::CatalogueBearing& r) {
+    return !is_size(flags.bore, r.geometry.bore) ||
+           !is_size(flags.outer_diameter, r.geometry.outer_diameter);
+  });
+  const bool json = flags.json;
   if (json) {
     fmt::print("{}", io::bearings_json(rows));
   } else if (!rows.empty()) {
@@ -35,8 +55,9 @@ int list_bearings(const std::string& filter, bool json) {
   if (rows.empty()) {
     fmt::print(
         stderr,
-        "raceway bearings: no bearing has \"{}\" in its name; without a filter all are listed\n",
-        filter);
+        "raceway bearings: no bearing has \"{}\" in its name{}; without a filter all are listed\n",
+        flags.filter,
+        std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size");
     return wrong_input;
   }
   return done;
@@ -45,13 +66,15 @@ int list_bearings(const std::string& filter, bool json) {
 }  // namespace
 
 Run setup_bearings(CLI::App& command) {
-  auto filter = std::make_shared<std::string>();
-  auto json = std::make_shared<bool>(false);
-  command.add_option("FILTER", *filter, "part of a designation; all bearings without it")
+  auto flags = std::make_shared<BearingsFlags>();
+  command.add_option("FILTER", flags->filter, "part of a designation; all bearings without it")
       ->type_name("");
-  command.add_flag("--json", *json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway bearings \"S 60\"");
-  return [=] { return list_bearings(*filter, *json); };
+  add_length(command, "--bore", flags->bore, {1, 5000, "mm"}, "of that bore, mm or with its unit");
+  add_length(command, "--outer-diameter", flags->outer_diameter, {2, 10000, "mm"},
+             "of that outer diameter");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer("Example:\n  raceway bearings \"S 60\"\n  raceway bearings --bore 70");
+  return [flags] { return list_bearings(*flags); };
 }
 
 }  // namespace raceway::cli

@@ -79,6 +79,13 @@ std::optional<CatalogueBearing> row_named(const std::string& name) {
 
 }  // namespace
 
+Names missing_keys_of_bearing(const ModelTables& tables) {
+  const Section s = tables.section("bearing");
+  if (s.find("catalogue")) return {};
+  return s.lacking({ball_count, ball_diameter, pitch_diameter, contact_angle, inner_conformity,
+                    outer_conformity});
+}
+
 /// A bearing in the making.
 struct BearingReader::Draft {
   BearingGeometry geometry;

@@ -25,6 +25,9 @@ struct NamedBearing {
 
 inline constexpr Key static_load_rating{"static_load_rating_N", "N", 1, 1e9};
 
+/// What [bearing] must have and has not, where it names no row of the catalogue.
+[[nodiscard]] Names missing_keys_of_bearing(const ModelTables& tables);
+
 class BearingReader {
  public:
   /// Reads the tables [material.NAME]. Throws InputError as read_model() does.

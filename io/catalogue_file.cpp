@@ -54,6 +54,16 @@ std::string maker_of(const CsvTable& table, const std::string& path) {
   return compact(stem.substr(0, stem.find('_')));
 }
 
+/// In the order of their names.
+std::vector<std::string> csv_files(const fs::path& folder) {
+  std::error_code error;
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().extension() == ".csv") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
   return fs::is_directory(path, ignored);
@@ -61,12 +71,15 @@ bool is_folder(const fs::path& path) {
 
 }  // namespace
 
+std::string own_data_directory() {
+  const char* const named = std::getenv("RACEWAY_DATA");
+  if (!named || !*named) return {};
+  if (!is_folder(named))
+    throw InputError(fmt::format("RACEWAY_DATA = {}: is not a directory", named));
+  return named;
+}
+
 std::string data_directory() {
-  if (const char* const named = std::getenv("RACEWAY_DATA"); named && *named) {
-    if (!is_folder(named))
-      throw InputError(fmt::format("RACEWAY_DATA = {}: is not a directory", named));
-    return named;
-  }
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   const std::array candidates{fs::path(RACEWAY_DATA_DIR),
@@ -74,10 +87,7 @@ std::string data_directory() {
                               fs::path(RACEWAY_INSTALLED_DATA_DIR)};
   for (const fs::path& candidate : candidates)
     if (is_folder(candidate / "bearings")) return candidate.string();
-  throw InputError(
-      "the folder with the catalogue of bearings was not found; name it in the environment "
-      "variable "
-      "RACEWAY_DATA");
+  return {};
 }
 
 std::vector<CatalogueBearing> read_catalogue(const std::string& path) {
@@ -165,14 +175,31 @@ std::vector<CatalogueBearing> read_catalogue(const std::string& path) {
 }
 
 std::vector<CatalogueBearing> read_catalogues() {
-  const fs::path folder = fs::path(data_directory()) / "bearings";
-  std::error_code error;
+  const std::string own = own_data_directory();
   std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().extension() == ".csv") files.push_back(entry.path().string());
+  if (!own.empty()) {
+    files = csv_files(is_folder(fs::path(own) / "bearings") ? fs::path(own) / "bearings"
+                                                            : fs::path(own));
+    if (files.empty())
+      throw InputError(
+          fmt::format("RACEWAY_DATA = {0}: no catalogue of bearings was found ({0}/*.csv "
+                      "or {0}/bearings/*.csv)",
+                      own));
+  }
+  if (const std::string ours = data_directory(); !ours.empty()) {
+    const std::vector<std::string> more = csv_files(fs::path(ours) / "bearings");
+    // The folder may be named although it is the one that is found anyway.
+    for (const std::string& file : more)
+      if (std::none_of(files.begin(), files.end(), [&](const std::string& known) {
+            std::error_code ignored;
+            return fs::equivalent(known, file, ignored);
+          }))
+        files.push_back(file);
+  }
   if (files.empty())
-    throw InputError(folder.string() + ": no catalogue of bearings (*.csv) was found");
-  std::sort(files.begin(), files.end());
+    throw InputError(
+        "the folder with the catalogue of bearings was not found; name one in the environment "
+        "variable RACEWAY_DATA");
   std::vector<CatalogueBearing> rows;
   for (const std::string& file : files)
     for (CatalogueBearing& row : read_catalogue(file)) rows.push_back(std::move(row));
@@ -188,17 +215,23 @@ std::vector<CatalogueBearing> matching_bearings(const std::vector<CatalogueBeari
   return result;
 }
 
+const CatalogueBearing* known_bearing(const std::vector<CatalogueBearing>& rows,
+                                      std::string_view name) {
+  for (const CatalogueBearing& row : rows)
+    if (key_of(row.designation, row.maker) == key_of(name, row.maker)) return &row;
+  return nullptr;
+}
+
 CatalogueBearing find_bearing(const std::vector<CatalogueBearing>& rows, std::string_view name) {
+  if (const CatalogueBearing* const row = known_bearing(rows, name)) return *row;
   struct Near {
     std::size_t distance;
     const CatalogueBearing* row;
   };
   std::vector<Near> near;
   for (const CatalogueBearing& row : rows) {
-    const std::string key = key_of(row.designation, row.maker);
-    const std::string wanted = key_of(name, row.maker);
-    if (key == wanted) return row;
-    near.push_back({edit_distance(key, wanted), &row});
+    near.push_back(
+        {edit_distance(key_of(row.designation, row.maker), key_of(name, row.maker)), &row});
   }
   std::stable_sort(near.begin(), near.end(),
                    [](const Near& a, const Near& b) { return a.distance < b.distance; });

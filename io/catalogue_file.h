@@ -34,22 +34,30 @@ struct CatalogueBearing {
   [[nodiscard]] std::string full_name() const { return maker + " " + designation; }
 };
 
-/// Folder of the data that come with the program: the environment variable RACEWAY_DATA, else the
-/// source tree it was built from, else share/raceway beside or where it was installed.
-/// Throws InputError where none of them exists.
+/// Folder of the data that come with the program: the source tree it was built from, else
+/// share/raceway beside or where it was installed; empty where none of them exists.
 [[nodiscard]] std::string data_directory();
+
+/// The user's own folder beside it: the environment variable RACEWAY_DATA, empty where it is not
+/// set. Throws InputError where that is no folder.
+[[nodiscard]] std::string own_data_directory();
 
 /// One file of a catalogue. The maker is named in a line `# maker: NAME`, else by the file's name
 /// up to its first underscore. Throws InputError as read_csv(), and for impossible values.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogue(const std::string& path);
 
-/// All rows of bearings/*.csv in the data directory, file by file.
+/// All rows of bearings/*.csv in the data directory, file by file, behind those of the user's own
+/// folder (its bearings/*.csv, else its *.csv). Throws InputError where neither has any.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogues();
 
 /// Rows whose name contains `filter` (case, blanks and a trailing "TA" do not matter); all if
 /// empty.
 [[nodiscard]] std::vector<CatalogueBearing> matching_bearings(
     const std::vector<CatalogueBearing>& rows, std::string_view filter);
+
+/// The row of that name, null where there is none.
+[[nodiscard]] const CatalogueBearing* known_bearing(const std::vector<CatalogueBearing>& rows,
+                                                    std::string_view name);
 
 /// The row of that name; case, blanks, the maker's name and a trailing "TA" do not matter.
 /// Throws InputError with the nearest names for an unknown one.

@@ -94,6 +94,20 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue) {
   return result;
 }
 
+Names missing_keys_of_friction(const ModelTables& tables) {
+  Names missing = tables.section("lubricant").lacking({viscosity_40C, viscosity_100C});
+  const Section s = tables.section("friction");
+  const Section bearing = tables.section("bearing");
+  if (bearing.find("catalogue") || s.text("law") == friction::name(FrictionLaw::skf))
+    return missing;
+  for (const std::string& one : bearing.lacking({static_load_rating})) missing.push_back(one);
+  std::vector<Key> factors;
+  for (const friction::Parameter& p : friction::parameters(FrictionLaw::palmgren))
+    factors.push_back({p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper});
+  for (const std::string& one : s.lacking(factors)) missing.push_back(one);
+  return missing;
+}
+
 void require_data(FrictionLaw law, const bearing::Bearing& bearing, const Section& s) {
   if (law == FrictionLaw::palmgren && std::isnan(bearing.geometry().static_load_rating))
     s.fail_missing(static_load_rating, ", which the friction law palmgren needs");

@@ -25,6 +25,9 @@ struct LubricantOfFile {
   std::optional<friction::Supply> supply;
 };
 
+/// What [lubricant], [friction] and, for the law, [bearing] must have and have not.
+[[nodiscard]] Names missing_keys_of_friction(const ModelTables& tables);
+
 [[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);
 
 /// With a bearing of the catalogue the law's values may be left out.

@@ -91,11 +91,7 @@ void note_the_implausible(const model::Model& model, std::vector<std::string>& n
   note(looks_like_kelvin("room_temperature_C", celsius(model.rig.room_temperature)));
 }
 
-}  // namespace
-
-ModelFile parse_model(std::string text, const std::string& source) {
-  ModelTables tables(text, source);
-  check_tables(tables);
+ModelFile model_of_tables(ModelTables& tables, std::string text, const std::string& source) {
   BearingReader bearings(tables);
   NamedBearing bearing = bearings.read(
       tables.required_section("bearing", "its geometry, or catalogue = \"NAME\""), nullptr);
@@ -148,6 +144,23 @@ ModelFile parse_model(std::string text, const std::string& source) {
           .defaults = tables.defaults(),
           .notes = std::move(notes),
           .columns = std::move(columns)};
+}
+
+}  // namespace
+
+ModelFile parse_model(std::string text, const std::string& source) {
+  ModelTables tables(text, source);
+  check_tables(tables);
+  try {
+    return model_of_tables(tables, std::move(text), source);
+  } catch (const MissingKey& first) {
+    Names missing = missing_keys_of_bearing(tables);
+    for (std::string& one : missing_keys_of_friction(tables)) missing.push_back(std::move(one));
+    if (missing.size() < 2) throw;
+    throw InputError(fmt::format(
+        "{}\n{} keys are missing in all (raceway new BEARING -o FILE writes a whole model):\n  {}",
+        first.what(), missing.size(), fmt::join(missing, "\n  ")));
+  }
 }
 
 ModelFile read_model(const std::string& path) {

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/catalogue_file.h"
@@ -69,5 +70,14 @@ struct KeyValue {
 
 /// A commented model of a catalogue bearing, with every default written out.
 [[nodiscard]] std::string new_model_text(const CatalogueBearing& row);
+
+/// What a new model says of its keys.
+struct ModelRemarks {
+  std::string title;
+  std::string ball_material = "steel";
+  std::vector<std::pair<std::string_view, std::string>> of_key{};  ///< in place of the usual remark
+};
+/// The same of a bearing that may be in no catalogue (then it has no maker).
+[[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);
 
 }  // namespace raceway::io

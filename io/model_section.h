@@ -44,6 +44,11 @@ inline std::string_view kind(const toml::node& node) {
   return "a date or time";
 }
 
+/// A key that must stand in the file and does not.
+struct MissingKey : InputError {
+  using InputError::InputError;
+};
+
 /// One table of the file. Asking for a value checks its type and range.
 class Section {
  public:
@@ -66,8 +71,15 @@ class Section {
     throw InputError(fmt::format("{}: {}", place(find(key)), text));
   }
   [[noreturn]] void fail_missing(const Key& key, const std::string& why = "") const {
-    throw InputError(
+    throw MissingKey(
         fmt::format("{}: [{}] {} is missing{}: {}", place(), name_, key.name, why, range(key)));
+  }
+  /// Those of the keys that are not there, each as "[bearing] ball_count: must be from 3 to 200".
+  [[nodiscard]] Names lacking(const std::vector<Key>& keys) const {
+    Names list;
+    for (const Key& key : keys)
+      if (!find(key.name)) list.push_back(fmt::format("[{}] {}: {}", name_, key.name, range(key)));
+    return list;
   }
 
   void allow_only(const Names& known) const {

@@ -29,7 +29,7 @@ class ModelTables {
   [[nodiscard]] Section required_section(std::string_view name, std::string_view holds) const {
     Section result = section(name);
     if (!result.given())
-      throw InputError(fmt::format("{}: table [{}] is missing; it holds {}", source_, name, holds));
+      throw MissingKey(fmt::format("{}: table [{}] is missing; it holds {}", source_, name, holds));
     return result;
   }
 

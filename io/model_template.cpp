@@ -5,35 +5,65 @@
 
 namespace raceway::io {
 
+namespace {
+
+/// A line of [bearing], with its remark.
+std::string key_line(const ModelRemarks& remarks, std::string_view key, const std::string& value,
+                     std::string_view remark = {}) {
+  for (const auto& [name, words] : remarks.of_key)
+    if (name == key) remark = words;
+  std::string line = fmt::format("{} = {}", key, value);
+  if (!remark.empty()) line = fmt::format("{:<34} # {}", line, remark);
+  return line + "\n";
+}
+
+}  // namespace
+
 std::string new_model_text(const CatalogueBearing& row) {
+  return model_text(
+      row,
+      {.title = fmt::format(
+           "Model of a {} on a rig. Every default is written out: change what you know better.",
+           row.full_name()),
+       .ball_material = "steel",
+       .of_key = {}});
+}
+
+std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks) {
   const bearing::BearingGeometry& g = row.geometry;
   const model::Rig rig;
   const auto number = [](double value) { return fmt::format("{:.10g}", value); };
-  std::string text = fmt::format(
-      R"(# Model of a {0} on a rig. Every default is written out: change what you know better.
-
-[bearing]                          # same as catalogue = "{0}"
-name = "{0}"
-ball_count = {1}
-ball_diameter_mm = {2}
-pitch_diameter_mm = {3}
-contact_angle_deg = {4}
-inner_conformity = {5}            # groove radius / ball diameter; makers do not print it: assumed
-outer_conformity = {6}            # assumed
-static_load_rating_N = {7}
-bore_mm = {8}
-outer_diameter_mm = {9}
-ball_material = "steel"            # or "silicon-nitride", or a [material.NAME] as below
-ring_material = "steel"
+  const bool known = !row.maker.empty();
+  const std::string name = known ? row.full_name() : row.designation;
+  std::string text = fmt::format("# {}\n\n", remarks.title);
+  text +=
+      known ? fmt::format("[bearing]                          # same as catalogue = \"{}\"\n", name)
+            : "[bearing]\n";
+  text += fmt::format("name = \"{}\"\n", name);
+  const auto add = [&](std::string_view key, const std::string& value,
+                       std::string_view remark = {}) {
+    text += key_line(remarks, key, value, remark);
+  };
+  add("ball_count", fmt::format("{}", g.ball_count));
+  add("ball_diameter_mm", number(g.ball_diameter / mm));
+  add("pitch_diameter_mm", number(g.pitch_diameter / mm));
+  add("contact_angle_deg", number(g.contact_angle / degree));
+  add("inner_conformity", number(g.inner_conformity),
+      "groove radius / ball diameter; makers do not print it: assumed");
+  add("outer_conformity", number(g.outer_conformity), "assumed");
+  add("static_load_rating_N", number(g.static_load_rating));
+  add("bore_mm", number(g.bore / mm));
+  add("outer_diameter_mm", number(g.outer_diameter / mm));
+  add("ball_material", fmt::format("\"{}\"", remarks.ball_material),
+      remarks.ball_material == "steel" ? "or \"silicon-nitride\", or a [material.NAME] as below"
+                                       : "or \"steel\", or a [material.NAME] as below");
+  text += R"(ring_material = "steel"
 
 [lubricant]                        # assumed: a thin spindle oil; put in the values of yours
 viscosity_40C_mm2_s = 22.0         # of a grease: of its base oil
 viscosity_100C_mm2_s = 4.8
 # supply = "oil-air"               # or "grease", "jet", "bath": rules out effects that need another
-)",
-      row.full_name(), g.ball_count, number(g.ball_diameter / mm), number(g.pitch_diameter / mm),
-      number(g.contact_angle / degree), number(g.inner_conformity), number(g.outer_conformity),
-      number(g.static_load_rating), number(g.bore / mm), number(g.outer_diameter / mm));
+)";
   text += fmt::format(R"(
 [friction]
 law = "palmgren"                   # or "skf", then mu_bl, mu_EHL and K_rs in place of f0, z and y

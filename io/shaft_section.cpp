@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -36,6 +38,21 @@ constexpr Key shaft_temperature{"shaft_temperature_C", "C", -200, 500};
 constexpr Key housing_temperature{"housing_temperature_C", "C", -200, 500};
 constexpr std::string_view preload_class = "preload_class";
 
+/// A set of bearings as the trade names it.
+struct TradeName {
+  std::string_view name;
+  Layout layout;
+  int front, rear;  ///< bearings at the tool and behind; 0: the name does not say
+};
+constexpr std::array trade_names{
+    TradeName{"O", Layout::back_to_back, 0, 0},   TradeName{"X", Layout::face_to_face, 0, 0},
+    TradeName{"tandem", Layout::tandem, 0, 0},    TradeName{"DB", Layout::back_to_back, 1, 1},
+    TradeName{"DF", Layout::face_to_face, 1, 1},  TradeName{"DT", Layout::tandem, 2, 0},
+    TradeName{"TBT", Layout::back_to_back, 2, 1}, TradeName{"TFT", Layout::face_to_face, 2, 1},
+    TradeName{"TT", Layout::tandem, 3, 0},        TradeName{"QBC", Layout::back_to_back, 2, 2},
+    TradeName{"QFC", Layout::face_to_face, 2, 2}, TradeName{"QBT", Layout::back_to_back, 3, 1},
+    TradeName{"QFT", Layout::face_to_face, 3, 1}, TradeName{"QT", Layout::tandem, 4, 0}};
+
 std::string number(double value) { return fmt::format("{:.10g}", value); }
 
 class ShaftReader {
@@ -45,8 +62,8 @@ class ShaftReader {
   model::Shaft read() {
     s_.allow_only(known());
     read_layout();
-    d_.front = read_set("front", *count(front_count));
-    const int rear = count(rear_count).value_or(0);
+    d_.front = read_set("front", *count(front_count, set_.front));
+    const int rear = count(rear_count, set_.rear).value_or(0);
     const bool tandem = d_.layout == Layout::tandem;
     if (tandem && rear > 0)
       s_.fail("rear", fmt::format("rear = {}: a tandem has no second set", rear));
@@ -87,21 +104,34 @@ class ShaftReader {
     return fallback;
   }
 
-  std::optional<int> count(const Key& key) {
+  /// Bearings of a set: as the file says, else as the name of the layout does; both may, so that a
+  /// set may stand the other way round (1 and 2 of a TBT).
+  std::optional<int> count(const Key& key, int named) {
     const auto value = s_.whole_number(key);
+    if (set_.front > 0) {
+      const int front = static_cast<int>(s_.number(front_count).value_or(set_.front));
+      const int rear = static_cast<int>(s_.number(rear_count).value_or(set_.rear));
+      if (std::minmax(front, rear) != std::minmax(set_.front, set_.rear))
+        s_.fail(key.name, fmt::format("front = {}, rear = {}: layout = \"{}\" has {} and {}", front,
+                                      rear, set_.name, set_.front, set_.rear));
+      if (!value) in_.note_default(key.name, fmt::format("{}", named));
+      return value ? value : std::optional(named);
+    }
     if (!value && !(d_.layout == Layout::tandem && key.name == rear_count.name))
       s_.fail_missing(key);
     return value;
   }
 
   void read_layout() {
-    const auto layout = s_.choice("layout", {"O", "X", "tandem"});
+    Names names;
+    for (const TradeName& t : trade_names) names.emplace_back(t.name);
+    const auto layout = s_.choice("layout", names);
     if (!layout)
-      throw InputError(
-          fmt::format("{}: [arrangement] layout is missing: must be O, X or tandem", s_.place()));
-    d_.layout = *layout == "O"   ? Layout::back_to_back
-                : *layout == "X" ? Layout::face_to_face
-                                 : Layout::tandem;
+      throw InputError(fmt::format("{}: [arrangement] layout is missing: must be {}", s_.place(),
+                                   listed(names, "or")));
+    set_ = *std::find_if(trade_names.begin(), trade_names.end(),
+                         [&](const TradeName& t) { return t.name == *layout; });
+    d_.layout = set_.layout;
   }
 
   void read_mounting() {
@@ -247,6 +277,7 @@ class ShaftReader {
   const Section& s_;
   const ShaftContext& in_;
   ArrangementDesign d_;
+  TradeName set_ = trade_names.front();
   std::shared_ptr<const bearing::Bearing> base_;
   std::optional<NamedBearing> first_front_, first_rear_;
 };

@@ -73,5 +73,28 @@ TEST(Columns, WorkbooksAndBinaryFilesAreNamed) {
   refused("\x89HDF\r\n", "is an HDF5 file");
 }
 
+TEST(Columns, ABearingOfNoCatalogueIsProposed) {
+  const ScratchFolder folder;
+  const std::string at = "cd '" + folder.path().string() + "'; ";
+  const Result made =
+      run_shell(at + "$raceway new '7014 C' --balls 20 --ball-material silicon-nitride -o my.toml");
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("7014 C is not in the catalogue: 70 x 110 mm, 15 deg"));
+  EXPECT_EQ(run_shell(at + "$raceway solve my.toml --speed 10000 --axial-load 300").status, 0);
+  // In inches it is the same.
+  EXPECT_EQ(
+      run_shell(at + "$raceway new '7014 C' --balls 20 --ball-material silicon-nitride --bore "
+                     "2.755906in --outer-diameter 4.330709in | grep ball_diameter")
+          .out,
+      run_shell(at + "grep ball_diameter my.toml").out);
+  expect_refused(run("new X99"), "bearing \"X99\" is not in the catalogue");
+  expect_refused(run("new X99 --bore 70"), "--bore and --outer-diameter");
+  expect_refused(run("new X99 --bore 70furlong"), "--bore = \"70furlong\": no unit of length");
+  expect_refused(run("new 'S 6014 C' --bore 70"), "is in the catalogue");
+  const Result list = run("bearings --bore 70");
+  EXPECT_THAT(list.out, HasSubstr("S 6014 C"));
+  EXPECT_THAT(list.out, Not(HasSubstr("S 6010 C")));
+}
+
 }  // namespace
 }  // namespace raceway::tests

@@ -89,12 +89,24 @@ TEST(CatalogueFile, EveryRowIsABearingThatCanBe) {
 
 TEST(CatalogueFile, TheDataDirectoryMayBeNamedByTheUser) {
   ::setenv("RACEWAY_DATA", "/no/such/folder", 1);
-  EXPECT_EQ(message_of([] { (void)data_directory(); }),
+  EXPECT_EQ(message_of([] { (void)read_catalogues(); }),
             "RACEWAY_DATA = /no/such/folder: is not a directory");
-  ::setenv("RACEWAY_DATA", testing::TempDir().c_str(), 1);
-  EXPECT_EQ(data_directory(), testing::TempDir());
+  const std::string own = testing::TempDir() + "own_bearings";
+  std::filesystem::remove_all(own);
+  std::filesystem::create_directories(own);
+  ::setenv("RACEWAY_DATA", own.c_str(), 1);
+  EXPECT_THAT(message_of([] { (void)read_catalogues(); }), HasSubstr("no catalogue of bearings"));
+  std::ofstream(own + "/acme.csv")
+      << header + "X 7014,70,110,90,11.906,20,15,43000\n" + "S 6014 C,70,110,90,12.7,19,15,44000\n";
+  const auto rows = read_catalogues();
+  EXPECT_EQ(find_bearing(rows, "X 7014").full_name(), "ACME X 7014");
+  // Beside ours, and before them where two are called alike.
+  EXPECT_EQ(find_bearing(rows, "S 6014 C").maker, "ACME");
+  EXPECT_EQ(find_bearing(rows, "GMN S 6014 C").maker, "GMN");
+  EXPECT_EQ(find_bearing(rows, "S 6010 C").maker, "GMN");
   ::unsetenv("RACEWAY_DATA");
   EXPECT_EQ(data_directory(), std::string(RACEWAY_SOURCE_DIR) + "/data");
+  EXPECT_EQ(own_data_directory(), "");
 }
 
 }  // namespace

@@ -158,6 +158,16 @@ TEST(ModelFile, MissingKeysAndTablesAreNamedWithTheirRange) {
               HasSubstr("[material.my-ball] density_kg_m3 is missing"));
 }
 
+TEST(ModelFile, AllMissingKeysAreInOneMessage) {
+  const std::string error = error_of("[bearing]\nball_count = 20\ncontact_angle_deg = 15\n");
+  EXPECT_THAT(error, StartsWith("m.toml:1: [bearing] ball_diameter_mm is missing"));
+  EXPECT_THAT(error, HasSubstr("10 keys are missing in all"));
+  for (const char* line :
+       {"[bearing] ball_diameter_mm: must be from 0.1 to 300 mm", "[bearing] static_load_rating_N",
+        "[lubricant] viscosity_100C_mm2_s", "[friction] f0: must be from 0.01 to 30"})
+    EXPECT_THAT(error, HasSubstr(line));
+}
+
 TEST(ModelFile, WrongTypesAreErrors) {
   EXPECT_EQ(
       error_of(changed("= 11.906", "= \"11.906\"")),

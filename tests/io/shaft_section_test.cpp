@@ -144,13 +144,29 @@ TEST(ShaftSection, PreloadIsAForceAnOffsetOrAClass) {
               0.03);
 }
 
+TEST(ShaftSection, NamesOfTheTradeSayLayoutAndNumbers) {
+  const auto read = [](const std::string& text) {
+    return arrangement("[arrangement]\n" + text + "preload_N = 600\n");
+  };
+  const auto tbt = read("layout = \"TBT\"\n"), o = read("layout = \"O\"\nfront = 2\nrear = 1\n");
+  EXPECT_EQ(tbt.bearings().size(), 3u);
+  EXPECT_DOUBLE_EQ(tbt.preload(), o.preload());
+  EXPECT_EQ(read("layout = \"QBC\"\n").bearings().size(), 4u);
+  EXPECT_EQ(read("layout = \"DF\"\n").bearings().size(), 2u);
+  EXPECT_EQ(read("layout = \"DT\"\nmounting = \"spring\"\n").bearings().size(), 2u);
+  // The set may stand the other way round.
+  EXPECT_EQ(read("layout = \"TBT\"\nfront = 1\nrear = 2\n").bearings().size(), 3u);
+  EXPECT_THAT(error_of("[arrangement]\nlayout = \"DB\"\nfront = 2\npreload_N = 600\n"),
+              HasSubstr("front = 2, rear = 1: layout = \"DB\" has 1 and 1"));
+}
+
 TEST(ShaftSection, WrongKeysAndValuesAreNamed) {
   EXPECT_EQ(error_of("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload = 600\n"),
             "m.toml:15: preload = 600: unknown key in [arrangement]; did you mean preload_N?");
   EXPECT_THAT(error_of("[arrangement]\nfront = 2\n"),
-              StartsWith("m.toml:11: [arrangement] layout is missing: must be O, X or tandem"));
+              StartsWith("m.toml:11: [arrangement] layout is missing: must be O, X, tandem, DB, "));
   EXPECT_THAT(error_of("[arrangement]\nlayout = \"o\"\n"),
-              StartsWith("m.toml:12: layout = \"o\": must be O, X or tandem"));
+              StartsWith("m.toml:12: layout = \"o\": must be O, X, tandem, DB, "));
   EXPECT_EQ(error_of("[arrangement]\nlayout = \"O\"\nfront = 0\nrear = 1\n"),
             "m.toml:13: front = 0: must be from 1 to 20");
   EXPECT_EQ(error_of("[arrangement]\nlayout = \"O\"\nfront = 2\n"),
