@@ -25,7 +25,9 @@
 #include "io/report.h"
 #include "io/results.h"
 #include "io/subject.h"
+#include "io/table_exchange.h"
 #include "io/table_file.h"
+#include "io/table_plot.h"
 
 namespace raceway::cli {
 namespace {
@@ -33,7 +35,7 @@ namespace {
 struct TableFlags {
   std::string model, output;
   std::string speed, axial_load, radial_load, temperature;
-  std::string data, slab;
+  std::string data, slab, format = "csv", plot;
   bool json = false, force = false;
   ReportFlag report;
   BandFlag band;
@@ -222,7 +224,18 @@ int tell_of_failures(const model::Model& model, const friction::StribeckTable& t
   return result;
 }
 
+std::string text_of(const TableFlags& flags, const friction::StribeckTable& table,
+                    const io::ModelFile& file) {
+  if (flags.format == "plain") return io::plain_table_text(table);
+  if (flags.format == "modelica") return io::modelica_table_text(table, file.model.name);
+  return io::table_text(table, file.model.name, file.text);
+}
+
 int run(const TableFlags& flags) {
+  if (flags.format != "csv" && flags.output.empty())
+    throw io::InputError("raceway table: --format is that of the file: --output is missing");
+  if (flags.format != "csv" && !flags.slab.empty())
+    throw io::InputError("raceway table: a slab is to be merged, which takes --format csv alone");
   if (flags.json && flags.output == "-")
     throw io::InputError("raceway table: --json and --output - both write to stdout; take one");
   const friction::TableSlab part = slab(flags.slab);
@@ -231,6 +244,7 @@ int run(const TableFlags& flags) {
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
+  if (!flags.plot.empty()) io::require_writable(flags.plot, if_exists);
   if (!flags.data.empty() && flags.report.path.empty())
     throw io::InputError("raceway table: --data is drawn in a report: --report is missing");
   flags.report.check(flags.force);
@@ -238,7 +252,8 @@ int run(const TableFlags& flags) {
   const model::Model& model = file.model;
   warn_of_ignored_data(file);
   std::optional<record::Record> measured;
-  if (!flags.data.empty()) measured = open_data(flags.data, *io::make_subject(model), flags.reading.options(file));
+  if (!flags.data.empty())
+    measured = open_data(flags.data, *io::make_subject(model), flags.reading.options(file));
   const friction::TableAxes grid = axes(flags, model);
   const std::size_t points = part.points(grid.size());
   if (static_cast<double>(points) > 1e8)
@@ -258,10 +273,14 @@ int run(const TableFlags& flags) {
       },
       progress, part);
   if (to_file) {
-    io::write_text(flags.output, io::table_text(table, model.name, file.text), if_exists);
+    io::write_text(flags.output, text_of(flags, table, file), if_exists);
     say(fmt::format("{} written, {} points", flags.output, points));
   } else if (flags.output == "-") {
-    fmt::print("{}", io::table_text(table, model.name, file.text));
+    fmt::print("{}", text_of(flags, table, file));
+  }
+  if (!flags.plot.empty()) {
+    io::write_text(flags.plot, io::table_svg(table, model.name), if_exists);
+    say(flags.plot + " written");
   }
   if (flags.json) {
     const io::BandOfResult of_band{.parameters = band ? band->fitted() : std::vector<std::string>(),
@@ -310,6 +329,14 @@ Run setup_table(CLI::App& command) {
       .add_option("--slab", flags->slab,
                   "i/N: only the i-th of N parts, to be joined by raceway merge")
       ->type_name("i/N");
+  command
+      .add_option("--format", flags->format,
+                  "csv (with the model in # lines; the default), plain (one header line of\n"
+                  "identifiers, for pandas and MATLAB) or modelica (CombiTable, SI)")
+      ->check(CLI::IsMember({"csv", "plain", "modelica"}))
+      ->type_name("NAME");
+  command.add_option("--plot", flags->plot, "torque over speed as a picture (SVG)")
+      ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   flags->band.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");

@@ -96,5 +96,19 @@ TEST(Columns, ABearingOfNoCatalogueIsProposed) {
   EXPECT_THAT(list.out, Not(HasSubstr("S 6010 C")));
 }
 
+TEST(Columns, ATableGoesOutForOtherPrograms) {
+  const ScratchFolder folder;
+  const std::string model = folder.write("m.toml", model_text + spin_effect);
+  const std::string at = "cd '" + folder.path().string() +
+                         "'; $raceway table m.toml --speed 0:4000:1000 --axial-load 100,300 ";
+  const Result plain = run_shell(at + "--format plain -o - | head -n 1");
+  EXPECT_THAT(plain.out, HasSubstr("friction_torque_Nmm,load_Nmm,viscous_Nmm,spin_friction_Nmm"));
+  EXPECT_THAT(run_shell(at + "--format modelica -o -").out,
+              HasSubstr("double friction_torque(6,3)\n0 100 300\n"));
+  EXPECT_EQ(run_shell(at + "--plot t.svg").status, 0);
+  EXPECT_THAT(file_text(folder.path() / "t.svg"), testing::StartsWith("<svg "));
+  expect_refused(run_shell(at + "--format plain"), "--output is missing");
+}
+
 }  // namespace
 }  // namespace raceway::tests
