@@ -99,7 +99,8 @@ BearingOutline outline_of(std::string_view designation, const std::vector<Catalo
 
 EstimatedBearing estimated_bearing(const BearingOutline& given,
                                    const std::vector<CatalogueBearing>& rows) {
-  EstimatedBearing b{.outline = given};
+  EstimatedBearing b;
+  b.outline = given;
   BearingOutline& o = b.outline;
   if (std::isnan(o.bore) || std::isnan(o.outer_diameter))
     throw InputError(
