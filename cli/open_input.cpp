@@ -1,6 +1,6 @@
 #include "cli/open_input.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "effects/catalogue.h"
 #include "effects/formula.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
