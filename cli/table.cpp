@@ -331,8 +331,8 @@ Run setup_table(CLI::App& command) {
       ->type_name("i/N");
   command
       .add_option("--format", flags->format,
-                  "csv (with the model in # lines; the default), plain (one header line of\n"
-                  "identifiers, for pandas and MATLAB) or modelica (CombiTable, SI)")
+                  "csv (with the model in # lines; the default), plain (one header line\n"
+                  "of identifiers, for pandas and MATLAB) or modelica (CombiTable, SI)")
       ->check(CLI::IsMember({"csv", "plain", "modelica"}))
       ->type_name("NAME");
   command.add_option("--plot", flags->plot, "torque over speed as a picture (SVG)")
