@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <exception>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -20,12 +19,7 @@ struct DiagnoseOptions {
   bool pairs = true;
   NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
-  const std::atomic<bool>* cancelled = nullptr;
-};
-
-/// Thrown when `cancelled` was set.
-struct Cancelled : std::exception {
-  [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
+  const std::atomic<bool>* cancelled = nullptr;  ///< where it is set diagnose() throws Cancelled
 };
 
 /// Says whether an effect is missing in the subject, which, or what to measure to find out.

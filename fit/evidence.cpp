@@ -329,6 +329,7 @@ Evidence look_at(const Subject& subject, const Record& record, const EvidenceOpt
   if (!subject.has_memory()) require_levels(*problem.record);
   require_variation(evidence);
   problem.prepared = subject.prepare(*problem.record);
+  problem.cancelled = options.cancelled;
   problem.candidates = make_candidates(subject, options.candidates);
   if (evidence.few_rows) leave_out_shapes(evidence);
   evidence.saturation = subject.saturation(*problem.record);

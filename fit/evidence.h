@@ -39,7 +39,8 @@ struct EvidenceOptions {
   std::vector<std::string> candidates{};
   int most_rows = most_rows_of_a_fit;
   NoiseOptions noise{};
-  bool screened = true;  ///< false where only the noise and the base are wanted
+  bool screened = true;               ///< false where only the noise and the base are wanted
+  std::function<bool()> cancelled{};  ///< see Problem
 };
 
 /// Checks the data, estimates the noise from a saturated regression and refits the base model.

@@ -36,8 +36,11 @@ Investigation::Investigation(const Subject& subject, const Record& record,
                              const DiagnoseOptions& options)
     : record_(record),
       options_(options),
-      evidence_(
-          gather_evidence(subject, record, {options.candidates, options.most_rows, options.noise})),
+      evidence_(gather_evidence(subject, record,
+                                {.candidates = options.candidates,
+                                 .most_rows = options.most_rows,
+                                 .noise = options.noise,
+                                 .cancelled = [this] { return cancelled(); }})),
       problem_(evidence_.problem),
       attribution_(evidence_),
       blockings_(blocks_of_observations(subject, *problem_.record, problem_.observed)) {}

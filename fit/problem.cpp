@@ -137,6 +137,20 @@ std::vector<Screened> make_candidates(const Subject& subject, std::span<const st
   return list;
 }
 
+namespace {
+
+Response cancellable(const Problem& problem, Response response) {
+  if (problem.cancelled)
+    response.readings = [cancelled = problem.cancelled,
+                         readings = std::move(response.readings)](const Eigen::VectorXd& x) {
+      if (cancelled()) throw Cancelled();
+      return readings(x);
+    };
+  return response;
+}
+
+}  // namespace
+
 Response response_with(const Problem& problem, std::span<const Screened* const> on) {
   return response_with(problem, on, problem.record, problem.observed);
 }
@@ -146,9 +160,10 @@ Response response_with(const Problem& problem, std::span<const Screened* const> 
   const std::shared_ptr<const void> prepared =
       record == problem.record ? problem.prepared : problem.subject->prepare(*record);
   const std::vector<std::string> names = names_of(problem.base, on);
-  if (on.empty()) return response_of(*problem.subject, record, observed, names, prepared);
+  if (on.empty())
+    return cancellable(problem, response_of(*problem.subject, record, observed, names, prepared));
   const auto with = problem.subject->with_candidates(ids_of(on));
-  Response response = response_of(*with, record, observed, names, prepared);
+  Response response = cancellable(problem, response_of(*with, record, observed, names, prepared));
   std::size_t at = problem.base.size();
   for (const Screened* s : on)
     for (const Parameter& p : s->candidate.parameters) {

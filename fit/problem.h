@@ -1,5 +1,7 @@
 #pragma once
 
+#include <exception>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -8,6 +10,11 @@
 #include "fit/response.h"
 
 namespace raceway::fit {
+
+/// Thrown out of a search that was told to end.
+struct Cancelled : std::exception {
+  [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
+};
 
 /// A candidate as the data show it.
 struct Screened {
@@ -37,6 +44,8 @@ struct Problem {
   std::vector<std::string> base{};     ///< free parameters of the model
   std::vector<Screened> candidates{};  ///< by id, so that their order does not matter
   std::shared_ptr<const void> prepared{};
+  /// Asked before each prediction, which throws Cancelled then; may be empty.
+  std::function<bool()> cancelled{};
 
   [[nodiscard]] const Eigen::VectorXd& measured() const { return observed.measured; }
 };
