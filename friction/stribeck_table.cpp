@@ -9,6 +9,7 @@
 #include <array>
 #include <boost/math/interpolators/pchip.hpp>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
@@ -112,7 +113,13 @@ double interpolate_line(const std::vector<double>& grid, const Stencil& s, const
 }  // namespace
 
 std::size_t TableAxes::size() const {
-  return speed.size() * axial_load.size() * radial_load.size() * temperature.size();
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+  std::size_t product = 1;
+  for (const auto* axis : {&speed, &axial_load, &radial_load, &temperature}) {
+    if (axis->size() > 0 && product > most / axis->size()) return most;
+    product *= axis->size();
+  }
+  return product;
 }
 
 void validate(const TableAxes& axes) {
@@ -120,6 +127,8 @@ void validate(const TableAxes& axes) {
   validate_axis(axial_axis, axes.axial_load);
   validate_axis(radial_axis, axes.radial_load);
   validate_axis(temperature_axis, axes.temperature);
+  if (axes.size() == std::numeric_limits<std::size_t>::max())
+    throw std::invalid_argument("the grid has more points than can be counted");
 }
 
 std::size_t StribeckTable::index(std::size_t speed, std::size_t axial_load, std::size_t radial_load,

@@ -20,10 +20,12 @@ struct TableAxes {
   std::vector<double> radial_load;  ///< along +y [N], >= 0
   std::vector<double> temperature;  ///< of the lubricant [K], > 0
 
-  [[nodiscard]] std::size_t size() const;  ///< number of points
+  /// Number of points; the largest number there is where they cannot be counted.
+  [[nodiscard]] std::size_t size() const;
 };
 
-/// Throws std::invalid_argument naming the axis that is empty, not increasing or out of range.
+/// Throws std::invalid_argument naming the axis that is empty, not increasing or out of range, and
+/// for more points than can be counted.
 void validate(const TableAxes& axes);
 
 /// What is to be filled in at one point of a table.

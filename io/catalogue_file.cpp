@@ -10,6 +10,7 @@
 
 #include "io/csv.h"
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/names.h"
 
 namespace raceway::io {
@@ -91,7 +92,11 @@ std::string data_directory() {
 }
 
 std::vector<CatalogueBearing> read_catalogue(const std::string& path) {
-  const CsvTable table = read_csv(path);
+  return parse_catalogue(read_text(path), path);
+}
+
+std::vector<CatalogueBearing> parse_catalogue(std::string text, const std::string& path) {
+  const CsvTable table = parse_csv(std::move(text), path);
   const std::string maker = maker_of(table, path);
   struct Reading {
     std::string_view column;
@@ -151,6 +156,10 @@ std::vector<CatalogueBearing> read_catalogue(const std::string& path) {
     rows[i].designation = table.cell(i, designation);
     if (rows[i].designation.empty())
       throw InputError(fmt::format("{}:{}: designation is empty", path, table.line(i)));
+    if (rows[i].full_name().find_first_of("\"\\") != std::string::npos)
+      throw InputError(
+          fmt::format("{}:{}: designation = {}: must be without quotes and backslashes", path,
+                      table.line(i), io::quoted(rows[i].full_name())));
     const double balls = table.number(i, ball_count);
     if (!(balls >= 3 && balls <= 200) || balls != std::floor(balls))
       throw InputError(fmt::format("{}:{}: ball_count = {}: must be a whole number from 3 to 200",
@@ -239,7 +248,7 @@ CatalogueBearing find_bearing(const std::vector<CatalogueBearing>& rows, std::st
   std::string names;
   for (std::size_t i = 0; i < std::min(shown, near.size()) && near[i].distance < far; ++i)
     names += (i == 0 ? "; the nearest are " : ", ") + near[i].row->full_name();
-  throw InputError(fmt::format("bearing {} is not in the catalogue{}", quoted(name), names));
+  throw InputError(fmt::format("bearing {} is not in the catalogue{}", io::quoted(name), names));
 }
 
 }  // namespace raceway::io

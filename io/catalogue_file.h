@@ -46,6 +46,10 @@ struct CatalogueBearing {
 /// up to its first underscore. Throws InputError as read_csv(), and for impossible values.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogue(const std::string& path);
 
+/// The same from text.
+[[nodiscard]] std::vector<CatalogueBearing> parse_catalogue(std::string text,
+                                                            const std::string& path);
+
 /// All rows of bearings/*.csv in the data directory, file by file, behind those of the user's own
 /// folder (its bearings/*.csv, else its *.csv). Throws InputError where neither has any.
 [[nodiscard]] std::vector<CatalogueBearing> read_catalogues();

@@ -9,6 +9,7 @@
 
 #include "io/error.h"
 #include "io/input_file.h"
+#include "io/printable.h"
 #include "io/text_encoding.h"
 
 namespace raceway::io {
@@ -56,10 +57,10 @@ char separator_of_header(std::string_view header, const std::string& place) {
 
 std::string quoted(std::string_view cell) {
   constexpr std::size_t longest = 40;
-  if (cell.size() <= longest) return fmt::format("\"{}\"", cell);
+  if (cell.size() <= longest) return fmt::format("\"{}\"", printable(cell));
   std::size_t cut = longest;
   while (cut > 0 && (static_cast<unsigned char>(cell[cut]) & 0xc0) == 0x80) --cut;
-  return fmt::format("\"{}...\"", cell.substr(0, cut));
+  return fmt::format("\"{}...\"", printable(cell.substr(0, cut)));
 }
 
 ParsedNumber parse_number(std::string_view cell, bool decimal_comma) {
@@ -188,6 +189,9 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     const std::string_view whole = std::string_view(all).substr(begin, end - begin);
     const std::size_t start = whole.find_first_not_of(" \t");
     if (start == whole.npos) continue;
+    if (const auto code = control_character(whole))
+      throw InputError(fmt::format(
+          "{}:{}: holds the control character {}, so it is not a text file", source, line, *code));
     if (whole[start] == '#' || whole.substr(start).starts_with("\"#")) {
       table.comments.emplace_back(whole.substr(start));
       continue;
@@ -204,6 +208,10 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
       split(begin, end, place);
       trailing_separator = cells.size() > 1 && cells.back().size == 0;
       if (trailing_separator) cells.pop_back();
+      constexpr std::size_t most = 10000;
+      if (cells.size() > most)
+        throw InputError(
+            fmt::format("{}: {} columns: at most {} are read", place, cells.size(), most));
       std::unordered_map<std::string, std::size_t> seen;
       bool all_numbers = true;
       for (const auto& cell : cells) {

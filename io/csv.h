@@ -60,8 +60,9 @@ class CsvTable {
   std::vector<int> lines_;
 };
 
-/// Reads a file. Throws InputError: unreadable, no header, no rows, a column twice or without name,
-/// a row with more or fewer cells than the header, another separator in a row than in the header.
+/// Reads a file. Throws InputError: unreadable, a control character, no header, no rows, more than
+/// 10 000 columns, a column twice or without name, a row with more or fewer cells than the header,
+/// another separator in a row than in the header.
 [[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
 
 /// The same from text; `source` stands in messages.

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
+
+#include "io/printable.h"
 
 namespace raceway::io {
 
@@ -16,6 +19,20 @@ void append_model(fmt::memory_buffer& out, std::string_view model_text) {
     fmt::format_to(put, "{}{}{}\n", model_mark, line.empty() ? "" : " ", line);
     model_text.remove_prefix(std::min(end + 1, model_text.size()));
   }
+}
+
+void append_text(fmt::memory_buffer& out, std::string_view text) {
+  std::string cell = printable(text);
+  if (!cell.empty() && std::string_view("=+-@").find(cell[0]) != std::string_view::npos)
+    cell.insert(0, 1, '\'');
+  const bool plain = cell.find_first_of(",;\"") == cell.npos && !cell.starts_with('#') &&
+                     !cell.starts_with(' ') && !cell.ends_with(' ');
+  if (!plain) {
+    for (std::size_t at = 0; (at = cell.find('"', at)) != cell.npos; at += 2)
+      cell.insert(at, 1, '"');
+    cell = '"' + cell + '"';
+  }
+  out.append(cell.data(), cell.data() + cell.size());
 }
 
 void append_value(fmt::memory_buffer& out, double value) {

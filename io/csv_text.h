@@ -12,6 +12,10 @@ inline constexpr std::string_view model_mark = "#|";
 /// `# model:` and the text of a model as comments, each line behind `#| `.
 void append_model(fmt::memory_buffer& out, std::string_view model_text);
 
+/// Text as a cell of RFC 4180. No spreadsheet takes it for a formula: behind an apostrophe where it
+/// begins as one. Control characters are written out.
+void append_text(fmt::memory_buffer& out, std::string_view text);
+
 /// 12 digits; nothing for what is not finite.
 void append_value(fmt::memory_buffer& out, double value);
 

@@ -13,6 +13,7 @@
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
+#include "io/printable.h"
 #include "record/channel.h"
 
 namespace raceway::io {
@@ -138,7 +139,7 @@ std::string displacement_table_text(const shaft::DisplacementTable& table,
       "# between two rows: a cubic with these values and slopes at both ends (Hermite); {}\n"
       "# not to be used below the first or above the last speed\n"
       "speed_rpm,axial_displacement_um,slope_um_rpm\n",
-      source, RACEWAY_VERSION,
+      printable(source), RACEWAY_VERSION,
       table.monotone ? "monotone" : "it turns where the rows turn, and nowhere else");
   for (std::size_t i = 0; i < table.speed.size(); ++i)
     text += fmt::format("{:.12g},{:.12g},{:.12g}\n", table.speed[i] / rpm,

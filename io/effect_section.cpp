@@ -4,6 +4,7 @@
 
 #include "effects/catalogue.h"
 #include "effects/formula.h"
+#include "io/csv.h"
 
 // Last: see io/toml_text.h.
 #include "io/effect_section.h"
@@ -109,8 +110,12 @@ Effect read_user_made(const Section& s, const std::string& id) {
                         .title = s.text("title").value_or(""),
                         .torque_Nmm = *s.text("torque_Nmm"),
                         .parameters = {}};
-  if (id.empty() || id.find_first_of(" .\t\n") != id.npos)
-    s.fail("id", fmt::format("id = \"{}\": must be a name without blanks and dots", id));
+  // It heads a column of tables, in files and in spreadsheets.
+  if (id.empty() || id.find_first_of(" .\t\n,;\"'") != id.npos ||
+      std::string_view("=+-@").find(id.front()) != std::string_view::npos)
+    s.fail("id", fmt::format("id = {}: must be a name without blanks, dots, commas, semicolons and "
+                             "quotes, and not begin with =, +, - or @",
+                             io::quoted(id)));
   for (const auto& [key, node] : *s.table()) {
     const std::string name(key.str());
     if (name != "id" && name != "title" && name != "torque_Nmm")

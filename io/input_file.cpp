@@ -7,11 +7,18 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "io/error.h"
 #include "io/text_encoding.h"
 
 namespace raceway::io {
+namespace {
+
+constexpr std::size_t longest_input = 4'000'000'000;
+constexpr const char* too_long = "more than 4 GB, which is the most that is read";
+
+}  // namespace
 
 std::string read_text(const std::string& path, bool* byte_order_mark) {
   std::error_code ignored;
@@ -27,15 +34,26 @@ std::string read_text(const std::string& path, bool* byte_order_mark) {
   if (!file) throw InputError(path + ": cannot be read: " + std::strerror(errno));
   std::string text;
   const auto size = std::filesystem::file_size(path, ignored);
+  if (!ignored && size > longest_input) throw InputError(path + ": " + too_long);
   if (!ignored) text.reserve(static_cast<std::size_t>(size) + 1);
+  bool utf16 = false;
   char buffer[1 << 16];
-  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get()))
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
+    const std::string_view piece(buffer, count);
+    if (text.empty()) {
+      if (const std::string_view kind = binary_kind(piece); !kind.empty())
+        throw InputError(fmt::format("{}: {}", path, kind));
+      utf16 = is_utf16(piece);
+    }
+    // At once: /dev/zero does not end.
+    if (!utf16 && piece.find('\0') != piece.npos)
+      throw InputError(path + ": holds NUL bytes, so it is not a text file");
+    if (text.size() + count > longest_input) throw InputError(path + ": " + too_long);
     text.append(buffer, count);
+  }
   if (std::ferror(file.get())) throw InputError(path + ": cannot be read: " + std::strerror(errno));
 
-  if (const std::string_view kind = binary_kind(text); !kind.empty())
-    throw InputError(fmt::format("{}: {}", path, kind));
-  if (is_utf16(text)) text = utf8_from_utf16(text, path);
+  if (utf16) text = utf8_from_utf16(text, path);
   if (text.find('\0') != std::string::npos)
     throw InputError(path + ": holds NUL bytes, so it is not a text file");
   const bool marked = text.starts_with("\xef\xbb\xbf");

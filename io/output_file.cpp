@@ -1,11 +1,14 @@
 #include "io/output_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <set>
 
 #include "io/error.h"
 
@@ -34,6 +37,74 @@ void write_all(std::FILE* file, std::string_view text, const std::string& path) 
   throw InputError(path + ": cannot be written: " + reason());
 }
 
+/// What this process has under way. Never destroyed: it may be told to stop while it ends.
+struct Writing {
+  std::mutex mutex;
+  std::set<fs::path> parts;
+  std::vector<std::string> written;
+};
+
+Writing& writing() {
+  static auto* const one = new Writing;
+  return *one;
+}
+
+/// A file that is not whole yet, beside the one whose name it takes; removed unless it did. A name
+/// that a killed process has left is passed over.
+class Part {
+ public:
+  explicit Part(const fs::path& folder) {
+    const std::lock_guard lock(writing().mutex);
+    for (int k = 0; !file_; ++k) {
+      path_ =
+          folder / (".raceway-" + std::to_string(::getpid()) + "-" + std::to_string(k) + ".part");
+      file_ = std::fopen(path_.c_str(), "wbx");
+      if (!file_ && errno != EEXIST) return;
+    }
+    writing().parts.insert(path_);
+  }
+  ~Part() {
+    if (!file_) return;
+    const std::lock_guard lock(writing().mutex);
+    if (writing().parts.erase(path_) > 0) ::unlink(path_.c_str());
+  }
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+  [[nodiscard]] std::FILE* file() const { return file_; }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+  /// Gives the file its name; false, with errno, where that fails. `told`: the name for users.
+  bool take_name(const fs::path& target, IfExists if_exists, const std::string& told) {
+    const std::lock_guard lock(writing().mutex);
+    if (!(if_exists == IfExists::replace ? ::rename(path_.c_str(), target.c_str()) == 0
+                                         : take_free_name(target)))
+      return false;
+    writing().parts.erase(path_);
+    writing().written.push_back(told);
+    return true;
+  }
+
+ private:
+  /// In one step, so that of two who write the same file neither loses it unawares.
+  [[nodiscard]] bool take_free_name(const fs::path& target) const {
+    if (::renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0)
+      return true;
+    if (errno != EINVAL && errno != ENOSYS) return false;
+    // A file system that cannot, such as NFS.
+    if (::link(path_.c_str(), target.c_str()) != 0) return false;
+    ::unlink(path_.c_str());
+    return true;
+  }
+
+  fs::path path_;
+  std::FILE* file_ = nullptr;
+};
+
+std::string exists_already(const std::string& path) {
+  return path + ": exists already; --force replaces it";
+}
+
 }  // namespace
 
 void require_writable(const std::string& path, IfExists if_exists) {
@@ -44,7 +115,7 @@ void require_writable(const std::string& path, IfExists if_exists) {
     throw InputError(path + ": is a directory, a file to write is expected");
   if (is_stream(status)) return;
   if (if_exists == IfExists::refuse && fs::exists(fs::symlink_status(path, ignored)))
-    throw InputError(path + ": exists already; --force replaces it");
+    throw InputError(exists_already(path));
   const fs::path folder = folder_of(path);
   if (!fs::is_directory(folder, ignored))
     throw InputError(path + ": cannot be written: there is no folder " + folder.string());
@@ -68,19 +139,20 @@ void write_text(const std::string& path, std::string_view text, IfExists if_exis
   fs::path target = path;
   if (fs::exists(status)) target = fs::canonical(path, error);
   if (error) target = path;
-  const fs::path part = folder_of(target) / ("." + target.filename().string() + "." +
-                                             std::to_string(::getpid()) + ".part");
-  std::FILE* const file = std::fopen(part.c_str(), "wbx");
-  if (!file) throw InputError(path + ": cannot be written: " + reason());
-  try {
-    write_all(file, text, path);
-    if (fs::exists(status)) fs::permissions(part, status.permissions(), error);
-    fs::rename(part, target, error);
-    if (error) throw InputError(path + ": cannot be written: " + error.message());
-  } catch (...) {
-    fs::remove(part, error);
-    throw;
-  }
+  Part part(folder_of(target));
+  if (!part.file()) throw InputError(path + ": cannot be written: " + reason());
+  write_all(part.file(), text, path);
+  if (fs::exists(status)) fs::permissions(part.path(), status.permissions(), error);
+  if (part.take_name(target, if_exists, path)) return;
+  if (errno == EEXIST) throw InputError(exists_already(path) + " (it came during this run)");
+  throw InputError(path + ": cannot be written: " + reason());
+}
+
+std::vector<std::string> stop_writing() {
+  Writing& all = writing();
+  all.mutex.lock();  // for good
+  for (const fs::path& part : all.parts) ::unlink(part.c_str());
+  return all.written;
 }
 
 }  // namespace raceway::io

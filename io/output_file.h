@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raceway::io {
 
@@ -13,7 +14,13 @@ enum class IfExists { refuse, replace };
 void require_writable(const std::string& path, IfExists if_exists);
 
 /// Writes a whole file or nothing: into a file beside it first, which then takes its name. Keeps
-/// the permissions of a file it replaces. Throws InputError as above, and where the disk is full.
+/// the permissions of a file it replaces. Under `refuse` a file that came meanwhile is kept. Throws
+/// InputError as above, and where the disk is full.
 void write_text(const std::string& path, std::string_view text, IfExists if_exists);
+
+/// For a process that is told to stop: removes what is half written, and lets nothing more be
+/// written. Gives the files that write_text() has written whole. May be called from any thread; the
+/// process must end then.
+[[nodiscard]] std::vector<std::string> stop_writing();
 
 }  // namespace raceway::io

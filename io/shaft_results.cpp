@@ -7,6 +7,7 @@
 
 #include "io/csv_text.h"
 #include "io/json_text.h"
+#include "io/printable.h"
 #include "io/units.h"
 #include "record/units.h"
 #include "shaft/shaft_balance.h"
@@ -133,7 +134,7 @@ std::string displacement_text(const model::Model& model, std::span<const shaft::
   const std::vector<DisplacementColumn> columns = displacement_columns(model.shaft->arrangement);
   fmt::memory_buffer out;
   const auto put = std::back_inserter(out);
-  fmt::format_to(put, "# Shaft position against speed: {}\n# raceway {}\n", model.name,
+  fmt::format_to(put, "# Shaft position against speed: {}\n# raceway {}\n", printable(model.name),
                  RACEWAY_VERSION);
   append_model(out, model_text);
   fmt::format_to(put, "speed_rpm,");

@@ -17,6 +17,7 @@
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
+#include "io/printable.h"
 #include "io/units.h"
 #include "record/units.h"
 
@@ -107,7 +108,8 @@ SlabFile slab_file(const SlabText& file) {
     if (line.starts_with(slab_mark) && slab.count == 0) {
       unsigned long long grid = 0;
       if (std::sscanf(std::string(line).c_str(), "# slab %zu/%zu: %zu of %zu points, grid %llx",
-                      &slab.index, &slab.count, &slab.points, &slab.of, &grid) != 5)
+                      &slab.index, &slab.count, &slab.points, &slab.of, &grid) != 5 ||
+          slab.index == 0 || slab.index > slab.count)
         slab.count = 0;
       slab.grid = grid;
       continue;
@@ -142,13 +144,14 @@ std::string table_text(const friction::StribeckTable& table, std::string_view ti
                        std::string_view model_text) {
   fmt::memory_buffer out;
   const auto put = std::back_inserter(out);
-  fmt::format_to(put, "# Stribeck table: {}\n# raceway {}\n", title, RACEWAY_VERSION);
+  fmt::format_to(put, "# Stribeck table: {}\n# raceway {}\n", printable(title), RACEWAY_VERSION);
   if (table.slab.count != 1) fmt::format_to(put, "{}\n", slab_line(table));
   append_model(out, model_text);
   for (const std::string_view name : leading_columns) fmt::format_to(put, "{},", name);
   std::vector<double> factors;
   for (const std::string& name : table.columns) {
-    fmt::format_to(put, "{},", name);
+    append_text(out, name);
+    out.push_back(',');
     factors.push_back(column_unit(name));
   }
   fmt::format_to(put, "{}\n", status_column);
@@ -183,18 +186,15 @@ std::string merged_table_text(const std::vector<SlabText>& slabs) {
     if (files[k].index == files[k - 1].index)
       throw InputError(fmt::format("slab {}/{} comes twice: {} and {}", files[k].index, first.count,
                                    files[k - 1].name, files[k].name));
-  std::vector<std::size_t> missing;
-  std::size_t size = first.head.size(), points = 0, next = 1;
+  std::size_t size = first.head.size(), points = 0, next = 1;  // the first that is missing
   for (const SlabFile& file : files) {
-    while (next < file.index) missing.push_back(next++);
-    next = file.index + 1;
+    if (next == file.index) ++next;
     points += file.points;
     size += file.rows.size();
   }
-  while (next <= first.count) missing.push_back(next++);
-  if (!missing.empty())
-    throw InputError(fmt::format("{} of {} slabs are missing: the first is {}/{}", missing.size(),
-                                 first.count, missing.front(), first.count));
+  if (files.size() < first.count)
+    throw InputError(fmt::format("{} of {} slabs are missing: the first is {}/{}",
+                                 first.count - files.size(), first.count, next, first.count));
   if (points != first.of)
     throw InputError(fmt::format("{}: the slabs have {} points together, the table has {}",
                                  first.name, points, first.of));

@@ -25,6 +25,16 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
+namespace {
+
+/// What the bytes 0x80 to 0x9f are in Windows-1252; they are control characters in Latin-1 proper.
+constexpr char16_t of_windows[] = {0x20ac, 0xfffd, 0x201a, 0x0192, 0x201e, 0x2026, 0x2020, 0x2021,
+                                   0x02c6, 0x2030, 0x0160, 0x2039, 0x0152, 0xfffd, 0x017d, 0xfffd,
+                                   0xfffd, 0x2018, 0x2019, 0x201c, 0x201d, 0x2022, 0x2013, 0x2014,
+                                   0x02dc, 0x2122, 0x0161, 0x203a, 0x0153, 0xfffd, 0x017e, 0x0178};
+
+}  // namespace
+
 std::string utf8_from_latin1(std::string_view text) {
   std::string result;
   result.reserve(text.size() + text.size() / 8);
@@ -33,8 +43,14 @@ std::string utf8_from_latin1(std::string_view text) {
     if (c < 0x80) {
       result += byte;
     } else {
-      result += static_cast<char>(0xc0 | (c >> 6));
-      result += static_cast<char>(0x80 | (c & 0x3f));
+      const unsigned code = c < 0xa0 ? of_windows[c - 0x80] : c;
+      if (code < 0x800) {
+        result += static_cast<char>(0xc0 | (code >> 6));
+      } else {
+        result += static_cast<char>(0xe0 | (code >> 12));
+        result += static_cast<char>(0x80 | ((code >> 6) & 0x3f));
+      }
+      result += static_cast<char>(0x80 | (code & 0x3f));
     }
   }
   return result;

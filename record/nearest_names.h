@@ -8,7 +8,7 @@
 namespace raceway::record {
 
 /// Changes (insert, delete, replace, swap neighbours) that turn one name into the other [1];
-/// upper and lower case are alike.
+/// upper and lower case are alike. A text of more than 200 characters is no name: all of it counts.
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The known names with the fewest changes from `name`, nearest first: "z, f0, y".

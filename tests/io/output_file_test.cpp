@@ -1,10 +1,15 @@
 #include "io/output_file.h"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
+#include <vector>
 
+#include "io/error.h"
 #include "io/input_file.h"
 #include "tests/io/message_of.h"
 
@@ -82,6 +87,71 @@ TEST_F(OutputFile, AFullDiskLeavesNothingBehind) {
       message_of([] { write_text("/dev/full", std::string(100000, 'x'), IfExists::refuse); }),
       HasSubstr("cannot be written"));
   EXPECT_TRUE(fs::exists("/dev/full"));
+}
+
+TEST_F(OutputFile, WhatAKilledWriterLeftBlocksNoOther) {
+  // In a container the next run may well have its number.
+  const std::string own = ".raceway-" + std::to_string(::getpid());
+  for (const std::string& name :
+       {own + "-0.part", own + "-1.part", ".a.csv." + std::to_string(::getpid()) + ".part"})
+    std::ofstream(path(name)) << "half";
+  write_text(path("a.csv"), "whole", IfExists::refuse);
+  EXPECT_EQ(read_text(path("a.csv")), "whole");
+  EXPECT_EQ(read_text(path(own + "-0.part")), "half");
+  EXPECT_EQ(files(), 4);
+}
+
+TEST_F(OutputFile, OfTwoWritersWithoutForceOneIsTold) {
+  constexpr int writers = 8;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<pid_t> children;
+    for (int k = 0; k < writers; ++k) {
+      const pid_t child = ::fork();
+      if (child == 0) {
+        try {
+          write_text(path("a.csv"), std::string(300'000, static_cast<char>('a' + k)),
+                     IfExists::refuse);
+        } catch (const InputError&) {
+          ::_exit(1);
+        }
+        ::_exit(0);
+      }
+      children.push_back(child);
+    }
+    int written = 0, winner = -1;
+    for (int k = 0; k < writers; ++k) {
+      int status = 0;
+      ::waitpid(children[static_cast<std::size_t>(k)], &status, 0);
+      if (status != 0) continue;
+      ++written;
+      winner = k;
+    }
+    ASSERT_EQ(written, 1);
+    EXPECT_EQ(read_text(path("a.csv")), std::string(300'000, static_cast<char>('a' + winner)));
+    EXPECT_EQ(files(), 1);
+    fs::remove(path("a.csv"));
+  }
+}
+
+TEST_F(OutputFile, OneThatIsStoppedLeavesNoPart) {
+  const std::string file = path("stopped.csv");
+  for (int k = 0; k < 10; ++k) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::thread([&] {
+        write_text(file, std::string(50'000'000, 'x'), IfExists::replace);
+      }).detach();
+      std::this_thread::sleep_for(std::chrono::milliseconds(4 * k));
+      const std::vector<std::string> written = stop_writing();
+      ::_exit(written.empty() || written.back() != file ? 1 : 0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    const bool whole = fs::exists(file);
+    EXPECT_EQ(WEXITSTATUS(status), whole ? 0 : 1);
+    EXPECT_EQ(files(), whole ? 1 : 0);
+    fs::remove(file);
+  }
 }
 
 }  // namespace

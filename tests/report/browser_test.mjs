@@ -130,7 +130,7 @@ async function tableOf(page, id) {
 
 async function csvOf(page, id) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#${id} .csv`)]);
-  const lines = readFileSync(await download.path(), 'utf8').trim().split('\n');
+  const lines = readFileSync(await download.path(), 'utf8').trim().split('\r\n');
   const cells = (line) => [...line.matchAll(/("(?:[^"]|"")*"|[^,]*)(?:,|$)/g)].slice(0, -1).map((m) => m[1].replace(/^"|"$/g, '').replace(/""/g, '"'));
   return { columns: cells(lines[0]), rows: lines.slice(1).map(cells) };
 }
@@ -573,6 +573,19 @@ test('names with markup in them stay text on every kind of page', async () => {
     await whole();
     await close();
   }
+});
+
+test('no cell of a CSV is a formula to a spreadsheet', async () => {
+  const [head, ...rows] = readFileSync(train, 'utf8').trim().split('\n');
+  writeFileSync(file('formula.csv'), [head, ...rows.map((row, k) => row.replace(/^[^,]*/, k < 60 ? '=1+1' : '@x'))].join('\n') + '\n');
+  write('formula', 'compare', model, file('formula.csv'));
+  const { page, close } = await open('formula');
+  const cells = (await csvOf(page, 'residual-speed')).rows.flat();
+  for (const run of ['=1+1', '@x']) {
+    assert.ok(cells.includes(`'${run}`));
+    assert.ok(!cells.includes(run));
+  }
+  await close();
 });
 
 test('the policy of the page lets nothing else run, load or be sent', async () => {

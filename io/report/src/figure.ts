@@ -192,14 +192,15 @@ export interface Hit {
   data: unknown;
 }
 
+// RFC 4180; no spreadsheet takes a text for a formula.
 function quoted(cell: Cell): string {
   if (cell === null) return '';
-  const text = String(cell);
+  const text = typeof cell === 'string' && /^[=+\-@\t\r]/.test(cell) ? `'${cell}` : String(cell);
   return /[",\n\r]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 }
 
 export function csvText(table: Table): string {
-  return [table.columns, ...table.rows].map((row) => row.map(quoted).join(',')).join('\n') + '\n';
+  return [table.columns, ...table.rows].map((row) => row.map(quoted).join(',')).join('\r\n') + '\r\n';
 }
 
 function save(name: string, text: string): void {
