@@ -43,7 +43,7 @@ std::vector<double> axis(const std::string& text, const std::string& flag) {
       throw io::InputError(flag + ": " + io::quoted(item) +
                            ": a range goes up from:to by a step above 0");
     const double count = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
-    if (count > 1e7)
+    if (count + static_cast<double>(values.size()) > 1e7)
       throw io::InputError(flag + ": " + io::quoted(item) + ": more than ten million values");
     for (double i = 0.0; i <= count; i += 1.0) values.push_back(from + i * step);
   }

@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/number_flag.h"
+#include "cli/open_input.h"
 #include "cli/text_table.h"
 #include "io/catalogue_file.h"
 #include "io/error.h"
@@ -53,11 +54,10 @@ int list_bearings(const BearingsFlags& flags) {
     fmt::print("{}", table.text(terminal_width()));
   }
   if (rows.empty()) {
-    fmt::print(
-        stderr,
-        "raceway bearings: no bearing has \"{}\" in its name{}; without a filter all are listed\n",
+    say(fmt::format(
+        "raceway bearings: no bearing has \"{}\" in its name{}; without a filter all are listed",
         flags.filter,
-        std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size");
+        std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size"));
     return wrong_input;
   }
   return done;

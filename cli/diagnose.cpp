@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
-#include <csignal>
 
 #include "cli/commands.h"
 #include "cli/data_flag.h"
 #include "cli/error_text.h"
+#include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/per_record_flag.h"
+#include "cli/process.h"
 #include "cli/report_flag.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
@@ -28,14 +29,12 @@ struct DiagnoseFlags {
   std::vector<std::string> data;
   bool json = false, no_pairs = false, force = false;
   int tried_before = 0;
+  double time_limit = 120.0;  // [s]
   ReportFlag report;
   ToleranceFlag tolerance;
   PerRecordFlag per_record;
   DataFlag reading;
 };
-
-std::atomic<bool> interrupted{false};
-void interrupt(int) { interrupted = true; }
 
 void show_step(double share, std::string_view step) {
   fmt::print(stderr, "\r\033[K{:3.0f} %  {}{}", 100.0 * share, step,
@@ -231,20 +230,40 @@ void print(const fit::Diagnosis& d) {
   print_limits(d);
 }
 
+/// No verdict within the time.
+struct OutOfTime : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Where a column is in another unit, laws are far from where they hold, and solves take long.
+std::string out_of_time(const DiagnoseFlags& flags, const record::Record& data) {
+  std::string text = fmt::format(
+      "raceway diagnose: no verdict within {:.4g} s; --time-limit {:.4g} gives it more{}",
+      flags.time_limit, 10.0 * flags.time_limit, flags.no_pairs ? "" : ", --no-pairs needs less");
+  const std::span<const double> speeds = data.values(record::speed);
+  if (!speeds.empty()) {
+    const auto [low, high] = std::minmax_element(speeds.begin(), speeds.end());
+    text += fmt::format(". The speeds are {:.4g} to {:.4g} rpm: is that their unit?", *low / rpm,
+                        *high / rpm);
+  }
+  return text;
+}
+
 fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const fit::Subject& subject,
                             const record::Record& data) {
   fit::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
   options.tried_before = flags.tried_before;
-  options.cancelled = &interrupted;
+  const InterruptFlag interrupt(flags.time_limit);
+  options.cancelled = &InterruptFlag::raised();
   if (isatty(STDERR_FILENO) != 0) options.progress = show_step;
-  std::signal(SIGINT, interrupt);
   try {
-    fit::Diagnosis diagnosis = fit::diagnose(subject, data, options);
-    std::signal(SIGINT, SIG_DFL);
-    return diagnosis;
+    return fit::diagnose(subject, data, options);
   } catch (const std::invalid_argument& e) {
     refuse_data(flags.model, data, e);
+  } catch (const fit::Cancelled&) {
+    if (!interrupt.out_of_time()) throw;
+    throw OutOfTime(out_of_time(flags, data));
   }
 }
 
@@ -256,7 +275,13 @@ int run(const DiagnoseFlags& flags) {
   const record::Record data =
       open_records(flags.data, flags.model, *model, flags.reading.options(file));
   const auto subject = flags.per_record.subject(file.model, data);
-  fit::Diagnosis diagnosis = diagnosis_of(flags, *subject, data);
+  fit::Diagnosis diagnosis;
+  try {
+    diagnosis = diagnosis_of(flags, *subject, data);
+  } catch (const OutOfTime& e) {
+    say(e.what());
+    return not_converged;
+  }
   tell_of_scale(data, diagnosis.messages);
   if (flags.json) {
     fmt::print("{}", io::diagnosis_json(flags.model, data, diagnosis));
@@ -283,6 +308,8 @@ Run setup_diagnose(CLI::App& command) {
       .add_option("--tried-before", flags->tried_before,
                   "explanations of your own already tried on these data")
       ->type_name("N");
+  add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
+             "[s] after which it gives up; default 120");
   flags->per_record.declare(command);
   flags->reading.declare(command);
   flags->tolerance.declare(command);

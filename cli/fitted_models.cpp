@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/open_input.h"
+#include "cli/run_files.h"
 #include "fit/several_records.h"
 #include "io/names.h"
 #include "model/corrected_data.h"
@@ -81,7 +82,9 @@ std::string FittedModels::names(const fit::Subject& subject) const {
 }
 
 void FittedModels::require_writable(const fit::Subject& subject) const {
-  for (const std::string& file : files(subject)) io::require_writable(file, if_exists_);
+  const std::vector<std::string> list = files(subject);
+  check_outputs(list);
+  for (const std::string& file : list) io::require_writable(file, if_exists_);
 }
 
 void FittedModels::write(const io::ModelFile& file, const fit::Calibration& calibration) const {

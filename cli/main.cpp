@@ -7,10 +7,13 @@
 #include <map>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/commands.h"
 #include "cli/parse_problem.h"
+#include "cli/process.h"
+#include "cli/run_files.h"
 #include "io/error.h"
 #include "io/names.h"
 
@@ -51,13 +54,22 @@ constexpr std::array commands{
 
 /// Tells on stderr what is wrong with the command line; gives the exit status.
 int refuse(const std::string& command, const std::string& problem) {
-  fmt::print(stderr, "{0}: {1}\nTry {0} --help.\n", command, problem);
+  cli::write_message(fmt::format("{0}: {1}\nTry {0} --help.\n", command, problem));
+  return cli::wrong_input;
+}
+
+/// The exit status, once the last of stdout has left.
+int finished(int status) {
+  const std::string problem = cli::stdout_problem();
+  if (problem.empty()) return status;
+  cli::write_message("raceway: " + problem + "\n");
   return cli::wrong_input;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  cli::start_process();
   // Ceres logs trial points without balance as errors; statuses and messages say it where it
   // counts.
   FLAGS_minloglevel = google::GLOG_FATAL;
@@ -78,13 +90,13 @@ int main(int argc, char** argv) {
     runs[command] = c.setup(*command);
   }
   if (argc < 2) {
-    fmt::print(stderr, "{}", app.help());
+    cli::write_message(app.help());
     return cli::wrong_input;
   }
   const std::string first = argv[1];
   if (first == "help") {
     fmt::print("{}", app.help());
-    return cli::done;
+    return finished(cli::done);
   }
   const CLI::App* command = first.starts_with('-') ? &app : nullptr;
   std::vector<std::string> names;
@@ -100,20 +112,20 @@ int main(int argc, char** argv) {
     return refuse(command_name, problem);
   try {
     app.parse(argc, argv);
-    const int status = runs.at(app.get_subcommands().front())();
-    // A full disk or a closed pipe shows up when the last of stdout leaves.
-    if (std::fflush(stdout) != 0) {
-      fmt::print(stderr, "raceway: stdout could not be written\n");
-      return cli::wrong_input;
-    }
-    return status;
+    CLI::App* const given = app.get_subcommands().front();
+    cli::check_files(*given);
+    return finished(runs.at(given)());
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);  // help and version
+    if (e.get_exit_code() == 0) return finished(app.exit(e));  // help and version
     return refuse(command_name, e.what());
   } catch (const io::InputError& e) {
-    fmt::print(stderr, "{}\n", e.what());
+    cli::write_message(fmt::format("{}\n", e.what()));
+  } catch (const std::system_error& e) {
+    cli::write_message(fmt::format("raceway: {}\n", std::ferror(stdout) != 0
+                                                        ? cli::stdout_problem(e.code().value())
+                                                        : e.what()));
   } catch (const std::exception& e) {
-    fmt::print(stderr, "raceway: {}\n", e.what());
+    cli::write_message(fmt::format("raceway: {}\n", e.what()));
   }
   return cli::wrong_input;
 }

@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/open_input.h"
+#include "cli/table_memory.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/output_file.h"
@@ -21,6 +22,7 @@ struct MergeFlags {
 int run(const MergeFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (flags.output != "-") io::require_writable(flags.output, if_exists);
+  require_memory_to_merge(flags.slabs);
   std::vector<io::SlabText> slabs;
   for (const std::string& name : flags.slabs) slabs.push_back({name, io::read_text(name)});
   const std::string text = io::merged_table_text(slabs);

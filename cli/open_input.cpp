@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/process.h"
 #include "io/data_file.h"
 #include "io/doubts.h"
 #include "io/error.h"
@@ -16,7 +17,7 @@ namespace raceway::cli {
 
 void say(const std::string& line) {
   std::fflush(stdout);  // a log of both keeps the order
-  fmt::print(stderr, "{}\n", line);
+  write_message(line + "\n");
 }
 
 void warn(const std::string& line) { say("warning: " + line); }

@@ -17,6 +17,7 @@
 #include "cli/report_flag.h"
 #include "cli/shaft.h"
 #include "cli/table_columns.h"
+#include "cli/table_memory.h"
 #include "cli/text_table.h"
 #include "friction/stribeck_table.h"
 #include "io/csv.h"
@@ -255,16 +256,17 @@ int run(const TableFlags& flags) {
   if (!flags.data.empty())
     measured = open_data(flags.data, *io::make_subject(model), flags.reading.options(file));
   const friction::TableAxes grid = axes(flags, model);
-  const std::size_t points = part.points(grid.size());
-  if (static_cast<double>(points) > 1e8)
-    throw io::InputError(
-        fmt::format("raceway table: {} points: at most 1e8; --slab makes a part", points));
-  std::function<void(double)> progress;
-  if (isatty(STDERR_FILENO) != 0 && points >= 20000) progress = show_progress;
   const std::optional<model::Band> band = flags.band.of(file);
   std::vector<std::string> names = table_columns(model);
   if (band)
     for (std::string& name : band_columns(model)) names.push_back(std::move(name));
+  require_memory(grid, part, names.size(),
+                 flags.json             ? TableForm::json
+                 : flags.output.empty() ? TableForm::text
+                                        : TableForm::file);
+  const std::size_t points = part.points(grid.size());
+  std::function<void(double)> progress;
+  if (isatty(STDERR_FILENO) != 0 && points >= 20000) progress = show_progress;
   const friction::StribeckTable table = friction::build_stribeck_table(
       grid, std::move(names),
       [&](auto given, auto out) {

@@ -158,8 +158,9 @@ TEST_F(BadInput, UnwritableOutputIsToldBeforeTheWork) {
   const std::string table = "table " + model + " --speed 0:9000:0.001 --axial-load 100 -o ";
   expect_refused(run(table + scratch_.path().string()), ": is a directory");
   expect_refused(run(table + scratch_.file("none/t.csv")), "there is no folder");
-  expect_refused(run(table + model), "exists already");
-  EXPECT_EQ(file_text(model), model_text);
+  const std::string old = scratch_.write("old.csv", "old");
+  expect_refused(run(table + old), "exists already");
+  EXPECT_EQ(file_text(old), "old");
 }
 
 }  // namespace

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+/// The files of a run. No command writes over what it reads, nor two things into one file.
+namespace raceway::cli {
+
+/// Takes the files from a parsed command line: --output, --report and --plot are written, every
+/// other argument that names a file is read, and so is standard input. Throws io::InputError where
+/// one of the first is one of the second, by whatever path, or two of the first are one.
+/// `calibrate` and `add` may write onto their own MODEL. An
+/// argument with a control character is refused, too.
+void check_files(const CLI::App& command);
+
+/// The same of outputs whose names come out during the run. After check_files().
+void check_outputs(const std::vector<std::string>& outputs);
+
+}  // namespace raceway::cli
