@@ -106,7 +106,8 @@ struct SuggestedMeasurement {
 
 struct Diagnosis {
   Verdict verdict = Verdict::nothing_missing;
-  std::string sentence;                    ///< what a user reads first
+  std::string headline;                    ///< for a person, without its proof
+  std::string sentence;                    ///< the verdict with the numbers it rests on
   std::vector<ChannelDiagnosis> channels;  ///< that were measured, the first leading
   double p_value = unset;  ///< of the gate: chance of such a misfit if nothing were missing
   double remaining_p_value = unset;  ///< with the verdict's effects on

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "fit/effect_sizes.h"
+#include "fit/headline.h"
 #include "fit/next_points.h"
 #include "fit/unknown_shape.h"
 #include "fit/verdict_text.h"
@@ -500,6 +501,9 @@ void Investigation::tell_of_all_rows() {
 Diagnosis Investigation::conclude() {
   if (!is_anything_missing() && result_.within_tolerance) find_immaterial();
   result_.sentence = sentence();
+  result_.headline = headline(result_, !hidden_               ? Inputs::tell_all
+                                       : outside_the_inputs() ? Inputs::miss_what_changes
+                                                              : Inputs::may_miss_something);
   tell_of_all_rows();
   return std::move(result_);
 }
