@@ -74,7 +74,8 @@ int run(const AddFlags& flags) {
     (flags.names[k].ends_with(".csv") ? files : ids).push_back(flags.names[k]);
   if (ids.empty())
     throw io::InputError(
-        "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects");
+        "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
+        {.key = "EFFECT"});
   io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
   const record::Record data =
@@ -91,18 +92,23 @@ int run(const AddFlags& flags) {
   }();
   tell_of_scale(data, result.messages);
   if (flags.json) {
-    fmt::print("{}", io::add_json(path, data, result));
+    put_document(io::add_json(file.source, data, result));
   } else {
     print(result);
   }
-  tell(result.messages);
-  flags.report.write([&] { return io::add_report(path, data, result); }, flags.force);
+  warn(result.messages);
+  flags.report.write(
+      [&] {
+        return io::add_report(file.source, data, result,
+                              {of_page(file, output.model(result.calibration))});
+      },
+      flags.force);
   if (!result.calibration.converged()) {
-    say("raceway add: the fit did not converge; nothing is written");
+    complain("raceway add: the fit did not converge; nothing is written");
     return not_converged;
   }
   if (result.refused && !flags.force) {
-    say(fmt::format("raceway add: refused: {} (--force adds it all the same)", result.reason));
+    complain(fmt::format("raceway add: refused: {} (--force adds it all the same)", result.reason));
     return wrong_input;
   }
   output.write(file, result.calibration);

@@ -18,10 +18,12 @@ void BandFlag::declare(CLI::App& command) {
 std::optional<model::Band> BandFlag::of(const io::ModelFile& file) const {
   if (!on) return std::nullopt;
   if (!file.model.covariance)
-    throw io::InputError(fmt::format(
-        "--band: {} has no [calibration.covariance] of the values that stand in it; raceway "
-        "calibrate {} DATA -o FILE first, FILE has one",
-        file.source, file.source));
+    throw io::InputError(
+        fmt::format(
+            "--band: {} has no [calibration.covariance] of the values that stand in it; raceway "
+            "calibrate {} DATA -o FILE first, FILE has one",
+            file.source, file.source),
+        {.file = file.source, .key = "calibration.covariance"});
   return model::Band(file.model);
 }
 

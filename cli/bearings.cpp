@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
@@ -32,9 +33,17 @@ int list_bearings(const BearingsFlags& flags) {
            !is_size(flags.outer_diameter, r.geometry.outer_diameter);
   });
   const bool json = flags.json;
+  if (rows.empty())
+    throw io::InputError(
+        fmt::format(
+            "raceway bearings: no bearing has \"{}\" in its name{}; without a filter all are "
+            "listed",
+            flags.filter,
+            std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size"),
+        {.key = "FILTER"});
   if (json) {
-    fmt::print("{}", io::bearings_json(rows));
-  } else if (!rows.empty()) {
+    put_document(io::bearings_json(rows));
+  } else {
     TextTable table({{"bearing", "", true},
                      {"bore", "mm"},
                      {"outer", "mm"},
@@ -52,13 +61,6 @@ int list_bearings(const BearingsFlags& flags) {
                  fmt::format("{:.3g}", r.geometry.contact_angle / degree),
                  fmt::format("{:.0f}", r.geometry.static_load_rating)});
     fmt::print("{}", table.text(terminal_width()));
-  }
-  if (rows.empty()) {
-    say(fmt::format(
-        "raceway bearings: no bearing has \"{}\" in its name{}; without a filter all are listed",
-        flags.filter,
-        std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size"));
-    return wrong_input;
   }
   return done;
 }

@@ -67,9 +67,11 @@ void print(const fit::Calibration& c) {
 
 int run(const CalibrateFlags& flags) {
   if (flags.output == "-")
-    throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file");
+    throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file",
+                         {.key = "--output"});
   if (flags.data.empty() && !flags.per_record.names.empty())
-    throw io::InputError("raceway calibrate: --per-record needs measurements: DATA is missing");
+    throw io::InputError("raceway calibrate: --per-record needs measurements: DATA is missing",
+                         {.key = "DATA"});
   if (flags.data.empty())
     return calibrate_conformity(
         {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
@@ -91,13 +93,13 @@ int run(const CalibrateFlags& flags) {
   }();
   tell_of_scale(data, c.messages);
   if (flags.json) {
-    fmt::print("{}", io::calibration_json(c, data));
+    put_document(io::calibration_json(c, data));
   } else if (c.converged()) {
     print(c);
   }
-  tell(c.messages);
+  warn(c.messages);
   if (!c.converged()) {
-    say(fmt::format(
+    complain(fmt::format(
         "raceway calibrate: {} after {} steps; {}", fit::name(c.status), c.iterations,
         flags.output.empty() ? "no result" : output.names(*subject) + " is not written"));
     return not_converged;

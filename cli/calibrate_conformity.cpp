@@ -28,17 +28,19 @@ struct Start {
 
 Start start_of(const std::string& model) {
   std::error_code ignored;
-  if (!model.ends_with(".toml") && !std::filesystem::exists(model, ignored)) {
+  if (model != "-" && !model.ends_with(".toml") && !std::filesystem::exists(model, ignored)) {
     io::CatalogueBearing row = io::find_bearing(io::read_catalogues(), model);
     std::string text = io::new_model_text(row);
     return {std::move(row), std::move(text)};
   }
   io::ModelFile file = open_model(model);
   if (file.catalogue.empty())
-    throw io::InputError(fmt::format(
-        "raceway calibrate: DATA is missing; without measurements {} needs catalogue = \"NAME\" "
-        "under [bearing], whose printed rigidities the conformity is fitted to",
-        model));
+    throw io::InputError(
+        fmt::format("raceway calibrate: DATA is missing; without measurements {} needs catalogue = "
+                    "\"NAME\" "
+                    "under [bearing], whose printed rigidities the conformity is fitted to",
+                    model),
+        {.file = model, .key = "catalogue"});
   return {io::find_bearing(io::read_catalogues(), file.catalogue), std::move(file.text)};
 }
 
@@ -50,9 +52,11 @@ std::vector<shaft::PairRigidity> classes_of(const io::CatalogueBearing& row) {
       classes.push_back(
           {.preload_class = name, .preload = preload->force, .printed = preload->axial_rigidity});
   if (classes.empty())
-    throw io::InputError(row.full_name() +
-                         ": the catalogue prints no axial rigidity at a preload, so nothing tells "
-                         "the conformity");
+    throw io::InputError(
+        row.full_name() +
+            ": the catalogue prints no axial rigidity at a preload, so nothing tells "
+            "the conformity",
+        {.key = "catalogue"});
   return classes;
 }
 
@@ -91,17 +95,18 @@ int calibrate_conformity(const ConformityFlags& flags) {
       {start.row.geometry, bearing::steel(), bearing::steel()}, classes_of(start.row));
   const bool found = fit.status == fit::FitStatus::converged && fit.at_bound == record::Bound::none;
   if (flags.json)
-    fmt::print("{}", io::conformity_json(start.row.full_name(), fit));
+    put_document(io::conformity_json(start.row.full_name(), fit));
   else if (fit.status == fit::FitStatus::converged)
     print(start.row, fit);
   if (!found) {
-    say(fmt::format("raceway calibrate: no conformity from {} to {} has the printed rigidities; {}",
+    complain(
+        fmt::format("raceway calibrate: no conformity from {} to {} has the printed rigidities; {}",
                     shaft::lowest_conformity, shaft::highest_conformity,
                     flags.output.empty() ? "no result" : flags.output + " is not written"));
     return not_converged;
   }
   if (fit.rms > poor)
-    tell({fmt::format("one conformity leaves {:.2g} % between the classes: take it with care",
+    warn({fmt::format("one conformity leaves {:.2g} % between the classes: take it with care",
                       100.0 * fit.rms)});
   if (flags.output.empty()) return done;
   const double shown = std::round(fit.conformity * 1e5) / 1e5;  // far below its standard error

@@ -69,7 +69,7 @@ void print(const fit::Check& c, const record::Record& data) {
 /// A map of the columns of the file on stdout.
 int suggest(const std::string& model, const std::string& path) {
   if (path.ends_with(".toml"))
-    throw io::InputError(path + ": stands where measurements (CSV) are expected");
+    throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
   const io::ModelFile file = open_model(model, Accepts::rig_or_shaft);
   fmt::print("{}", io::suggested_columns(path, *io::make_subject(file.model)));
   return done;
@@ -81,13 +81,31 @@ struct CheckFlags {
   bool json = false, suggest = false, force = false;
 };
 
+/// What the model leaves to the program.
+void print_defaults(const io::ModelFile& file) {
+  fmt::print("{}: {} default{}\n", file.source, file.defaults.size(),
+             file.defaults.size() == 1 ? "" : "s");
+  for (const std::string& d : file.defaults)
+    fmt::print("  {}\n", d.substr(0, d.find(" (default)")));
+}
+
+int run_model(const io::ModelFile& file, bool json) {
+  if (json)
+    put_document(io::model_check_json(file.model.name, file.defaults, file.notes));
+  else
+    print_defaults(file);
+  return done;
+}
+
 int run(const CheckFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (flags.output == "-")
-    throw io::InputError("raceway check: --output -: stdout shows what was read; name a file");
+    throw io::InputError("raceway check: --output -: stdout shows what was read; name a file",
+                         {.key = "--output"});
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
   const std::string& model = flags.model;
-  const io::ModelFile file = open_model(model, Accepts::rig_or_shaft);
+  const io::ModelFile file = open_model(model, Accepts::rig_or_shaft, Defaults::keep);
+  if (flags.data.empty()) return run_model(file, flags.json);
   const auto subject = io::make_subject(file.model);
   const record::Record data = open_data(flags.data, *subject, flags.reading.options(file));
   const fit::Check check = fit::check(*subject, data);
@@ -95,7 +113,7 @@ int run(const CheckFlags& flags) {
   notes.insert(notes.end(), data.notes.begin(), data.notes.end());
   for (const std::string& doubt : io::doubts(*subject, data)) notes.push_back(doubt);
   if (!check.problem.empty()) {
-    tell({check.problem});
+    warn({check.problem});
     notes.push_back(check.problem);
   }
   if (!check.runs_coincide_with.empty()) {
@@ -104,12 +122,14 @@ int run(const CheckFlags& flags) {
         "anew; before measuring more, plan two runs or more for each level, or all levels within "
         "each run",
         check.runs_coincide_with));
-    tell({notes.back()});
+    warn({notes.back()});
   }
   if (flags.json) {
-    fmt::print("{}", io::check_json(file.model.name, check, file.defaults, notes));
+    put_document(io::check_json(file.model.name, check, file.defaults, notes));
   } else {
     print(check, data);
+    fmt::print("\n");
+    print_defaults(file);
   }
   if (!flags.output.empty()) {
     io::write_text(flags.output, io::record_text(data), if_exists);
@@ -123,7 +143,8 @@ int run(const CheckFlags& flags) {
 Run setup_check(CLI::App& command) {
   auto flags = std::make_shared<CheckFlags>();
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
-  command.add_option("DATA", flags->data, "measurements (CSV)")->required()->type_name("");
+  command.add_option("DATA", flags->data, "measurements (CSV); without them the model alone")
+      ->type_name("");
   flags->reading.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command
@@ -136,7 +157,7 @@ Run setup_check(CLI::App& command) {
                 "only propose which of their columns is which of ours (TOML)")
       ->excludes("--json");
   command.footer(
-      "Example:\n  raceway check my.toml rig.csv\n"
+      "Example:\n  raceway check my.toml\n  raceway check my.toml rig.csv\n"
       "  raceway check my.toml export.csv --suggest-columns > map.toml\n"
       "  raceway check my.toml export.csv --columns map.toml");
   return [flags] {

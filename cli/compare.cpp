@@ -194,12 +194,12 @@ void note_other_rigs(const std::vector<io::ModelFile>& files) {
     if (!same(rig.inertia, first.inertia) || !same(rig.axial_load, first.axial_load) ||
         !same(rig.radial_load, first.radial_load) || !same(rig.temperature, first.temperature) ||
         !same(rig.minimum_speed, first.minimum_speed))
-      tell({fmt::format("{}: its [rig] differs from that of {}, which is used for all models",
+      warn({fmt::format("{}: its [rig] differs from that of {}, which is used for all models",
                         file.source, files[0].source)});
     const auto& shaft = file.model.shaft;
     const auto& first_shaft = files[0].model.shaft;
     if (shaft && first_shaft && shaft->external_load != first_shaft->external_load)
-      tell(
+      warn(
           {fmt::format("{}: its external_load_N differs from that of {}, which is used for all "
                        "models",
                        file.source, files[0].source)});
@@ -227,7 +227,7 @@ Compared refitted(const model::Model& model, const CompareFlags& flags,
   if (!calibration.converged())
     throw std::invalid_argument("the refit of " + fmt::format("{}", fmt::join(names, ", ")) +
                                 " does not converge");
-  tell(calibration.messages);
+  warn(calibration.messages);
   return {calibration.subject, static_cast<int>(calibration.parameters.size())};
 }
 
@@ -259,7 +259,7 @@ void tell_not_predicted(const std::string& file, const model::Model& model,
                         const Comparisons& comparisons, const record::Record& data) {
   for (const fit::Comparison& c : comparisons)
     if (const auto& missing = c.rows_not_predicted; !missing.empty())
-      tell({fmt::format(
+      warn({fmt::format(
           "{}: {} rows{} have no prediction and are left out, the first in {}: {}", file,
           missing.size(), comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
           data.place(missing.front()), why_not_predicted(model, data, missing.front()))});
@@ -280,12 +280,15 @@ std::vector<io::ModelFile> open_models(const std::vector<std::string>& paths,
 int run(const CompareFlags& flags) {
   if (flags.files.size() < 2)
     throw io::InputError(
-        "raceway compare: DATA is missing: one model or more come first, the measurements last");
+        "raceway compare: DATA is missing: one model or more come first, the measurements last",
+        {.key = "DATA"});
   const auto data_begin =
       flags.files.begin() + static_cast<std::ptrdiff_t>(first_data(flags.files));
-  const std::vector<std::string> models(flags.files.begin(), data_begin);
+  const std::vector<std::string> paths(flags.files.begin(), data_begin);
   flags.report.check(flags.force);
-  const std::vector<io::ModelFile> files = open_models(models, flags.tolerance);
+  const std::vector<io::ModelFile> files = open_models(paths, flags.tolerance);
+  std::vector<std::string> models;
+  for (const io::ModelFile& file : files) models.push_back(file.source);
   const record::Record data =
       open_records({data_begin, flags.files.end()}, models.front(),
                    *io::make_subject(files.front().model), flags.reading.options(files.front()));
@@ -312,14 +315,17 @@ int run(const CompareFlags& flags) {
     tell({fmt::format("{} refitted to each record by itself in each model",
                       fmt::join(flags.per_record.names, " and "))});
   if (flags.json) {
-    fmt::print("{}", io::comparison_json(models, comparisons, data));
+    put_document(io::comparison_json(models, comparisons, data));
   } else if (models.size() == 1) {
     print(models[0], comparisons[0], data);
   } else {
     print_ladders(models, comparisons);
   }
-  flags.report.write([&] { return io::comparison_report(models, compared, comparisons, data); },
-                     flags.force);
+  std::vector<io::ModelOfPage> facts;
+  for (std::size_t i = 0; i < files.size(); ++i) facts.push_back(of_page(files[i], compared[i]));
+  flags.report.write(
+      [&] { return io::comparison_report(models, compared, comparisons, data, facts); },
+      flags.force);
   return done;
 }
 

@@ -1,10 +1,10 @@
 #include "fit/diagnose.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cli/commands.h"
 #include "cli/data_flag.h"
@@ -13,6 +13,7 @@
 #include "cli/open_input.h"
 #include "cli/per_record_flag.h"
 #include "cli/process.h"
+#include "cli/progress.h"
 #include "cli/report_flag.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
@@ -35,12 +36,6 @@ struct DiagnoseFlags {
   PerRecordFlag per_record;
   DataFlag reading;
 };
-
-void show_step(double share, std::string_view step) {
-  fmt::print(stderr, "\r\033[K{:3.0f} %  {}{}", 100.0 * share, step,
-             share >= 1.0 ? "\r\033[K" : "");
-  std::fflush(stderr);
-}
 
 constexpr int error_digits = 3;
 
@@ -220,7 +215,7 @@ void print_ladder(const fit::Diagnosis& d, const fit::ChannelDiagnosis& c) {
 }
 
 void print(const fit::Diagnosis& d) {
-  fmt::print("{}\n\n", in_colour(d.sentence, Colour::strong));
+  fmt::print("{}\n{}\n\n", in_colour(d.headline, Colour::strong), d.sentence);
   fmt::print("verdict: {} (p of the misfit {})\n\n", fit::name(d.verdict),
              d.p_value < 1e-300 ? "< 1e-300" : fmt::format("{:.1g}", d.p_value));
   for (const fit::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
@@ -256,7 +251,11 @@ fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const fit::Subject& subj
   options.tried_before = flags.tried_before;
   const InterruptFlag interrupt(flags.time_limit);
   options.cancelled = &InterruptFlag::raised();
-  if (isatty(STDERR_FILENO) != 0) options.progress = show_step;
+  std::optional<Progress> bar;
+  if (shows_progress()) {
+    bar.emplace();
+    options.progress = [&bar](double share, std::string_view step) { bar->show(share, step); };
+  }
   try {
     return fit::diagnose(subject, data, options);
   } catch (const std::invalid_argument& e) {
@@ -284,13 +283,17 @@ int run(const DiagnoseFlags& flags) {
   }
   tell_of_scale(data, diagnosis.messages);
   if (flags.json) {
-    fmt::print("{}", io::diagnosis_json(flags.model, data, diagnosis));
+    put_document(io::diagnosis_json(file.source, data, diagnosis));
   } else {
     print(diagnosis);
   }
-  tell(diagnosis.messages);
-  flags.report.write([&] { return io::diagnosis_report(flags.model, *model, data, diagnosis); },
-                     flags.force);
+  warn(diagnosis.messages);
+  flags.report.write(
+      [&] {
+        return io::diagnosis_report(file.source, *model, data, diagnosis,
+                                    {of_page(file, file.model)});
+      },
+      flags.force);
   return done;
 }
 

@@ -33,8 +33,8 @@ std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const model::M
   const std::vector<double> speeds = axis(f.speed, "--speed");
   require_all(speeds, speed_range, "--speed");
   if (speeds.size() > 1000000)
-    throw io::InputError(
-        fmt::format("raceway displacement: {} speeds: at most 1e6", speeds.size()));
+    throw io::InputError(fmt::format("raceway displacement: {} speeds: at most 1e6", speeds.size()),
+                         {.key = "--speed"});
   tell_of_kelvin({f.temperature});
   std::vector<shaft::ShaftPoint> result;
   for (const double speed : speeds)
@@ -119,7 +119,8 @@ std::vector<std::string> warnings(const model::Model& model,
 int run(const DisplacementFlags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError(
-        "raceway displacement: --json and --output - both write to stdout; take one");
+        "raceway displacement: --json and --output - both write to stdout; take one",
+        {.key = "--output"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
@@ -142,7 +143,7 @@ int run(const DisplacementFlags& flags) {
     }
   }
   if (flags.json) {
-    fmt::print("{}", io::displacement_json(model, asked, predictions, of_band));
+    put_document(io::displacement_json(model, asked, predictions, of_band));
   } else if (flags.output.empty()) {
     print(model, asked, predictions, of_band);
     if (band) fmt::print("+-: {}\n", band_statement(*band));
@@ -150,11 +151,11 @@ int run(const DisplacementFlags& flags) {
   const std::vector<std::string> said = warnings(model, asked, predictions);
   flags.report.write(
       [&] {
-        return io::displacement_report(flags.model, model, asked, predictions,
-                                       law_of(asked, predictions), said);
+        return io::displacement_report(file.source, model, asked, predictions,
+                                       law_of(asked, predictions), said, {of_page(file, model)});
       },
       flags.force);
-  tell(said);
+  warn(said);
   const bool all =
       std::all_of(predictions.begin(), predictions.end(), [](const shaft::ShaftPrediction& p) {
         return p.status() == bearing::SolveStatus::converged;

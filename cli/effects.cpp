@@ -1,9 +1,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/text_table.h"
 #include "effects/catalogue.h"
 #include "io/error.h"
@@ -25,24 +30,13 @@ std::string unit_of(const effects::Parameter& p) {
 std::string plain(double value) { return fmt::format("{:.6g}", value); }
 
 /// Words filled into lines, behind a heading in the left margin.
-void paragraph(const std::string& heading, std::string_view words) {
-  const std::size_t margin = 14, width = std::max<std::size_t>(terminal_width(), 50);
-  std::string line = fmt::format("{:<{}}", heading, margin);
-  bool empty = true;
-  for (std::size_t begin = 0; begin < words.size();) {
-    const std::size_t end = std::min(words.find(' ', begin), words.size());
-    const std::string_view word = words.substr(begin, end - begin);
-    if (!empty && line.size() + 1 + word.size() > width) {
-      fmt::print("{}\n", line);
-      line.assign(margin, ' ');
-      empty = true;
-    }
-    if (!empty) line += ' ';
-    line += word;
-    empty = false;
-    begin = end + 1;
+void paragraph(std::string heading, std::string_view words) {
+  constexpr std::size_t margin = 14;
+  const std::size_t width = std::max<std::size_t>(terminal_width(), 50);
+  for (const std::string& line : filled(words, width - margin)) {
+    fmt::print("{:<{}}{}\n", heading, margin, line);
+    heading.clear();
   }
-  fmt::print("{}\n", line);
 }
 
 /// What an effect changes of what is measured.
@@ -76,17 +70,17 @@ std::string needs_of(const Description& d) {
   return d.for_rig ? "nothing beside the torque" : "nothing beside the displacement";
 }
 
-void print_list() {
+void print_list(std::span<const Description> list) {
   TextTable table({{"effect", "", true},
                    {"acts at", "", true},
                    {"changes", "", true},
-                   {"what it is", "", true}});
-  for (const Description& d : effects::catalogue())
+                   {"what it is", "", true, true}});
+  for (const Description& d : list)
     table.add({std::string(d.id), std::string(d.step()),
                std::string(measured(d.moves(Form::rig),
                                     effects::find(d.id, Form::shaft)->moves(Form::shaft))),
                std::string(d.title)});
-  fmt::print("{}", table.text(std::max<std::size_t>(terminal_width(), 120)));
+  fmt::print("{}", table.text(terminal_width()));
   fmt::print("\nraceway effects ID explains one of them.\n");
 }
 
@@ -122,7 +116,7 @@ void print_page(const Description& d) {
     table.add({std::string(p.name), plain(p.initial), plain(p.lower), plain(p.upper),
                fmt::format("{} to {}", plain(p.plausible_lower), plain(p.plausible_upper)),
                std::isnan(p.neutral) ? "-" : plain(p.neutral), unit_of(p)});
-  fmt::print("{}", table.text(std::max<std::size_t>(terminal_width(), 100)));
+  fmt::print("{}", table.text(terminal_width()));
   if (d.size_power != 0.0)
     fmt::print("usual: at a pitch diameter of {:g} mm; it goes with the power {:g} of it\n",
                effects::size_of_ranges / mm, d.size_power);
@@ -131,31 +125,44 @@ void print_page(const Description& d) {
     fmt::print("  {} = {}\n", p.name, plain(p.initial));
 }
 
-int show(const std::string& id, bool json) {
-  if (id.empty()) {
-    if (json)
-      fmt::print("{}", io::effects_json(effects::all_forms()));
-    else
-      print_list();
-    return done;
+/// Effects with these words in their id, title or texts, upper and lower case alike.
+std::vector<Description> matching(const std::string& words) {
+  const auto lower = [](std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return result;
+  };
+  std::vector<Description> found;
+  for (const Description& d : effects::catalogue()) {
+    const std::array texts{d.id, d.title, d.mechanism, d.formula, d.source};
+    if (std::any_of(texts.begin(), texts.end(), [&](std::string_view text) {
+          return lower(text).find(lower(words)) != std::string::npos;
+        }))
+      found.push_back(d);
   }
+  return found;
+}
+
+std::vector<Description> forms_of(std::string_view id) {
   std::vector<Description> forms;
   for (const Description& d : effects::all_forms())
     if (d.id == id) forms.push_back(d);
-  if (const std::string own = model::own_datum_explained(id); !own.empty() && !json) {
-    fmt::print("{}\n", own);
-    return done;
-  }
-  if (forms.empty()) {
-    std::vector<std::string> ids;
-    for (const Description& known : effects::catalogue()) ids.emplace_back(known.id);
-    throw io::InputError(fmt::format("raceway effects: {}: no such effect{}", id,
-                                     io::suggestion(id, ids).empty()
-                                         ? "; raceway effects lists them"
-                                         : io::suggestion(id, ids)));
-  }
+  return forms;
+}
+
+[[noreturn]] void refuse_unknown(const std::string& id) {
+  std::vector<std::string> ids;
+  for (const Description& known : effects::catalogue()) ids.emplace_back(known.id);
+  const std::string near = io::suggestion(id, ids);
+  throw io::InputError(fmt::format("raceway effects: {}: no such effect{}", id,
+                                   near.empty() ? "; raceway effects lists them" : near),
+                       {.key = "ID"});
+}
+
+int explain(const std::vector<Description>& forms, bool json) {
   if (json) {
-    fmt::print("{}", forms.size() == 1 ? io::effect_json(forms[0]) : io::effects_json(forms));
+    put_document(forms.size() == 1 ? io::effect_json(forms[0]) : io::effects_json(forms));
     return done;
   }
   for (const Description& d : forms) {
@@ -165,14 +172,37 @@ int show(const std::string& id, bool json) {
   return done;
 }
 
+int list(std::span<const Description> found, bool json) {
+  if (json)
+    put_document(io::effects_json(found));
+  else
+    print_list(found);
+  return done;
+}
+
+int show(const std::string& id, bool json) {
+  if (id.empty()) return json ? list(effects::all_forms(), json) : list(effects::catalogue(), json);
+  if (const std::vector<Description> forms = forms_of(id); !forms.empty())
+    return explain(forms, json);
+  if (const std::string own = model::own_datum_explained(id); !own.empty() && !json) {
+    fmt::print("{}\n", own);
+    return done;
+  }
+  const std::vector<Description> found = matching(id);
+  if (found.empty()) refuse_unknown(id);
+  return found.size() == 1 ? explain(forms_of(found[0].id), json) : list(found, json);
+}
+
 }  // namespace
 
 Run setup_effects(CLI::App& command) {
   auto id = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  command.add_option("ID", *id, "explain this effect; without it, the list")->type_name("");
+  command
+      .add_option("ID", *id, "explain this effect, or list those with these words; without it, all")
+      ->type_name("");
   command.add_flag("--json", *json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway effects thermal-preload");
+  command.footer("Example:\n  raceway effects thermal-preload\n  raceway effects air");
   return [=] { return show(*id, *json); };
 }
 

@@ -51,18 +51,21 @@ std::optional<io::LawAtSpeed> at_speed(const FitLawFlags& flags, const shaft::Ki
   if (std::isnan(flags.at)) return std::nullopt;
   const io::LawAtSpeed at{flags.at * rpm, evaluate(law, flags.at * rpm)};
   if (!at.value.inside)
-    throw io::InputError(fmt::format(
-        "--at = {:.10g} rpm: the law is valid from {:.10g} to {:.10g} rpm, where its rows lie; it "
-        "is not extrapolated",
-        flags.at, law.lowest_speed / rpm, law.highest_speed / rpm));
+    throw io::InputError(fmt::format("--at = {:.10g} rpm: the law is valid from {:.10g} to {:.10g} "
+                                     "rpm, where its rows lie; it "
+                                     "is not extrapolated",
+                                     flags.at, law.lowest_speed / rpm, law.highest_speed / rpm),
+                         {.key = "--at"});
   return at;
 }
 
 int run(const FitLawFlags& flags) {
   if (flags.curve == "-" && isatty(STDIN_FILENO) != 0)
-    throw io::InputError("raceway fit-law: CSV is missing, and nothing is piped in");
+    throw io::InputError("raceway fit-law: CSV is missing, and nothing is piped in",
+                         {.key = "CSV"});
   if (flags.json && flags.output == "-")
-    throw io::InputError("raceway fit-law: --json and --output - both write to stdout; take one");
+    throw io::InputError("raceway fit-law: --json and --output - both write to stdout; take one",
+                         {.key = "--output"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
@@ -74,15 +77,15 @@ int run(const FitLawFlags& flags) {
     try {
       return shaft::fit_kinematic_law(curve.points);
     } catch (const std::invalid_argument& e) {
-      throw io::InputError(curve.source + ": " + e.what());
+      throw io::InputError(curve.source + ": " + e.what(), {.file = curve.source});
     }
   }();
-  tell(f.notes);
+  warn(f.notes);
   const std::optional<io::LawAtSpeed> at = at_speed(flags, f.law);
   const std::string words =
       law_statement(f, flags.output.empty() ? "-o FILE writes it" : flags.output);
   if (flags.json) {
-    fmt::print("{}", io::kinematic_law_json(f, words, at));
+    put_document(io::kinematic_law_json(f, words, at));
   } else if (f.converged() && flags.output != "-") {
     print(f, curve.source, at, words);
   }
@@ -97,10 +100,10 @@ int run(const FitLawFlags& flags) {
       fmt::print("{}", text);
     }
     if (!table.monotone)
-      tell({"the table is not monotone: the displacement turns where the rows turn"});
+      warn("the table is not monotone: the displacement turns where the rows turn");
   }
   if (f.converged()) return done;
-  say(fmt::format("raceway fit-law: {} after {} steps", fit::name(f.status), f.iterations));
+  complain(fmt::format("raceway fit-law: {} after {} steps", fit::name(f.status), f.iterations));
   return not_converged;
 }
 

@@ -68,6 +68,11 @@ model::Model fitted_model(const fit::Calibration& calibration, std::size_t recor
 
 }  // namespace
 
+const model::Model& FittedModels::model(const fit::Calibration& calibration) {
+  const auto* const of = dynamic_cast<const fit::SeveralRecords*>(calibration.subject.get());
+  return model::model_of(of ? of->shared() : *calibration.subject);
+}
+
 std::vector<std::string> FittedModels::files(const fit::Subject& subject) const {
   if (output_.empty()) return {};
   const fit::SeveralRecords* const of = several(subject);

@@ -7,15 +7,18 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/parse_problem.h"
 #include "cli/process.h"
 #include "cli/run_files.h"
 #include "io/error.h"
 #include "io/names.h"
+#include "io/results.h"
 
 namespace {
 
@@ -50,20 +53,128 @@ constexpr std::array commands{
     Command{"new", "Write a commented model file of a catalogue bearing", cli::setup_new},
     Command{"check", "What was read from a model and its data, and what can be learnt from it",
             cli::setup_check},
+    Command{"describe", "Completions of bash and zsh and man pages, of the commands as they are",
+            cli::setup_describe},
 };
 
-/// Tells on stderr what is wrong with the command line; gives the exit status.
-int refuse(const std::string& command, const std::string& problem) {
-  cli::write_message(fmt::format("{0}: {1}\nTry {0} --help.\n", command, problem));
-  return cli::wrong_input;
-}
+/// What ends a run before it has an answer.
+struct Refusal {
+  std::string message;
+  io::Place place = {};
+};
 
 /// The exit status, once the last of stdout has left.
 int finished(int status) {
   const std::string problem = cli::stdout_problem();
   if (problem.empty()) return status;
-  cli::write_message("raceway: " + problem + "\n");
+  cli::complain("raceway: " + problem);
   return cli::wrong_input;
+}
+
+/// On stderr, and with --json as a document on stdout too; gives the exit status.
+int refuse(const Refusal& refusal, bool json) {
+  if (json) std::fputs(io::error_json(refusal.message, refusal.place).c_str(), stdout);
+  cli::complain(refusal.message);
+  return cli::wrong_input;
+}
+
+/// With the way to the help of that command.
+Refusal of_command_line(const std::string& command, const std::string& problem,
+                        const std::string& key) {
+  return {fmt::format("{0}: {1}\nTry {0} --help.", command, problem), {.key = key}};
+}
+
+/// The commands with their flags, and what runs them.
+class Program {
+ public:
+  Program() {
+    app_.name("raceway");
+    app_.set_version_flag("--version", "raceway " RACEWAY_VERSION);
+    app_.require_subcommand(1);
+    app_.footer(
+        "Numbers go to stdout, messages to stderr; --json gives one JSON document, of an error\n"
+        "too. A file named - is standard input. raceway help COMMAND has its flags.\n"
+        "Exit status: 0 done, 1 wrong input, 2 not converged.\n\n"
+        "Example:\n"
+        "  raceway new \"S 6014 C\" -o my.toml\n"
+        "  raceway table my.toml --speed 0:12000:1000 --axial-load 100,300,900");
+    for (const Command& c : commands) {
+      CLI::App* command = app_.add_subcommand(c.name, c.summary);
+      runs_[command] = c.setup(*command);
+      command->add_flag_callback(
+          "--quiet", [] { cli::set_quiet(true); }, "no notes on stderr; warnings and errors stay");
+    }
+  }
+
+  [[nodiscard]] std::string help() const { return app_.help(); }
+
+  /// The command of that name; throws Refusal where there is none.
+  [[nodiscard]] const CLI::App& command(const std::string& name) const {
+    std::vector<std::string> names;
+    for (const CLI::App* known : app_.get_subcommands({})) {
+      if (known->get_name() == name) return *known;
+      names.push_back(known->get_name());
+    }
+    throw of_command_line("raceway", name + ": no such command" + io::suggestion(name, names),
+                          name);
+  }
+
+  /// Throws Refusal, io::InputError and what the libraries throw.
+  int run(int argc, char** argv) {
+    const std::string first = argv[1];
+    const bool has_command = !first.starts_with('-');
+    const CLI::App& of = has_command ? command(first) : app_;
+    const std::string name = has_command ? "raceway " + first : "raceway";
+    if (const auto problem = cli::flag_problem(of, {argv + (has_command ? 2 : 1), argv + argc}))
+      throw of_command_line(name, problem->what, problem->flag);
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+      if (e.get_exit_code() == 0) return app_.exit(e);  // help and version
+      throw of_command_line(name, e.what(), cli::missing_name(of));
+    }
+    CLI::App* const given = app_.get_subcommands().front();
+    cli::check_files(*given);
+    return runs_.at(given)();
+  }
+
+ private:
+  CLI::App app_{
+      "Friction and kinematics of spindle bearings: compute, and hold against measurements."};
+  std::map<CLI::App*, cli::Run> runs_;
+};
+
+/// `raceway help`, `raceway help solve`.
+int help(const Program& program, std::span<char*> names) {
+  if (names.empty()) {
+    fmt::print("{}", program.help());
+    return cli::done;
+  }
+  for (const char* name : names) fmt::print("{}", program.command(name).help("raceway"));
+  return cli::done;
+}
+
+int run(int argc, char** argv) {
+  Program program;
+  if (argc < 2) {
+    const std::string all = program.help();
+    cli::complain(all.substr(0, all.find_last_not_of('\n') + 1));
+    return cli::wrong_input;
+  }
+  const std::span<char*> arguments(argv + 1, argv + argc);
+  if (arguments.front() == std::string_view("help")) return help(program, arguments.subspan(1));
+  const int status = program.run(argc, argv);
+  fmt::print("{}", cli::take_document());
+  return status;
+}
+
+/// Whether errors are to be told as JSON, also where the flags cannot be understood.
+bool wants_json(std::span<char*> arguments) {
+  for (const std::string_view argument : arguments) {
+    if (argument == "--") return false;
+    if (argument == "--json") return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -73,59 +184,19 @@ int main(int argc, char** argv) {
   // Ceres logs trial points without balance as errors; statuses and messages say it where it
   // counts.
   FLAGS_minloglevel = google::GLOG_FATAL;
-  CLI::App app{
-      "Friction and kinematics of spindle bearings: compute, and hold against measurements."};
-  app.name("raceway");
-  app.set_version_flag("--version", "raceway " RACEWAY_VERSION);
-  app.require_subcommand(1);
-  app.footer(
-      "Numbers go to stdout, messages to stderr; --json gives one JSON document.\n"
-      "Exit status: 0 done, 1 wrong input, 2 not converged.\n\n"
-      "Example:\n"
-      "  raceway new \"S 6014 C\" -o my.toml\n"
-      "  raceway table my.toml --speed 0:12000:1000 --axial-load 100,300,900");
-  std::map<CLI::App*, cli::Run> runs;
-  for (const Command& c : commands) {
-    CLI::App* command = app.add_subcommand(c.name, c.summary);
-    runs[command] = c.setup(*command);
-  }
-  if (argc < 2) {
-    cli::write_message(app.help());
-    return cli::wrong_input;
-  }
-  const std::string first = argv[1];
-  if (first == "help") {
-    fmt::print("{}", app.help());
-    return finished(cli::done);
-  }
-  const CLI::App* command = first.starts_with('-') ? &app : nullptr;
-  std::vector<std::string> names;
-  for (const CLI::App* known : app.get_subcommands({})) {
-    names.push_back(known->get_name());
-    if (names.back() == first) command = known;
-  }
-  if (command == nullptr)
-    return refuse("raceway", first + ": no such command" + io::suggestion(first, names));
-  const std::string command_name = command == &app ? "raceway" : "raceway " + first;
-  const std::span<char*> arguments(argv + (command == &app ? 1 : 2), argv + argc);
-  if (const std::string problem = cli::flag_problem(*command, arguments); !problem.empty())
-    return refuse(command_name, problem);
+  const bool json = wants_json({argv, argv + argc});
+  const auto refused = [json](const Refusal& refusal) { return finished(refuse(refusal, json)); };
   try {
-    app.parse(argc, argv);
-    CLI::App* const given = app.get_subcommands().front();
-    cli::check_files(*given);
-    return finished(runs.at(given)());
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return finished(app.exit(e));  // help and version
-    return refuse(command_name, e.what());
+    return finished(run(argc, argv));
+  } catch (const Refusal& refusal) {
+    return refused(refusal);
   } catch (const io::InputError& e) {
-    cli::write_message(fmt::format("{}\n", e.what()));
+    return refused({e.what(), e.place});
   } catch (const std::system_error& e) {
-    cli::write_message(fmt::format("raceway: {}\n", std::ferror(stdout) != 0
-                                                        ? cli::stdout_problem(e.code().value())
-                                                        : e.what()));
+    if (std::ferror(stdout) == 0) return refused({fmt::format("raceway: {}", e.what())});
+    cli::complain("raceway: " + cli::stdout_problem(e.code().value()));
   } catch (const std::exception& e) {
-    cli::write_message(fmt::format("raceway: {}\n", e.what()));
+    return refused({fmt::format("raceway: {}", e.what())});
   }
   return cli::wrong_input;
 }

@@ -24,7 +24,8 @@ int run(const MergeFlags& flags) {
   if (flags.output != "-") io::require_writable(flags.output, if_exists);
   require_memory_to_merge(flags.slabs);
   std::vector<io::SlabText> slabs;
-  for (const std::string& name : flags.slabs) slabs.push_back({name, io::read_text(name)});
+  for (const std::string& name : flags.slabs)
+    slabs.push_back({io::input_name(name), io::read_text(name)});
   const std::string text = io::merged_table_text(slabs);
   slabs.clear();
   if (flags.output == "-") {

@@ -32,7 +32,8 @@ double number_of(const std::string& number, const std::string& shown, const Numb
 void require_range(double value, const NumberRange& range, const std::string& flag) {
   if (value >= range.lower && value <= range.upper) return;
   throw io::InputError(
-      fmt::format("{} = {:.10g} {}: {}", flag, value, range.unit, range_text(range)));
+      fmt::format("{} = {:.10g} {}: {}", flag, value, range.unit, range_text(range)),
+      {.key = flag});
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "cli/process.h"
 #include "io/data_file.h"
@@ -15,54 +14,44 @@
 
 namespace raceway::cli {
 
-void say(const std::string& line) {
-  std::fflush(stdout);  // a log of both keeps the order
-  write_message(line + "\n");
-}
-
-void warn(const std::string& line) { say("warning: " + line); }
-
-void tell(const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) say("note: " + note);
-}
-
 void refuse_data(const std::string& model, const record::Record& data,
                  const std::invalid_argument& error) {
   std::string message = error.what();
   if (const std::string place = data.source + ": "; message.starts_with(place))
     message.erase(0, place.size());
-  throw io::InputError(fmt::format("{} with {}: {}", data.source, model, message));
+  throw io::InputError(fmt::format("{} with {}: {}", data.source, model, message),
+                       {.file = data.source});
 }
 
-io::ModelFile open_model(const std::string& path, Accepts accepts) {
+io::ModelFile open_model(const std::string& path, Accepts accepts, Defaults defaults) {
   io::ModelFile file = [&] {
     try {
       return io::read_model(path);
     } catch (const io::InputError& e) {
       if (!path.ends_with(".csv")) throw;
-      throw io::InputError(std::string(e.what()) + "\n" + path +
-                           ": stands where a model (TOML) is expected");
+      throw io::InputError(
+          std::string(e.what()) + "\n" + path + ": stands where a model (TOML) is expected",
+          e.place);
     }
   }();
   if (file.model.shaft && accepts == Accepts::rig)
     throw io::InputError(
         path +
-        ": has an [arrangement]: this command works on a single bearing on a rig; "
-        "displacement, solve, table, check, compare, diagnose, add and calibrate with data work on "
-        "a shaft");
+            ": has an [arrangement]: this command works on a single bearing on a rig; "
+            "displacement, solve, table, check, compare, diagnose, add and calibrate with data "
+            "work on "
+            "a shaft",
+        {.file = path, .key = "arrangement"});
   if (!file.model.shaft && accepts == Accepts::shaft)
     throw io::InputError(path +
-                         ": has no [arrangement]: a shaft position needs one, with layout, "
-                         "front, rear and preload_N");
-  if (!file.defaults.empty()) {
-    std::string line = path + ": defaults used:";
-    for (const std::string& d : file.defaults) {
-      const std::string shown = d.substr(0, d.find(" (default)"));
-      line += (line.back() == ':' ? " " : ", ") + shown;
-    }
-    tell({line});
-  }
-  for (const std::string& note : file.notes) tell({path + ": " + note});
+                             ": has no [arrangement]: a shaft position needs one, with layout, "
+                             "front, rear and preload_N",
+                         {.file = path, .key = "arrangement"});
+  const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
+  if (count > 0)
+    tell({fmt::format("{} default{}: raceway check {} lists {}", count, count == 1 ? "" : "s",
+                      path == "-" ? "MODEL" : path, count == 1 ? "it" : "them")});
+  for (const std::string& note : file.notes) tell({file.source + ": " + note});
   return file;
 }
 
@@ -89,10 +78,14 @@ void warn_of_ignored_data(const io::ModelFile& file) {
                                   fmt::join(taken, ", "))));
 }
 
+io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used) {
+  return {.file = file.source, .model = used, .defaults = file.defaults};
+}
+
 record::Record open_data(const std::string& path, const model::ModelSubject& subject,
                          const io::ReadOptions& options) {
   if (path.ends_with(".toml"))
-    throw io::InputError(path + ": stands where measurements (CSV) are expected");
+    throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
   record::Record data = io::read_record(path, subject, options);
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(std::move(note));

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/messages.h"
 #include "io/model_file.h"
+#include "io/report.h"
 #include "model/model_subject.h"
 #include "record/record.h"
 
@@ -13,9 +15,16 @@ namespace raceway::cli {
 /// Which models a command takes.
 enum class Accepts { rig, rig_or_shaft, shaft };
 
-/// Reads a model and names on stderr every default that was used. Throws io::InputError for a model
-/// that the command does not take.
-[[nodiscard]] io::ModelFile open_model(const std::string& path, Accepts accepts = Accepts::rig);
+/// Whether the defaults of a model are counted in a note; not where the command lists them.
+enum class Defaults { count, keep };
+
+/// Reads a model, counts on stderr the defaults that were used, and says what is to be known of it.
+/// Throws io::InputError for a model that the command does not take.
+[[nodiscard]] io::ModelFile open_model(const std::string& path, Accepts accepts = Accepts::rig,
+                                       Defaults defaults = Defaults::count);
+
+/// What a page says of a model, with the numbers that it was used with.
+[[nodiscard]] io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used);
 
 /// Warns where the file says something of its bearing or solver that changes no digit of the
 /// friction torque: the law takes no account of it.
@@ -42,14 +51,5 @@ void tell_of_scale(const record::Record& data, std::vector<std::string>& message
 
 /// A note where a temperature of the flag --temperature looks like kelvin.
 void tell_of_kelvin(const std::vector<double>& temperatures_C);
-
-/// A line on stderr, behind all that stdout has so far.
-void say(const std::string& line);
-
-/// A line on stderr behind `warning: `: an answer that is not what a user would take it for.
-void warn(const std::string& line);
-
-/// Lines on stderr, each behind `note: `.
-void tell(const std::vector<std::string>& notes);
 
 }  // namespace raceway::cli

@@ -35,7 +35,7 @@ std::string flag_suggestion(const CLI::App& command, const std::string& flag) {
 
 }  // namespace
 
-std::string flag_problem(const CLI::App& command, std::span<char* const> arguments) {
+std::optional<FlagProblem> flag_problem(const CLI::App& command, std::span<char* const> arguments) {
   std::set<const CLI::Option*> seen;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string argument = arguments[i];
@@ -49,15 +49,22 @@ std::string flag_problem(const CLI::App& command, std::span<char* const> argumen
         is_long ? argument.substr(0, argument.find('=')) : argument.substr(0, 2);
     const CLI::Option* const option = command.get_option_no_throw(flag);
     if (option == nullptr)
-      return flag + ": no such flag" + flag_suggestion(command, is_long ? flag : argument);
-    if (!seen.insert(option).second) return flag + " is given twice";
+      return FlagProblem{
+          flag, flag + ": no such flag" + flag_suggestion(command, is_long ? flag : argument)};
+    if (!seen.insert(option).second) return FlagProblem{flag, flag + " is given twice"};
     if (option->get_items_expected_max() == 0) continue;
     std::string value = argument.substr(flag.size());  // =VALUE, or VALUE after a short flag
     if (value.empty() && i + 1 < arguments.size() &&
         !std::string_view(arguments[i + 1]).starts_with("--"))
       value = arguments[++i];
-    if (value.empty() || value == "=") return flag + ": its value is missing";
+    if (value.empty() || value == "=") return FlagProblem{flag, flag + ": its value is missing"};
   }
+  return std::nullopt;
+}
+
+std::string missing_name(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_required() && option->count() == 0) return option->get_name();
   return {};
 }
 

@@ -1,14 +1,23 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
 namespace raceway::cli {
 
+struct FlagProblem {
+  std::string flag, what;  ///< `what` names the flag too
+};
+
 /// What is wrong with the flags among the arguments of a command: unknown (with the nearest name),
-/// given twice, or without its value. Empty if nothing is. To be asked before parsing, which would
-/// first complain about what is missing because of a misspelt flag.
-[[nodiscard]] std::string flag_problem(const CLI::App& command, std::span<char* const> arguments);
+/// given twice, or without its value. To be asked before parsing, which would first complain about
+/// what is missing because of a misspelt flag.
+[[nodiscard]] std::optional<FlagProblem> flag_problem(const CLI::App& command,
+                                                      std::span<char* const> arguments);
+
+/// The required argument or flag that parsing did not find; empty where none is missing.
+[[nodiscard]] std::string missing_name(const CLI::App& command);
 
 }  // namespace raceway::cli

@@ -24,10 +24,11 @@ std::shared_ptr<const fit::Subject> PerRecordFlag::subject(const model::Model& m
                                                            const record::Record& data) const {
   if (data.parts.empty()) {
     if (!names.empty())
-      throw io::InputError(fmt::format(
-          "--per-record {}: {} is one record, whose parameters are all its own; name two files of "
-          "measurements or more",
-          fmt::join(names, ","), data.source));
+      throw io::InputError(fmt::format("--per-record {}: {} is one record, whose parameters are "
+                                       "all its own; name two files of "
+                                       "measurements or more",
+                                       fmt::join(names, ","), data.source),
+                           {.file = data.source, .key = "--per-record"});
     return io::make_subject(model);
   }
   // Free in the model too, so that an effect of which a number is named counts as one to be learnt.
@@ -40,7 +41,7 @@ std::shared_ptr<const fit::Subject> PerRecordFlag::subject(const model::Model& m
     (void)fit::find_parameters(*io::make_subject(model), names);
     return std::make_shared<fit::SeveralRecords>(io::make_subject(wanted), data, names);
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(std::string("--per-record: ") + e.what());
+    throw io::InputError(std::string("--per-record: ") + e.what(), {.key = "--per-record"});
   }
 }
 

@@ -28,7 +28,8 @@ void ReportFlag::check(bool replace) const {
   if (!io::report_available())
     throw io::InputError(
         "--report: this program was built without reports (-DRACEWAY_REPORT=OFF); with Node and "
-        "npm installed, build it with -DRACEWAY_REPORT=ON");
+        "npm installed, build it with -DRACEWAY_REPORT=ON",
+        {.key = "--report"});
   io::require_writable(path, if_exists(replace));
 }
 

@@ -141,10 +141,10 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
   std::optional<io::BandOfResult> half_widths;
   if (band) half_widths = shaft_band(*band, {&point, 1});
   if (json)
-    fmt::print("{}", io::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr));
+    put_document(io::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr));
   if (status != bearing::SolveStatus::converged) {
-    say(fmt::format("raceway solve: {}: {:.6g} rpm, {:.6g} N external load: {}", file,
-                    point.speed / rpm, point.external_load, shaft_problem(model, p)));
+    complain(fmt::format("raceway solve: {}: {:.6g} rpm, {:.6g} N external load: {}", file,
+                         point.speed / rpm, point.external_load, shaft_problem(model, p)));
     return not_converged;
   }
   if (!json) print(model, point, p);
@@ -153,7 +153,7 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
                band_statement(*band), band_text(half_widths->half_widths[0], um),
                band_text(half_widths->half_widths[1], N_mm),
                band_text(half_widths->half_widths[2]));
-  tell(shaft_warnings(model, {&point, 1}, predictions));
+  warn(shaft_warnings(model, {&point, 1}, predictions));
   LoadNotes notes;
   for (std::size_t i = 0; i < p.equilibrium.bearings.size(); ++i) {
     const bearing::BearingInSet& b = p.equilibrium.bearings[i];

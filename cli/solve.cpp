@@ -29,8 +29,9 @@ struct SolveFlags {
 
 shaft::ShaftPoint shaft_point(const SolveFlags& f, const model::Model& model) {
   if (f.radial_load > 0.0 || f.moment_y != 0.0 || f.moment_z != 0.0)
-    throw io::InputError("raceway solve: " + f.model +
-                         " has an [arrangement]: a shaft takes --axial-load alone");
+    throw io::InputError(
+        "raceway solve: " + f.model + " has an [arrangement]: a shaft takes --axial-load alone",
+        {.file = f.model});
   return {.speed = f.speed * rpm,
           .external_load = std::isnan(f.axial_load) ? model.shaft->external_load : f.axial_load,
           .temperature = std::isnan(f.temperature) ? model.rig.temperature : kelvin(f.temperature)};
@@ -47,7 +48,8 @@ bearing::OperatingPoint operating_point(const SolveFlags& f, const model::Rig& r
   p.moment_z = f.moment_z * N_mm;
   if (std::isnan(p.axial_load))
     throw io::InputError("raceway solve: --axial-load is missing, and " + f.model +
-                         " has no axial_load_N under [rig]");
+                             " has no axial_load_N under [rig]",
+                         {.file = f.model, .key = "--axial-load"});
   return p;
 }
 
@@ -161,8 +163,8 @@ int run(const SolveFlags& flags) {
   std::optional<io::BandOfResult> half_widths;
   if (band) half_widths = band_at(*band, point);
   if (flags.json) {
-    fmt::print("{}", io::solve_json(file.model, point, e, friction, heat,
-                                    half_widths ? &*half_widths : nullptr));
+    put_document(io::solve_json(file.model, point, e, friction, heat,
+                                half_widths ? &*half_widths : nullptr));
   } else if (report.converged()) {
     print(file.model, point, e, friction, heat);
     if (band) print_band(*band, half_widths->half_widths);
@@ -180,12 +182,13 @@ int run(const SolveFlags& flags) {
     tell(notes.lines());
     return done;
   }
-  say(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",
-                  flags.model, why, flags.speed, point.axial_load, point.radial_load,
-                  report.status == bearing::SolveStatus::no_equilibrium
-                      ? ": no position of the inner ring carries this load"
-                  : report.status != bearing::SolveStatus::not_finite ? fmt::format(" after {} Newton steps", report.iterations)
-                                          : ""));
+  complain(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",
+                       flags.model, why, flags.speed, point.axial_load, point.radial_load,
+                       report.status == bearing::SolveStatus::no_equilibrium
+                           ? ": no position of the inner ring carries this load"
+                       : report.status != bearing::SolveStatus::not_finite
+                           ? fmt::format(" after {} Newton steps", report.iterations)
+                           : ""));
   return not_converged;
 }
 

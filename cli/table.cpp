@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
@@ -14,6 +13,7 @@
 #include "cli/data_flag.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
+#include "cli/progress.h"
 #include "cli/report_flag.h"
 #include "cli/shaft.h"
 #include "cli/table_columns.h"
@@ -47,15 +47,17 @@ friction::TableAxes axes(const TableFlags& f, const model::Model& model) {
   const model::Rig& rig = model.rig;
   const double axial_load = model.shaft ? model.shaft->external_load : rig.axial_load;
   if (model.shaft && !f.radial_load.empty())
-    throw io::InputError("raceway table: " + f.model +
-                         " has an [arrangement]: a shaft takes --axial-load alone");
+    throw io::InputError(
+        "raceway table: " + f.model + " has an [arrangement]: a shaft takes --axial-load alone",
+        {.file = f.model, .key = "--radial-load"});
   friction::TableAxes a;
   a.speed = axis(f.speed, "--speed");
   require_all(a.speed, speed_range, "--speed");
   for (double& v : a.speed) v *= rpm;
   if (f.axial_load.empty() && std::isnan(axial_load))
     throw io::InputError("raceway table: --axial-load is missing, and " + f.model +
-                         " has no axial_load_N under [rig]");
+                             " has no axial_load_N under [rig]",
+                         {.file = f.model, .key = "--axial-load"});
   a.axial_load =
       f.axial_load.empty() ? std::vector{axial_load} : axis(f.axial_load, "--axial-load");
   require_all(a.axial_load, model.shaft ? signed_load_range : load_range, "--axial-load");
@@ -84,8 +86,9 @@ friction::TableSlab slab(const std::string& text) {
   const std::size_t count = slash == text.npos ? 0 : whole(all.substr(slash + 1));
   constexpr std::size_t most = 1000000;
   if (index == 0 || index > count || count > most)
-    throw io::InputError("--slab: " + io::quoted(text) +
-                         ": write i/N with i from 1 to N, N up to a million, as 2/4");
+    throw io::InputError(
+        "--slab: " + io::quoted(text) + ": write i/N with i from 1 to N, N up to a million, as 2/4",
+        {.key = "--slab"});
   return {.index = index - 1, .count = count};
 }
 
@@ -120,15 +123,6 @@ void fill_band(const model::Model& model, const model::Band& band,
   for (std::size_t i = 0; i < points.size(); ++i)
     std::copy_n(half_widths.begin() + static_cast<std::ptrdiff_t>(i * count), count,
                 out[i].columns.end() - static_cast<std::ptrdiff_t>(count));
-}
-
-void show_progress(double fraction) {
-  constexpr int width = 40;
-  const int filled = static_cast<int>(fraction * width);
-  fmt::print(stderr, "\r[{}{}] {:3.0f} %{}", std::string(static_cast<std::size_t>(filled), '#'),
-             std::string(static_cast<std::size_t>(width - filled), '.'), 100.0 * fraction,
-             fraction >= 1.0 ? "\r\033[K" : "");
-  std::fflush(stderr);
 }
 
 /// Speed down, axial load across, a block for each radial load and temperature.
@@ -214,7 +208,7 @@ int tell_of_failures(const model::Model& model, const friction::StribeckTable& t
   for (const auto& [kind, failure] : failures) {
     const bearing::OperatingPoint p = table.point(table.first() + failure.first);
     const auto& [torque, status] = kind;
-    tell(
+    warn(
         {fmt::format("{} of {} points have no {}: {}, the first at {:.6g} rpm, {:.6g} N axial, "
                      "{:.6g} N radial",
                      failure.points, table.points(),
@@ -226,28 +220,33 @@ int tell_of_failures(const model::Model& model, const friction::StribeckTable& t
 }
 
 std::string text_of(const TableFlags& flags, const friction::StribeckTable& table,
-                    const io::ModelFile& file) {
+                    const io::ModelFile& file, const std::function<void(double)>& progress) {
   if (flags.format == "plain") return io::plain_table_text(table);
   if (flags.format == "modelica") return io::modelica_table_text(table, file.model.name);
-  return io::table_text(table, file.model.name, file.text);
+  return io::table_text(table, file.model.name, file.text, progress);
 }
 
 int run(const TableFlags& flags) {
   if (flags.format != "csv" && flags.output.empty())
-    throw io::InputError("raceway table: --format is that of the file: --output is missing");
+    throw io::InputError("raceway table: --format is that of the file: --output is missing",
+                         {.key = "--format"});
   if (flags.format != "csv" && !flags.slab.empty())
-    throw io::InputError("raceway table: a slab is to be merged, which takes --format csv alone");
+    throw io::InputError("raceway table: a slab is to be merged, which takes --format csv alone",
+                         {.key = "--slab"});
   if (flags.json && flags.output == "-")
-    throw io::InputError("raceway table: --json and --output - both write to stdout; take one");
+    throw io::InputError("raceway table: --json and --output - both write to stdout; take one",
+                         {.key = "--output"});
   const friction::TableSlab part = slab(flags.slab);
   if (!flags.slab.empty() && (flags.output.empty() || flags.json))
-    throw io::InputError("raceway table: a slab is for a file to be merged: --slab needs --output");
+    throw io::InputError("raceway table: a slab is for a file to be merged: --slab needs --output",
+                         {.key = "--slab"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
   if (!flags.plot.empty()) io::require_writable(flags.plot, if_exists);
   if (!flags.data.empty() && flags.report.path.empty())
-    throw io::InputError("raceway table: --data is drawn in a report: --report is missing");
+    throw io::InputError("raceway table: --data is drawn in a report: --report is missing",
+                         {.key = "--report"});
   flags.report.check(flags.force);
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   const model::Model& model = file.model;
@@ -265,21 +264,32 @@ int run(const TableFlags& flags) {
                  : flags.output.empty() ? TableForm::text
                                         : TableForm::file);
   const std::size_t points = part.points(grid.size());
-  std::function<void(double)> progress;
-  if (isatty(STDERR_FILENO) != 0 && points >= 20000) progress = show_progress;
+  std::optional<Progress> bar;
+  if (shows_progress() && points >= 20000) bar.emplace();
+  // Of the time a file takes, as measured: solving, making the text, and the disk.
+  const double solved = flags.output.empty() ? 1.0 : 0.8, made = flags.output.empty() ? 1.0 : 0.95;
+  const auto progress = [&](double from, double to, std::string_view step) {
+    return !bar ? std::function<void(double)>() : [&bar, from, to, step](double share) {
+      bar->show(std::min(from + share * (to - from), 0.999), step);
+    };
+  };
   const friction::StribeckTable table = friction::build_stribeck_table(
       grid, std::move(names),
       [&](auto given, auto out) {
         fill_table_line(model, given, out);
         if (band) fill_band(model, *band, given, out);
       },
-      progress, part);
-  if (to_file) {
-    io::write_text(flags.output, text_of(flags, table, file), if_exists);
-    say(fmt::format("{} written, {} points", flags.output, points));
-  } else if (flags.output == "-") {
-    fmt::print("{}", text_of(flags, table, file));
+      progress(0.0, solved, {}), part);
+  if (!flags.output.empty()) {
+    const std::string text = text_of(flags, table, file, progress(solved, made, "writing"));
+    if (to_file)
+      io::write_text(flags.output, text, if_exists);
+    else
+      fmt::print("{}", text);
   }
+  if (bar) bar->show(1.0);
+  bar.reset();
+  if (to_file) say(fmt::format("{} written, {} points", flags.output, points));
   if (!flags.plot.empty()) {
     io::write_text(flags.plot, io::table_svg(table, model.name), if_exists);
     say(flags.plot + " written");
@@ -288,7 +298,7 @@ int run(const TableFlags& flags) {
     const io::BandOfResult of_band{.parameters = band ? band->fitted() : std::vector<std::string>(),
                                    .names = {},
                                    .half_widths = {}};
-    fmt::print("{}", io::table_json(model, table, band ? &of_band : nullptr));
+    put_document(io::table_json(model, table, band ? &of_band : nullptr));
   } else if (flags.output.empty()) {
     print(model, table);
     if (band) fmt::print("\n+-: {}\n", band_statement(*band));
@@ -296,8 +306,8 @@ int run(const TableFlags& flags) {
   if (band && (flags.json || !flags.output.empty())) tell({"band: " + band_statement(*band)});
   flags.report.write(
       [&] {
-        return io::table_report(flags.model, model, table, states_to_draw(model, grid),
-                                measured ? &*measured : nullptr);
+        return io::table_report(file.source, model, table, states_to_draw(model, grid),
+                                measured ? &*measured : nullptr, {of_page(file, model)});
       },
       flags.force);
   tell(table_notes(model, table));

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string_view>
 
 namespace raceway::cli {
 namespace {
@@ -26,13 +28,54 @@ int magnitude_of(double value) { return static_cast<int>(std::floor(std::log10(s
 
 }  // namespace
 
-std::string TextTable::text(std::size_t width) const {
-  std::vector<std::size_t> widths;
+std::vector<std::string> filled(std::string_view words, std::size_t width) {
+  std::vector<std::string> lines(1);
+  for (std::size_t begin = 0; begin < words.size();) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    const std::string word(words.substr(begin, end - begin));
+    if (lines.back().empty())
+      lines.back() = word;
+    else if (length(lines.back()) + 1 + length(word) <= width)
+      lines.back() += ' ' + word;
+    else
+      lines.push_back(word);
+    begin = end + 1;
+  }
+  return lines;
+}
+
+std::vector<std::size_t> TextTable::widths() const {
+  std::vector<std::size_t> result;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     std::size_t w = std::max(length(columns_[c].name), length(columns_[c].unit));
     for (const auto& row : rows_) w = std::max(w, length(row[c]));
-    widths.push_back(w);
+    result.push_back(w);
   }
+  return result;
+}
+
+TextTable TextTable::wrapped(std::size_t width) const {
+  std::vector<Column> columns = columns_;
+  columns.back().wraps = false;
+  TextTable result(std::move(columns));
+  const std::vector<std::size_t> all = widths();
+  const std::size_t before = std::accumulate(all.begin(), all.end() - 1, 2 * (all.size() - 1));
+  constexpr std::size_t least = 20;  // narrower is no column of words
+  const std::size_t room = std::max(width > before ? width - before : 0, least);
+  for (const auto& row : rows_) {
+    std::vector<std::string> next = row;
+    for (const std::string& line : filled(row.back(), room)) {
+      next.back() = line;
+      result.add(next);
+      next.assign(row.size(), "");
+    }
+  }
+  return result;
+}
+
+std::string TextTable::text(std::size_t width) const {
+  if (columns_.back().wraps) return wrapped(width).text(width);
+  const std::vector<std::size_t> widths = this->widths();
   std::string out;
   const auto put = [&](std::size_t c, const std::string& cell, bool first) {
     if (!first) out += "  ";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raceway::cli {
@@ -13,15 +14,24 @@ class TextTable {
     std::string name;
     std::string unit;
     bool left = false;  ///< left-aligned, for words
+    bool wraps =
+        false;  ///< of the last column: its words are filled into what is left of the width
   };
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   [[nodiscard]] std::string text(std::size_t width) const;
 
  private:
+  [[nodiscard]] std::vector<std::size_t> widths() const;
+  /// The last column broken into lines that fit `width`, each in a row of its own.
+  [[nodiscard]] TextTable wrapped(std::size_t width) const;
+
   std::vector<Column> columns_;
   std::vector<std::vector<std::string>> rows_;
 };
+
+/// Words in lines of at most `width` characters, longer only where a word is.
+[[nodiscard]] std::vector<std::string> filled(std::string_view words, std::size_t width);
 
 /// A number in so many significant digits, without exponent where people would write none;
 /// "-" for NaN.

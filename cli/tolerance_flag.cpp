@@ -23,7 +23,8 @@ struct Tolerance {
 };
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
-  throw io::InputError(fmt::format("--tolerance: {}: {}", io::quoted(text), why));
+  throw io::InputError(fmt::format("--tolerance: {}: {}", io::quoted(text), why),
+                       {.key = "--tolerance"});
 }
 
 /// "2 N mm" is 2 and "Nmm".

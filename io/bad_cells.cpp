@@ -16,8 +16,9 @@ void BadCells::add(int line, std::string_view column, std::string_view cell,
                                       [](int a, const BadCell& b) { return a < b.line; });
   if (first_.size() == shown && place == first_.end()) return;
   const bool number = parse_number(cell, true).problem.empty();
-  first_.insert(place, {line, fmt::format("{} = {}: {}", column,
-                                          number ? std::string(cell) : quoted(cell), problem)});
+  first_.insert(place, {line, std::string(column),
+                        fmt::format("{} = {}: {}", column,
+                                    number ? std::string(cell) : quoted(cell), problem)});
   if (first_.size() > shown) first_.pop_back();
 }
 
@@ -30,7 +31,7 @@ void BadCells::throw_if_any() const {
   if (count_ > 1)
     text +=
         fmt::format("\n{}: {} bad values in {} rows; mend or remove them", source_, count_, rows_);
-  throw InputError(text);
+  throw InputError(text, {source_, first_.front().line, first_.front().column});
 }
 
 ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,

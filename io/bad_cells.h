@@ -23,6 +23,7 @@ class BadCells {
  private:
   struct BadCell {
     int line;
+    std::string column;
     std::string text;
   };
   static constexpr std::size_t shown = 10;

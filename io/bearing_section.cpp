@@ -105,10 +105,12 @@ void BearingReader::read_material(const toml::key& key, const toml::node& node) 
   const std::string place = tables_.place(key);
   if (!node.is_table())
     throw InputError(fmt::format("{}: {} = {}: materials are tables, written as [material.NAME]",
-                                 place, name, shown(node)));
+                                 place, name, shown(node)),
+                     tables_.at(key));
   if (find_material(name))
     throw InputError(
-        fmt::format("{}: [material.{}]: this name is built in; take another", place, name));
+        fmt::format("{}: [material.{}]: this name is built in; take another", place, name),
+        tables_.at(key));
   const Section s(tables_.source(), "material." + name, node.as_table());
   const Names known =
       names_of(std::array{elastic_modulus, poisson_ratio, density, thermal_expansion});

@@ -145,7 +145,8 @@ std::vector<CatalogueBearing> parse_catalogue(std::string text, const std::strin
     const auto column = table.column(name);
     if (!column)
       throw InputError(fmt::format("{}:{}: column {} is missing{}", path, table.header_line, name,
-                                   suggestion(name, table.header)));
+                                   suggestion(name, table.header)),
+                       {path, table.header_line, std::string(name)});
     return *column;
   };
   const std::size_t designation = required("designation");
@@ -155,15 +156,18 @@ std::vector<CatalogueBearing> parse_catalogue(std::string text, const std::strin
     rows[i].maker = maker;
     rows[i].designation = table.cell(i, designation);
     if (rows[i].designation.empty())
-      throw InputError(fmt::format("{}:{}: designation is empty", path, table.line(i)));
+      throw InputError(fmt::format("{}:{}: designation is empty", path, table.line(i)),
+                       {path, table.line(i), "designation"});
     if (rows[i].full_name().find_first_of("\"\\") != std::string::npos)
       throw InputError(
           fmt::format("{}:{}: designation = {}: must be without quotes and backslashes", path,
-                      table.line(i), io::quoted(rows[i].full_name())));
+                      table.line(i), io::quoted(rows[i].full_name())),
+          {path, table.line(i), "designation"});
     const double balls = table.number(i, ball_count);
     if (!(balls >= 3 && balls <= 200) || balls != std::floor(balls))
       throw InputError(fmt::format("{}:{}: ball_count = {}: must be a whole number from 3 to 200",
-                                   path, table.line(i), balls));
+                                   path, table.line(i), balls),
+                       {path, table.line(i), "ball_count"});
     rows[i].geometry.ball_count = static_cast<int>(balls);
     rows[i].geometry.inner_conformity = default_conformity;
     rows[i].geometry.outer_conformity = default_conformity;
@@ -176,7 +180,8 @@ std::vector<CatalogueBearing> parse_catalogue(std::string text, const std::strin
       const double value = table.number(i, column);
       if (!(value >= 0 && value <= reading.upper))
         throw InputError(fmt::format("{}:{}: {} = {}: must be from 0 to {}", path, table.line(i),
-                                     reading.column, value, reading.upper));
+                                     reading.column, value, reading.upper),
+                         {path, table.line(i), std::string(reading.column)});
       reading.member(rows[i]) = value * reading.unit;
     }
   }
@@ -208,7 +213,8 @@ std::vector<CatalogueBearing> read_catalogues() {
   if (files.empty())
     throw InputError(
         "the folder with the catalogue of bearings was not found; name one in the environment "
-        "variable RACEWAY_DATA");
+        "variable RACEWAY_DATA",
+        {.key = "RACEWAY_DATA"});
   std::vector<CatalogueBearing> rows;
   for (const std::string& file : files)
     for (CatalogueBearing& row : read_catalogue(file)) rows.push_back(std::move(row));
@@ -248,7 +254,8 @@ CatalogueBearing find_bearing(const std::vector<CatalogueBearing>& rows, std::st
   std::string names;
   for (std::size_t i = 0; i < std::min(shown, near.size()) && near[i].distance < far; ++i)
     names += (i == 0 ? "; the nearest are " : ", ") + near[i].row->full_name();
-  throw InputError(fmt::format("bearing {} is not in the catalogue{}", io::quoted(name), names));
+  throw InputError(fmt::format("bearing {} is not in the catalogue{}", quoted(name), names),
+                   {.key = "catalogue"});
 }
 
 }  // namespace raceway::io

@@ -41,13 +41,14 @@ std::size_t count_separators(std::string_view line, char separator) {
   return count;
 }
 
-char separator_of_header(std::string_view header, const std::string& place) {
+char separator_of_header(std::string_view header, const std::string& place, const Place& where) {
   char found = '\0';
   for (const char separator : separators) {
     if (count_separators(header, separator) == 0) continue;
     if (found != '\0')
       throw InputError(fmt::format("{}: the header is separated by {} and by {}; use one of them",
-                                   place, separator_name(found), separator_name(separator)));
+                                   place, separator_name(found), separator_name(separator)),
+                       where);
     found = separator;
   }
   return found == '\0' ? ',' : found;
@@ -119,7 +120,8 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
   const ParsedNumber parsed = parse_number(text, separator != ',');
   if (!parsed.problem.empty())
     throw InputError(fmt::format("{}:{}: {} = {}: {}", source, line(row), header[column],
-                                 quoted(text), parsed.problem));
+                                 quoted(text), parsed.problem),
+                     {source, line(row), header[column]});
   return parsed.value;
 }
 
@@ -135,10 +137,11 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
   table.text_ = std::move(text);
   std::string& all = table.text_;
   if (all.find_first_not_of(" \t\r\n") == all.npos)
-    throw InputError(source + ": the file is empty");
+    throw InputError(source + ": the file is empty", {.file = source});
   const CsvForm form = find_form ? find_form(all) : CsvForm{};
 
   std::vector<CsvTable::Cell> cells;  // of the current line
+  int line = 0;
   const auto split = [&](std::size_t begin, std::size_t end, const std::string& place) {
     cells.clear();
     const char separator = table.separator;
@@ -151,7 +154,9 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
         first = ++at;
         last = first;
         for (;; ++at) {
-          if (at >= end) throw InputError(place + ": a quoted cell is not closed on its line");
+          if (at >= end)
+            throw InputError(place + ": a quoted cell is not closed on its line",
+                             {.file = source, .line = line});
           if (all[at] == '"') {
             if (at + 1 < end && all[at + 1] == '"')
               ++at;
@@ -163,7 +168,8 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
         ++at;
         while (at < end && skippable(all[at])) ++at;
         if (at < end && all[at] != separator)
-          throw InputError(place + ": text follows the closing quote of a cell");
+          throw InputError(place + ": text follows the closing quote of a cell",
+                           {.file = source, .line = line});
       } else {
         at = std::min(all.find(separator, at), end);
         last = at;
@@ -177,7 +183,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
 
   bool trailing_separator = false;
   std::size_t empty_rows = 0;
-  int line = 0, titles = 0;
+  int titles = 0;
   for (std::size_t begin = 0, next = 0; begin < all.size(); begin = next) {
     ++line;
     std::size_t end = std::min(all.find_first_of("\r\n", begin), all.size());
@@ -203,7 +209,9 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     const std::string place = table.header.empty() ? fmt::format("{}:{}", source, line) : "";
 
     if (table.header.empty()) {
-      table.separator = form.separator != '\0' ? form.separator : separator_of_header(whole, place);
+      table.separator = form.separator != '\0'
+                            ? form.separator
+                            : separator_of_header(whole, place, {.file = source, .line = line});
       table.header_line = line;
       split(begin, end, place);
       trailing_separator = cells.size() > 1 && cells.back().size == 0;
@@ -218,17 +226,20 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
         const std::string name = all.substr(cell.begin, cell.size);
         const std::size_t position = table.header.size() + 1;
         if (name.empty())
-          throw InputError(fmt::format("{}: column {} has no name", place, position));
+          throw InputError(fmt::format("{}: column {} has no name", place, position),
+                           {.file = source, .line = line});
         // Equal numbers side by side are rows without a header, told below.
         const auto [twin, is_new] = seen.emplace(name, position);
         if (!is_new && !parse_number(name, true).problem.empty())
           throw InputError(fmt::format("{}: column {} stands twice, as columns {} and {}", place,
-                                       name, twin->second, position));
+                                       name, twin->second, position),
+                           {source, line, name});
         all_numbers = all_numbers && parse_number(name, true).problem.empty();
         table.header.push_back(name);
       }
       if (all_numbers)
-        throw InputError(place + ": a header with the names of the columns is missing");
+        throw InputError(place + ": a header with the names of the columns is missing",
+                         {.file = source, .line = line});
       continue;
     }
 
@@ -254,27 +265,33 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
         if (other == table.separator) continue;
         const std::size_t count = count_separators(whole, other);
         if (count == 0 || count + 1 != columns) continue;
-        throw InputError(fmt::format(
-            "{}: the header (line {}) is separated by {}, but this row by {}; use one for both",
-            here, table.header_line, separator_name(table.separator), separator_name(other)));
+        throw InputError(
+            fmt::format(
+                "{}: the header (line {}) is separated by {}, but this row by {}; use one for both",
+                here, table.header_line, separator_name(table.separator), separator_name(other)),
+            {.file = source, .line = line});
       }
       const bool all_numbers = std::all_of(cells.begin(), cells.end(), [&](const auto& c) {
         return parse_number(std::string_view(all).substr(c.begin, c.size), false).problem.empty();
       });
-      throw InputError(fmt::format(
-          "{}: {} cell{}, but the header (line {}) has {} column{}{}", here, cells.size(),
-          cells.size() == 1 ? "" : "s", table.header_line, columns, columns == 1 ? "" : "s",
-          all_numbers && table.separator == ',' && cells.size() > columns
-              ? " (numbers with decimal commas need semicolons or tabs between the columns)"
-              : ""));
+      throw InputError(
+          fmt::format(
+              "{}: {} cell{}, but the header (line {}) has {} column{}{}", here, cells.size(),
+              cells.size() == 1 ? "" : "s", table.header_line, columns, columns == 1 ? "" : "s",
+              all_numbers && table.separator == ',' && cells.size() > columns
+                  ? " (numbers with decimal commas need semicolons or tabs between the columns)"
+                  : ""),
+          {.file = source, .line = line});
     }
     table.cells_.insert(table.cells_.end(), cells.begin(), cells.end());
     table.lines_.push_back(line);
   }
-  if (table.header.empty()) throw InputError(source + ": no header and no rows, only comments");
+  if (table.header.empty())
+    throw InputError(source + ": no header and no rows, only comments", {.file = source});
   if (table.lines_.empty())
     throw InputError(
-        fmt::format("{}: no data rows below the header (line {})", source, table.header_line));
+        fmt::format("{}: no data rows below the header (line {})", source, table.header_line),
+        {.file = source, .line = table.header_line});
   if (titles > 0)
     table.notes.push_back(fmt::format("{} line{} above the header (line {}) skipped", titles,
                                       titles == 1 ? "" : "s", table.header_line));
@@ -303,7 +320,7 @@ void CsvTable::remove_rows(const std::vector<bool>& remove) {
 CsvTable read_csv(const std::string& path, const FormFinder& find_form) {
   bool marked = false;
   std::string text = read_text(path, &marked);
-  return parse_csv(std::move(text), path, marked, find_form);
+  return parse_csv(std::move(text), input_name(path), marked, find_form);
 }
 
 }  // namespace raceway::io

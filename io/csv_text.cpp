@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/printable.h"
+#include "io/twelve_digits.h"
 
 namespace raceway::io {
 
@@ -36,7 +37,9 @@ void append_text(fmt::memory_buffer& out, std::string_view text) {
 }
 
 void append_value(fmt::memory_buffer& out, double value) {
-  if (std::isfinite(value)) fmt::format_to(std::back_inserter(out), "{:.12g}", value);
+  if (!std::isfinite(value)) return;
+  char text[twelve_digits_room];
+  out.append(text, write_12_digits(text, value));
 }
 
 }  // namespace raceway::io

@@ -18,6 +18,10 @@ std::string place_of_header(const CsvTable& table) {
   return fmt::format("{}:{}", table.source, table.header_line);
 }
 
+Place place_in_header(const CsvTable& table, std::string_view column = {}) {
+  return {table.source, table.header_line, std::string(column)};
+}
+
 /// Places of times between two speeds. The file has both speeds and the time, and neither a speed
 /// at a time nor a torque.
 void find_falls(const CsvTable& table, const Recognised& found, DataColumns& columns) {
@@ -27,19 +31,23 @@ void find_falls(const CsvTable& table, const Recognised& found, DataColumns& col
       columns.falls.push_back(*source);
       columns.falls.back().channel = c;
     } else if (!(*c == fall_time_deviation)) {
-      throw InputError(fmt::format(
-          "{}: column {} is missing: the time of a fall needs {}, {} and {}; the header has {}",
-          place_of_header(table), c->name, speed_from.name, speed_to.name, fall_time.name,
-          listed(table.header)));
+      throw InputError(
+          fmt::format(
+              "{}: column {} is missing: the time of a fall needs {}, {} and {}; the header has {}",
+              place_of_header(table), c->name, speed_from.name, speed_to.name, fall_time.name,
+              listed(table.header)),
+          place_in_header(table, c->name));
     }
   }
   for (const Channel& c : record::channels)
     if (const ColumnSource* const source = found.find(c);
         source && (c == record::speed || c.role == Role::measured || c.role == Role::deviation))
-      throw InputError(fmt::format(
-          "{}: column {} beside {}: a file has times between two speeds, speeds at a time, or "
-          "readings at a speed",
-          place_of_header(table), source->name, speed_from.name));
+      throw InputError(
+          fmt::format(
+              "{}: column {} beside {}: a file has times between two speeds, speeds at a time, or "
+              "readings at a speed",
+              place_of_header(table), source->name, speed_from.name),
+          place_in_header(table, source->name));
 }
 
 /// Places of what is known; what is not is an error where it looks misspelt.
@@ -60,7 +68,8 @@ void find_places(const CsvTable& table, const ColumnMap& map, DataColumns& colum
     // Whoever has named the columns knows what the others are.
     if (const auto near = map.rules.empty() ? nearest_name(name, known) : std::nullopt)
       throw InputError(fmt::format("{}: column {} is unknown; did you mean {}?",
-                                   place_of_header(table), name, *near));
+                                   place_of_header(table), name, *near),
+                       place_in_header(table, name));
     if (map.rules.empty())
       columns.notes.push_back(fmt::format("column {} is unknown and ignored", name));
   }
@@ -94,18 +103,21 @@ void require_measured(const CsvTable& table, const model::Expected& expected,
   const std::string wanted = fmt::format("{}: no measured column: {} is expected",
                                          place_of_header(table), listed(names, "or"));
   if (!columns.find(record::time) && columns.falls.empty())
-    throw InputError(fmt::format(
-        "{}, or {} for a coast-down; the header has {}\nIf these are columns of another program, "
-        "raceway check MODEL {} --suggest-columns proposes which is which",
-        wanted, record::time.name, listed(table.header), table.source));
+    throw InputError(fmt::format("{}, or {} for a coast-down; the header has {}\nIf these are "
+                                 "columns of another program, "
+                                 "raceway check MODEL {} --suggest-columns proposes which is which",
+                                 wanted, record::time.name, listed(table.header), table.source),
+                     place_in_header(table));
   if (!expected.coast_down)
-    throw InputError(fmt::format(
-        "{}; for a coast-down ({}) the model needs inertia_kgm2 under [rig], a number or "
-        "\"unknown\"",
-        wanted,
-        columns.falls.empty()
-            ? fmt::format("{} and {} alone", record::time.name, record::speed.name)
-            : "times between two speeds"));
+    throw InputError(
+        fmt::format(
+            "{}; for a coast-down ({}) the model needs inertia_kgm2 under [rig], a number or "
+            "\"unknown\"",
+            wanted,
+            columns.falls.empty()
+                ? fmt::format("{} and {} alone", record::time.name, record::speed.name)
+                : "times between two speeds"),
+        place_in_header(table));
 }
 
 void require_what_deviates(const CsvTable& table, const DataColumns& columns) {
@@ -113,7 +125,8 @@ void require_what_deviates(const CsvTable& table, const DataColumns& columns) {
     const Channel& c = *p.channel;
     if (c.role == Role::deviation && !columns.find(*record::find_channel(c.of)))
       throw InputError(
-          fmt::format("{}: column {} has no {} beside it", place_of_header(table), c.name, c.of));
+          fmt::format("{}: column {} has no {} beside it", place_of_header(table), c.name, c.of),
+          place_in_header(table, c.name));
   }
 }
 
@@ -131,12 +144,15 @@ void require_inputs(const CsvTable& table, const model::Expected& expected,
           fmt::format("{0}: column {1} is missing; the header has {2}\nIf these are columns of "
                       "another program, "
                       "raceway check MODEL {3} --suggest-columns proposes which is which",
-                      place_of_header(table), c.name, listed(table.header), table.source));
+                      place_of_header(table), c.name, listed(table.header), table.source),
+          place_in_header(table, c.name));
     const std::string none =
         c.kind.empty() ? "" : fmt::format(", 0 if the {} is unknown or none", c.kind);
-    throw InputError(fmt::format(
-        "{0}: the {1} is neither in a column {2} nor in the model; write {2} under {3}{4}",
-        place_of_header(table), c.words, c.name, d.from, none));
+    throw InputError(
+        fmt::format(
+            "{0}: the {1} is neither in a column {2} nor in the model; write {2} under {3}{4}",
+            place_of_header(table), c.words, c.name, d.from, none),
+        place_in_header(table, c.name));
   }
 }
 

@@ -172,9 +172,11 @@ class Reader {
 
   void check_decimal_marks() const {
     if (comma_.line == 0 || point_.line == 0) return;
-    throw InputError(fmt::format(
-        "{}:{}: {} has a decimal comma, but {} in line {} a decimal point; use one of them",
-        table_.source, comma_.line, comma_.cell, point_.cell, point_.line));
+    throw InputError(
+        fmt::format(
+            "{}:{}: {} has a decimal comma, but {} in line {} a decimal point; use one of them",
+            table_.source, comma_.line, comma_.cell, point_.cell, point_.line),
+        {.file = table_.source, .line = comma_.line});
   }
 
   void note_form() {
@@ -275,9 +277,11 @@ class Reader {
     bad_.throw_if_any();
     const double minimum = record::speed.in_unit(expected_.minimum_speed);
     if (fast.empty())
-      throw InputError(fmt::format(
-          "{}: all {} rows are below minimum_speed_rpm = {:.6g} of [rig]; nothing is left",
-          table_.source, table_.rows(), minimum));
+      throw InputError(
+          fmt::format(
+              "{}: all {} rows are below minimum_speed_rpm = {:.6g} of [rig]; nothing is left",
+              table_.source, table_.rows(), minimum),
+          {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
       notes_.push_back(fmt::format("{} of {} rows below minimum_speed_rpm = {:.6g} left out",
                                    table_.rows() - fast.size(), table_.rows(), minimum));
@@ -319,7 +323,8 @@ class Reader {
     if (fast.empty())
       throw InputError(
           fmt::format("{}: no fall ends above minimum_speed_rpm = {:.6g} of [rig]; nothing is left",
-                      table_.source, minimum));
+                      table_.source, minimum),
+          {.file = table_.source, .key = std::string(record::speed.name)});
     if (fast.size() < table_.rows())
       notes_.push_back(
           fmt::format("{} of {} falls end below minimum_speed_rpm = {:.6g} and are left out",
@@ -346,8 +351,9 @@ class Reader {
       return result;
     } catch (const std::invalid_argument& e) {
       const std::string message = e.what();
-      throw InputError(message.starts_with(table_.source) ? message
-                                                          : table_.source + ": " + message);
+      throw InputError(
+          message.starts_with(table_.source) ? message : table_.source + ": " + message,
+          {.file = table_.source});
     }
   }
 

@@ -171,6 +171,7 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
   json document = {{"model", model_file},
                    {"data", data_of(record)},
                    {"verdict", fit::name(d.verdict)},
+                   {"headline", d.headline},
                    {"sentence", d.sentence},
                    {"p_value", d.p_value},
                    {"remaining_p_value", d.remaining_p_value},

@@ -11,7 +11,6 @@
 #include "io/column_source.h"
 #include "io/csv.h"
 #include "io/error.h"
-#include "io/input_file.h"
 #include "io/names.h"
 #include "io/printable.h"
 #include "record/channel.h"
@@ -44,11 +43,13 @@ Places places(const CsvTable& table, const Recognised& found) {
     const std::string place = fmt::format("{}:{}", table.source, table.header_line);
     if (columns[k].required)
       throw InputError(
-          fmt::format("{}: column {} is missing{}", place, name, suggestion(name, table.header)));
+          fmt::format("{}: column {} is missing{}", place, name, suggestion(name, table.header)),
+          {table.source, table.header_line, std::string(name)});
     for (const std::string& other : table.header)
       if (edit_distance(other, name) == 1)
         throw InputError(
-            fmt::format("{}: column {} is unknown; did you mean {}?", place, other, name));
+            fmt::format("{}: column {} is unknown; did you mean {}?", place, other, name),
+            {table.source, table.header_line, other});
   }
   return result;
 }
@@ -120,11 +121,7 @@ DisplacementCurve curve_of(CsvTable table, const ReadOptions& options) {
 }  // namespace
 
 DisplacementCurve read_displacement_curve(const std::string& path, const ReadOptions& options) {
-  if (path != "-") return curve_of(read_measurements(path, options), options);
-  const std::string source = "standard input";
-  bool mark = false;
-  std::string text = read_text("/dev/stdin", &mark);
-  return curve_of(parse_measurements(std::move(text), source, options, mark), options);
+  return curve_of(read_measurements(path, options), options);
 }
 
 DisplacementCurve parse_displacement_curve(std::string text, const std::string& source) {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "io/kinematic_results.h"
+#include "io/model_facts.h"
 #include "io/report.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
@@ -27,8 +28,10 @@ json curve_json(const shaft::KinematicLaw& law) {
 std::string displacement_report(const std::string& model_file, const model::Model& model,
                                 std::span<const shaft::ShaftPoint> points,
                                 std::span<const shaft::ShaftPrediction> predictions,
-                                const LawOfReport& law, const std::vector<std::string>& warnings) {
+                                const LawOfReport& law, const std::vector<std::string>& warnings,
+                                const std::vector<ModelOfPage>& facts) {
   Document document("displacement");
+  document.add("assumed", model_facts(facts));
   document.add("model", model_file);
   // The rows stand below, as columns: as JSON each takes some kB.
   document.add_text("results", displacement_json(model, {}, {}));

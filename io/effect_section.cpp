@@ -48,7 +48,8 @@ bool valid_name(std::string_view name) {
   // Exact for a formula in plain quotes, which has no escapes.
   throw InputError(fmt::format("{}:{}:{}: effect {}: torque_Nmm: {}{}\n  {}\n  {:>{}}", s.source(),
                                at.line, at.column + 1 + error.position, effect.id, error.what(),
-                               hint, effect.torque_Nmm, "^", error.position + 1));
+                               hint, effect.torque_Nmm, "^", error.position + 1),
+                   s.at("torque_Nmm"));
 }
 
 /// A part of a unit that is another one than that of the files, as m or kN; empty where there is
@@ -143,7 +144,8 @@ class EffectReader {
         const auto id = s.text("id");
         if (!id)
           throw InputError(fmt::format("{}: [[effect]] has no id; the catalogue has {}", s.place(),
-                                       listed(ids_)));
+                                       listed(ids_)),
+                           s.at("id"));
         const Description* const found = find(s, *id);
         effects_.push_back(found ? from_catalogue(s, *found) : read_user_made(s, *id));
       }

@@ -210,6 +210,12 @@ std::string comparison_json(const std::vector<std::string>& model_files,
   return text({{"models", documents}});
 }
 
+std::string model_check_json(const std::string& model_name,
+                             const std::vector<std::string>& defaults,
+                             const std::vector<std::string>& notes) {
+  return text({{"model", model_name}, {"defaults", defaults}, {"notes", notes}});
+}
+
 std::string check_json(const std::string& model_name, const fit::Check& check,
                        const std::vector<std::string>& defaults,
                        const std::vector<std::string>& notes) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,42 +21,74 @@ constexpr const char* too_long = "more than 4 GB, which is the most that is read
 
 }  // namespace
 
-std::string read_text(const std::string& path, bool* byte_order_mark) {
+namespace {
+
+/// Tells the second file named `-` from the first.
+bool take_standard_input() {
+  static std::atomic<bool> taken = false;
+  return !taken.exchange(true);
+}
+
+/// To be read and, unless it is standard input, closed.
+std::FILE* open(const std::string& path) {
+  if (path == "-") {
+    if (!take_standard_input())
+      throw InputError("-: standard input is read once; name a file for the other", {.file = "-"});
+    return stdin;
+  }
   std::error_code ignored;
   if (path.empty()) throw InputError("the name of an input file is empty");
   const auto status = std::filesystem::status(path, ignored);
   if (status.type() == std::filesystem::file_type::not_found)
-    throw InputError(path + ": no such file");
+    throw InputError(path + ": no such file", {.file = path});
   if (std::filesystem::is_directory(status))
-    throw InputError(path + ": is a directory, a file is expected");
+    throw InputError(path + ": is a directory, a file is expected", {.file = path});
 
-  const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"), close);
-  if (!file) throw InputError(path + ": cannot be read: " + std::strerror(errno));
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (!file) throw InputError(path + ": cannot be read: " + std::strerror(errno), {.file = path});
+  return file;
+}
+
+}  // namespace
+
+std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+std::string read_text(const std::string& path, bool* byte_order_mark) {
+  const auto close = [](std::FILE* opened) {
+    if (opened != stdin) std::fclose(opened);
+  };
+  const std::unique_ptr<std::FILE, decltype(close)> file(open(path), close);
   std::string text;
+  std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
-  if (!ignored && size > longest_input) throw InputError(path + ": " + too_long);
-  if (!ignored) text.reserve(static_cast<std::size_t>(size) + 1);
+  if (!ignored && size > longest_input)
+    throw InputError(input_name(path) + ": " + too_long, {.file = input_name(path)});
+  if (!ignored && path != "-") text.reserve(static_cast<std::size_t>(size) + 1);
   bool utf16 = false;
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
     const std::string_view piece(buffer, count);
     if (text.empty()) {
       if (const std::string_view kind = binary_kind(piece); !kind.empty())
-        throw InputError(fmt::format("{}: {}", path, kind));
+        throw InputError(fmt::format("{}: {}", input_name(path), kind), {.file = input_name(path)});
       utf16 = is_utf16(piece);
     }
     // At once: /dev/zero does not end.
     if (!utf16 && piece.find('\0') != piece.npos)
-      throw InputError(path + ": holds NUL bytes, so it is not a text file");
-    if (text.size() + count > longest_input) throw InputError(path + ": " + too_long);
+      throw InputError(input_name(path) + ": holds NUL bytes, so it is not a text file",
+                       {.file = input_name(path)});
+    if (text.size() + count > longest_input)
+      throw InputError(input_name(path) + ": " + too_long, {.file = input_name(path)});
     text.append(buffer, count);
   }
-  if (std::ferror(file.get())) throw InputError(path + ": cannot be read: " + std::strerror(errno));
+  if (std::ferror(file.get()))
+    throw InputError(input_name(path) + ": cannot be read: " + std::strerror(errno),
+                     {.file = input_name(path)});
 
-  if (utf16) text = utf8_from_utf16(text, path);
+  if (utf16) text = utf8_from_utf16(text, input_name(path));
   if (text.find('\0') != std::string::npos)
-    throw InputError(path + ": holds NUL bytes, so it is not a text file");
+    throw InputError(input_name(path) + ": holds NUL bytes, so it is not a text file",
+                     {.file = input_name(path)});
   const bool marked = text.starts_with("\xef\xbb\xbf");
   if (marked) text.erase(0, 3);
   if (byte_order_mark) *byte_order_mark = marked;

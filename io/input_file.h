@@ -4,9 +4,13 @@
 
 namespace raceway::io {
 
-/// The whole text of a file, without a UTF-8 byte order mark (`byte_order_mark` tells of it).
-/// Throws InputError for a file that is missing, a directory, unreadable, not text (NUL bytes), or
-/// longer than 4 GB.
+/// How messages call an input: its path, or `standard input` for `-`.
+[[nodiscard]] std::string input_name(const std::string& path);
+
+/// The whole text of a file, or of standard input for `-`, which can be read once, without a UTF-8
+/// byte order mark (`byte_order_mark` tells of it). Throws InputError for standard input asked for
+/// again, a file that is missing, a directory, unreadable, not text (NUL bytes), or longer than
+/// 4 GB.
 [[nodiscard]] std::string read_text(const std::string& path, bool* byte_order_mark = nullptr);
 
 }  // namespace raceway::io

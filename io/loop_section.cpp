@@ -45,7 +45,8 @@ Names words_of(const std::vector<fit::Measured>& measured) {
 Names names_in(const Section& s, std::string_view key, const toml::node& node,
                const model::Model& model) {
   const auto wrong = [&](const toml::node& at, const std::string& problem) {
-    throw InputError(fmt::format("{}: {} = {}: {}", s.place(&at), key, shown(at), problem));
+    throw InputError(fmt::format("{}: {} = {}: {}", s.place(&at), key, shown(at), problem),
+                     s.at(key, &at));
   };
   if (!node.is_array() || node.as_array()->empty())
     wrong(node, "must be a list of one name or more, as in [\"f0\", \"z\"]");
@@ -108,14 +109,16 @@ class CovarianceReader {
                                   [&](const auto& one) { return one.name == names[k]; });
       if (list->get(k)->value<std::string>() != p->unit)
         throw InputError(fmt::format("{}: units = {}: {} is in \"{}\"", s_.place(list->get(k)),
-                                     shown(*list->get(k)), names[k], p->unit));
+                                     shown(*list->get(k)), names[k], p->unit),
+                         s_.at("units", list->get(k)));
     }
   }
 
   [[noreturn]] void wrong_count(std::string_view key, const toml::node& node,
                                 std::size_t count) const {
     throw InputError(
-        fmt::format("{}: {} = {}: must be a list of {}", s_.place(&node), key, shown(node), count));
+        fmt::format("{}: {} = {}: must be a list of {}", s_.place(&node), key, shown(node), count),
+        s_.at(key, &node));
   }
 
   std::vector<double> numbers(std::string_view key, const toml::node& node,
@@ -127,7 +130,8 @@ class CovarianceReader {
       const auto value = entry.value<double>();
       if (!value || !std::isfinite(*value))
         throw InputError(
-            fmt::format("{}: {} = {}: must be a number", s_.place(&entry), key, shown(entry)));
+            fmt::format("{}: {} = {}: must be a number", s_.place(&entry), key, shown(entry)),
+            s_.at(key, &entry));
       result.push_back(*value);
     }
     return result;
@@ -147,7 +151,8 @@ class CovarianceReader {
         if (i == j ? row[j] != 1.0 : std::abs(row[j]) > 1.0)
           throw InputError(fmt::format("{}: correlation = {}: {}", s_.place(rows->get(i)), row[j],
                                        i == j ? "each row ends with 1, of a parameter with itself"
-                                              : "must be from -1 to 1"));
+                                              : "must be from -1 to 1"),
+                           s_.at("correlation", rows->get(i)));
         matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
             matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = row[j];
       }

@@ -150,14 +150,16 @@ std::string with_value(std::string text, const KeyValue& change) {
   const std::string assignment = fmt::format("{} = {}", path.key, value);
   if (!table) {
     if (path.tables.size() != 1 || path.tables[0].index)
-      throw InputError(fmt::format("{}: there is no such table in the model", change.key));
+      throw InputError(fmt::format("{}: there is no such table in the model", change.key),
+                       {.key = change.key});
     return with_new_table(std::move(text), path, assignment);
   }
   if (!table->get(path.key)) return with_new_key(std::move(text), *table, assignment);
   const toml::node* const node = find_number(*table, path);
   if (!node || !node->is_number())
     throw InputError(
-        fmt::format("{} = {}: is not a number", change.key, shown(*table->get(path.key))));
+        fmt::format("{} = {}: is not a number", change.key, shown(*table->get(path.key))),
+        {.key = change.key});
   const std::size_t begin = byte_of(text, node->source().begin);
   return text.replace(begin, byte_of(text, node->source().end) - begin, value);
 }
@@ -194,7 +196,8 @@ std::string with_values(std::string_view text, std::span<const KeyValue> changes
     const toml::table* const table = find_table(root, path);
     const toml::node* const node = table ? find_number(*table, path) : nullptr;
     if (!node || node->value<double>() != change.value)
-      throw InputError(fmt::format("{}: its place in the model was not found", change.key));
+      throw InputError(fmt::format("{}: its place in the model was not found", change.key),
+                       {.key = change.key});
   }
   if (marked) result.insert(0, utf8_mark);
   return result;
@@ -266,7 +269,8 @@ std::string without_covariance(std::string text) {
   if (table->is_inline() || text.find_first_not_of(" \t", begin) != text.find('[', begin))
     throw InputError(
         "the covariance under [calibration] is in braces: make it a table of its own, "
-        "[calibration.covariance], or take it out");
+        "[calibration.covariance], or take it out",
+        {.key = "calibration.covariance"});
   std::size_t end = text.find('\n', line_start(text, (last ? last : table)->source().end.line));
   end = end == text.npos ? text.size() : end + 1;
   text.erase(begin, end - begin);

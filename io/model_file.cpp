@@ -30,20 +30,23 @@ void check_tables(const ModelTables& tables) {
     const std::string place = tables.place(key);
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       if (!node.is_table() && !node.is_array_of_tables())
-        throw InputError(
-            fmt::format("{}: {} = {}: stands outside any table; put it below "
-                        "[bearing] or the table it belongs to",
-                        place, name, shown(node)));
+        throw InputError(fmt::format("{}: {} = {}: stands outside any table; put it below "
+                                     "[bearing] or the table it belongs to",
+                                     place, name, shown(node)),
+                         tables.at(key));
       const std::string near = suggestion(name, known);
       throw InputError(fmt::format("{}: [{}]: unknown table{}", place, name,
-                                   near.empty() ? "; a model has " + listed(known) : near));
+                                   near.empty() ? "; a model has " + listed(known) : near),
+                       tables.at(key));
     }
     if (name == "effect") {
       if (!node.is_array() || !(node.as_array()->empty() || node.is_array_of_tables()))
-        throw InputError(place + ": effects are written as [[effect]] with two brackets");
+        throw InputError(place + ": effects are written as [[effect]] with two brackets",
+                         tables.at(key));
     } else if (!node.is_table()) {
       throw InputError(fmt::format("{}: {} = {}: must be a table, written as [{}]", place, name,
-                                   shown(node), name));
+                                   shown(node), name),
+                       tables.at(key));
     }
   }
 }
@@ -121,10 +124,11 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
   if (std::isnan(rig.room_temperature))
     for (const effects::Effect& e : model.effects)
       if (e.description->id == effects::TemperatureGain::id)
-        throw InputError(fmt::format(
-            "{}: the effect {} needs room_temperature_C under [rig]: from where on the sensor sees "
-            "a share of the rise",
-            source, e.description->id));
+        throw InputError(fmt::format("{}: the effect {} needs room_temperature_C under [rig]: from "
+                                     "where on the sensor sees "
+                                     "a share of the rise",
+                                     source, e.description->id),
+                         {.file = source, .key = "room_temperature_C"});
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);
   ColumnMap columns = read_columns(tables);
@@ -166,7 +170,7 @@ ModelFile parse_model(std::string text, const std::string& source) {
 ModelFile read_model(const std::string& path) {
   bool marked = false;
   std::string text = read_text(path, &marked);
-  ModelFile file = parse_model(std::move(text), path);
+  ModelFile file = parse_model(std::move(text), input_name(path));
   if (marked) file.text.insert(0, utf8_mark);
   return file;
 }

@@ -67,12 +67,21 @@ class Section {
     if (!node) node = table_;
     return node ? fmt::format("{}:{}", source_, node->source().begin.line) : source_;
   }
+  /// The place of a key, or of this table where the key is missing; `node` is a part of its value.
+  [[nodiscard]] Place at(std::string_view key = {}, const toml::node* node = nullptr) const {
+    if (!node && !key.empty()) node = find(key);
+    if (!node) node = table_;
+    return {.file = source_,
+            .line = node ? static_cast<int>(node->source().begin.line) : 0,
+            .key = std::string(key.empty() ? name_ : key)};
+  }
   [[noreturn]] void fail(std::string_view key, const std::string& text) const {
-    throw InputError(fmt::format("{}: {}", place(find(key)), text));
+    throw InputError(fmt::format("{}: {}", place(find(key)), text), at(key));
   }
   [[noreturn]] void fail_missing(const Key& key, const std::string& why = "") const {
     throw MissingKey(
-        fmt::format("{}: [{}] {} is missing{}: {}", place(), name_, key.name, why, range(key)));
+        fmt::format("{}: [{}] {} is missing{}: {}", place(), name_, key.name, why, range(key)),
+        at(key.name));
   }
   /// Those of the keys that are not there, each as "[bearing] ball_count: must be from 3 to 200".
   [[nodiscard]] Names lacking(const std::vector<Key>& keys) const {
@@ -88,9 +97,12 @@ class Section {
       const std::string_view given = key.str();
       if (std::find(known.begin(), known.end(), given) != known.end()) continue;
       const std::string near = suggestion(given, known);
-      throw InputError(fmt::format("{}:{}: {} = {}: unknown key in [{}]{}", source_,
-                                   key.source().begin.line, given, shown(node), name_,
-                                   near.empty() ? "; it has " + listed(known) : near));
+      throw InputError(
+          fmt::format("{}:{}: {} = {}: unknown key in [{}]{}", source_, key.source().begin.line,
+                      given, shown(node), name_, near.empty() ? "; it has " + listed(known) : near),
+          {.file = source_,
+           .line = static_cast<int>(key.source().begin.line),
+           .key = std::string(given)});
     }
   }
 
@@ -149,9 +161,10 @@ class Section {
       const bool from_catalogue = !node && find("catalogue");
       if (from_catalogue) node = find("catalogue");
       throw InputError(fmt::format("{}: {}{}{}", place(node), key, message.substr(name.size()),
-                                   from_catalogue ? " (from the catalogue)" : ""));
+                                   from_catalogue ? " (from the catalogue)" : ""),
+                       at(key, node));
     }
-    throw InputError(fmt::format("{}: [{}] {}", place(), name_, message));
+    throw InputError(fmt::format("{}: [{}] {}", place(), name_, message), at());
   }
 
  private:

@@ -22,6 +22,11 @@ class ModelTables {
   [[nodiscard]] std::string place(const toml::key& key) const {
     return fmt::format("{}:{}", source_, key.source().begin.line);
   }
+  [[nodiscard]] Place at(const toml::key& key) const {
+    return {.file = source_,
+            .line = static_cast<int>(key.source().begin.line),
+            .key = std::string(key.str())};
+  }
 
   [[nodiscard]] Section section(std::string_view name) const {
     return Section(source_, std::string(name), root_[name].as_table());
@@ -29,7 +34,8 @@ class ModelTables {
   [[nodiscard]] Section required_section(std::string_view name, std::string_view holds) const {
     Section result = section(name);
     if (!result.given())
-      throw MissingKey(fmt::format("{}: table [{}] is missing; it holds {}", source_, name, holds));
+      throw MissingKey(fmt::format("{}: table [{}] is missing; it holds {}", source_, name, holds),
+                       {.file = source_, .key = std::string(name)});
     return result;
   }
 

@@ -34,7 +34,7 @@ void write_all(std::FILE* file, std::string_view text, const std::string& path) 
   const bool closed = std::fclose(file) == 0;
   if (written && closed) return;
   if (!written) errno = error;
-  throw InputError(path + ": cannot be written: " + reason());
+  throw InputError(path + ": cannot be written: " + reason(), {.file = path});
 }
 
 /// What this process has under way. Never destroyed: it may be told to stop while it ends.
@@ -112,17 +112,19 @@ void require_writable(const std::string& path, IfExists if_exists) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status) || path.back() == '/')
-    throw InputError(path + ": is a directory, a file to write is expected");
+    throw InputError(path + ": is a directory, a file to write is expected", {.file = path});
   if (is_stream(status)) return;
   if (if_exists == IfExists::refuse && fs::exists(fs::symlink_status(path, ignored)))
-    throw InputError(exists_already(path));
+    throw InputError(exists_already(path), {.file = path});
   const fs::path folder = folder_of(path);
   if (!fs::is_directory(folder, ignored))
-    throw InputError(path + ": cannot be written: there is no folder " + folder.string());
+    throw InputError(path + ": cannot be written: there is no folder " + folder.string(),
+                     {.file = path});
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    throw InputError(path + ": cannot be written: " + folder.string() + ": " + reason());
+    throw InputError(path + ": cannot be written: " + folder.string() + ": " + reason(),
+                     {.file = path});
   if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
-    throw InputError(path + ": cannot be replaced: " + reason());
+    throw InputError(path + ": cannot be replaced: " + reason(), {.file = path});
 }
 
 void write_text(const std::string& path, std::string_view text, IfExists if_exists) {
@@ -131,7 +133,7 @@ void write_text(const std::string& path, std::string_view text, IfExists if_exis
   const fs::file_status status = fs::status(path, error);
   if (is_stream(status)) {
     std::FILE* const stream = std::fopen(path.c_str(), "wb");
-    if (!stream) throw InputError(path + ": cannot be written: " + reason());
+    if (!stream) throw InputError(path + ": cannot be written: " + reason(), {.file = path});
     write_all(stream, text, path);
     return;
   }
@@ -140,12 +142,13 @@ void write_text(const std::string& path, std::string_view text, IfExists if_exis
   if (fs::exists(status)) target = fs::canonical(path, error);
   if (error) target = path;
   Part part(folder_of(target));
-  if (!part.file()) throw InputError(path + ": cannot be written: " + reason());
+  if (!part.file()) throw InputError(path + ": cannot be written: " + reason(), {.file = path});
   write_all(part.file(), text, path);
   if (fs::exists(status)) fs::permissions(part.path(), status.permissions(), error);
   if (part.take_name(target, if_exists, path)) return;
-  if (errno == EEXIST) throw InputError(exists_already(path) + " (it came during this run)");
-  throw InputError(path + ": cannot be written: " + reason());
+  if (errno == EEXIST)
+    throw InputError(exists_already(path) + " (it came during this run)", {.file = path});
+  throw InputError(path + ": cannot be written: " + reason(), {.file = path});
 }
 
 std::vector<std::string> stop_writing() {

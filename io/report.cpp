@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/diagnosis_results.h"
+#include "io/model_facts.h"
 #include "io/report_document.h"
 #include "io/report_rows.h"
 #include "io/results.h"
@@ -128,8 +129,9 @@ json step_json(const model::ModelChanges& changes) {
 std::string comparison_report(const std::vector<std::string>& model_files,
                               const std::vector<model::Model>& models,
                               const std::vector<std::vector<fit::Comparison>>& comparisons,
-                              const record::Record& record) {
+                              const record::Record& record, const std::vector<ModelOfPage>& facts) {
   Document document("compare");
+  document.add("assumed", model_facts(facts));
   document.add_text("results", comparison_json(model_files, comparisons, record));
   json steps = json::array();
   for (std::size_t i = 1; i < models.size(); ++i)
@@ -147,8 +149,10 @@ std::string comparison_report(const std::vector<std::string>& model_files,
 }
 
 std::string diagnosis_report(const std::string& model_file, const fit::Subject& subject,
-                             const record::Record& record, const fit::Diagnosis& d) {
+                             const record::Record& record, const fit::Diagnosis& d,
+                             const std::vector<ModelOfPage>& facts) {
   Document document("diagnose");
+  document.add("assumed", model_facts(facts));
   document.add_text("results", diagnosis_json(model_file, record, d));
   if (const auto* known = dynamic_cast<const model::ModelSubject*>(&subject))
     if (const auto& shaft = known->model().shaft)
@@ -170,8 +174,9 @@ std::string diagnosis_report(const std::string& model_file, const fit::Subject& 
 }
 
 std::string add_report(const std::string& model_file, const record::Record& record,
-                       const fit::AddResult& r) {
+                       const fit::AddResult& r, const std::vector<ModelOfPage>& facts) {
   Document document("add");
+  document.add("assumed", model_facts(facts));
   document.add_text("results", add_json(model_file, record, r));
   const fit::ChannelGain& first = r.channels.front();
   document.add("noise_rms", first.noise.rms / first.channel().factor);

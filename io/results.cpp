@@ -49,6 +49,15 @@ json effect_page(const effects::Description& d) {
 
 }  // namespace
 
+std::string error_json(const std::string& message, const Place& place) {
+  const auto known = [](const std::string& name) { return name.empty() ? json() : json(name); };
+  return text({{"error",
+                {{"message", message},
+                 {"file", known(place.file)},
+                 {"line", place.line > 0 ? json(place.line) : json()},
+                 {"key", known(place.key)}}}});
+}
+
 std::string solve_json(const model::Model& model, const bearing::OperatingPoint& point,
                        const bearing::BearingEquilibrium& e,
                        const model::FrictionPrediction& friction, const friction::HeatSplit& heat,

@@ -14,6 +14,7 @@
 #include "friction/stribeck_table.h"
 #include "io/band_of_result.h"
 #include "io/catalogue_file.h"
+#include "io/error.h"
 #include "model/model.h"
 #include "model/prediction.h"
 
@@ -51,6 +52,14 @@ namespace raceway::io {
 [[nodiscard]] std::string check_json(const std::string& model_name, const fit::Check& check,
                                      const std::vector<std::string>& defaults,
                                      const std::vector<std::string>& notes);
+
+/// The same of a model without data.
+[[nodiscard]] std::string model_check_json(const std::string& model_name,
+                                           const std::vector<std::string>& defaults,
+                                           const std::vector<std::string>& notes);
+
+/// Why there is no result: `{"error": {"message", "file", "line", "key"}}`, null where not known.
+[[nodiscard]] std::string error_json(const std::string& message, const Place& place);
 
 [[nodiscard]] std::string bearings_json(const std::vector<CatalogueBearing>& rows);
 

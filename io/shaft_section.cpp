@@ -82,7 +82,7 @@ class ShaftReader {
               .temperatures = temperatures,
               .own_bearings = s_.find("front_bearing") || s_.find("rear_bearing")};
     } catch (const std::invalid_argument& error) {
-      throw InputError(fmt::format("{}: [arrangement] {}", s_.place(), error.what()));
+      throw InputError(fmt::format("{}: [arrangement] {}", s_.place(), error.what()), s_.at());
     }
   }
 
@@ -128,7 +128,8 @@ class ShaftReader {
     const auto layout = s_.choice("layout", names);
     if (!layout)
       throw InputError(fmt::format("{}: [arrangement] layout is missing: must be {}", s_.place(),
-                                   listed(names, "or")));
+                                   listed(names, "or")),
+                       s_.at("layout"));
     set_ = *std::find_if(trade_names.begin(), trade_names.end(),
                          [&](const TradeName& t) { return t.name == *layout; });
     d_.layout = set_.layout;
@@ -202,9 +203,11 @@ class ShaftReader {
     for (const std::string_view key : {preload.name, preload_offset.name, preload_class})
       if (s_.find(key)) given.emplace_back(key);
     if (given.size() != 1)
-      throw InputError(fmt::format(
-          "{}: [arrangement] {}: must be one of preload_N, preload_offset_um and preload_class",
-          s_.place(), given.empty() ? "preload is missing" : listed(given) + " are given"));
+      throw InputError(
+          fmt::format(
+              "{}: [arrangement] {}: must be one of preload_N, preload_offset_um and preload_class",
+              s_.place(), given.empty() ? "preload is missing" : listed(given) + " are given"),
+          s_.at(given.empty() ? preload.name : given.front()));
     if (d_.mounting == Mounting::spring && given[0] != preload.name)
       s_.fail(given[0], fmt::format("{}: a spring has a force, preload_N", given[0]));
     if (given[0] == preload.name) {

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <iterator>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -17,7 +15,7 @@
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
-#include "io/printable.h"
+#include "io/table_columns.h"
 #include "io/units.h"
 #include "record/units.h"
 
@@ -26,16 +24,12 @@ namespace {
 
 using bearing::SolveStatus;
 
-constexpr std::array<std::string_view, 5> leading_columns{
-    "speed_rpm", "axial_load_N", "radial_load_N", "temperature_C", "friction_torque_Nmm"};
-constexpr std::string_view status_column = "status";
-
-SolveStatus status_of(std::string_view text, const std::string& place) {
+SolveStatus status_of(std::string_view text, const Place& place) {
   for (const SolveStatus status :
        {SolveStatus::not_run, SolveStatus::converged, SolveStatus::no_equilibrium,
         SolveStatus::iteration_limit, SolveStatus::singular, SolveStatus::not_finite})
     if (bearing::name(status) == text) return status;
-  throw InputError(fmt::format("{}: status = {}: is unknown", place, quoted(text)));
+  throw InputError(fmt::format("{}: status = {}: is unknown", place.text(), quoted(text)), place);
 }
 
 std::string shown(const bearing::OperatingPoint& point) {
@@ -61,29 +55,6 @@ std::vector<double> axis_of(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
   return values;
-}
-
-constexpr std::string_view slab_mark = "# slab ";
-
-/// Tells grids apart: FNV-1a over the axes.
-std::uint64_t fingerprint(const friction::TableAxes& axes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  const auto add = [&hash](std::uint64_t word) {
-    for (int byte = 0; byte < 8; ++byte) {
-      hash ^= (word >> (8 * byte)) & 0xff;
-      hash *= 0x100000001b3ULL;
-    }
-  };
-  for (const auto* axis : {&axes.speed, &axes.axial_load, &axes.radial_load, &axes.temperature}) {
-    add(axis->size());
-    for (const double value : *axis) add(std::bit_cast<std::uint64_t>(value));
-  }
-  return hash;
-}
-
-std::string slab_line(const friction::StribeckTable& table) {
-  return fmt::format("{}{}/{}: {} of {} points, grid {:016x}", slab_mark, table.slab.index + 1,
-                     table.slab.count, table.points(), table.axes.size(), fingerprint(table.axes));
 }
 
 /// A slab's file, taken apart.
@@ -117,12 +88,14 @@ SlabFile slab_file(const SlabText& file) {
     slab.head += line;
   }
   if (slab.count == 0)
-    throw InputError(file.name + ": is no slab of a table; raceway table --slab writes such files");
+    throw InputError(file.name + ": is no slab of a table; raceway table --slab writes such files",
+                     {.file = file.name});
   slab.rows = text.substr(begin);
   const auto rows = static_cast<std::size_t>(std::count(slab.rows.begin(), slab.rows.end(), '\n'));
   if (rows != slab.points || (!slab.rows.empty() && slab.rows.back() != '\n'))
     throw InputError(fmt::format("{}: {} of its {} points are there; was it cut off?", file.name,
-                                 rows, slab.points));
+                                 rows, slab.points),
+                     {.file = file.name});
   return slab;
 }
 
@@ -140,37 +113,6 @@ std::size_t place_on(const std::vector<double>& axis, double value) {
 
 }  // namespace
 
-std::string table_text(const friction::StribeckTable& table, std::string_view title,
-                       std::string_view model_text) {
-  fmt::memory_buffer out;
-  const auto put = std::back_inserter(out);
-  fmt::format_to(put, "# Stribeck table: {}\n# raceway {}\n", printable(title), RACEWAY_VERSION);
-  if (table.slab.count != 1) fmt::format_to(put, "{}\n", slab_line(table));
-  append_model(out, model_text);
-  for (const std::string_view name : leading_columns) fmt::format_to(put, "{},", name);
-  std::vector<double> factors;
-  for (const std::string& name : table.columns) {
-    append_text(out, name);
-    out.push_back(',');
-    factors.push_back(column_unit(name));
-  }
-  fmt::format_to(put, "{}\n", status_column);
-  for (std::size_t i = 0; i < table.points(); ++i) {
-    const bearing::OperatingPoint point = table.point(table.first() + i);
-    fmt::format_to(put, "{:.12g},{:.12g},{:.12g},{:.12g},", point.speed / rpm, point.axial_load,
-                   point.radial_load, celsius(point.temperature));
-    append_value(out, table.friction_moment[i] / N_mm);
-    out.push_back(',');
-    const auto row = table.row(i);
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      append_value(out, row[k] / factors[k]);
-      out.push_back(',');
-    }
-    fmt::format_to(put, "{}\n", bearing::name(table.status[i]));
-  }
-  return fmt::to_string(out);
-}
-
 std::string merged_table_text(const std::vector<SlabText>& slabs) {
   if (slabs.empty()) throw InputError("raceway merge: no slabs");
   std::vector<SlabFile> files;
@@ -181,11 +123,13 @@ std::string merged_table_text(const std::vector<SlabText>& slabs) {
   for (const SlabFile& file : files)
     if (const std::string why = stranger(first, file); !why.empty())
       throw InputError(
-          fmt::format("{} and {} are slabs of different tables: {}", first.name, file.name, why));
+          fmt::format("{} and {} are slabs of different tables: {}", first.name, file.name, why),
+          {.file = file.name});
   for (std::size_t k = 1; k < files.size(); ++k)
     if (files[k].index == files[k - 1].index)
       throw InputError(fmt::format("slab {}/{} comes twice: {} and {}", files[k].index, first.count,
-                                   files[k - 1].name, files[k].name));
+                                   files[k - 1].name, files[k].name),
+                       {.file = files[k].name});
   std::size_t size = first.head.size(), points = 0, next = 1;  // the first that is missing
   for (const SlabFile& file : files) {
     if (next == file.index) ++next;
@@ -197,7 +141,8 @@ std::string merged_table_text(const std::vector<SlabText>& slabs) {
                                  first.count - files.size(), first.count, next, first.count));
   if (points != first.of)
     throw InputError(fmt::format("{}: the slabs have {} points together, the table has {}",
-                                 first.name, points, first.of));
+                                 first.name, points, first.of),
+                     {.file = first.name});
   std::string text;
   text.reserve(size);
   text += first.head;
@@ -211,7 +156,8 @@ TableFile parse_table(std::string text, const std::string& source) {
   file.source = source;
   for (const std::string& comment : csv.comments)
     if (comment.starts_with(slab_mark))
-      throw InputError(source + ": is one slab of a table; raceway merge joins all of them");
+      throw InputError(source + ": is one slab of a table; raceway merge joins all of them",
+                       {.file = source});
   file.model_text = model_text_of(csv);
 
   std::array<std::size_t, leading_columns.size()> at{};
@@ -219,7 +165,8 @@ TableFile parse_table(std::string text, const std::string& source) {
     const auto column = csv.column(leading_columns[k]);
     if (!column)
       throw InputError(fmt::format("{}:{}: column {} is missing{}", source, csv.header_line,
-                                   leading_columns[k], suggestion(leading_columns[k], csv.header)));
+                                   leading_columns[k], suggestion(leading_columns[k], csv.header)),
+                       {source, csv.header_line, std::string(leading_columns[k])});
     at[k] = *column;
   }
   const auto status = csv.column(status_column);
@@ -244,7 +191,7 @@ TableFile parse_table(std::string text, const std::string& source) {
   try {
     friction::validate(table.axes);
   } catch (const std::invalid_argument& error) {
-    throw InputError(source + ": " + error.what());
+    throw InputError(source + ": " + error.what(), {.file = source});
   }
 
   const std::array axes{&table.axes.speed, &table.axes.axial_load, &table.axes.radial_load,
@@ -255,7 +202,8 @@ TableFile parse_table(std::string text, const std::string& source) {
   constexpr double countable = 1e15;
   if (points > countable)
     throw InputError(
-        fmt::format("{}: the rows do not form a grid of speeds, loads and temperatures", source));
+        fmt::format("{}: the rows do not form a grid of speeds, loads and temperatures", source),
+        {.file = source});
   std::unordered_map<std::size_t, std::size_t> row_of_index;
   row_of_index.reserve(rows);
   for (std::size_t i = 0; i < rows; ++i) {
@@ -265,17 +213,20 @@ TableFile parse_table(std::string text, const std::string& source) {
     const auto [twin, is_new] = row_of_index.emplace(index, i);
     if (!is_new)
       throw InputError(fmt::format("{}:{}: the point {} stands in line {} already", source,
-                                   csv.line(i), shown(table.point(index)), csv.line(twin->second)));
+                                   csv.line(i), shown(table.point(index)), csv.line(twin->second)),
+                       {.file = source, .line = csv.line(i)});
   }
   const std::size_t size = table.axes.size();
   if (size != rows) {
     std::size_t missing = 0;
     while (row_of_index.count(missing) > 0) ++missing;
-    throw InputError(fmt::format(
-        "{}: the grid is not complete: {} speeds x {} axial loads x {} radial loads x {} "
-        "temperatures are {} points, the file has {}; missing is {}",
-        source, axes[0]->size(), axes[1]->size(), axes[2]->size(), axes[3]->size(), size, rows,
-        shown(table.point(missing))));
+    throw InputError(
+        fmt::format(
+            "{}: the grid is not complete: {} speeds x {} axial loads x {} radial loads x {} "
+            "temperatures are {} points, the file has {}; missing is {}",
+            source, axes[0]->size(), axes[1]->size(), axes[2]->size(), axes[3]->size(), size, rows,
+            shown(table.point(missing))),
+        {.file = source});
   }
 
   table.friction_moment.assign(size, unset);
@@ -291,18 +242,22 @@ TableFile parse_table(std::string text, const std::string& source) {
     const double moment = value(at[4]);
     table.friction_moment[index] = moment * N_mm;
     if (status)
-      table.status[index] = status_of(word, fmt::format("{}:{}", source, csv.line(i)));
+      table.status[index] = status_of(word, {source, csv.line(i), std::string(status_column)});
     else
       table.status[index] = std::isnan(moment) ? SolveStatus::not_run : SolveStatus::converged;
     if (table.status[index] == SolveStatus::converged && std::isnan(moment))
-      throw InputError(fmt::format(
-          "{}:{}: friction_torque_Nmm is empty, but the status is converged", source, csv.line(i)));
+      throw InputError(
+          fmt::format("{}:{}: friction_torque_Nmm is empty, but the status is converged", source,
+                      csv.line(i)),
+          {source, csv.line(i), "friction_torque_Nmm"});
     for (std::size_t k = 0; k < further.size(); ++k)
       table.values[index * further.size() + k] = value(further[k]) * factors[k];
   }
   return file;
 }
 
-TableFile read_table(const std::string& path) { return parse_table(read_text(path), path); }
+TableFile read_table(const std::string& path) {
+  return parse_table(read_text(path), input_name(path));
+}
 
 }  // namespace raceway::io

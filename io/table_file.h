@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,9 +22,12 @@ struct TableFile {
 /// `#` line, with the number of points and a fingerprint of the whole grid.
 ///
 /// The further columns change from SI to the unit at the end of their names (_Nmm, _deg, _um, ...;
-/// without one they are dimensionless). Accuracy: 12 digits.
+/// without one they are dimensionless). Accuracy: 12 digits. Rows are written by all threads, and
+/// their number changes no byte; `progress` is told the share that is done, by one thread at a
+/// time.
 [[nodiscard]] std::string table_text(const friction::StribeckTable& table, std::string_view title,
-                                     std::string_view model_text);
+                                     std::string_view model_text,
+                                     const std::function<void(double)>& progress = {});
 
 /// Reads what table_text() wrote; the order of rows does not matter. Throws InputError as
 /// read_csv(), for cells that are no numbers, and for points of the grid that are missing or stand

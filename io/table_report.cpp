@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "io/model_facts.h"
 #include "io/report.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
@@ -103,8 +104,9 @@ void add_measured(Document& document, record::Record record, const model::Rig& r
 
 std::string table_report(const std::string& model_file, const model::Model& model,
                          const friction::StribeckTable& table, const BearingStates& states,
-                         const record::Record* measured) {
+                         const record::Record* measured, const std::vector<ModelOfPage>& facts) {
   Document document("table");
+  document.add("assumed", model_facts(facts));
   document.add("results", {{"model", model_file},
                            {"bearing", model.name},
                            {"parts", part_names(model)},

@@ -104,11 +104,13 @@ toml::table parsed(std::string_view text, std::string_view source) {
     return toml::parse(text, source);
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: {}", source, at.line, at.column, error.description()));
+    throw InputError(fmt::format("{}:{}:{}: {}", source, at.line, at.column, error.description()),
+                     {.file = std::string(source), .line = static_cast<int>(at.line)});
   } catch (const std::logic_error&) {
     throw InputError(
         fmt::format("{}:{}: no TOML: a key, a value or a bracket is missing or misplaced", source,
-                    broken_line(text)));
+                    broken_line(text)),
+        {.file = std::string(source), .line = static_cast<int>(broken_line(text))});
   }
 }
 

@@ -119,9 +119,10 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
   const Result r = raceway("displacement", "--speed 0:12000:4000", spring);
   EXPECT_EQ(r.status, 0);
   // Z F_c tan(25 deg) grows with the speed squared and is 300 N near 6800 rpm.
-  EXPECT_THAT(r.err, testing::ContainsRegex("note: front_1, front_2: below the minimum load from "
-                                            "6[5-9][0-9][0-9] rpm on, there 300 N of 300"));
-  EXPECT_THAT(r.err, testing::ContainsRegex("note: rear_1: below the minimum load from 9[0-9]+ "
+  EXPECT_THAT(r.err,
+              testing::ContainsRegex("warning: front_1, front_2: below the minimum load from "
+                                     "6[5-9][0-9][0-9] rpm on, there 300 N of 300"));
+  EXPECT_THAT(r.err, testing::ContainsRegex("warning: rear_1: below the minimum load from 9[0-9]+ "
                                             "rpm on"));
   // The rigid sets load themselves.
   EXPECT_THAT(raceway("displacement", "--speed 0:12000:4000").err, Not(HasSubstr("minimum load")));
@@ -130,8 +131,9 @@ TEST_F(Displacement, WarnsOfTheSpeedWhereAMinimumLoadIsMissed) {
 TEST_F(Displacement, WarnsOfLostContact) {
   const Result r = raceway("displacement", "--speed 0 --axial-load 2000");
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("note: front_1, front_2: no contact with the inner ring from 0 rpm "
-                               "on; no load\n"));
+  EXPECT_THAT(r.err,
+              HasSubstr("warning: front_1, front_2: no contact with the inner ring from 0 rpm "
+                        "on; no load\n"));
 }
 
 TEST_F(Displacement, SpeedsWithoutBalanceAreNamedAndEndInStatusTwo) {

@@ -108,7 +108,7 @@ TEST_P(Page, PrintsWhatItShows) {
     SCOPED_TRACE(std::string(GetParam()) + ":" + std::to_string(s.line) + ": " + s.command);
     const Result r = run_shell("cd '" + scratch.path().string() +
                                "'; PATH=$PWD/build/release:$PATH; " + s.command);
-    // Notes and warnings are no part of stdout unless the command sends them there.
+    // What stderr has is left out of a page unless the command sends it to stdout.
     std::vector<std::string> shown = s.shown;
     if (s.command.find("2>&1") == std::string::npos)
       std::erase_if(shown, [](const std::string& line) {

@@ -78,10 +78,11 @@ inline json page_document(const std::string& page) {
   return document;
 }
 
-/// One message with this text, exit status 1, nothing on stdout.
+/// One message with this text, exit status 1, nothing on stdout but the error as JSON where that
+/// was asked for.
 inline void expect_refused(const Result& result, const std::string& message) {
   EXPECT_EQ(result.status, 1) << result.err;
-  EXPECT_EQ(result.out, "");
+  if (!result.out.empty()) EXPECT_EQ(keys(parsed(result)), std::set<std::string>{"error"});
   EXPECT_THAT(result.err, testing::HasSubstr(message));
 }
 

@@ -68,12 +68,13 @@ TEST_F(Solve, WritesTorqueForPeopleWithABlank) {
   EXPECT_THAT(r.out, Not(HasSubstr("Nmm")));
 }
 
-TEST_F(Solve, NamesEveryDefaultOnStderr) {
-  const Result r = solve(model_text, "--speed 0 --axial-load 100");
+TEST_F(Solve, CheckNamesEveryDefault) {
+  const ScratchFolder scratch;
+  const Result r = run("check " + scratch.write("my.toml", model_text));
   for (const char* text : {"bearing.ball_material = \"steel\"", "solver.tilt = \"locked\"",
                            "solver.race_control = \"outer\"", "friction.law = \"palmgren\"",
                            "rig.temperature_C = 40", "calibration.free = [\"f0\", \"z\"]"})
-    EXPECT_THAT(r.err, HasSubstr(text));
+    EXPECT_THAT(r.out, HasSubstr(text));
 }
 
 TEST_F(Solve, WithoutBalanceGivesStatusTwoAndNoNumber) {

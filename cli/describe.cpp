@@ -1,0 +1,81 @@
+#include "cli/describe.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "cli/messages.h"
+#include "io/error.h"
+#include "io/names.h"
+#include "io/output_file.h"
+
+namespace raceway::cli {
+namespace {
+
+struct DescribeFlags {
+  std::string format, command, tree;
+};
+
+const CLI::App& find_command(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CLI::App* known : app.get_subcommands({})) {
+    if (known->get_name() == name) return *known;
+    names.push_back(known->get_name());
+  }
+  throw io::InputError(
+      "raceway describe: " + name + ": no such command" + io::suggestion(name, names),
+      {.key = "COMMAND"});
+}
+
+/// As below share/ of an installation.
+void write_tree(const CLI::App& app, const std::filesystem::path& folder) {
+  const auto write = [&](const std::filesystem::path& file, const std::string& text) {
+    const std::filesystem::path path = folder / file;
+    std::error_code error;
+    std::filesystem::create_directories(path.parent_path(), error);
+    io::write_text(path.string(), text, io::IfExists::replace);
+  };
+  write("bash-completion/completions/raceway", bash_completion(app));
+  write("zsh/site-functions/_raceway", zsh_completion(app));
+  write("man/man1/raceway.1", man_page(app));
+  for (const CLI::App* command : app.get_subcommands({}))
+    write("man/man1/raceway-" + command->get_name() + ".1", man_page_of_command(*command));
+}
+
+int run(const CLI::App& app, const DescribeFlags& flags) {
+  if (!flags.tree.empty()) {
+    write_tree(app, flags.tree);
+    say(flags.tree + " written");
+    return done;
+  }
+  if (flags.format == "bash")
+    fmt::print("{}", bash_completion(app));
+  else if (flags.format == "zsh")
+    fmt::print("{}", zsh_completion(app));
+  else if (flags.format == "man")
+    fmt::print("{}", flags.command.empty() ? man_page(app)
+                                           : man_page_of_command(find_command(app, flags.command)));
+  else
+    throw io::InputError("raceway describe: FORMAT must be bash, zsh or man", {.key = "FORMAT"});
+  return done;
+}
+
+}  // namespace
+
+Run setup_describe(CLI::App& command) {
+  auto flags = std::make_shared<DescribeFlags>();
+  command.add_option("FORMAT", flags->format, "bash or zsh: a completion; man: a page")
+      ->type_name("");
+  command.add_option("COMMAND", flags->command, "with man: the page of this command")
+      ->type_name("");
+  command
+      .add_option("--tree", flags->tree, "write all of them below this folder, as share/ has them")
+      ->type_name("FOLDER");
+  command.footer(
+      "Example:\n  raceway describe bash > ~/.local/share/bash-completion/completions/raceway\n"
+      "  raceway describe man solve | man -l -");
+  return [flags, &command] { return run(*command.get_parent(), *flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,56 @@
+#include "cli/messages.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "cli/process.h"
+
+namespace raceway::cli {
+namespace {
+
+struct State {
+  bool quiet = false;
+  std::string document;
+};
+
+State& state() {
+  static State of_this_run;
+  return of_this_run;
+}
+
+void put_line(const char* kind, const std::string& line) {
+  std::fflush(stdout);  // a log of both keeps the order
+  write_message(fmt::format("{}{}\n", kind, line));
+}
+
+}  // namespace
+
+void set_quiet(bool quiet) { state().quiet = quiet; }
+
+bool shows_progress() { return !state().quiet && isatty(STDERR_FILENO) != 0; }
+
+void say(const std::string& line) {
+  if (!state().quiet) put_line("", line);
+}
+
+void tell(const std::vector<std::string>& notes) {
+  if (state().quiet) return;
+  for (const std::string& note : notes) put_line("note: ", note);
+}
+
+void warn(const std::string& warning) { put_line("warning: ", warning); }
+
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) warn(warning);
+}
+
+void complain(const std::string& line) { put_line("", line); }
+
+void put_document(std::string json) { state().document = std::move(json); }
+
+std::string take_document() { return std::exchange(state().document, {}); }
+
+}  // namespace raceway::cli

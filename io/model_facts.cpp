@@ -1,0 +1,34 @@
+#include "io/model_facts.h"
+
+#include "model/parameters.h"
+#include "record/units.h"
+
+namespace raceway::io {
+namespace {
+
+json facts(const ModelOfPage& of) {
+  const model::Model& model = of.model;
+  json factors = json::array();
+  for (const record::Parameter& p : model::parameters(model))
+    factors.push_back({{"name", p.name}, {"value", p.value}, {"unit", p.unit}});
+  json effects = json::array();
+  for (const effects::Effect& e : model.effects) effects.push_back(e.description->id);
+  return {{"model", of.file},
+          {"bearing", model.name},
+          {"law", friction::name(model.law)},
+          {"factors", factors},
+          {"effects", effects},
+          {"viscosity_40C_mm2_s", model.lubricant.viscosity_40C() / mm2_per_s},
+          {"viscosity_100C_mm2_s", model.lubricant.viscosity_100C() / mm2_per_s},
+          {"defaults", of.defaults}};
+}
+
+}  // namespace
+
+json model_facts(const std::vector<ModelOfPage>& models) {
+  json list = json::array();
+  for (const ModelOfPage& of : models) list.push_back(facts(of));
+  return list;
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,128 @@
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/sample.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+
+/// Names of the commands, from the help of the program.
+std::vector<std::string> all_commands() {
+  std::istringstream lines(run("--help").out);
+  std::vector<std::string> names;
+  bool listed = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "Subcommands:") {
+      listed = true;
+    } else if (listed && line.starts_with("  ")) {
+      names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    } else {
+      listed = false;
+    }
+  }
+  return names;
+}
+
+/// Flags of a command, from its help.
+std::set<std::string> flags_in_help(const std::string& command) {
+  const std::string help = run(command + " --help").out;
+  std::set<std::string> names;
+  const std::regex flag("\n  (-[a-zA-Z]),?|\n  (?:-[a-zA-Z],)?(--[a-z-]+)");
+  for (std::sregex_iterator it(help.begin(), help.end(), flag), end; it != end; ++it)
+    for (const std::size_t group : {1U, 2U})
+      if ((*it)[group].matched) names.insert((*it)[group]);
+  return names;
+}
+
+/// What bash offers behind these words, the last of which is being typed.
+std::set<std::string> offered(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += " '" + word + "'";
+  const Result r = run_shell(
+      "bash -c 'eval \"$('$raceway' describe bash)\"; COMP_WORDS=(\"$@\"); "
+      "COMP_CWORD=$(($# - 1)); _raceway; printf \"%s\\n\" \"${COMPREPLY[@]}\"' -" +
+      line);
+  EXPECT_EQ(r.err, "");
+  std::istringstream lines(r.out);
+  std::set<std::string> all;
+  for (std::string one; std::getline(lines, one);)
+    if (!one.empty()) all.insert(one);
+  return all;
+}
+
+TEST(Describe, EveryCommandIsOfferedByBash) {
+  const std::set<std::string> all = offered({"raceway", ""});
+  ASSERT_GE(all_commands().size(), 14U);
+  for (const std::string& command : all_commands()) EXPECT_TRUE(all.contains(command)) << command;
+  EXPECT_EQ(offered({"raceway", "dia"}), std::set<std::string>{"diagnose"});
+}
+
+TEST(Describe, EveryFlagIsOfferedByBash) {
+  for (const std::string& command : all_commands()) {
+    const std::set<std::string> expected = flags_in_help(command);
+    EXPECT_TRUE(expected.contains("--quiet")) << command;
+    std::set<std::string> all = offered({"raceway", command, "-"});
+    EXPECT_TRUE(all.contains("--quiet")) << command;
+    for (const std::string& flag : expected)
+      EXPECT_TRUE(all.contains(flag)) << command << " " << flag;
+  }
+}
+
+TEST(Describe, BashOffersFilesAndEffectsWhereTheyBelong) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write("my.toml", model_text);
+  const std::string begun = model.substr(0, model.size() - 3);
+  EXPECT_EQ(offered({"raceway", "solve", begun}), std::set<std::string>{model});
+  EXPECT_EQ(offered({"raceway", "table", "x", "--output", begun}), std::set<std::string>{model});
+  EXPECT_EQ(offered({"raceway", "solve", "x", "--speed", ""}), std::set<std::string>{});
+  EXPECT_EQ(offered({"raceway", "effects", "wind"}), std::set<std::string>{"windage"});
+  EXPECT_EQ(offered({"raceway", "add", "x", "wind"}), std::set<std::string>{"windage"});
+}
+
+TEST(Describe, EveryCommandAndFlagIsInZshAndInItsManPage) {
+  const std::string zsh = run("describe zsh").out;
+  const std::string all = run("describe man").out;
+  EXPECT_THAT(zsh, testing::StartsWith("#compdef raceway\n"));
+  for (const std::string& command : all_commands()) {
+    EXPECT_THAT(zsh, HasSubstr("\n    " + command + ")\n"));
+    EXPECT_THAT(zsh, HasSubstr("'" + command + ":"));
+    EXPECT_THAT(all, HasSubstr("raceway\\-" + std::regex_replace(command, std::regex("-"), "\\-")));
+    const Result page = run("describe man " + command);
+    ASSERT_EQ(page.status, 0) << page.err;
+    const std::size_t begin = zsh.find("\n    " + command + ")\n");
+    const std::string own = zsh.substr(begin, zsh.find(";;", begin) - begin);
+    for (const std::string& flag : flags_in_help(command)) {
+      EXPECT_THAT(own, HasSubstr("'" + flag + "[")) << command;
+      EXPECT_THAT(page.out,
+                  HasSubstr("\\fB" + std::regex_replace(flag, std::regex("-"), "\\-") + "\\fR"))
+          << command;
+    }
+  }
+}
+
+TEST(Describe, WritesTheTreeOfAnInstallation) {
+  const ScratchFolder scratch;
+  const Result r = run("describe --tree " + scratch.file("share"));
+  EXPECT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(file_text(scratch.file("share/bash-completion/completions/raceway")),
+            run("describe bash").out);
+  EXPECT_EQ(file_text(scratch.file("share/zsh/site-functions/_raceway")), run("describe zsh").out);
+  EXPECT_EQ(file_text(scratch.file("share/man/man1/raceway.1")), run("describe man").out);
+  for (const std::string& command : all_commands())
+    EXPECT_EQ(file_text(scratch.file("share/man/man1/raceway-" + command + ".1")),
+              run("describe man " + command).out);
+}
+
+TEST(Describe, RefusesWhatItDoesNotKnow) {
+  expect_refused(run("describe"), "FORMAT must be bash, zsh or man");
+  expect_refused(run("describe fish"), "FORMAT must be bash, zsh or man");
+  expect_refused(run("describe man slove"), "slove: no such command; did you mean solve?");
+}
+
+}  // namespace
+}  // namespace raceway::tests
