@@ -147,8 +147,8 @@ async function legendEntry(page, id) {
 const expected = {
   diagnose: { ladder: 8, ranking: 12, share: 120, hidden: 18, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24, plan: 120, detectable: 24 },
   add: { ladder: 8, parity: 120, 'residual-speed': 120, 'residual-axial-load': 120, 'residual-temperature': 120, 'residual-order-of-the-rows': 120, map: 24 },
-  compare: { ladder: 3, parity: 60, 'residual-speed': 60, 'residual-axial-load': 60, 'residual-temperature': 60, 'residual-order-of-the-rows': 60, map: 15 },
-  comparedshaft: { ladder: 2, parity: 48, 'residual-speed': 48, 'residual-preload': 48, 'residual-order-of-the-rows': 48, map: 24 },
+  compare: { 'over-speed': 60, ladder: 3, parity: 60, 'residual-speed': 60, 'residual-axial-load': 60, 'residual-temperature': 60, 'residual-order-of-the-rows': 60, map: 15 },
+  comparedshaft: { 'over-speed': 48, ladder: 2, parity: 48, 'residual-speed': 48, 'residual-preload': 48, 'residual-order-of-the-rows': 48, map: 24 },
   table: { stribeck: 34, parts: 51, angles: 136, balls: 68, around: 100 },
   shafttable: { stribeck: 33, parts: 51 },
   shaftdata: { stribeck: 16, position: 32, parts: 51 },
@@ -174,6 +174,36 @@ for (const [name, least] of Object.entries(expected))
     await close();
   });
 
+for (const name of Object.keys(expected))
+  test(`${name}: names law, oil and defaults, and saves every picture as PNG and SVG`, async () => {
+    const { page, faults, close } = await open(name);
+    const assumed = await page.textContent('#assumed');
+    for (const words of ['palmgren', 'mm²/s at 40 °C', 'solver.']) assert.ok(assumed.includes(words), `${words}: ${assumed}`);
+    const ids = await figures(page);
+    for (const kind of ['PNG', 'SVG']) assert.equal(await page.locator(`figure button:text-is("${kind}")`).count(), ids.length);
+    // A browser takes ten downloads a second.
+    for (const id of new Set([ids[0], ids[1], ids.at(-1)]))
+      for (const [kind, starts] of [['PNG', '\x89PNG'], ['SVG', '<svg']]) {
+        const waiting = page.waitForEvent('download');
+        await page.click(`#${id} button:text-is("${kind}")`);
+        const saved = await waiting;
+        assert.equal(saved.suggestedFilename(), `${id}.${kind.toLowerCase()}`);
+        assert.ok(readFileSync(await saved.path(), 'latin1').startsWith(starts), `${id}.${kind}`);
+      }
+    assert.deepEqual(faults, []);
+    await close();
+  });
+
+test('table: every measured point is drawn, and the page counts them', async () => {
+  const { page, close } = await open('table');
+  const note = await page.textContent('#stribeck .note');
+  const [, all, ...parts] = /All (\d+) measured points: (\d+) within.*; (\d+) colder.* and (\d+) warmer.*; (\d+) at other loads/.exec(note).map(Number);
+  assert.equal(all, 120);
+  assert.equal(parts.reduce((sum, count) => sum + count, 0), all);
+  assert.ok((await marks(page, 'stribeck')) >= 34 + all);
+  await close();
+});
+
 for (const name of ['diagnose', 'add', 'compare', 'comparedshaft', 'coastdown'])
   test(`${name}: holds the document that --json prints, and shows its numbers`, async () => {
     const { page, faults, close } = await open(name);
@@ -186,7 +216,8 @@ for (const name of ['diagnose', 'add', 'compare', 'comparedshaft', 'coastdown'])
     } else if (name === 'add') {
       assert.deepEqual(ladder.map((row) => row.slice(1)), [[printed.before.rmse, printed.after.rmse], ...printed.hold_out.map((h) => [h.rmse_before, h.rmse_after])]);
     } else {
-      assert.equal(await page.textContent('#sentence'), printed.sentence);
+      assert.equal(await page.textContent('#sentence'), printed.headline);
+      assert.equal(await page.textContent('.more'), printed.sentence);
       const ranking = await tableOf(page, 'ranking');
       assert.deepEqual(ranking.map((row) => row.slice(0, 4)), printed.effects.map((e) => [e.id, e.in_verdict ? 'yes' : 'no', e.gain, e.rmse]));
       assert.equal((await tableOf(page, 'detectable')).length, printed.would_have_been_found.length);
@@ -232,7 +263,9 @@ test('table of a shaft: measured displacement is drawn as it is, at the preload 
     for (const text of await page.$$eval('#position .tip', (tips) => tips.map((t) => t.textContent))) told.add(text);
   }
   assert.ok([...told].some((text) => /measured, line \d+/.test(text)), [...told].join('; '));
-  for (const text of told) assert.doesNotMatch(text, /preload(300|1200)/);
+  // Those at other preloads are drawn as well, and counted apart.
+  const other = column('preload_N').values.filter((load) => Math.abs(load - preload) > 0.1 * preload).length;
+  assert.match(await page.textContent('#position .note'), new RegExp(`; ${other} at other loads`));
   assert.deepEqual(faults, []);
   await close();
 });
@@ -278,7 +311,7 @@ test('displacement: holds the numbers that --json and fit-law print, and the law
 
 test('displacement: warnings stand on the page as the command says them, and without a law it says why', async () => {
   const told = spawnSync(RACEWAY, ['displacement', spindle, '--speed', '0:15000:7500', '--axial-load', '1200', '--report', file('loaded.html')], { encoding: 'utf8' });
-  const said = told.stderr.split('\n').filter((line) => /minimum load|no contact/.test(line)).map((line) => line.replace('note: ', ''));
+  const said = told.stderr.split('\n').filter((line) => /minimum load|no contact/.test(line)).map((line) => line.replace('warning: ', ''));
   assert.ok(said.length > 0, told.stderr);
   const { page, faults, close } = await open('loaded');
   assert.deepEqual(await page.$$eval('#warnings li', (all) => all.map((li) => li.textContent)), said);
@@ -309,7 +342,7 @@ test('compare: the ladder shows every model in its order against the noise, and 
 
 test('compare of a shaft: everything is in µm, over the inputs that it has', async () => {
   const { page, faults, close } = await open('comparedshaft');
-  const text = await page.evaluate(() => document.body.innerText + [...document.querySelectorAll('svg text')].map((t) => t.textContent).join(' '));
+  const text = await page.evaluate(() => (document.querySelector('#assumed').remove(), document.body.innerText) + [...document.querySelectorAll('svg text')].map((t) => t.textContent).join(' '));
   assert.doesNotMatch(text, /N mm|radial|torque/);
   assert.match(text, /measured \[µm\]/);
   assert.match(text, /preload \[N\]/);

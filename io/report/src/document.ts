@@ -121,6 +121,7 @@ export interface Diagnosis {
   model: string;
   data: string;
   verdict: string;
+  headline: string;
   sentence: string;
   p_value: number | null;
   remaining_p_value: number | null;
@@ -186,9 +187,22 @@ export interface BearingState {
   outer_pressure_MPa: (number | null)[];
 }
 
+/// What a model takes for granted.
+export interface ModelFacts {
+  model: string;
+  bearing: string;
+  law: string;
+  factors: { name: string; value: number; unit: string }[];
+  effects: string[];
+  viscosity_40C_mm2_s: number;
+  viscosity_100C_mm2_s: number;
+  defaults: string[];
+}
+
 interface Common {
   raceway_report: number;
   program: string;
+  assumed: ModelFacts[];
   rows: ColumnData;
 }
 

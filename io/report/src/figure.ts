@@ -79,11 +79,17 @@ export class Figure {
     this.numbers.addEventListener('toggle', () => this.fillTable());
     const button = el('button', { type: 'button', class: 'csv', title: 'Save the numbers of this picture as CSV' }, 'CSV');
     button.addEventListener('click', () => save(`${spec.id}.csv`, csvText((spec.csv ?? spec.table)())));
+    const picture = (kind: 'PNG' | 'SVG') => {
+      const b = el('button', { type: 'button', class: 'picture', title: `Save this picture as ${kind}` }, kind);
+      b.addEventListener('click', () => void this.savePicture(kind));
+      return b;
+    };
+    const saving = el('div', { class: 'saving' }, picture('PNG'), picture('SVG'), button);
     const head = el('div', { class: 'head' }, el('h3', {}, spec.title));
     if (spec.controls?.length) head.append(el('div', { class: 'controls' }, ...spec.controls));
     this.element = el('figure', { class: spec.wide ? 'wide' : '', id: spec.id }, head);
     if (spec.note) this.element.append(this.note);
-    this.element.append(this.canvas, el('div', { class: 'foot' }, this.numbers, button));
+    this.element.append(this.canvas, el('div', { class: 'foot' }, this.numbers, saving));
     this.canvas.setAttribute('role', 'img');
     this.tell();
     all.push(this);
@@ -114,6 +120,26 @@ export class Figure {
     else this.chart.resize({ width, height: tall });
     this.chart.setOption({ ...common(l), ...this.spec.option(l, width) }, { notMerge: true });
     if (this.numbers.open) this.fillTable();
+  }
+
+  /// The picture as it is seen, drawn once more for the file.
+  private async savePicture(kind: 'PNG' | 'SVG'): Promise<void> {
+    const l = look();
+    const width = this.canvas.clientWidth;
+    const height = this.canvas.clientHeight;
+    const vectors = kind === 'SVG';
+    const chart = vectors
+      ? echarts.init(null, null, { renderer: 'svg', ssr: true, width, height })
+      : echarts.init(el('div', {}), null, { renderer: 'canvas', devicePixelRatio: 2, width, height });
+    chart.setOption({ ...common(l), ...this.spec.option(l, width), backgroundColor: l.surface });
+    const name = `${this.spec.id}.${kind.toLowerCase()}`;
+    if (vectors) saveBlob(name, new Blob([chart.renderToSVGString()], { type: 'image/svg+xml' }));
+    else {
+      const picture = chart.renderToCanvas({ pixelRatio: 2, backgroundColor: l.surface });
+      const blob = await new Promise<Blob | null>((done) => picture.toBlob(done, 'image/png'));
+      if (blob) saveBlob(name, blob);
+    }
+    chart.dispose();
   }
 
   private fillTable(): void {
@@ -204,7 +230,11 @@ export function csvText(table: Table): string {
 }
 
 function save(name: string, text: string): void {
-  const url = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));
+  saveBlob(name, new Blob([text], { type: 'text/csv' }));
+}
+
+function saveBlob(name: string, blob: Blob): void {
+  const url = URL.createObjectURL(blob);
   const link = el('a', { href: url, download: name });
   document.body.append(link);
   link.click();
@@ -212,11 +242,15 @@ function save(name: string, text: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/// Draws all pictures one after the other, so that the page stays alive meanwhile; then marks it.
+/// Draws all pictures, seen or not, and marks the page; of a large one piece by piece, so that it
+/// stays alive meanwhile.
 export function drawAll(): void {
   let next = 0;
+  // Pages of usual size are whole when they are loaded, as whoever takes a picture of one expects.
+  let budget = 3000;
   const step = () => {
-    const until = performance.now() + 40;
+    const until = performance.now() + budget;
+    budget = 40;
     while (next < all.length && performance.now() < until) (all[next++] as Figure).draw();
     if (next < all.length) setTimeout(step, 0);
     else document.documentElement.dataset.drawn = 'yes';

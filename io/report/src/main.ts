@@ -5,6 +5,7 @@ import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, 
 import { drawAll } from './figure';
 import type { Figure } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
+import { overSpeed } from './over_speed';
 import { beforeAfter, changes, ladder, noiseSources } from './ladder';
 import type { Floor } from './ladder';
 import { drawnSpeeds, lawFigures, shaftFigures } from './shaft';
@@ -93,7 +94,7 @@ function lackOfFit(c: Comparison): [string, string][] {
   return c.lack_of_fit.p_value === null ? [] : [['misfit by chance', probability(c.lack_of_fit.p_value)]];
 }
 
-function compare(report: CompareReport): Node[] {
+function compare(report: CompareReport): (Node | undefined)[] {
   const comparisons = 'models' in report.results ? report.results.models : [report.results];
   const last = comparisons[comparisons.length - 1] as Comparison;
   const first = comparisons[0] as Comparison;
@@ -102,6 +103,7 @@ function compare(report: CompareReport): Node[] {
   const several = comparisons.length > 1;
   const view = new FitView(report, comparisons.length - 1);
   const { unit } = view;
+  const comparedOverSpeed = overSpeed(view);
   const estimated = first.noise.rms === null && last.noise.estimated_rms !== undefined;
   const noise = first.noise.rms ?? last.noise.estimated_rms ?? null;
   const source = estimated ? 'estimated' : first.noise.source;
@@ -128,6 +130,7 @@ function compare(report: CompareReport): Node[] {
         ...lackOfFit(last),
       ],
     ),
+    comparedOverSpeed ? section(`${view.report.quantity.in_words[0]?.toUpperCase()}${view.report.quantity.in_words.slice(1)} over speed`, grid(comparedOverSpeed)) : undefined,
     section(
       several ? 'The ladder' : 'The error',
       grid(ladder(files.slice(0, -1), comparisons.map((c) => c.rmse), comparisons.map((c) => c.bias), comparisons.map((c) => c.fit_percent), floorOf(view, noise, source))),
@@ -157,7 +160,7 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
   const formula = Object.entries(d.shape ?? {}).find(([name]) => name.endsWith(`_${view.key}`));
   const nodes = effectNodes(report, view);
   return [
-    header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.sentence }, [
+    header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.headline, more: d.sentence }, [
       ['RMS error', d.rmse_after < d.rmse_before ? `${number(d.rmse_before, 3)} → ${number(d.rmse_after, 3)} ${unit}` : `${number(d.rmse_before, 3)} ${unit}`],
       [`noise, ${sourceIn(d.baseline)}`, `${number(d.noise.rms, 3)} ${unit}`],
       ['rows', String(d.rows)],
@@ -304,8 +307,23 @@ function build(report: Report): (Node | undefined)[] {
   }
 }
 
+/// What each model takes for granted: its law with the factors, oil, and what was left to defaults.
+function assumed(report: Report): HTMLElement | undefined {
+  if (report.assumed.length === 0) return undefined;
+  const files = shortPaths(report.assumed.map((m) => m.model));
+  const lines = report.assumed.map((m, k) => [
+    files[k] as string,
+    m.bearing,
+    `${m.law}: ${m.factors.map((f) => `${f.name} = ${plain(f.value, 4)}${f.unit === '1' ? '' : ` ${unitText(f.unit)}`}`).join(', ')}`,
+    m.effects.length ? m.effects.join(', ') : 'none',
+    `${plain(m.viscosity_40C_mm2_s, 4)} mm²/s at 40 °C, ${plain(m.viscosity_100C_mm2_s, 4)} at 100 °C`,
+    m.defaults.length ? m.defaults.map((d) => d.replace(' (default)', '')).join('; ') : 'none',
+  ]);
+  return el('div', { id: 'assumed' }, section('What the model takes for granted', valueList('Law, oil and defaults', ['model', 'bearing', 'law and numbers', 'effects', 'oil', 'defaults used'], lines)));
+}
+
 function show(report: Report): void {
-  const parts = build(report).filter((node): node is Node => node !== undefined);
+  const parts = [...build(report), assumed(report)].filter((node): node is Node => node !== undefined);
   page.append(...parts, el('footer', {}, `${report.program}. ${'models' in report ? 'Residuals are predicted − measured. ' : ''}This page needs no network.`));
   drawAll();
 }

@@ -10,6 +10,8 @@ import { axisTitle, number, plain, quantity, withUnit } from './text';
 
 const mostCurves = 8; // that stay readable
 const mostSpeeds = 5; // around the bearing
+const mostPoints = 3000; // measured ones that are drawn
+const otherLoads = 'other loads';
 
 /// So many places of a list, its ends among them.
 function spread(count: number, most: number): number[] {
@@ -25,7 +27,15 @@ interface Slice {
   rows: number[];
 }
 
-const pointsNote = 'Points: measured within 10 % of the loads of a curve and 5 K of its temperature.';
+/// How far from a curve a reading may be and still be of it.
+const [nearLoad, nearTemperature] = [0.1, 5];
+
+/// A measured point among the curves: the curve whose load it has, if any, and how much warmer it is.
+interface Placed {
+  row: number;
+  curve: number; // -1: of other loads
+  warmer: number; // [K], 0 where not known
+}
 
 /// What is drawn against speed, and readings of it.
 interface CurvesOf {
@@ -50,7 +60,6 @@ export function tableFigures(report: TableReport): Figure[] {
   const figures: Figure[] = [];
   const note = [
     axials.length > mostCurves ? `${mostCurves} of ${axials.length} axial loads are drawn, the table has all.` : '',
-    torques ? pointsNote : '',
     measured && !torques && !positions ? `The table has no ${report.measured?.quantity.in_words}: what was measured is not drawn.` : '',
   ].join(' ').trim();
   const redraw = () => {
@@ -81,26 +90,38 @@ export function tableFigures(report: TableReport): Figure[] {
     rows: Array.from({ length: rows.count }, (_, k) => ['speed_rpm', 'axial_load_N', 'radial_load_N', 'temperature_C', ...names].map((name) => (Number.isFinite(rows.at(name, k)) ? rows.at(name, k) : null))),
   });
 
-  /// Measured points that belong to a curve; what was not recorded is as the curve has it.
-  const near = (points: Rows | undefined, axial: number): number[] => {
-    if (!points) return [];
-    const curve: [string, number | undefined, (value: number) => number][] = [
-      ['axial_load_N', axial, (load) => 0.1 * Math.abs(load) + 1],
-      ['radial_load_N', radials[chosen.radial], (load) => 0.1 * load + 1],
-      ['temperature_C', temperatures[chosen.temperature], () => 5],
-      ['preload_N', report.preload_N, (load) => 0.1 * load],
+  /// Every measured point with the curve that it belongs to; what was not recorded is as there.
+  const placed = (points: Rows, curves: Slice[]): Placed[] => {
+    const off = (name: string, value: number | undefined, k: number, width: number) =>
+      value !== undefined && points.has(name) && !(Math.abs(points.at(name, k) - value) <= width);
+    const radial = radials[chosen.radial] as number;
+    return Array.from({ length: points.count }, (_, row) => {
+      const others = off('radial_load_N', radial, row, nearLoad * radial + 1) || off('preload_N', report.preload_N, row, nearLoad * (report.preload_N ?? 0));
+      const curve = others ? -1 : curves.findIndex((c) => !off('axial_load_N', c.axial, row, nearLoad * Math.abs(c.axial) + 1));
+      const temperature = temperatures[chosen.temperature];
+      const warmer = points.has('temperature_C') && temperature !== undefined ? points.at('temperature_C', row) - temperature : 0;
+      return { row, curve, warmer: Number.isFinite(warmer) ? warmer : 0 };
+    });
+  };
+  const pointsNote = (points: Rows | undefined): string => {
+    if (!points) return '';
+    const list = placed(points, shown());
+    const [at, colder, hotter, other] = [
+      list.filter((p) => p.curve >= 0 && Math.abs(p.warmer) <= nearTemperature).length,
+      list.filter((p) => p.curve >= 0 && p.warmer < -nearTemperature).length,
+      list.filter((p) => p.curve >= 0 && p.warmer > nearTemperature).length,
+      list.filter((p) => p.curve < 0).length,
     ];
-    const list: number[] = [];
-    for (let k = 0; k < points.count; ++k)
-      if (curve.every(([name, value, width]) => value === undefined || !points.has(name) || Math.abs(points.at(name, k) - value) <= width(value))) list.push(k);
-    return list;
+    const drawn = points.count > mostPoints ? `${mostPoints} of ${points.count} measured points, evenly spread; of all` : `All ${points.count} measured points:`;
+    const total = points.count < points.total ? ` The page holds ${points.count} of ${points.total}.` : '';
+    return `${drawn} ${at} within 10 % of the loads of a curve and 5 K of its temperature, in its colour; ${colder} colder (blue) and ${hotter} warmer (orange) than that, the fuller the further; ${other} at other loads (grey).${total}`;
   };
   /// Curves of a column for each axial load, and what was measured of it.
   const against = ({ id, title, column, points, reading, note: below, choices }: CurvesOf): Figure =>
     new Figure({
       id,
       title,
-      note: below,
+      note: () => `${below} ${pointsNote(points)}`.trim(),
       wide: true,
       height: 420,
       marks: rows.count / 4,
@@ -109,7 +130,7 @@ export function tableFigures(report: TableReport): Figure[] {
         const curves = shown();
         const names = curves.map((c) => `${plain(c.axial)} N`);
         const colours = ordered(curves.length, l);
-        const top = legend(names, width, l, curves.map((_, k) => symbols[k % symbols.length]));
+        const readings: { name: string; data: Option[] }[] = [];
         const { label, unit } = quantity(column);
         const series: Option[] = curves.map((c, k) => ({
           type: 'line',
@@ -120,17 +141,37 @@ export function tableFigures(report: TableReport): Figure[] {
           itemStyle: { color: colours[k] },
           data: c.rows.filter((row) => !chosen.logarithmic || rows.at('speed_rpm', row) > 0).map((row) => [rows.at('speed_rpm', row), rows.at(column, row), row]),
         }));
-        curves.forEach((c, k) =>
+        const far = Math.max(nearTemperature + 1, ...(points ? placed(points, curves).map((p) => Math.abs(p.warmer)) : []));
+        const fill = ({ curve, warmer }: Placed): [string, number] => {
+          if (curve < 0) return [l.muted, 0.35];
+          if (Math.abs(warmer) <= nearTemperature) return [colours[curve] as string, 1];
+          return [warmer < 0 ? l.negative : l.positive, 0.25 + (0.65 * Math.abs(warmer)) / far];
+        };
+        if (points) {
+          const list = placed(points, curves);
+          for (const row of thinned(list.map((p) => p.row), mostPoints)) {
+            const p = list[row] as Placed;
+            const [colour, opacity] = fill(p);
+            const name = p.curve < 0 ? otherLoads : (names[p.curve] as string);
+            (readings[p.curve + 1] ??= { name, data: [] }).data.push({
+              value: [points.at('speed_rpm', p.row), points.at(reading, p.row), p.row, 'measured'],
+              itemStyle: { color: colour, opacity },
+            });
+          }
+        }
+        readings.forEach((r, k) =>
           series.push({
             type: 'scatter',
-            name: names[k],
-            symbol: symbols[k % symbols.length],
-            symbolSize: 9,
-            z: 6,
-            itemStyle: { color: colours[k], borderColor: l.ink, borderWidth: 1 },
-            data: thinned(near(points, c.axial), 400).map((row) => [points?.at('speed_rpm', row), points?.at(reading, row), row, 'measured']),
+            name: r.name,
+            symbol: k === 0 ? 'circle' : symbols[(k - 1) % symbols.length],
+            symbolSize: (points?.count ?? 0) > 800 ? 5 : 8,
+            z: k === 0 ? 1 : 6,
+            itemStyle: { color: k === 0 ? l.muted : (colours[k - 1] as string), borderColor: l.ink, borderWidth: k === 0 || (points?.count ?? 0) > 800 ? 0 : 1 },
+            data: r.data,
           }),
         );
+        const entries = [...names, ...(readings[0] ? [otherLoads] : [])];
+        const top = legend(entries, width, l, entries.map((_, k) => (k < names.length ? symbols[k % symbols.length] : 'circle')));
         return {
           legend: top.option,
           grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
@@ -171,7 +212,7 @@ export function tableFigures(report: TableReport): Figure[] {
         column: 'axial_displacement_um',
         points: positions,
         reading: 'measured_um',
-        note: `Positive towards the tool. ${pointsNote}${positions.has('preload_N') ? ' Of other preloads than that of the model none are drawn.' : ''}`,
+        note: `Positive towards the tool.${positions.has('preload_N') ? ' Other preloads than that of the model count as other loads.' : ''}`,
         choices: [],
       }),
     );
