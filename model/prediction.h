@@ -13,7 +13,8 @@ namespace raceway::model {
 
 /// Friction of one bearing at one operating point, and what the rig reads of it. All numbers are
 /// NaN where an input is not known, or where the point has no balance and an effect needs it;
-/// `report` then says why. Where an effect has no number, the base moments have. A model that needs no balls has its torque also without balance.
+/// `report` then says why. Where an effect has no number, the base moments have. A model that needs
+/// no balls has its torque also without balance.
 struct FrictionPrediction {
   double load = unset;  ///< load moment of the base law, at the load the bearing really sees [N m]
   double viscous = unset;  ///< viscous moment of the base law, as the film leaves it [N m]
