@@ -7,21 +7,24 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string german = std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/german_export.csv";
+const std::string german_export =
+    std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/german_export.csv";
 
 TEST(Columns, AGermanExcelExportGoesInWithoutAScript) {
   const ScratchFolder folder;
   const std::string at = "cd '" + folder.path().string() + "'; ";
   EXPECT_EQ(run_shell(at + "$raceway new 'S 6014 C' -o my.toml").status, 0);
   // As it stands it is refused, with the way on.
-  expect_refused(run_shell(at + "$raceway check my.toml " + german), "--suggest-columns");
+  expect_refused(run_shell(at + "$raceway check my.toml " + german_export), "--suggest-columns");
   EXPECT_EQ(
-      run_shell(at + "$raceway check my.toml " + german + " --suggest-columns >map.toml").status,
+      run_shell(at + "$raceway check my.toml " + german_export + " --suggest-columns >map.toml")
+          .status,
       0);
-  const Result refused = run_shell(at + "$raceway check my.toml " + german + " --columns map.toml");
+  const Result refused =
+      run_shell(at + "$raceway check my.toml " + german_export + " --columns map.toml");
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.err, HasSubstr("Reibmoment = \"#NV\": is not a number"));
-  const std::string flags = german + " --columns map.toml --drop-nan";
+  const std::string flags = german_export + " --columns map.toml --drop-nan";
   const Result check = run_shell(at + "$raceway check my.toml " + flags + " -o rows.csv");
   EXPECT_EQ(check.status, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("71 rows of friction torque"));
@@ -32,11 +35,12 @@ TEST(Columns, AGermanExcelExportGoesInWithoutAScript) {
   EXPECT_THAT(verdict.out, testing::StartsWith("Consistent with lubricant-drag"));
   // The map may stand in the model, and the rows as they were read say the same.
   EXPECT_EQ(run_shell(at + "sed '/^#/d' map.toml >>my.toml").status, 0);
-  EXPECT_EQ(run_shell(at + "$raceway diagnose my.toml " + german + " --drop-nan | head -n 1").out,
-            verdict.out);
+  EXPECT_EQ(
+      run_shell(at + "$raceway diagnose my.toml " + german_export + " --drop-nan | head -n 1").out,
+      verdict.out);
   EXPECT_EQ(run_shell(at + "$raceway diagnose my.toml rows.csv | head -n 1").out, verdict.out);
   // As Excel's "Unicode text" has it.
-  EXPECT_EQ(run_shell(at + "iconv -f latin1 -t utf-16 " + german +
+  EXPECT_EQ(run_shell(at + "iconv -f latin1 -t utf-16 " + german_export +
                       " >utf16.csv; $raceway diagnose my.toml utf16.csv --drop-nan | head -n 1")
                 .out,
             verdict.out);

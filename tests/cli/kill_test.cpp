@@ -109,7 +109,9 @@ TEST_P(Kill, LeavesTheOldFileOrTheNewOne) {
       if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
         EXPECT_EQ(now, expected_);
       }
-      if (signal != SIGKILL) ASSERT_EQ(parts(), 0) << "signal " << signal;
+      if (signal != SIGKILL) {
+        ASSERT_EQ(parts(), 0) << "signal " << signal;
+      }
     }
   // What SIGKILL has left blocks nobody.
   EXPECT_EQ(run_and_stop(0, {}), 0);
@@ -117,7 +119,7 @@ TEST_P(Kill, LeavesTheOldFileOrTheNewOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryWriter, Kill, testing::ValuesIn(writers),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace
 }  // namespace raceway::tests

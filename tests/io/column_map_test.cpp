@@ -57,9 +57,9 @@ TEST(ColumnUnits, OneQuantityInTwoColumnsIsAnError) {
 }
 
 TEST(ColumnUnits, ARowOfUnitsMustNotContradictTheName) {
-  const std::string header = "speed_rpm;friction_torque_Nmm\n";
-  EXPECT_EQ(read(header + "1/min;N mm\n1;2\n").rows(), 1u);
-  EXPECT_EQ(error_of(header + "1/min;Nm\n1;2\n", "[columns]\n"),
+  const std::string names = "speed_rpm;friction_torque_Nmm\n";
+  EXPECT_EQ(read(names + "1/min;N mm\n1;2\n").rows(), 1u);
+  EXPECT_EQ(error_of(names + "1/min;Nm\n1;2\n", "[columns]\n"),
             "d.csv:1: column friction_torque_Nmm has N m in the row of units below it; mend one");
 }
 
