@@ -56,7 +56,7 @@ TEST_F(Process, AnUnwritableStdoutIsAnError) {
 
 TEST_F(Process, AClosedStdinIsAnErrorAndNoFile) {
   const Result r = run_shell("$raceway fit-law <&-");
-  expect_refused(r, "standard input: the file is empty");
+  expect_refused(r, "standard input: cannot be read");
 }
 
 TEST_F(Process, ALimitOfFileSizeIsAFullDisk) {
