@@ -4,14 +4,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/random/mersenne_twister.hpp>
-#include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "fit/gate.h"
 #include "fit/smooth_columns.h"
 #include "fit/subspace.h"
+#include "fit/thinned.h"
 #include "record/levels.h"
 
 namespace raceway::fit {
@@ -153,20 +152,6 @@ std::vector<std::string> take_idle(Problem& problem, const Response& response) {
   return idle;
 }
 
-/// As many rows of a larger record, one at random from each of as many equal stretches: spread over
-/// its time, and in step with nothing that repeats in it. The same choice each time.
-void thin(std::vector<std::size_t>& rows, std::size_t most) {
-  if (rows.size() <= most) return;
-  boost::random::mt19937 engine(20210305);
-  std::vector<std::size_t> chosen;
-  for (std::size_t k = 0; k < most; ++k) {
-    const std::size_t begin = k * rows.size() / most, end = (k + 1) * rows.size() / most;
-    boost::random::uniform_int_distribution<std::size_t> any(begin, end - 1);
-    chosen.push_back(rows[any(engine)]);
-  }
-  rows = std::move(chosen);
-}
-
 /// The rows of a record that are used, those that can be predicted among them, and what was read.
 void take_rows(const Record& record, int most_rows, Evidence& evidence) {
   Problem& problem = evidence.problem;
@@ -176,7 +161,7 @@ void take_rows(const Record& record, int most_rows, Evidence& evidence) {
   if (subject.has_memory()) {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   } else {
-    thin(order, static_cast<std::size_t>(most_rows));
+    order = thinned(std::move(order), static_cast<std::size_t>(most_rows));
   }
   const std::vector<Measured> channels = subject.measured();
   const Record sorted = record.picked(order);

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 
+#include "fit/thinned.h"
 #include "io/units.h"
 #include "record/median.h"
 
@@ -86,9 +90,9 @@ Ratio ratio_of(const model::ModelSubject& subject, const Record& data) {
 /// Some rows, over all of the record.
 Record some_of(const Record& data) {
   if (data.rows() <= most_rows) return data;
-  std::vector<std::size_t> rows;
-  for (std::size_t k = 0; k < most_rows; ++k) rows.push_back(k * data.rows() / most_rows);
-  return data.picked(rows);
+  std::vector<std::size_t> rows(data.rows());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return data.picked(fit::thinned(std::move(rows), most_rows));
 }
 
 std::pair<double, double> range_of_values(std::span<const double> values) {
@@ -166,8 +170,8 @@ std::optional<std::string> unit_of_temperature(const model::ModelSubject& subjec
   if (!(lower <= upper)) return std::nullopt;
   const double from = channel.in_unit(lower), to = channel.in_unit(upper);
   const auto question = [&](const char* unit, double (*celsius_of)(double)) {
-    return fmt::format("{} of {:.4g} to {:.4g} C {} like {}: {:.3g} to {:.3g} C?", channel.name,
-                       from, to, "looks", unit, celsius_of(from), celsius_of(to));
+    return fmt::format("{} of {:.4g} to {:.4g} C looks like {}: {:.3g} to {:.3g} C?", channel.name,
+                       from, to, unit, celsius_of(from), celsius_of(to));
   };
   if (from > 220 && to < 470) return question("kelvin", [](double t) { return celsius(t); });
   const auto of_fahrenheit = [](double t) { return (t - 32.0) / 1.8; };

@@ -13,6 +13,7 @@
 #include "io/model_file.h"
 #include "io/subject.h"
 #include "io/table_file.h"
+#include "tests/support/model_text.h"
 
 namespace raceway::fuzz {
 namespace {
@@ -20,24 +21,7 @@ namespace {
 using Subject = std::shared_ptr<const model::ModelSubject>;
 
 Subject subject(const std::string& more) {
-  return io::make_subject(io::parse_model(R"([bearing]
-ball_count = 20
-ball_diameter_mm = 11.906
-pitch_diameter_mm = 90.0
-contact_angle_deg = 25.0
-inner_conformity = 0.52
-outer_conformity = 0.52
-static_load_rating_N = 43000
-[lubricant]
-viscosity_40C_mm2_s = 22.0
-viscosity_100C_mm2_s = 4.8
-[friction]
-f0 = 1.5
-z = 0.001
-y = 0.33
-)" + more,
-                                          "model.toml")
-                              .model);
+  return io::make_subject(io::parse_model(tests::model_text + more, "model.toml").model);
 }
 
 void refusable(const auto& read) {
