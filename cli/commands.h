@@ -16,6 +16,7 @@ Run setup_table(CLI::App& command);
 Run setup_displacement(CLI::App& command);
 Run setup_merge(CLI::App& command);
 Run setup_calibrate(CLI::App& command);
+Run setup_calibrate_sensor(CLI::App& command);
 Run setup_fit_law(CLI::App& command);
 Run setup_compare(CLI::App& command);
 Run setup_effects(CLI::App& command);

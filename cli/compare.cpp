@@ -277,6 +277,15 @@ std::vector<io::ModelFile> open_models(const std::vector<std::string>& paths,
   return files;
 }
 
+/// The records are read by the sensor of the first model, whatever the others say.
+void warn_of_other_sensors(const std::vector<io::ModelFile>& files) {
+  const io::ModelFile& first = files.front();
+  for (const io::ModelFile& file : files)
+    if (file.sensor && !(first.sensor && rig::same_torques(*file.sensor, *first.sensor)))
+      warn(fmt::format("{}: its [torque_sensor] is not that of {}, by which the data are read",
+                       file.source, first.source));
+}
+
 int run(const CompareFlags& flags) {
   if (flags.files.size() < 2)
     throw io::InputError(
@@ -292,6 +301,7 @@ int run(const CompareFlags& flags) {
   const record::Record data =
       open_records({data_begin, flags.files.end()}, models.front(),
                    *io::make_subject(files.front().model), flags.reading.options(files.front()));
+  warn_of_other_sensors(files);
   std::vector<model::Model> compared;
   std::vector<Comparisons> comparisons;
   std::shared_ptr<const fit::Subject> subject;

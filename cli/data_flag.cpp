@@ -15,11 +15,12 @@ void DataFlag::declare(CLI::App& command) {
 io::ReadOptions DataFlag::options(const io::ModelFile& model) const {
   io::ReadOptions result = options();
   if (columns.empty()) result.columns = model.columns;
+  result.sensor = model.sensor;
   return result;
 }
 
 io::ReadOptions DataFlag::options() const {
-  io::ReadOptions result{.columns = {}, .drop_nan = drop_nan};
+  io::ReadOptions result{.columns = {}, .sensor = {}, .drop_nan = drop_nan};
   if (!columns.empty()) result.columns = io::read_column_map(columns);
   return result;
 }

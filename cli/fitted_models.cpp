@@ -30,6 +30,10 @@ std::string file_of(const std::string& output, std::string record) {
       .string();
 }
 
+std::filesystem::path folder(const std::string& file) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file)).parent_path();
+}
+
 /// What of a covariance concerns one record, by the names of its model.
 fit::Covariance of_record(const fit::Covariance& all, const fit::SeveralRecords& several,
                           std::size_t record) {
@@ -112,6 +116,11 @@ void FittedModels::write(const io::ModelFile& file, const fit::Calibration& cali
   for (std::size_t k = 0; k < paths.size(); ++k) {
     io::write_text(paths[k], texts[k], if_exists_);
     say(paths[k] + " written");
+    if (!file.sensor_file.empty() && folder(paths[k]) != folder(file.source))
+      warn(
+          fmt::format("{}: the file of its [torque_sensor] is looked for from there; this run read "
+                      "{}",
+                      paths[k], file.sensor_file));
   }
 }
 

@@ -42,6 +42,8 @@ constexpr std::array commands{
             cli::setup_fit_law},
     Command{"calibrate", "Fit the free parameters of a model to measurements",
             cli::setup_calibrate},
+    Command{"calibrate-sensor", "Fit the curve of a torque sensor to readings with known torques",
+            cli::setup_calibrate_sensor},
     Command{"compare", "How wrong a model is against measurements, and where", cli::setup_compare},
     Command{"diagnose", "Which physical effect is missing, or what to measure to find out",
             cli::setup_diagnose},

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cli/process.h"
+#include "cli/run_files.h"
 #include "io/data_file.h"
 #include "io/doubts.h"
 #include "io/error.h"
@@ -47,6 +48,7 @@ io::ModelFile open_model(const std::string& path, Accepts accepts, Defaults defa
                              ": has no [arrangement]: a shaft position needs one, with layout, "
                              "front, rear and preload_N",
                          {.file = path, .key = "arrangement"});
+  if (!file.sensor_file.empty()) add_input(file.sensor_file);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
     tell({fmt::format("{} default{}: raceway check {} lists {}", count, count == 1 ? "" : "s",

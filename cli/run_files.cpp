@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 3> written_flags{"output", "report", "plo
 constexpr std::array<std::string_view, 2> improve_their_model{"calibrate", "add"};
 
 struct Files {
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs, outputs;
   std::string own_model;  ///< may be replaced by --output; empty where none may
 };
 
@@ -90,12 +90,20 @@ void check_files(const CLI::App& command) {
   if (is_file("/dev/stdin")) files.inputs.emplace_back("/dev/stdin");
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const auto& [flag, file] = outputs[k];
+    files.outputs.push_back(file);
     require_no_input(file, flag == "--output" ? files.own_model : "");
     for (std::size_t j = 0; j < k; ++j)
       if (same_file(outputs[j].second, file))
         throw io::InputError(file + ": is named by " + outputs[j].first + " and by " + flag +
                              "; name two files");
   }
+}
+
+void add_input(const std::string& file) {
+  Files& files = files_of_run();
+  if (!is_file(file)) return;
+  files.inputs.push_back(file);
+  for (const std::string& output : files.outputs) require_no_input(output, files.own_model);
 }
 
 void check_outputs(const std::vector<std::string>& outputs) {

@@ -17,4 +17,8 @@ void check_files(const CLI::App& command);
 /// The same of outputs whose names come out during the run. After check_files().
 void check_outputs(const std::vector<std::string>& outputs);
 
+/// A file that a model names and that is read, too: it is none of the outputs, or io::InputError.
+/// After check_files().
+void add_input(const std::string& file);
+
 }  // namespace raceway::cli

@@ -7,6 +7,7 @@
 
 #include "io/data_columns.h"
 #include "io/input_file.h"
+#include "io/signal_channels.h"
 
 // Last: see io/toml_text.h.
 #include "io/column_section.h"
@@ -113,11 +114,16 @@ std::uint64_t order_of(const toml::key& key) {
 
 std::span<const Channel* const> file_channels() {
   static const auto all = [] {
-    std::array<const Channel*, record::channels.size() + 3> list{};
+    constexpr std::array further{&speed_from,
+                                 &speed_to,
+                                 &fall_time_deviation,
+                                 &torque_signal,
+                                 &torque_signal_deviation,
+                                 &reference_torque,
+                                 &calibration_signal};
+    std::array<const Channel*, record::channels.size() + further.size()> list{};
     for (std::size_t k = 0; k < record::channels.size(); ++k) list[k] = &record::channels[k];
-    list[record::channels.size()] = &speed_from;
-    list[record::channels.size() + 1] = &speed_to;
-    list[record::channels.size() + 2] = &fall_time_deviation;
+    std::copy(further.begin(), further.end(), list.begin() + record::channels.size());
     return list;
   }();
   return all;

@@ -8,6 +8,7 @@
 
 #include "io/units.h"
 #include "record/channel.h"
+#include "rig/torque_sensor.h"
 
 namespace raceway::io {
 
@@ -62,10 +63,13 @@ struct ColumnMap {
 /// How a file of measurements is read.
 struct ReadOptions {
   ColumnMap columns{};
+  /// By which a column torque_signal_V becomes friction torque.
+  std::optional<rig::TorqueSensor> sensor{};
   bool drop_nan = false;  ///< rows with a cell that has no number are left out and told
 };
 
-/// All channels that a file may have, those of a record and those of a fall between two speeds.
+/// All channels that a file may have: those of a record, of a fall between two speeds, of a torque
+/// sensor and of its calibration.
 [[nodiscard]] std::span<const record::Channel* const> file_channels();
 
 /// A file with [columns] alone. Throws InputError as read_model().

@@ -39,9 +39,12 @@ void find_falls(const CsvTable& table, const Recognised& found, DataColumns& col
           place_in_header(table, c->name));
     }
   }
+  std::vector<const Channel*> readings{&torque_signal};
   for (const Channel& c : record::channels)
-    if (const ColumnSource* const source = found.find(c);
-        source && (c == record::speed || c.role == Role::measured || c.role == Role::deviation))
+    if (c == record::speed || c.role == Role::measured || c.role == Role::deviation)
+      readings.push_back(&c);
+  for (const Channel* c : readings)
+    if (const ColumnSource* const source = found.find(*c))
       throw InputError(
           fmt::format(
               "{}: column {} beside {}: a file has times between two speeds, speeds at a time, or "
@@ -50,9 +53,66 @@ void find_falls(const CsvTable& table, const Recognised& found, DataColumns& col
           place_in_header(table, source->name));
 }
 
+/// The signal of a torque sensor. With its calibration it takes the place of the torque.
+void find_signal(const CsvTable& table, const Recognised& found, const ReadOptions& options,
+                 const model::Expected& expected, DataColumns& columns) {
+  const ColumnSource* const signal = found.find(torque_signal);
+  const ColumnSource* const deviation = found.find(torque_signal_deviation);
+  if (!signal && deviation)
+    throw InputError(fmt::format("{}: column {} has no {} beside it", place_of_header(table),
+                                 deviation->name, torque_signal.name),
+                     place_in_header(table, deviation->name));
+  if (!signal) return;
+  if (!options.sensor) {
+    const bool alone =
+        std::none_of(columns.places.begin(), columns.places.end(),
+                     [](const ColumnSource& p) { return p.channel->role == Role::measured; });
+    if (alone && !expected.coast_down)
+      throw InputError(
+          fmt::format("{}: column {} needs the calibration of its sensor: the model has no "
+                      "[torque_sensor], which raceway calibrate-sensor CSV -o FILE writes",
+                      place_of_header(table), signal->name),
+          place_in_header(table, signal->name));
+    columns.notes.push_back(
+        fmt::format("column {} is not used: the model has no [torque_sensor]", signal->name));
+    return;
+  }
+  columns.signal = *signal;
+  if (deviation) columns.signal_deviation = *deviation;
+  std::erase_if(columns.places, [&](const ColumnSource& p) {
+    if (!(*p.channel == record::friction_torque) && !(*p.channel == record::torque_deviation))
+      return false;
+    columns.notes.push_back(
+        fmt::format("column {} is not used: the torque is that of {}, by "
+                    "[torque_sensor]",
+                    p.name, signal->name));
+    return true;
+  });
+  columns.places.push_back(*signal);
+  columns.places.back().channel = &record::friction_torque;
+  // Both stand in the table of channels.
+  std::sort(columns.places.begin(), columns.places.end(),
+            [](const ColumnSource& a, const ColumnSource& b) { return a.channel < b.channel; });
+}
+
+/// Names that a column of a record may have been meant to have.
+std::vector<std::string> meant_names(const DataColumns& columns) {
+  std::vector<std::string> names;
+  for (const Channel* c : file_channels())
+    if (!(*c == record::run) && !(*c == reference_torque) && !(*c == calibration_signal) &&
+        (!(*c == fall_time_deviation) || !columns.falls.empty()))
+      names.emplace_back(c->name);
+  return names;
+}
+
 /// Places of what is known; what is not is an error where it looks misspelt.
-void find_places(const CsvTable& table, const ColumnMap& map, DataColumns& columns) {
+void find_places(const CsvTable& table, const ReadOptions& options, const model::Expected& expected,
+                 DataColumns& columns) {
+  const ColumnMap& map = options.columns;
   Recognised found = recognise(table, map);
+  // Columns of the calibration of a sensor are none of a record.
+  for (const Channel* c : {&reference_torque, &calibration_signal})
+    if (const ColumnSource* const source = found.find(*c)) found.others.push_back(source->name);
   find_falls(table, found, columns);
   for (const ColumnSource& source : found.columns) {
     const bool of_fall = !columns.falls.empty() && *source.channel == record::time;
@@ -60,10 +120,8 @@ void find_places(const CsvTable& table, const ColumnMap& map, DataColumns& colum
   }
   columns.constants = std::move(found.constants);
   columns.notes = std::move(found.notes);
-  std::vector<std::string> known;
-  for (const Channel* c : file_channels())
-    if (!(*c == record::run) && (!(*c == fall_time_deviation) || !columns.falls.empty()))
-      known.emplace_back(c->name);
+  find_signal(table, found, options, expected, columns);
+  const std::vector<std::string> known = meant_names(columns);
   for (const std::string& name : found.others) {
     // Whoever has named the columns knows what the others are.
     if (const auto near = map.rules.empty() ? nearest_name(name, known) : std::nullopt)
@@ -178,9 +236,9 @@ bool DataColumns::keeps(const Channel& channel) const {
 }
 
 DataColumns find_columns(const CsvTable& table, const model::ModelSubject& subject,
-                         const model::Expected& expected, const ColumnMap& map) {
+                         const model::Expected& expected, const ReadOptions& options) {
   DataColumns columns;
-  find_places(table, map, columns);
+  find_places(table, options, expected, columns);
   choose_measured(subject, expected, columns);
   require_inputs(table, expected, columns, false);
   require_measured(table, expected, columns);

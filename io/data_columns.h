@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/column_source.h"
+#include "io/signal_channels.h"
 #include "model/model_subject.h"
 
 /// The header of a measurement file; shared with the reader of records, not for other code.
@@ -37,6 +39,9 @@ struct DataColumns {
   /// Measured channels that are kept, and those that are not. Both are empty for a coast-down.
   std::vector<const record::Channel*> measured, unused;
   std::vector<Place> falls;  ///< of times between two speeds; empty where the file has none
+  /// Of the sensor that measures the torque, where its calibration is known; `places` has it as the
+  /// friction torque.
+  std::optional<Place> signal, signal_deviation;
   std::vector<Recognised::Constant> constants;  ///< of channels without a column
   std::vector<std::string> notes;               ///< on units and on columns that nobody knows
 
@@ -51,6 +56,6 @@ struct DataColumns {
 
 /// Throws InputError for a column that looks misspelt and for one that is missing.
 [[nodiscard]] DataColumns find_columns(const CsvTable& table, const model::ModelSubject& subject,
-                                       const model::Expected& expected, const ColumnMap& map);
+                                       const model::Expected& expected, const ReadOptions& options);
 
 }  // namespace raceway::io

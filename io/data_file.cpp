@@ -16,6 +16,7 @@
 #include "io/timestamp.h"
 #include "rig/coast_down.h"
 #include "rig/fall_times.h"
+#include "rig/torque_sensor.h"
 #include "rig/unknown_inertia.h"
 
 namespace raceway::io {
@@ -37,7 +38,8 @@ class Reader {
       : table_(std::move(table)),
         subject_(subject),
         expected_(subject.expected()),
-        columns_(find_columns(table_, subject, expected_, options.columns)),
+        sensor_(options.sensor),
+        columns_(find_columns(table_, subject, expected_, options)),
         dropped_(options.drop_nan ? drop_empty_rows(table_, used_columns()) : std::string()),
         bad_(table_.source, table_.rows()),
         notes_(columns_.notes) {
@@ -50,9 +52,14 @@ class Reader {
         values(*place.channel) = runs(place);
       else if (is_stamped(place))
         values(*place.channel) = times(place);
+      else if (columns_.signal && *place.channel == record::friction_torque)
+        values(*place.channel) = numbers(*columns_.signal, *place.channel);
       else
-        values(*place.channel) = numbers(place);
+        values(*place.channel) = numbers(place, *place.channel);
     }
+    if (columns_.signal_deviation)
+      values(record::torque_deviation) =
+          numbers(*columns_.signal_deviation, record::torque_deviation);
     if (!columns_.falls.empty()) read_falls();
     check_decimal_marks();
     note_form();
@@ -64,6 +71,7 @@ class Reader {
           [&](const model::Rig& of) { return rig::coast_down_torque(samples, of).record; });
     }
     bad_.throw_if_any();
+    if (columns_.signal) make_torques();
     note_what_is_left_out();
     return record();
   }
@@ -88,8 +96,8 @@ class Reader {
     return cell(*columns_.find(*record::find_channel(channel.of)), row).empty();
   }
 
-  std::vector<double> numbers(const DataColumns::Place& place) {
-    const Channel& c = *place.channel;
+  /// Of a column that stands for channel `c`.
+  std::vector<double> numbers(const DataColumns::Place& place, const Channel& c) {
     const auto& below_zero = expected_.signed_inputs;
     const bool with_sign = std::any_of(below_zero.begin(), below_zero.end(),
                                        [&](const Channel* s) { return *s == c; });
@@ -108,9 +116,21 @@ class Reader {
     return list;
   }
 
+  /// Signals of the torque sensor, and their deviations, become torques.
+  void make_torques() {
+    std::vector<int> lines;
+    for (std::size_t row = 0; row < table_.rows(); ++row) lines.push_back(table_.line(row));
+    rig::SensedTorques sensed = rig::sensed_torques(*sensor_, values(record::friction_torque),
+                                                    values(record::torque_deviation), lines);
+    values(record::friction_torque) = std::move(sensed.torque);
+    values(record::torque_deviation) = std::move(sensed.std);
+    notes_.insert(notes_.end(), sensed.notes.begin(), sensed.notes.end());
+  }
+
   /// Columns whose cells count.
   [[nodiscard]] std::vector<ColumnSource> used_columns() const {
     std::vector<ColumnSource> used = columns_.falls;
+    if (columns_.signal_deviation) used.push_back(*columns_.signal_deviation);
     for (const DataColumns::Place& place : columns_.places)
       if (columns_.keeps(*place.channel) && !is_unused(*place.channel)) used.push_back(place);
     return used;
@@ -292,7 +312,7 @@ class Reader {
   void read_falls() {
     falls_.resize(table_.rows());
     for (const DataColumns::Place& place : columns_.falls) {
-      const std::vector<double> list = numbers(place);
+      const std::vector<double> list = numbers(place, *place.channel);
       for (std::size_t row = 0; row < list.size(); ++row)
         (*place.channel == speed_from  ? falls_[row].from
          : *place.channel == speed_to  ? falls_[row].to
@@ -360,6 +380,7 @@ class Reader {
   CsvTable table_;
   const model::ModelSubject& subject_;
   model::Expected expected_;
+  std::optional<rig::TorqueSensor> sensor_;
   DataColumns columns_;
   std::string dropped_;  // what is said of rows without a number
   BadCells bad_;

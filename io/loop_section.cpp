@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,6 +9,7 @@
 
 // Last: see io/toml_text.h.
 #include "io/loop_section.h"
+#include "io/number_lists.h"
 
 namespace raceway::io {
 namespace {
@@ -79,31 +79,20 @@ class CovarianceReader {
   fit::Covariance read() {
     s_.allow_only({"parameters", "units", "values", "std", "correlation"});
     fit::Covariance c;
-    c.names = names_in(s_, "parameters", required("parameters"), model_);
+    c.names = names_in(s_, "parameters", required_node(s_, "parameters"), model_);
     count_ = c.names.size();
     check_units(c.names);
-    const std::vector<double> values = numbers("values", required("values"), count_);
-    const std::vector<double> std = numbers("std", required("std"), count_);
-    if (std::any_of(std.begin(), std.end(), [](double v) { return v < 0.0; }))
-      s_.fail("std", "std: no standard deviation may be below 0");
-    const auto size = static_cast<Eigen::Index>(count_);
-    c.values = Eigen::Map<const Eigen::VectorXd>(values.data(), size);
-    const Eigen::VectorXd scale = Eigen::Map<const Eigen::VectorXd>(std.data(), size);
-    c.matrix = scale.asDiagonal() * correlation() * scale.asDiagonal();
+    const std::vector<double> values = numbers(s_, "values", required_node(s_, "values"), count_);
+    c.values = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(count_));
+    c.matrix = covariance_of(s_, count_);
     return c;
   }
 
  private:
-  const toml::node& required(std::string_view key) const {
-    const toml::node* const node = s_.find(key);
-    if (!node) s_.fail(key, fmt::format("[{}] {} is missing", s_.name(), key));
-    return *node;
-  }
-
   void check_units(const Names& names) const {
-    const toml::node& node = required("units");
+    const toml::node& node = required_node(s_, "units");
     const toml::array* const list = node.as_array();
-    if (!list || list->size() != names.size()) wrong_count("units", node, names.size());
+    if (!list || list->size() != names.size()) fail_count(s_, "units", node, names.size());
     for (std::size_t k = 0; k < names.size(); ++k) {
       const auto p = std::find_if(known_.begin(), known_.end(),
                                   [&](const auto& one) { return one.name == names[k]; });
@@ -112,59 +101,6 @@ class CovarianceReader {
                                      shown(*list->get(k)), names[k], p->unit),
                          s_.at("units", list->get(k)));
     }
-  }
-
-  [[noreturn]] void wrong_count(std::string_view key, const toml::node& node,
-                                std::size_t count) const {
-    throw InputError(
-        fmt::format("{}: {} = {}: must be a list of {}", s_.place(&node), key, shown(node), count),
-        s_.at(key, &node));
-  }
-
-  std::vector<double> numbers(std::string_view key, const toml::node& node,
-                              std::size_t count) const {
-    const toml::array* const list = node.as_array();
-    if (!list || list->size() != count) wrong_count(key, node, count);
-    std::vector<double> result;
-    for (const toml::node& entry : *list) {
-      const auto value = entry.value<double>();
-      if (!value || !std::isfinite(*value))
-        throw InputError(
-            fmt::format("{}: {} = {}: must be a number", s_.place(&entry), key, shown(entry)),
-            s_.at(key, &entry));
-      result.push_back(*value);
-    }
-    return result;
-  }
-
-  /// The lower triangle with its diagonal of ones.
-  Eigen::MatrixXd correlation() const {
-    constexpr double rounding = 1e-9;  // of the digits that are written
-    const toml::node& node = required("correlation");
-    const toml::array* const rows = node.as_array();
-    if (!rows || rows->size() != count_) wrong_count("correlation", node, count_);
-    const auto size = static_cast<Eigen::Index>(count_);
-    Eigen::MatrixXd matrix(size, size);
-    for (std::size_t i = 0; i < count_; ++i) {
-      const std::vector<double> row = numbers("correlation", *rows->get(i), i + 1);
-      for (std::size_t j = 0; j <= i; ++j) {
-        if (i == j ? row[j] != 1.0 : std::abs(row[j]) > 1.0)
-          throw InputError(fmt::format("{}: correlation = {}: {}", s_.place(rows->get(i)), row[j],
-                                       i == j ? "each row ends with 1, of a parameter with itself"
-                                              : "must be from -1 to 1"),
-                           s_.at("correlation", rows->get(i)));
-        matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-            matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = row[j];
-      }
-    }
-    const double least =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().minCoeff();
-    if (least < -rounding)
-      s_.fail("correlation",
-              fmt::format("correlation: no parameters can be correlated like that (not positive "
-                          "semidefinite, least eigenvalue {:.2g})",
-                          least));
-    return matrix;
   }
 
   const Section& s_;

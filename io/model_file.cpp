@@ -17,14 +17,16 @@
 #include "io/friction_section.h"
 #include "io/loop_section.h"
 #include "io/rig_section.h"
+#include "io/sensor_section.h"
 #include "io/shaft_section.h"
 
 namespace raceway::io {
 namespace {
 
 void check_tables(const ModelTables& tables) {
-  const Names known{"bearing",  "lubricant",   "friction", "arrangement", "rig",    "solver",
-                    "material", "calibration", "loop",     "effect",      "columns"};
+  const Names known{"bearing", "lubricant", "friction", "arrangement",
+                    "rig",     "solver",    "material", "calibration",
+                    "loop",    "effect",    "columns",  "torque_sensor"};
   for (const auto& [key, node] : tables.root()) {
     const std::string name(key.str());
     const std::string place = tables.place(key);
@@ -132,6 +134,7 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);
   ColumnMap columns = read_columns(tables);
+  SensorOfFile sensor = read_torque_sensor(tables);
   std::vector<std::string> notes = notes_on_effects(model);
   note_the_implausible(model, notes);
   model.covariance = read_covariance(tables, model);
@@ -147,7 +150,9 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
           .written = std::move(written),
           .defaults = tables.defaults(),
           .notes = std::move(notes),
-          .columns = std::move(columns)};
+          .columns = std::move(columns),
+          .sensor = std::move(sensor.sensor),
+          .sensor_file = std::move(sensor.file)};
 }
 
 }  // namespace

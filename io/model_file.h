@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "io/catalogue_file.h"
 #include "io/column_map.h"
 #include "model/model.h"
+#include "rig/torque_sensor.h"
 
 namespace raceway::io {
 
@@ -27,6 +29,9 @@ struct ModelFile {
   /// What else the user should know, one line each, without the file's name.
   std::vector<std::string> notes = {};
   ColumnMap columns = {};  ///< how its measurements are written
+  /// Of the sensor that measures its torque, where it says.
+  std::optional<rig::TorqueSensor> sensor = {};
+  std::string sensor_file = {};  ///< that it is read from, where that is another file
 };
 
 /// Reads a TOML model (keys with their units: docs/files.md) into SI.

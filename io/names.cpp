@@ -37,6 +37,15 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
   return std::nullopt;
 }
 
+std::string in_quotes(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
 std::string listed(std::span<const std::string> names, std::string_view last_word) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -22,6 +22,9 @@ using record::edit_distance;
 [[nodiscard]] std::optional<std::string> nearest_name(std::string_view name,
                                                       std::span<const std::string> known);
 
+/// As TOML has a text: "..." with quotes and backslashes written as \" and \\.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
 /// "a, b and c", `last_word` being the word before the last.
 [[nodiscard]] std::string listed(std::span<const std::string> names,
                                  std::string_view last_word = "and");

@@ -11,6 +11,7 @@
 #include "io/column_source.h"
 #include "io/missing_cell.h"
 #include "io/names.h"
+#include "io/signal_channels.h"
 #include "io/timestamp.h"
 
 namespace raceway::io {
@@ -47,7 +48,10 @@ const std::array vocabulary{
     Words{&record::friction_torque,
           "reibmoment reibungsmoment friction_torque friction drehmoment torque moment mr m_r m"},
     Words{&record::axial_displacement,
-          "verlagerung verschiebung axialverschiebung displacement weg position"}};
+          "verlagerung verschiebung axialverschiebung displacement weg position"},
+    Words{&torque_signal,
+          "torque_signal drehmomentsignal momentsignal reibmoment drehmoment torque moment signal "
+          "dms dehnungsmessstreifen strain_gauge br\u00fccke bruecke bridge"}};
 
 /// Small letters, everything between words as "_".
 std::string plain(std::string_view text) {
@@ -106,6 +110,8 @@ std::optional<Proposal> proposal(const CsvTable& table, std::size_t column, cons
              .score = match(plain(parts.name), words.words)};
   // A unit of another kind: "Last [mm]" is no load.
   if (p.score == 0 || (some_unit && !p.unit)) return std::nullopt;
+  // Any sensor has a signal.
+  if (*words.channel == torque_signal && !p.unit) return std::nullopt;
   const bool numbers = all_cells(table, column, [&](std::string_view cell) {
     return parse_number(cell, table.separator != ',').problem.empty();
   });
@@ -132,8 +138,10 @@ std::vector<Proposal> proposals(const CsvTable& table, const model::ModelSubject
     const auto measured = subject.measured();
     const bool predicted =
         words.channel->role != Role::measured ||
-        std::any_of(measured.begin(), measured.end(),
-                    [&](const fit::Measured& m) { return *m.channel == *words.channel; });
+        std::any_of(measured.begin(), measured.end(), [&](const fit::Measured& m) {
+          return *m.channel == *words.channel ||
+                 (*m.channel == record::friction_torque && *words.channel == torque_signal);
+        });
     for (std::size_t c = 0; predicted && c < table.header.size(); ++c)
       if (const auto p = proposal(table, c, words)) all.push_back(*p);
   }
@@ -145,15 +153,6 @@ std::vector<Proposal> proposals(const CsvTable& table, const model::ModelSubject
         }))
       chosen.push_back(p);
   return chosen;
-}
-
-std::string in_quotes(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c;
-  }
-  return result + "\"";
 }
 
 std::string line_of(const CsvTable& table, const Proposal& p) {
@@ -178,7 +177,8 @@ std::vector<std::string> missing_lines(const model::ModelSubject& subject,
   std::vector<std::string> lines;
   const bool coast_down = subject.expected().coast_down && found(record::time);
   for (const fit::Measured& m : subject.measured())
-    if (!found(*m.channel) && !coast_down)
+    if (!found(*m.channel) && !coast_down &&
+        !(*m.channel == record::friction_torque && found(torque_signal)))
       lines.push_back(fmt::format("# {} = \"...\"  # not found, and needed", m.channel->name));
   for (const model::Expected::Default& d : subject.expected().defaults) {
     if (found(*d.channel)) continue;
@@ -199,9 +199,9 @@ std::string text_of(const CsvTable& table, const model::ModelSubject& subject) {
       "# Columns of {}, proposed by their words and units: look through it.\n"
       "# For --columns FILE, or to be put into the model.\n[columns]\n",
       std::filesystem::path(table.source).filename().string());
-  for (const Channel& channel : record::channels)
+  for (const Channel* channel : file_channels())
     for (const Proposal& p : chosen)
-      if (*p.channel == channel) text += line_of(table, p) + "\n";
+      if (*p.channel == *channel) text += line_of(table, p) + "\n";
   for (const std::string& line : missing_lines(subject, chosen)) text += line + "\n";
   std::vector<std::string> others;
   for (std::size_t c = 0; c < table.header.size(); ++c)

@@ -60,7 +60,10 @@ constexpr std::array all_units{
     Unit{"W", "W", D::power, 1.0},
     Unit{"kW", "kW", D::power, 1e3},
     Unit{"mm2_s", "mm2/s", D::viscosity, mm2_per_s, 0, "cSt"},
-    Unit{"N_um", "N/um", D::stiffness, N_per_um}};
+    Unit{"N_um", "N/um", D::stiffness, N_per_um},
+    Unit{"V", "V", D::voltage, 1.0, 0, "Volt volt"},
+    Unit{"mV", "mV", D::voltage, 1e-3},
+    Unit{"uV", "uV", D::voltage, 1e-6}};
 
 /// Without blanks, brackets, dots of products and degree signs; micro is "u", a superscript the
 /// digit, a slash "_".

@@ -19,7 +19,8 @@ enum class Dimension {
   pressure,
   power,
   viscosity,
-  stiffness
+  stiffness,
+  voltage
 };
 
 /// A unit that files may have.

@@ -125,7 +125,7 @@ TEST_P(Page, PrintsWhatItShows) {
 INSTANTIATE_TEST_SUITE_P(Documentation, Page,
                          testing::Values("README.md", "docs/coast-down.md", "docs/kinematic-law.md",
                                          "docs/laws.md", "docs/loop.md", "docs/shaft.md",
-                                         "docs/worked-examples.md"),
+                                         "docs/torque-sensor.md", "docs/worked-examples.md"),
                          [](const auto& p) {
                            std::string name = fs::path(p.param).stem().string();
                            std::erase(name, '-');

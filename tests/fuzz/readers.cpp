@@ -11,6 +11,7 @@
 #include "io/displacement_curve.h"
 #include "io/error.h"
 #include "io/model_file.h"
+#include "io/sensor_file.h"
 #include "io/subject.h"
 #include "io/table_file.h"
 #include "tests/support/model_text.h"
@@ -48,6 +49,13 @@ void data(const std::string& text) {
       subject("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n");
   for (const Subject& of : {rig, shaft})
     refusable([&] { (void)io::parse_record(text, "data.csv", *of); });
+  refusable([&] {
+    const io::SensorReadings read = io::parse_sensor_readings(text, "data.csv");
+    try {
+      (void)rig::calibrate_sensor(read.readings);
+    } catch (const std::invalid_argument&) {  // said by the command, with the file
+    }
+  });
 }
 
 void catalogue(const std::string& text) {

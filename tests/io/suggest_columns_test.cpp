@@ -10,6 +10,7 @@ namespace raceway::io {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 std::string suggested(const std::string& text) {
   return suggested_columns_of(text, "d.csv", *make_subject(fit::synthetic_model()));
@@ -44,6 +45,14 @@ TEST(SuggestColumns, WhatIsNotFoundStandsAsAComment) {
   EXPECT_THAT(map, HasSubstr("# friction_torque_Nmm = \"...\"  # not found, and needed\n"));
   EXPECT_THAT(map, HasSubstr("# axial_load_N = \"...\"  # not found, and needed: a column, or a "
                              "number for all rows\n"));
+}
+
+TEST(SuggestColumns, VoltsOfATorqueAreTheSignalOfItsSensor) {
+  const std::string map = suggested("n [rpm],Fa [N],Drehmoment [mV],Signal\n1,2,3,4\n2,3,4,5\n");
+  EXPECT_THAT(map,
+              HasSubstr("torque_signal_V = { column = \"Drehmoment [mV]\", unit = \"mV\" }\n"));
+  EXPECT_THAT(map, HasSubstr("# not used: \"Signal\"\n"));
+  EXPECT_THAT(map, Not(HasSubstr("friction_torque_Nmm")));
 }
 
 TEST(SuggestColumns, AColumnOfAnotherKindOfUnitIsNotTaken) {

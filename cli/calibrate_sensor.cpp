@@ -1,0 +1,164 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/data_flag.h"
+#include "cli/messages.h"
+#include "cli/text_table.h"
+#include "io/error.h"
+#include "io/output_file.h"
+#include "io/sensor_file.h"
+
+namespace raceway::cli {
+namespace {
+
+struct SensorFlags {
+  std::string readings, degree = "auto", output;
+  bool json = false, force = false;
+  DataFlag reading;
+};
+
+std::optional<int> degree_of(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  if (text.size() == 1 && text[0] >= '1' && text[0] <= '0' + rig::highest_sensor_degree)
+    return text[0] - '0';
+  throw io::InputError(fmt::format("--degree = {}: must be 1, 2, 3 or auto", text),
+                       {.key = "--degree"});
+}
+
+std::string p_text(double p) { return p < 1e-4 ? "p < 0.0001" : fmt::format("p = {:.2g}", p); }
+
+std::string percent(const rig::SensorCalibration& c, double signal) {
+  return fmt::format("{:.2g} % of the range", 100.0 * std::abs(signal) / c.signal_range);
+}
+
+void print_curve(const rig::SensorCalibration& c, const std::string& source) {
+  const rig::TorqueSensor& s = c.sensor;
+  fmt::print("signal = b0 + b1 M{}{}, M in N m, of {}\n", c.degree() > 1 ? " + b2 M2" : "",
+             c.degree() > 2 ? " + b3 M3" : "", source);
+  fmt::print("{} readings at {} torques, {:.6g} to {:.6g} N m, {:.6g} to {:.6g} V\n\n", c.readings,
+             c.torques, s.lowest_torque, s.highest_torque, s.lowest_signal, s.highest_signal);
+  TextTable table(
+      {{"coefficient", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
+  for (int k = 0; k <= c.degree(); ++k)
+    table.add({fmt::format("b{}", k), number(s.coefficients[k], 6), number(c.std(k), 2),
+               io::coefficient_unit(k)});
+  fmt::print("{}", table.text(terminal_width()));
+  if (c.degree() == 1)
+    fmt::print("M = (signal {} {:.6g} V) / {:.6g} V/Nm\n", s.coefficients[0] < 0.0 ? '+' : '-',
+               std::abs(s.coefficients[0]), s.coefficients[1]);
+}
+
+void print_tests(const rig::SensorCalibration& c) {
+  fmt::print("\nscatter     {} V of a reading, {}; the gain is known to {:.2g} %\n",
+             number(c.sensor.scatter, 3), percent(c, c.sensor.scatter),
+             100.0 * c.range_std / c.signal_range);
+  fmt::print("linearity   {} V off the best straight line, {}", number(c.off_line, 3),
+             percent(c, c.off_line));
+  if (c.degree() > 1) fmt::print("; {} V off this curve", number(c.off_curve, 3));
+  fmt::print("\n");
+  const rig::LackOfFit& lack = c.lack_of_fit;
+  if (std::isnan(lack.statistic))
+    fmt::print("            not tested against repeated readings\n");
+  else
+    fmt::print("            lack of fit F({}, {}) = {:.3g}, {}\n", lack.degrees, lack.error_degrees,
+               lack.statistic, p_text(lack.p_value));
+  const rig::Hysteresis& h = c.hysteresis;
+  if (h.torques == 0)
+    fmt::print("hysteresis  not known\n");
+  else
+    fmt::print("hysteresis  {} V falling less rising at {:.4g} N m, {}{}\n", number(h.largest, 3),
+               h.largest_at, percent(c, h.largest),
+               !std::isnan(h.p_value) ? "; " + p_text(h.p_value)
+               : h.torques == 1       ? "; one torque does not tell it from scatter"
+                                      : "; two torques do not tell it from scatter");
+}
+
+/// What a record made with this sensor will have for its rows.
+void print_errors(const rig::SensorCalibration& c) {
+  const rig::TorqueSensor& s = c.sensor;
+  if (s.scatter == 0.0) return;
+  fmt::print("\n");
+  TextTable table({{"torque", "N m"}, {"std of a reading", "N mm"}, {"common to all", "N mm"}});
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const double torque = s.lowest_torque + share * (s.highest_torque - s.lowest_torque);
+    const rig::SensedTorque one = rig::torque_of(s, rig::signal_at(s, torque));
+    table.add({number(torque, 4), number(one.std / N_mm, 3), number(one.common / N_mm, 3)});
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+int run(const SensorFlags& flags) {
+  const std::optional<int> degree = degree_of(flags.degree);
+  if (flags.readings == "-" && isatty(STDIN_FILENO) != 0)
+    throw io::InputError("raceway calibrate-sensor: CSV is -, and nothing is piped in",
+                         {.key = "CSV"});
+  if (flags.json && flags.output == "-")
+    throw io::InputError(
+        "raceway calibrate-sensor: --json and --output - both write to stdout; take one",
+        {.key = "--output"});
+  const bool to_file = !flags.output.empty() && flags.output != "-";
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (to_file) io::require_writable(flags.output, if_exists);
+
+  const io::SensorReadings read = io::read_sensor_readings(flags.readings, flags.reading.options());
+  tell(read.notes);
+  const rig::SensorCalibration c = [&] {
+    try {
+      return rig::calibrate_sensor(read.readings, degree);
+    } catch (const std::invalid_argument& e) {
+      throw io::InputError(read.source + ": " + e.what(), {.file = read.source});
+    }
+  }();
+  tell(c.notes);
+  warn(c.warnings);
+  if (flags.json) {
+    put_document(io::sensor_calibration_json(c, read.source));
+  } else if (flags.output != "-") {
+    print_curve(c, read.source);
+    print_tests(c);
+    print_errors(c);
+  }
+  const std::string text = io::torque_sensor_text(c, read.source);
+  if (to_file) {
+    io::write_text(flags.output, text, if_exists);
+    say(flags.output + " written");
+  } else if (flags.output == "-") {
+    fmt::print("{}", text);
+  }
+  return done;
+}
+
+}  // namespace
+
+Run setup_calibrate_sensor(CLI::App& command) {
+  auto flags = std::make_shared<SensorFlags>();
+  command
+      .add_option("CSV", flags->readings,
+                  "reference_Nm, signal_V: readings with known torques, in the order in which they "
+                  "were taken; - for stdin")
+      ->required()
+      ->type_name("");
+  command
+      .add_option("--degree", flags->degree,
+                  "1 line, 2 parabola, 3 cubic; auto: the lowest that the readings follow")
+      ->capture_default_str()
+      ->type_name("N");
+  command
+      .add_option("-o,--output", flags->output,
+                  "[torque_sensor] to write, for a model to hold or to name; - for stdout")
+      ->type_name("FILE");
+  flags->reading.declare(command);
+  command.add_flag("--force", flags->force, "replace the file if it exists");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer(
+      "Records with a column torque_signal_V are then read as friction torque by every command\n"
+      "whose model has the table, or [torque_sensor] with file = \"sensor.toml\".\n\n"
+      "Example:\n  raceway calibrate-sensor weights.csv -o sensor.toml");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+// Last: see io/toml_text.h.
+#include "io/model_section.h"
+
+/// Lists of numbers in a table of a model file; shared by its readers, not for other code. All
+/// throw InputError with the place.
+namespace raceway::io {
+
+/// The value of a key that must be there.
+[[nodiscard]] const toml::node& required_node(const Section& s, std::string_view key);
+
+[[noreturn]] void fail_count(const Section& s, std::string_view key, const toml::node& node,
+                             std::size_t count);
+
+/// So many finite numbers.
+[[nodiscard]] std::vector<double> numbers(const Section& s, std::string_view key,
+                                          const toml::node& node, std::size_t count);
+
+/// The covariance that `std` and the lower triangle `correlation`, with its diagonal of ones, say.
+[[nodiscard]] Eigen::MatrixXd covariance_of(const Section& s, std::size_t count);
+
+}  // namespace raceway::io

@@ -1,0 +1,175 @@
+#include "io/sensor_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/bad_cells.h"
+#include "io/column_source.h"
+#include "io/csv.h"
+#include "io/error.h"
+#include "io/json_text.h"
+#include "io/names.h"
+#include "io/number_text.h"
+#include "io/printable.h"
+#include "io/signal_channels.h"
+
+namespace raceway::io {
+namespace {
+
+const ColumnSource& required(const CsvTable& table, const Recognised& found,
+                             const record::Channel& channel,
+                             const record::Channel* other = nullptr) {
+  if (const ColumnSource* const source = found.find(channel)) return *source;
+  if (const ColumnSource* const source = other ? found.find(*other) : nullptr) return *source;
+  throw InputError(
+      fmt::format("{}:{}: column {} is missing{}; the header has {}. A calibration has {} and {}; "
+                  "--columns FILE says which of other names are these",
+                  table.source, table.header_line, channel.name,
+                  suggestion(channel.name, table.header), listed(table.header),
+                  reference_torque.name, calibration_signal.name),
+      {table.source, table.header_line, std::string(channel.name)});
+}
+
+SensorReadings readings_of(CsvTable table, const ReadOptions& options) {
+  const Recognised found = recognise(table, options.columns);
+  const ColumnSource& reference = required(table, found, reference_torque);
+  const ColumnSource& signal = required(table, found, calibration_signal, &torque_signal);
+  SensorReadings result{.source = table.source, .notes = table.notes};
+  result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
+  if (options.drop_nan)
+    if (std::string note = drop_empty_rows(table, {reference, signal}); !note.empty())
+      result.notes.push_back(std::move(note));
+  std::vector<std::string> unused;
+  for (std::size_t c = 0; c < table.header.size(); ++c)
+    if (c != reference.column && c != signal.column) unused.push_back(table.header[c]);
+  if (!unused.empty()) result.notes.push_back("not used: " + listed(unused));
+  BadCells bad(table.source, table.rows());
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    result.readings.push_back({.torque = si_of_cell(table, row, reference, false, bad).value,
+                               .signal = si_of_cell(table, row, signal, false, bad).value,
+                               .line = table.line(row)});
+  bad.throw_if_any();
+  return result;
+}
+
+/// Of two coefficients; 0 where one does not scatter.
+double correlation(const Eigen::MatrixXd& c, int i, int j) {
+  if (i == j) return 1.0;
+  const double scale = std::sqrt(c(i, i) * c(j, j));
+  return scale > 0.0 ? std::clamp(c(i, j) / scale, -1.0, 1.0) : 0.0;
+}
+
+/// Lists of the file, a text for each number.
+struct Lists {
+  std::vector<std::string> coefficients{}, units{}, std{}, correlation{};
+};
+
+Lists lists_of(const rig::SensorCalibration& c) {
+  Lists lists;
+  for (int k = 0; k <= c.degree(); ++k) {
+    lists.coefficients.push_back(fmt::format("{}", with_15_digits(c.sensor.coefficients[k])));
+    lists.units.push_back(in_quotes(coefficient_unit(k)));
+    lists.std.push_back(fmt::format("{}", with_digits(c.std(k), 6)));
+    std::vector<std::string> row;
+    for (int j = 0; j <= k; ++j)
+      row.push_back(fmt::format("{}", with_digits(correlation(c.sensor.covariance, k, j), 12)));
+    lists.correlation.push_back(fmt::format("  [{}],", fmt::join(row, ", ")));
+  }
+  return lists;
+}
+
+}  // namespace
+
+SensorReadings read_sensor_readings(const std::string& path, const ReadOptions& options) {
+  return readings_of(read_measurements(path, options), options);
+}
+
+SensorReadings parse_sensor_readings(std::string text, const std::string& source,
+                                     const ReadOptions& options) {
+  return readings_of(parse_measurements(std::move(text), source, options), options);
+}
+
+std::string coefficient_unit(int coefficient) {
+  return coefficient == 0 ? "V" : coefficient == 1 ? "V/Nm" : fmt::format("V/Nm{}", coefficient);
+}
+
+std::string torque_sensor_text(const rig::SensorCalibration& c, std::string_view source) {
+  const rig::TorqueSensor& s = c.sensor;
+  const Lists lists = lists_of(c);
+  const auto digits = [](double value) { return fmt::format("{}", with_15_digits(value)); };
+  return fmt::format(
+      "[torque_sensor]  # signal in V = the sum of coefficient k times M^k, M the torque in N m\n"
+      "coefficients = [{}]\n"
+      "units = [{}]\n"
+      "std = [{}]\n"
+      "correlation = [\n{}\n]\n"
+      "residual_std_V = {}  # of one reading; {} degrees of freedom\n"
+      "torque_from_Nm = {}  # what the calibration has seen; beyond it the tangent holds\n"
+      "torque_to_Nm = {}\n"
+      "signal_from_V = {}\n"
+      "signal_to_V = {}\n"
+      "readings = {}\n"
+      "source = {}\n"
+      "# zero_V = 0.0  # signal without torque on the day of the test, in place of the first "
+      "coefficient\n",
+      fmt::join(lists.coefficients, ", "), fmt::join(lists.units, ", "), fmt::join(lists.std, ", "),
+      fmt::join(lists.correlation, "\n"), digits(with_digits(s.scatter, 6)), c.degrees_of_freedom,
+      digits(s.lowest_torque), digits(s.highest_torque), digits(s.lowest_signal),
+      digits(s.highest_signal), c.readings, in_quotes(printable(source)));
+}
+
+std::string sensor_calibration_json(const rig::SensorCalibration& c, const std::string& source) {
+  const rig::TorqueSensor& s = c.sensor;
+  json coefficients = json::array(), correlations = json::array();
+  for (int k = 0; k <= c.degree(); ++k) {
+    coefficients.push_back(
+        {{"value", s.coefficients[k]}, {"std", c.std(k)}, {"unit", coefficient_unit(k)}});
+    json row = json::array();
+    for (int j = 0; j <= k; ++j) row.push_back(correlation(s.covariance, k, j));
+    correlations.push_back(row);
+  }
+  const auto percent = [&](double signal) { return 100.0 * signal / c.signal_range; };
+  const rig::LackOfFit& lack = c.lack_of_fit;
+  const rig::Hysteresis& h = c.hysteresis;
+  return text({{"source", source},
+               {"degree", c.degree()},
+               {"coefficients", coefficients},
+               {"correlation", correlations},
+               {"residual_std_V", s.scatter},
+               {"readings", c.readings},
+               {"torques", c.torques},
+               {"degrees_of_freedom", c.degrees_of_freedom},
+               {"torque_from_Nm", s.lowest_torque},
+               {"torque_to_Nm", s.highest_torque},
+               {"signal_from_V", s.lowest_signal},
+               {"signal_to_V", s.highest_signal},
+               {"gain_std_percent", percent(c.range_std)},
+               {"linearity",
+                {{"off_line_V", c.off_line},
+                 {"off_line_percent", percent(c.off_line)},
+                 {"off_curve_V", c.off_curve},
+                 {"higher_terms_p_value", c.higher_terms_p_value}}},
+               {"lack_of_fit",
+                {{"statistic", lack.statistic},
+                 {"p_value", lack.p_value},
+                 {"degrees", lack.degrees},
+                 {"error_degrees", lack.error_degrees},
+                 {"repeatability_V", lack.repeatability}}},
+               {"hysteresis",
+                {{"torques", h.torques},
+                 {"mean_V", h.mean},
+                 {"largest_V", h.largest},
+                 {"largest_percent", percent(h.largest)},
+                 {"largest_at_Nm", h.largest_at},
+                 {"p_value", h.p_value}}},
+               {"even_scatter",
+                {{"p_value", c.even_scatter_p_value},
+                 {"low_V", c.scatter_low},
+                 {"high_V", c.scatter_high}}},
+               {"notes", c.notes},
+               {"warnings", c.warnings}});
+}
+
+}  // namespace raceway::io
