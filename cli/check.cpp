@@ -9,7 +9,6 @@
 #include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
-#include "io/doubts.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/record_text.h"
@@ -111,7 +110,6 @@ int run(const CheckFlags& flags) {
   const fit::Check check = fit::check(*subject, data);
   std::vector<std::string> notes = file.notes;
   notes.insert(notes.end(), data.notes.begin(), data.notes.end());
-  for (const std::string& doubt : io::doubts(*subject, data)) notes.push_back(doubt);
   if (!check.problem.empty()) {
     warn({check.problem});
     notes.push_back(check.problem);

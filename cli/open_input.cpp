@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/process.h"
 #include "cli/run_files.h"
@@ -84,16 +85,36 @@ io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used) {
   return {.file = file.source, .model = used, .defaults = file.defaults};
 }
 
-record::Record open_data(const std::string& path, const model::ModelSubject& subject,
-                         const io::ReadOptions& options) {
+namespace {
+
+/// Each of `lines` on stderr, and into the notes of the record for who reads its results as JSON.
+/// `from`: the file, where it is one of several.
+void put(record::Record& data, std::vector<std::string> lines, const std::string& from,
+         void (*say)(const std::vector<std::string>&)) {
+  for (std::string& line : lines)
+    if (!from.empty()) line.insert(0, from + ": ");
+  say(lines);
+  data.notes.insert(data.notes.end(), lines.begin(), lines.end());
+}
+
+record::Record open_one(const std::string& path, const model::ModelSubject& subject,
+                        const io::ReadOptions& options, bool of_several) {
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
   record::Record data = io::read_record(path, subject, options);
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(std::move(note));
-  tell(data.notes);
-  for (const std::string& doubt : io::doubts(subject, data)) warn(doubt);
+  const std::string from = of_several ? path : std::string();
+  put(data, std::exchange(data.notes, {}), from, tell);
+  put(data, io::doubts(subject, data), from, warn);
   return data;
+}
+
+}  // namespace
+
+record::Record open_data(const std::string& path, const model::ModelSubject& subject,
+                         const io::ReadOptions& options) {
+  return open_one(path, subject, options, false);
 }
 
 void tell_of_scale(const record::Record& data, std::vector<std::string>& messages) {
@@ -108,7 +129,7 @@ record::Record open_records(const std::vector<std::string>& paths, const std::st
   if (paths.size() == 1) return open_data(paths.front(), subject, options);
   std::vector<record::Record> records;
   for (const std::string& path : paths) {
-    records.push_back(open_data(path, subject, options));
+    records.push_back(open_one(path, subject, options, true));
     try {
       subject.require(records.back());
     } catch (const std::invalid_argument& e) {

@@ -30,7 +30,8 @@ enum class Defaults { count, keep };
 /// friction torque: the law takes no account of it.
 void warn_of_ignored_data(const io::ModelFile& file);
 
-/// Reads measurements for a model, a coast-down turned into torque, and tells the notes on stderr.
+/// Reads measurements for a model, a coast-down turned into torque. What is to be known of them and
+/// what is doubtful of them goes to stderr, and stands in the notes of the record.
 [[nodiscard]] record::Record open_data(const std::string& path, const model::ModelSubject& subject,
                                        const io::ReadOptions& options);
 

@@ -196,7 +196,8 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
        {"separation_by_repetition", d.separation_by_repetition},
        {"records_needed", d.records_needed},
        {"outlier_lines", outlier_lines(record, d.outliers)},
-       {"messages", d.messages}});
+       {"messages", d.messages},
+       {"notes", record.notes}});
   if (d.shape) document["shape"] = shape_object(*d.shape);
   return text(std::move(document));
 }
@@ -223,7 +224,8 @@ std::string add_json(const std::string& model_file, const record::Record& record
                    {"rmse_held_out_after", first["rmse_held_out_after"]},
                    {"hold_out", hold_out_object(r.hold_out, channels)},
                    {"calibration", calibration_object(r.calibration, record)},
-                   {"messages", r.messages}};
+                   {"messages", r.messages},
+                   {"notes", record.notes}};
   add_channels(document, list);
   return text(std::move(document));
 }

@@ -194,7 +194,9 @@ json calibration_object(const fit::Calibration& c, const record::Record& record)
 }
 
 std::string calibration_json(const fit::Calibration& calibration, const record::Record& record) {
-  return text(calibration_object(calibration, record));
+  json document = calibration_object(calibration, record);
+  document["notes"] = record.notes;
+  return text(std::move(document));
 }
 
 std::string comparison_json(const std::vector<std::string>& model_files,
@@ -206,8 +208,9 @@ std::string comparison_json(const std::vector<std::string>& model_files,
     for (const fit::Comparison& c : comparisons[i]) channels.push_back(&c);
     documents.push_back(comparison_object(model_files.at(i), channels, record));
   }
-  if (documents.size() == 1) return text(documents[0]);
-  return text({{"models", documents}});
+  json document = documents.size() == 1 ? documents[0] : json{{"models", documents}};
+  document["notes"] = record.notes;
+  return text(std::move(document));
 }
 
 std::string model_check_json(const std::string& model_name,

@@ -60,6 +60,7 @@ Record joined(std::vector<Record> records) {
   std::vector<double> part_of_row;
   for (std::size_t k = 0; k < records.size(); ++k) {
     const Record& r = records[k];
+    result.notes.insert(result.notes.end(), r.notes.begin(), r.notes.end());
     result.source += (k == 0 ? "" : ", ") + r.source;
     const auto runs_before = static_cast<double>(result.runs.size());
     for (Column& column : result.columns) {

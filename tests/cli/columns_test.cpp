@@ -4,6 +4,7 @@
 namespace raceway::tests {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -46,23 +47,59 @@ TEST(Columns, AGermanExcelExportGoesInWithoutAScript) {
             verdict.out);
 }
 
+/// A model, and a record in N m whose column says N mm.
+struct WrongUnit {
+  ScratchFolder folder;
+  std::string model = folder.write("m.toml", model_text);
+  std::string data = folder.write("d.csv", rows());
+  std::string question =
+      "readings of friction torque are about 1000 times too small for the model: N m in a column "
+      "of N mm?";
+
+  [[nodiscard]] std::vector<std::string> commands() const {
+    const std::string both = model + " " + data;
+    return {"check " + both,     "compare " + both,  "compare " + model + " " + both,
+            "calibrate " + both, "diagnose " + both, "add " + model + " windage --data " + data};
+  }
+
+ private:
+  static std::string rows() {
+    std::string text = "speed_rpm,axial_load_N,friction_torque_Nmm\n";
+    for (int speed = 1000; speed < 12000; speed += 500)
+      text += std::to_string(speed) + ",300," + std::to_string(0.02 + 4e-5 * speed) + "\n";
+    return text;
+  }
+};
+
 TEST(Columns, AnotherUnitIsAskedAboutBeforeTheVerdict) {
-  const ScratchFolder folder;
-  const std::string model = folder.write("m.toml", model_text);
-  std::string rows = "speed_rpm,axial_load_N,friction_torque_Nmm\n";
-  for (int speed = 1000; speed < 12000; speed += 1000)
-    rows += std::to_string(speed) + ",300," + std::to_string(0.02 + 4e-5 * speed) + "\n";
-  const std::string data = folder.write("d.csv", rows);
-  const std::string question =
-      "warning: readings of friction torque are about 1000 times too small for the model: N m in a "
-      "column of N mm?";
-  for (const std::string& command :
-       {"check " + model + " " + data, "compare " + model + " " + data,
-        "calibrate " + model + " " + data, "diagnose " + model + " " + data,
-        "add " + model + " windage --data " + data})
-    EXPECT_THAT(run(command).err, HasSubstr(question)) << command;
-  const json document = parsed(run("check " + model + " " + data + " --json"));
-  EXPECT_THAT(document["notes"].dump(), HasSubstr("1000 times too small"));
+  const WrongUnit wrong;
+  for (const std::string& command : wrong.commands())
+    EXPECT_THAT(run(command).err, HasSubstr("warning: " + wrong.question)) << command;
+}
+
+/// Who reads documents alone reads neither stderr nor its warnings.
+TEST(Columns, WhatIsAskedAndNotedOfARecordStandsInEveryDocument) {
+  const WrongUnit wrong;
+  for (const std::string& command : wrong.commands()) {
+    const json notes = parsed(run(command + " --json"))["notes"];
+    EXPECT_THAT(notes, Contains(wrong.question)) << command;
+    EXPECT_THAT(notes, Contains("no column temperature_C: 40 C for all rows, from [rig]"))
+        << command;
+  }
+}
+
+TEST(Columns, OfSeveralFilesNotesSayWhichIsMeant) {
+  const WrongUnit wrong;
+  const std::string other = wrong.folder.write(
+      "other.csv",
+      "speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm\n1000,300,0,40,90\n");
+  const Result text = run("compare " + wrong.model + " " + other + " " + wrong.data);
+  EXPECT_THAT(text.err, HasSubstr("warning: " + wrong.data + ": " + wrong.question));
+  EXPECT_THAT(text.err, HasSubstr("note: " + wrong.data + ": no column temperature_C"));
+  EXPECT_THAT(text.err, Not(HasSubstr("note: " + other)));
+  EXPECT_THAT(
+      parsed(run("compare " + wrong.model + " " + other + " " + wrong.data + " --json"))["notes"],
+      Contains(wrong.data + ": " + wrong.question));
 }
 
 TEST(Columns, WorkbooksAndBinaryFilesAreNamed) {

@@ -55,10 +55,10 @@ TEST(Results, AComparisonOfOneChannelHasItAtTheTop) {
   const std::string text =
       comparison_json({"m.toml"}, {{compared(record::friction_torque)}}, two_sensors());
   const json d = json::parse(text);
-  EXPECT_EQ(keys(d),
-            (std::set<std::string>{"model", "quantity", "unit", "rows", "rows_not_predicted",
-                                   "rmse", "mae", "max_abs", "bias", "fit_percent", "noise",
-                                   "lack_of_fit", "statement", "where", "worst_rows", "data"}));
+  EXPECT_EQ(keys(d), (std::set<std::string>{"model", "quantity", "unit", "rows",
+                                            "rows_not_predicted", "rmse", "mae", "max_abs", "bias",
+                                            "fit_percent", "noise", "lack_of_fit", "statement",
+                                            "where", "worst_rows", "data", "notes"}));
   EXPECT_EQ(d["quantity"], "friction_torque");
   EXPECT_EQ(d["unit"], "Nmm");
   EXPECT_EQ(d["rows_not_predicted"], json({5}));
@@ -181,7 +181,7 @@ TEST(Results, WhatAddBoughtHoldsItsCalibration) {
   const json d = json::parse(add_json("m.toml", two_sensors(), r));
   EXPECT_EQ(keys(d), (std::set<std::string>{"model", "data", "refused", "reason", "unit", "before",
                                             "after", "rmse_held_out_before", "rmse_held_out_after",
-                                            "hold_out", "calibration", "messages"}));
+                                            "hold_out", "calibration", "messages", "notes"}));
   EXPECT_DOUBLE_EQ(d["rmse_held_out_after"].get<double>(), 3.0);
   EXPECT_DOUBLE_EQ(d["calibration"]["rmse"].get<double>(), 2.0);
   EXPECT_EQ(d["before"]["model"], "m.toml");

@@ -41,6 +41,14 @@ TEST(Joined, HasTheColumnsRowsAndRunsOfAll) {
   EXPECT_EQ(all.picked(last).place(0), "line 3 of monday");
 }
 
+TEST(Joined, HasTheNotesOfAll) {
+  Record first = named("a.csv"), second = named("b.csv");
+  first.notes = {"a.csv: one"};
+  second.notes = {"b.csv: two", "b.csv: three"};
+  EXPECT_EQ(joined({second, first}).notes,
+            (std::vector<std::string>{"a.csv: one", "b.csv: two", "b.csv: three"}));
+}
+
 TEST(Joined, HasRepeatsWithinARecordAlone) {
   EXPECT_EQ(find_repeats(joined({named("a.csv"), named("b.csv")})).size(), 2U);
 }

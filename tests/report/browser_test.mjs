@@ -119,6 +119,9 @@ const marks = (page, id) =>
     return painted / 1000;
   });
 
+/// The lines under Notes.
+const notesOf = (page) => page.$$eval('ul.notes li', (all) => all.map((line) => line.textContent));
+
 /// The table under a picture: text, or the number in full.
 async function tableOf(page, id) {
   await page.$eval(`#${id} details`, (d) => (d.open = true));
@@ -342,7 +345,7 @@ test('compare: the ladder shows every model in its order against the noise, and 
 
 test('compare of a shaft: everything is in µm, over the inputs that it has', async () => {
   const { page, faults, close } = await open('comparedshaft');
-  const text = await page.evaluate(() => (document.querySelector('#assumed').remove(), document.body.innerText) + [...document.querySelectorAll('svg text')].map((t) => t.textContent).join(' '));
+  const text = await page.evaluate(() => (document.querySelectorAll('#assumed, ul.notes').forEach((part) => part.remove()), document.body.innerText) + [...document.querySelectorAll('svg text')].map((t) => t.textContent).join(' '));
   assert.doesNotMatch(text, /N mm|radial|torque/);
   assert.match(text, /measured \[µm\]/);
   assert.match(text, /preload \[N\]/);
@@ -731,5 +734,16 @@ test('the same inputs give the same bytes, and a page is replaced only by --forc
     assert.equal(readFileSync(page, 'utf8'), 'of another day', name);
     raceway(...command, '--report', page, '--force');
     assert.ok(readFileSync(page).equals(bytes), name);
+  }
+});
+
+test('what was said of a record stands on its pages', async () => {
+  for (const name of ['coastdown', 'comparedshaft', 'shaftadded']) {
+    const { notes } = results[name];
+    assert.ok(notes.length > 0, name);
+    const { page, close } = await open(name);
+    const shown = await notesOf(page);
+    for (const note of notes) assert.ok(shown.includes(note), `${name}: ${note}`);
+    await close();
   }
 });

@@ -140,6 +140,7 @@ export interface Diagnosis {
   not_testable: { id: string; missing: string }[];
   suggested_measurements: Suggested[];
   messages: string[];
+  notes: string[]; // of the record
   /// With a tolerance: whether the refitted model is good enough on rows left out.
   within_tolerance?: boolean;
   significant_but_immaterial?: string[];
@@ -163,6 +164,7 @@ export interface Added {
   hold_out: HoldOut[];
   calibration: { parameters: Record<string, Size & { start: number }> };
   messages: string[];
+  notes: string[]; // of the record
 }
 
 export interface TableResults {
@@ -237,7 +239,7 @@ export interface Explanation {
 
 export interface CompareReport extends WithRows {
   kind: 'compare';
-  results: Comparison | { models: Comparison[] };
+  results: (Comparison | { models: Comparison[] }) & { notes: string[] }; // of the record
   steps: Step[]; // between the models
 }
 

@@ -139,6 +139,7 @@ function compare(report: CompareReport): (Node | undefined)[] {
         : undefined,
     ),
     fitSection(view),
+    notes(report.results.notes),
   ];
 }
 
@@ -192,7 +193,7 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
       grid(plan(report, view), detectable(report, view)),
       d.not_testable.length ? valueList('Could not have been found', ['effect', 'why'], d.not_testable.map((n) => [n.id, n.missing])) : undefined,
     ),
-    notes(d.messages),
+    notes([...d.messages, ...d.notes]),
   ];
 }
 
@@ -225,7 +226,7 @@ function add(report: AddReport): (Node | undefined)[] {
       valueList('Parameters', ['parameter', 'value', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)])),
     ),
     fitSection(view),
-    notes(r.messages),
+    notes([...r.messages, ...r.notes]),
   ];
 }
 
