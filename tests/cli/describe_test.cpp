@@ -64,6 +64,29 @@ std::set<std::string> offered(const std::vector<std::string>& words) {
   return all;
 }
 
+/// What an interactive zsh offers behind each of these lines.
+std::vector<std::set<std::string>> offered_by_zsh(const std::vector<std::string>& begun) {
+  const ScratchFolder scratch;
+  scratch.write("_raceway", run("describe zsh").out);
+  std::string command = "timeout 120 zsh -f " RACEWAY_SOURCE_DIR "/tests/cli/offered.zsh '" +
+                        scratch.path().string() + "'";
+  for (const std::string& line : begun) command += " '" + line + "'";
+  const Result r = run_shell(command);
+  EXPECT_EQ(r.status, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  std::vector<std::set<std::string>> all(1);
+  std::istringstream lines(r.out);
+  for (std::string one; std::getline(lines, one);)
+    if (one.empty())
+      all.emplace_back();
+    else
+      all.back().insert(one);
+  all.pop_back();
+  EXPECT_EQ(all.size(), begun.size());
+  all.resize(begun.size());
+  return all;
+}
+
 TEST(Describe, EveryCommandIsOfferedByBash) {
   const std::set<std::string> all = offered({"raceway", ""});
   ASSERT_GE(all_commands().size(), 14U);
@@ -91,6 +114,32 @@ TEST(Describe, BashOffersFilesAndEffectsWhereTheyBelong) {
   EXPECT_EQ(offered({"raceway", "solve", "x", "--speed", ""}), std::set<std::string>{});
   EXPECT_EQ(offered({"raceway", "effects", "wind"}), std::set<std::string>{"windage"});
   EXPECT_EQ(offered({"raceway", "add", "x", "wind"}), std::set<std::string>{"windage"});
+}
+
+TEST(Describe, EveryCommandAndFlagIsOfferedByZsh) {
+  const std::vector<std::string> commands = all_commands();
+  std::vector<std::string> begun{"raceway ", "raceway dia"};
+  for (const std::string& command : commands) begun.push_back("raceway " + command + " -");
+  const auto offers = offered_by_zsh(begun);
+  std::set<std::string> expected(commands.begin(), commands.end());
+  expected.insert("help");
+  EXPECT_EQ(offers[0], expected);
+  EXPECT_EQ(offers[1], std::set<std::string>{"diagnose"});
+  for (std::size_t k = 0; k < commands.size(); ++k)
+    EXPECT_EQ(offers[k + 2], flags_in_help(commands[k])) << commands[k];
+}
+
+TEST(Describe, ZshOffersFilesAndEffectsWhereTheyBelong) {
+  const ScratchFolder scratch;
+  scratch.write("my.toml", model_text);
+  const std::string in_folder = scratch.file("m");
+  const std::set<std::string> model{"my.toml"}, windage{"windage"};
+  EXPECT_THAT(
+      offered_by_zsh({"raceway solve " + in_folder, "raceway table x --output " + in_folder,
+                      "raceway solve x --speed ", "raceway effects wind", "raceway add x wind",
+                      "raceway add x " + in_folder, "raceway help dia"}),
+      testing::ElementsAre(model, model, std::set<std::string>{}, windage, windage, model,
+                           std::set<std::string>{"diagnose"}));
 }
 
 TEST(Describe, EveryCommandAndFlagIsInZshAndInItsManPage) {
