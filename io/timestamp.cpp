@@ -100,8 +100,9 @@ std::optional<double> parse_timestamp(std::string_view cell) {
   return day * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second - offset;
 }
 
-double seconds_of_excel(double days) {
-  constexpr double of_1970 = 25569.0;
+std::optional<double> seconds_of_excel(double days) {
+  constexpr double of_1970 = 25569.0, of_10000 = 2958466.0;
+  if (!(days >= 0.0 && days < of_10000)) return std::nullopt;
   return (days - of_1970 + (days < 60.0 ? 1.0 : 0.0)) * day;
 }
 

@@ -1,11 +1,14 @@
 #include "tests/fuzz/readers.h"
 
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "cli/axis_flag.h"
 #include "io/catalogue_file.h"
+#include "io/column_map.h"
 #include "io/csv.h"
 #include "io/data_file.h"
 #include "io/displacement_curve.h"
@@ -14,6 +17,7 @@
 #include "io/sensor_file.h"
 #include "io/subject.h"
 #include "io/table_file.h"
+#include "io/timestamp.h"
 #include "tests/support/model_text.h"
 
 namespace raceway::fuzz {
@@ -76,13 +80,49 @@ void curve(const std::string& text) {
   refusable([&] { (void)io::parse_displacement_curve(text, "curve.csv"); });
 }
 
+/// A map, and rows that it is to find their columns in.
+void columns(const std::string& text) {
+  static const Subject rig = subject("[rig]\ninertia_kgm2 = 0.5\n");
+  static const std::string rows =
+      "Zeit;Drehzahl [1/min];Axialkraft;Temperatur;Reibmoment;Uhr;Lauf\n;;[kN];[C];[Nm];;\n"
+      "12.03.2024 08:15:00;1000;0,3;25;0,09;45363,34375;a\n"
+      "12.03.2024 08:15:10;2000;0,3;;0,14;45363,34386;a\n"
+      "12.03.2024 08:15:20;4000;0,3;27;0,22;45363,34398;b\n";
+  refusable([&] {
+    const io::ColumnMap map = io::parse_column_map(text, "map.toml");
+    for (const bool drop_nan : {false, true})
+      refusable([&] {
+        (void)io::parse_record(rows, "rows.csv", *rig, {.columns = map, .drop_nan = drop_nan});
+      });
+  });
+}
+
+/// A time that is taken is written as one, and read again is the same.
+void timestamp(const std::string& text) {
+  std::optional<double> time = io::parse_timestamp(text);
+  if (!time) {
+    const io::ParsedNumber days = io::parse_number(text, false);
+    if (days.problem.empty()) time = io::seconds_of_excel(days.value);
+  }
+  if (!time) return;
+  const std::string written = io::timestamp_text(*time);
+  const std::optional<double> again = io::parse_timestamp(written);
+  // A zone may lead out of the years of four digits.
+  constexpr double year_1 = -62135596800.0, year_10000 = 253402300800.0;
+  if (*time < year_1 || *time > year_10000 - 1.0) return;
+  if (!again || std::abs(*again - *time) > 1e-3)
+    throw std::logic_error(text + " is written as " + written);
+}
+
 void command_line(const std::string& text) {
   refusable([&] { cli::require_all(cli::axis(text, "--speed"), cli::speed_range, "--speed"); });
   for (const bool comma : {false, true}) (void)io::parse_number(text, comma);
 }
 
-constexpr Reader all[] = {{"model", model}, {"data", data},   {"catalogue", catalogue},
-                          {"table", table}, {"curve", curve}, {"command_line", command_line}};
+constexpr Reader all[] = {{"model", model},         {"data", data},
+                          {"catalogue", catalogue}, {"table", table},
+                          {"curve", curve},         {"columns", columns},
+                          {"timestamp", timestamp}, {"command_line", command_line}};
 
 }  // namespace
 

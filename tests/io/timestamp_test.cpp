@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace raceway::io {
 namespace {
 
@@ -28,9 +30,16 @@ TEST(Timestamp, WhatIsNoDateIsNone) {
 
 TEST(Timestamp, ExcelCountsDaysFrom1900) {
   // Excel shows 45363.34375 as 2024-03-12 08:15:00, and 1 as 1900-01-01.
-  EXPECT_DOUBLE_EQ(seconds_of_excel(45363.34375), 1710231300.0);
-  EXPECT_EQ(timestamp_text(seconds_of_excel(1)), "1900-01-01T00:00:00");
-  EXPECT_EQ(timestamp_text(seconds_of_excel(61)), "1900-03-01T00:00:00");
+  EXPECT_DOUBLE_EQ(seconds_of_excel(45363.34375).value(), 1710231300.0);
+  EXPECT_EQ(timestamp_text(seconds_of_excel(1).value()), "1900-01-01T00:00:00");
+  EXPECT_EQ(timestamp_text(seconds_of_excel(61).value()), "1900-03-01T00:00:00");
+}
+
+/// A number of days beyond any calendar had been printed as a year of nonsense.
+TEST(Timestamp, ExcelHasTheYears1900To9999) {
+  for (const double days : {-1.0, 2958466.0, 1e300, -1e300, std::nan(""), HUGE_VAL})
+    EXPECT_FALSE(seconds_of_excel(days)) << days;
+  EXPECT_EQ(timestamp_text(seconds_of_excel(2958465).value()), "9999-12-31T00:00:00");
 }
 
 }  // namespace
