@@ -27,7 +27,7 @@ double bytes_per_point(std::size_t columns, TableForm form) {
     case TableForm::file:
       return held + 22.0 * cells;
     case TableForm::json:
-      return held + 280.0 * cells;
+      return held + 320.0 * cells;
     default:
       return held;
   }
