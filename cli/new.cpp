@@ -44,7 +44,8 @@ std::string model_text(const NewFlags& flags) {
       throw io::InputError(
           fmt::format("raceway new: {} is in the catalogue, with its inner geometry; --bore, "
                       "--outer-diameter, --balls and --contact-angle are for one that is not",
-                      row->full_name()));
+                      row->full_name()),
+          {.key = "BEARING"});
     if (given.ball_material == "steel") return io::new_model_text(*row);
     io::CatalogueBearing hybrid = *row;
     if (!std::isnan(row->static_load_rating_silicon_nitride))
@@ -61,10 +62,11 @@ std::string model_text(const NewFlags& flags) {
     try {
       (void)io::find_bearing(rows, flags.bearing);
     } catch (const io::InputError& e) {
-      throw io::InputError(
-          std::string(e.what()) +
-          "\nwith --bore and --outer-diameter, and --balls if it is known, the inner geometry of "
-          "one that is not is estimated");
+      throw io::InputError(std::string(e.what()) +
+                               "\nwith --bore and --outer-diameter, and --balls if it is known, "
+                               "the inner geometry of "
+                               "one that is not is estimated",
+                           e.place);
     }
   }
   const io::EstimatedBearing bearing = io::estimated_bearing(known, rows);

@@ -20,10 +20,12 @@ double number_of(const std::string& number, const std::string& shown, const Numb
                  const std::string& flag) {
   const io::ParsedNumber parsed = io::parse_number(number, true);
   if (!parsed.problem.empty() || parsed.decimal_mark == ',')
-    throw io::InputError(fmt::format(
-        "{} = {}: {}; {}", flag, io::quoted(shown),
-        parsed.problem.empty() ? "has a decimal comma, a point is expected" : parsed.problem,
-        range_text(range)));
+    throw io::InputError(
+        fmt::format(
+            "{} = {}: {}; {}", flag, io::quoted(shown),
+            parsed.problem.empty() ? "has a decimal comma, a point is expected" : parsed.problem,
+            range_text(range)),
+        {.key = flag});
   return parsed.value;
 }
 
@@ -56,7 +58,8 @@ CLI::Option* add_length(CLI::App& command, const std::string& flag, double& valu
       throw io::InputError(
           fmt::format("{} = {}: no unit of length behind the number; write 70mm, 2.7559in or "
                       "millimetres without unit",
-                      flag, io::quoted(text)));
+                      flag, io::quoted(text)),
+          {.key = flag});
     value = unit->to_SI(number_of(text.substr(0, end), text, range, flag));
     require_range(value / mm, range, flag);
   };

@@ -76,7 +76,8 @@ std::string own_data_directory() {
   const char* const named = std::getenv("RACEWAY_DATA");
   if (!named || !*named) return {};
   if (!is_folder(named))
-    throw InputError(fmt::format("RACEWAY_DATA = {}: is not a directory", named));
+    throw InputError(fmt::format("RACEWAY_DATA = {}: is not a directory", named),
+                     {.file = named, .key = "RACEWAY_DATA"});
   return named;
 }
 
@@ -198,7 +199,8 @@ std::vector<CatalogueBearing> read_catalogues() {
       throw InputError(
           fmt::format("RACEWAY_DATA = {0}: no catalogue of bearings was found ({0}/*.csv "
                       "or {0}/bearings/*.csv)",
-                      own));
+                      own),
+          {.file = own, .key = "RACEWAY_DATA"});
   }
   if (const std::string ours = data_directory(); !ours.empty()) {
     const std::vector<std::string> more = csv_files(fs::path(ours) / "bearings");

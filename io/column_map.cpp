@@ -34,10 +34,17 @@ Names names_of_channels() {
   return names;
 }
 
+Place place_of(const Section& s, const toml::key& key) {
+  return {.file = s.source(),
+          .line = static_cast<int>(key.source().begin.line),
+          .key = std::string(key.str())};
+}
+
 [[noreturn]] void wrong(const Section& s, const toml::key& key, const toml::node& node,
                         const std::string& problem) {
-  throw InputError(fmt::format("{}:{}: [columns] {} = {}: {}", s.source(), key.source().begin.line,
-                               key.str(), shown(node), problem));
+  throw InputError(fmt::format("{}: [columns] {} = {}: {}", place_of(s, key).text(), key.str(),
+                               shown(node), problem),
+                   place_of(s, key));
 }
 
 /// `unit = "Nm"` of a rule, or "excel" for dates.
@@ -51,9 +58,10 @@ void read_unit(const Section& s, const toml::key& key, const std::string& text, 
   for (const Unit& unit : units())
     if (own && unit.dimension == own->dimension) known.emplace_back(unit.suffix);
   if (*rule.channel == record::time) known.emplace_back("excel");
-  throw InputError(fmt::format("{}:{}: [columns] {}: unit = \"{}\": {}", s.source(),
-                               key.source().begin.line, key.str(), text,
-                               own ? "must be " + listed(known, "or") : "it has none"));
+  throw InputError(
+      fmt::format("{}: [columns] {}: unit = \"{}\": {}", place_of(s, key).text(), key.str(), text,
+                  own ? "must be " + listed(known, "or") : "it has none"),
+      place_of(s, key));
 }
 
 /// `{ column = "Reibmoment", unit = "Nm", factor = -1 }`
@@ -81,7 +89,7 @@ ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& n
   ColumnRule rule{.key = std::string(key.str()),
                   .channel = named->channel,
                   .key_unit = named->unit,
-                  .place = fmt::format("{}:{}", s.source(), key.source().begin.line)};
+                  .place = place_of(s, key)};
   if (node.is_number()) {
     const double value = *node.value<double>();
     const Channel& c = *rule.channel;
@@ -167,10 +175,12 @@ ColumnMap read_columns(const ModelTables& tables) {
     for (const ColumnRule& other : map.rules) {
       if (*other.channel == *rule.channel)
         throw InputError(fmt::format("{}: [columns] {} and {} are one quantity; keep one of them",
-                                     rule.place, other.key, rule.key));
+                                     rule.place.text(), other.key, rule.key),
+                         rule.place);
       if (!rule.header.empty() && other.header == rule.header)
         throw InputError(fmt::format("{}: [columns] {} and {} are both the column \"{}\"",
-                                     rule.place, other.key, rule.key, rule.header));
+                                     rule.place.text(), other.key, rule.key, rule.header),
+                         rule.place);
     }
     map.rules.push_back(std::move(rule));
   }
@@ -182,9 +192,11 @@ ColumnMap parse_column_map(std::string_view text, const std::string& source) {
   for (const auto& [key, node] : tables.root())
     if (key.str() != "columns" || !node.is_table())
       throw InputError(fmt::format("{}: {}: a file of columns has the table [columns] alone",
-                                   tables.place(key), key.str()));
+                                   tables.place(key), key.str()),
+                       tables.at(key));
   if (!tables.section("columns").given())
-    throw InputError(source + ": no table [columns]: speed_rpm = \"header of their column\" ...");
+    throw InputError(source + ": no table [columns]: speed_rpm = \"header of their column\" ...",
+                     {.file = source, .key = "columns"});
   return read_columns(tables);
 }
 

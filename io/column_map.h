@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/error.h"
 #include "io/units.h"
 #include "record/channel.h"
 #include "rig/torque_sensor.h"
@@ -49,7 +50,7 @@ struct ColumnRule {
   const Unit* unit = nullptr;        ///< of their column, where the rule says it
   bool excel_date = false;           ///< their numbers are days since 1900, as Excel has them
   double factor = 1.0;               ///< their numbers are multiplied by it
-  std::string place{};               ///< "map.toml:3"
+  Place place{};                     ///< in the map
 };
 
 /// The table [columns] of a model, or of a file of its own.

@@ -16,10 +16,6 @@ namespace {
 
 using record::Channel;
 
-std::string place_of(const CsvTable& table) {
-  return fmt::format("{}:{}", table.source, table.header_line);
-}
-
 /// The unit in the row of units, where there is one and it is of this kind.
 const Unit* in_unit_row(const CsvTable& table, std::size_t column, const Unit* own) {
   if (!own || column >= table.units.size()) return nullptr;
@@ -45,7 +41,8 @@ const Unit* unit_by_name(const NamedChannel& named, const CsvTable& table, std::
   const Unit* const below = in_unit_row(table, column, own);
   if (below && below != ending)
     throw InputError(fmt::format("{}: column {} has {} in the row of units below it; mend one",
-                                 place_of(table), table.header[column], below->words));
+                                 table.header_place().text(), table.header[column], below->words),
+                     table.header_place(table.header[column]));
   return named.unit;
 }
 
@@ -64,8 +61,10 @@ void note_unit(const ColumnSource& source, Recognised& result) {
 
 void add(ColumnSource source, const CsvTable& table, Recognised& result) {
   if (const ColumnSource* const twin = result.find(*source.channel))
-    throw InputError(fmt::format("{}: columns {} and {} are both {}; keep one of them",
-                                 place_of(table), twin->name, source.name, source.channel->words));
+    throw InputError(
+        fmt::format("{}: columns {} and {} are both {}; keep one of them",
+                    table.header_place().text(), twin->name, source.name, source.channel->words),
+        table.header_place(source.name));
   result.columns.push_back(std::move(source));
 }
 
@@ -105,8 +104,9 @@ void require_columns(const CsvTable& table, const ColumnMap& map, const Recognis
     if (!rule.constant && !found.find(*rule.channel))
       throw InputError(
           fmt::format("{}: no column \"{}\", which {} takes for {}{}; the header has {}",
-                      place_of(table), rule.header, rule.place, rule.key,
-                      suggestion(rule.header, table.header), listed(table.header)));
+                      table.header_place().text(), rule.header, rule.place.text(), rule.key,
+                      suggestion(rule.header, table.header), listed(table.header)),
+          table.header_place(rule.header));
 }
 
 }  // namespace
@@ -195,8 +195,10 @@ std::string drop_empty_rows(CsvTable& table, const std::vector<ColumnSource>& co
   if (count == 0) return {};
   const std::size_t all = table.rows();
   if (count == all)
-    throw InputError(fmt::format(
-        "{}: none of {} rows has a number in every column; nothing is left", table.source, all));
+    throw InputError(
+        fmt::format("{}: none of {} rows has a number in every column; nothing is left",
+                    table.source, all),
+        {.file = table.source});
   table.remove_rows(remove);
   return fmt::format("{} of {} rows have an empty cell or no number and are left out (line{} {}{})",
                      count, all, count == 1 ? "" : "s", lines, count > shown ? ", ..." : "");

@@ -196,8 +196,10 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     const std::size_t start = whole.find_first_not_of(" \t");
     if (start == whole.npos) continue;
     if (const auto code = control_character(whole))
-      throw InputError(fmt::format(
-          "{}:{}: holds the control character {}, so it is not a text file", source, line, *code));
+      throw InputError(
+          fmt::format("{}:{}: holds the control character {}, so it is not a text file", source,
+                      line, *code),
+          {.file = source, .line = line});
     if (whole[start] == '#' || whole.substr(start).starts_with("\"#")) {
       table.comments.emplace_back(whole.substr(start));
       continue;
@@ -219,7 +221,8 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
       constexpr std::size_t most = 10000;
       if (cells.size() > most)
         throw InputError(
-            fmt::format("{}: {} columns: at most {} are read", place, cells.size(), most));
+            fmt::format("{}: {} columns: at most {} are read", place, cells.size(), most),
+            {.file = source, .line = line});
       std::unordered_map<std::string, std::size_t> seen;
       bool all_numbers = true;
       for (const auto& cell : cells) {

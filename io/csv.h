@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/error.h"
+
 namespace raceway::io {
 
 /// Where the header stands in a file that has more than a header and rows.
@@ -43,6 +45,10 @@ class CsvTable {
     return std::string_view(text_).substr(c.begin, c.size);
   }
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
+  /// Where the header is wrong, in that column.
+  [[nodiscard]] Place header_place(std::string_view name = {}) const {
+    return {.file = source, .line = header_line, .key = std::string(name)};
+  }
   /// The number in a cell; throws InputError with line and column for anything else.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
   /// Leaves out rows; one answer for each.

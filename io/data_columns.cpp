@@ -14,14 +14,6 @@ namespace {
 using record::Channel;
 using record::Role;
 
-std::string place_of_header(const CsvTable& table) {
-  return fmt::format("{}:{}", table.source, table.header_line);
-}
-
-Place place_in_header(const CsvTable& table, std::string_view column = {}) {
-  return {table.source, table.header_line, std::string(column)};
-}
-
 /// Places of times between two speeds. The file has both speeds and the time, and neither a speed
 /// at a time nor a torque.
 void find_falls(const CsvTable& table, const Recognised& found, DataColumns& columns) {
@@ -34,9 +26,9 @@ void find_falls(const CsvTable& table, const Recognised& found, DataColumns& col
       throw InputError(
           fmt::format(
               "{}: column {} is missing: the time of a fall needs {}, {} and {}; the header has {}",
-              place_of_header(table), c->name, speed_from.name, speed_to.name, fall_time.name,
+              table.header_place().text(), c->name, speed_from.name, speed_to.name, fall_time.name,
               listed(table.header)),
-          place_in_header(table, c->name));
+          table.header_place(c->name));
     }
   }
   std::vector<const Channel*> readings{&torque_signal};
@@ -49,8 +41,8 @@ void find_falls(const CsvTable& table, const Recognised& found, DataColumns& col
           fmt::format(
               "{}: column {} beside {}: a file has times between two speeds, speeds at a time, or "
               "readings at a speed",
-              place_of_header(table), source->name, speed_from.name),
-          place_in_header(table, source->name));
+              table.header_place().text(), source->name, speed_from.name),
+          table.header_place(source->name));
 }
 
 /// The signal of a torque sensor. With its calibration it takes the place of the torque.
@@ -59,9 +51,9 @@ void find_signal(const CsvTable& table, const Recognised& found, const ReadOptio
   const ColumnSource* const signal = found.find(torque_signal);
   const ColumnSource* const deviation = found.find(torque_signal_deviation);
   if (!signal && deviation)
-    throw InputError(fmt::format("{}: column {} has no {} beside it", place_of_header(table),
+    throw InputError(fmt::format("{}: column {} has no {} beside it", table.header_place().text(),
                                  deviation->name, torque_signal.name),
-                     place_in_header(table, deviation->name));
+                     table.header_place(deviation->name));
   if (!signal) return;
   if (!options.sensor) {
     const bool alone =
@@ -71,8 +63,8 @@ void find_signal(const CsvTable& table, const Recognised& found, const ReadOptio
       throw InputError(
           fmt::format("{}: column {} needs the calibration of its sensor: the model has no "
                       "[torque_sensor], which raceway calibrate-sensor CSV -o FILE writes",
-                      place_of_header(table), signal->name),
-          place_in_header(table, signal->name));
+                      table.header_place().text(), signal->name),
+          table.header_place(signal->name));
     columns.notes.push_back(
         fmt::format("column {} is not used: the model has no [torque_sensor]", signal->name));
     return;
@@ -126,8 +118,8 @@ void find_places(const CsvTable& table, const ReadOptions& options, const model:
     // Whoever has named the columns knows what the others are.
     if (const auto near = map.rules.empty() ? nearest_name(name, known) : std::nullopt)
       throw InputError(fmt::format("{}: column {} is unknown; did you mean {}?",
-                                   place_of_header(table), name, *near),
-                       place_in_header(table, name));
+                                   table.header_place().text(), name, *near),
+                       table.header_place(name));
     if (map.rules.empty())
       columns.notes.push_back(fmt::format("column {} is unknown and ignored", name));
   }
@@ -159,13 +151,13 @@ void require_measured(const CsvTable& table, const model::Expected& expected,
                     [&](const Channel* c) { return *c == channel; }))
       names.emplace_back(channel.name);
   const std::string wanted = fmt::format("{}: no measured column: {} is expected",
-                                         place_of_header(table), listed(names, "or"));
+                                         table.header_place().text(), listed(names, "or"));
   if (!columns.find(record::time) && columns.falls.empty())
     throw InputError(fmt::format("{}, or {} for a coast-down; the header has {}\nIf these are "
                                  "columns of another program, "
                                  "raceway check MODEL {} --suggest-columns proposes which is which",
                                  wanted, record::time.name, listed(table.header), table.source),
-                     place_in_header(table));
+                     table.header_place());
   if (!expected.coast_down)
     throw InputError(
         fmt::format(
@@ -175,16 +167,16 @@ void require_measured(const CsvTable& table, const model::Expected& expected,
             columns.falls.empty()
                 ? fmt::format("{} and {} alone", record::time.name, record::speed.name)
                 : "times between two speeds"),
-        place_in_header(table));
+        table.header_place());
 }
 
 void require_what_deviates(const CsvTable& table, const DataColumns& columns) {
   for (const DataColumns::Place& p : columns.places) {
     const Channel& c = *p.channel;
     if (c.role == Role::deviation && !columns.find(*record::find_channel(c.of)))
-      throw InputError(
-          fmt::format("{}: column {} has no {} beside it", place_of_header(table), c.name, c.of),
-          place_in_header(table, c.name));
+      throw InputError(fmt::format("{}: column {} has no {} beside it", table.header_place().text(),
+                                   c.name, c.of),
+                       table.header_place(c.name));
   }
 }
 
@@ -202,15 +194,15 @@ void require_inputs(const CsvTable& table, const model::Expected& expected,
           fmt::format("{0}: column {1} is missing; the header has {2}\nIf these are columns of "
                       "another program, "
                       "raceway check MODEL {3} --suggest-columns proposes which is which",
-                      place_of_header(table), c.name, listed(table.header), table.source),
-          place_in_header(table, c.name));
+                      table.header_place().text(), c.name, listed(table.header), table.source),
+          table.header_place(c.name));
     const std::string none =
         c.kind.empty() ? "" : fmt::format(", 0 if the {} is unknown or none", c.kind);
     throw InputError(
         fmt::format(
             "{0}: the {1} is neither in a column {2} nor in the model; write {2} under {3}{4}",
-            place_of_header(table), c.words, c.name, d.from, none),
-        place_in_header(table, c.name));
+            table.header_place().text(), c.words, c.name, d.from, none),
+        table.header_place(c.name));
   }
 }
 

@@ -166,9 +166,10 @@ ModelFile parse_model(std::string text, const std::string& source) {
     Names missing = missing_keys_of_bearing(tables);
     for (std::string& one : missing_keys_of_friction(tables)) missing.push_back(std::move(one));
     if (missing.size() < 2) throw;
-    throw InputError(fmt::format(
-        "{}\n{} keys are missing in all (raceway new BEARING -o FILE writes a whole model):\n  {}",
-        first.what(), missing.size(), fmt::join(missing, "\n  ")));
+    throw InputError(fmt::format("{}\n{} keys are missing in all (raceway new BEARING -o FILE "
+                                 "writes a whole model):\n  {}",
+                                 first.what(), missing.size(), fmt::join(missing, "\n  ")),
+                     first.place);
   }
 }
 

@@ -21,7 +21,8 @@ std::string report_page(const std::string& document) {
   if (page.empty())
     throw InputError(
         "this program was built without reports (-DRACEWAY_REPORT=OFF); build it with Node and npm "
-        "and -DRACEWAY_REPORT=ON");
+        "and -DRACEWAY_REPORT=ON",
+        {.key = "--report"});
   const std::size_t at = page.find(mark);
   std::string text;
   text.reserve(page.size() + document.size() + document.size() / 16);

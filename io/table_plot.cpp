@@ -91,7 +91,8 @@ std::string names_of_curves(std::vector<CurveName> names) {
 }  // namespace
 
 std::string table_svg(const friction::StribeckTable& table, std::string_view title) {
-  if (table.slab.count != 1) throw InputError("--plot draws a whole table, no slab of it");
+  if (table.slab.count != 1)
+    throw InputError("--plot draws a whole table, no slab of it", {.key = "--plot"});
   const friction::TableAxes& axes = table.axes;
   const bool by_load = axes.axial_load.size() > 1 || axes.temperature.size() == 1;
   const std::size_t curves = by_load ? axes.axial_load.size() : axes.temperature.size();
@@ -103,7 +104,8 @@ std::string table_svg(const friction::StribeckTable& table, std::string_view tit
   for (std::size_t k = 0; k < curves; ++k)
     for (std::size_t s = 0; s < axes.speed.size(); ++s)
       if (const double m = moment(k, s); m > most) most = m;
-  if (!(most > 0)) throw InputError("--plot: no point of the table has a torque to draw");
+  if (!(most > 0))
+    throw InputError("--plot: no point of the table has a torque to draw", {.key = "--plot"});
   const double fastest = std::max(axes.speed.back() / rpm, 1.0);
   const Scale x{0.0, fastest, left, width - left - right};
   const Scale y{0.0, most * 1.05, height - bottom, -(height - top - bottom)};

@@ -63,14 +63,15 @@ bool is_utf16(std::string_view text) {
 std::string utf8_from_utf16(std::string_view text, const std::string& source) {
   const iconv_t converter = iconv_open("UTF-8", "UTF-16");
   if (converter == reinterpret_cast<iconv_t>(-1))
-    throw InputError(source + ": is UTF-16 text; save it as UTF-8");
+    throw InputError(source + ": is UTF-16 text; save it as UTF-8", {.file = source});
   std::string from(text), to(2 * text.size() + 4, '\0');
   char *in = from.data(), *out = to.data();
   std::size_t left = from.size(), room = to.size();
   const bool failed = iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
   iconv_close(converter);
   if (failed || left != 0)
-    throw InputError(source + ": begins as UTF-16 text and is none; save it as UTF-8");
+    throw InputError(source + ": begins as UTF-16 text and is none; save it as UTF-8",
+                     {.file = source});
   to.resize(to.size() - room);
   return to;
 }

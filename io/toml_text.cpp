@@ -75,7 +75,8 @@ void require_short_keys(std::string_view text, std::string_view source) {
     }
     if (c == '.' && ++dots > most)
       throw InputError(
-          fmt::format("{}:{}: a key has more than {} dots; it is no model", source, line, most));
+          fmt::format("{}:{}: a key has more than {} dots; it is no model", source, line, most),
+          {.file = std::string(source), .line = static_cast<int>(line)});
     if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') dots = 0;
     if (c == '\n') ++line;
     ++at;
@@ -87,7 +88,8 @@ void require_printable(const toml::node& node, std::string_view source) {
   const auto require = [&](std::string_view text, const toml::source_region& place) {
     if (const auto code = control_character(text))
       throw InputError(fmt::format("{}:{}: {}: holds the control character {}", source,
-                                   place.begin.line, io::quoted(text), *code));
+                                   place.begin.line, io::quoted(text), *code),
+                       {.file = std::string(source), .line = static_cast<int>(place.begin.line)});
   };
   if (const auto* text = node.as_string()) require(text->get(), node.source());
   if (const auto* list = node.as_array())
@@ -120,7 +122,8 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
   constexpr std::size_t most = 10'000'000;
   if (text.size() > most)
     throw InputError(fmt::format("{}: {:.3g} MB: a model has at most {:.3g} MB", source,
-                                 1e-6 * static_cast<double>(text.size()), 1e-6 * most));
+                                 1e-6 * static_cast<double>(text.size()), 1e-6 * most),
+                     {.file = std::string(source)});
   require_short_keys(text, source);
   toml::table table = parsed(text, source);
   require_printable(table, source);

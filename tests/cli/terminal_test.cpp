@@ -74,6 +74,18 @@ TEST(Messages, JsonErrorsSayWhere) {
   const std::string cell = files.write("cell.csv", replaced(data_text, ",92", ",n/a"));
   const std::string column =
       files.write("column.csv", replaced(data_text, "speed_rpm", "sped_rpm"));
+  // A map that names no column of the data, two of one quantity, a unit of another kind.
+  const auto map = [&](const std::string& name, const std::string& text) {
+    return files.write(name, "[columns]\n" + text);
+  };
+  const std::string absent = map("absent.toml", "radial_load_N = \"n\"\n");
+  const std::string twice = map("twice.toml", "speed_rpm = \"a\"\nspeed_1_s = \"b\"\n");
+  const std::string unit = map("unit.toml", "axial_load_N = { column = \"F\", unit = \"kg\" }\n");
+  const std::string other = files.write("other.toml", "[columns]\n[rig]\n");
+  const std::string mapped = "check " + files.model + " " + files.data + " --columns ";
+  const std::string few = files.write("few.toml", "[bearing]\nball_count = 20\n");
+  const std::string dots = files.write("dots.toml", "\na.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r = 1\n");
+  const std::string bell = files.write("bell.csv", replaced(data_text, ",92", ",\a92"));
   const json none;
   for (const Wrong& w : std::vector<Wrong>{
            {"solve " + balls + at, balls, 3, "ball_count"},
@@ -82,6 +94,14 @@ TEST(Messages, JsonErrorsSayWhere) {
            {"solve " + files.file("none.toml") + at, files.file("none.toml"), none, none},
            {"compare " + files.model + " " + cell, cell, 2, "friction_torque_Nmm"},
            {"check " + files.model + " " + column, column, 1, "sped_rpm"},
+           {mapped + absent, files.data, 1, "n"},
+           {mapped + twice, twice, 3, "speed_1_s"},
+           {mapped + unit, unit, 2, "axial_load_N"},
+           {mapped + other, other, 2, "rig"},
+           {"check " + few, few, 1, "ball_diameter_mm"},
+           {"check " + dots, dots, 2, none},
+           {"check " + files.model + " " + bell, bell, 2, none},
+           {"solve " + files.model + " --speed 1,5 --axial-load 100", none, none, "--speed"},
            {"diagnose " + files.model + " " + files.file("none.csv"), files.file("none.csv"), none,
             none},
            {"calibrate " + files.model + " " + cell, cell, 2, "friction_torque_Nmm"},
