@@ -123,6 +123,9 @@ std::size_t opening_bracket(std::string_view header) {
 std::span<const Unit> units() { return all_units; }
 
 const Unit* find_unit(std::string_view spelling, std::optional<Dimension> dimension) {
+  // Of a long name, or a comment, every part behind a "_" is asked about.
+  constexpr std::size_t longest = 40;
+  if (spelling.size() > longest) return nullptr;
   const std::string text = in_short(spelling);
   if (text.empty()) return nullptr;
   for (const Unit& unit : all_units)

@@ -53,6 +53,15 @@ TEST_F(HostileInput, ASlabOfCountlessManyIsRefusedAtOnce) {
                  "2/99999999999999");
 }
 
+/// Behind each "_" a unit may begin; all that followed was read for each, for minutes.
+TEST_F(HostileInput, AColumnNameOfCountlessUnderscoresIsReadAtOnce) {
+  const std::string data =
+      scratch_.write("u.csv", std::string(200000, '_') + "," + data_text.substr(0, 43) +
+                                  "0,1000,100,92\n0,2000,100,140\n0,4000,100,221\n");
+  const Result r = run_shell("timeout 20 $raceway compare " + model_ + " " + data);
+  EXPECT_EQ(r.status, 0) << r.err.substr(0, 200);
+}
+
 TEST_F(HostileInput, AKeyOfCountlessDotsIsRefused) {
   std::string dots = "a";
   for (int k = 0; k < 50000; ++k) dots += ".a";
