@@ -75,7 +75,7 @@ std::string span_text(const std::vector<double>& values) {
 /// Signals beyond those of the calibration: how many, where, how far.
 std::string note_outside(const TorqueSensor& s, std::span<const double> signals,
                          std::span<const int> lines) {
-  constexpr std::size_t shown = 5;
+  constexpr std::size_t most_named = 5;
   std::size_t count = 0, all = 0;
   std::string places;
   double least = s.lowest_signal, most = s.highest_signal;
@@ -85,7 +85,7 @@ std::string note_outside(const TorqueSensor& s, std::span<const double> signals,
     least = std::min(least, signals[row]);
     most = std::max(most, signals[row]);
     if (signals[row] >= s.lowest_signal && signals[row] <= s.highest_signal) continue;
-    if (++count <= shown && row < lines.size())
+    if (++count <= most_named && row < lines.size())
       places += fmt::format("{}{}", places.empty() ? "" : ", ", lines[row]);
   }
   if (count == 0) return {};
@@ -97,7 +97,7 @@ std::string note_outside(const TorqueSensor& s, std::span<const double> signals,
       "{} of {} signals are outside of {:.5g} to {:.5g} V, which the calibration has seen: {} V "
       "(line{} {}{}); their torques are extrapolated along the tangent",
       count, all, s.lowest_signal, s.highest_signal, reach, count == 1 ? "" : "s", places,
-      count > shown ? ", ..." : "");
+      count > most_named ? ", ..." : "");
 }
 
 }  // namespace
