@@ -117,16 +117,16 @@ TEST(Describe, BashOffersFilesAndEffectsWhereTheyBelong) {
 }
 
 TEST(Describe, EveryCommandAndFlagIsOfferedByZsh) {
-  const std::vector<std::string> commands = all_commands();
+  const std::vector<std::string> every = all_commands();
   std::vector<std::string> begun{"raceway ", "raceway dia"};
-  for (const std::string& command : commands) begun.push_back("raceway " + command + " -");
+  for (const std::string& command : every) begun.push_back("raceway " + command + " -");
   const auto offers = offered_by_zsh(begun);
-  std::set<std::string> expected(commands.begin(), commands.end());
+  std::set<std::string> expected(every.begin(), every.end());
   expected.insert("help");
   EXPECT_EQ(offers[0], expected);
   EXPECT_EQ(offers[1], std::set<std::string>{"diagnose"});
-  for (std::size_t k = 0; k < commands.size(); ++k)
-    EXPECT_EQ(offers[k + 2], flags_in_help(commands[k])) << commands[k];
+  for (std::size_t k = 0; k < every.size(); ++k)
+    EXPECT_EQ(offers[k + 2], flags_in_help(every[k])) << every[k];
 }
 
 TEST(Describe, ZshOffersFilesAndEffectsWhereTheyBelong) {
