@@ -1,0 +1,25 @@
+#include "correction/delay_element.h"
+
+#include <cmath>
+
+namespace raceway::correction {
+
+void delay_response(const Clock& clock, std::span<const double> power, const DelayElement& element,
+                    std::span<double> displacement) {
+  const double limit = element.power_limit();
+  for (std::size_t k = 0; k < clock.rows(); ++k) {
+    if (clock.begins[k]) {
+      displacement[k] = 0.0;
+      continue;
+    }
+    const double P = power[k - 1], before = displacement[k - 1];
+    if (!(P >= 0.0 && P < limit)) {
+      displacement[k] = unset;
+      continue;
+    }
+    const double rise = -std::expm1(-clock.steps[k] / element.time_constant(P));
+    displacement[k] = before + rise * (element.target(P) - before);
+  }
+}
+
+}  // namespace raceway::correction

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace raceway::correction {
+
+/// How an input goes from one sample to the next.
+enum class Hold {
+  straight,  ///< along a straight line, as temperatures do: first-order hold
+  held       ///< as it was until the next one, as a programmed speed is: zero-order hold
+};
+
+/// One step of a first-order lag T dx/dt = u - x over a time dt.
+///
+///   x(k+1) = decay x(k) + old_weight u(k) + new_weight u(k+1)
+///
+/// Source:   solution of the equation for an input that is straight or constant between samples.
+/// Domain:   0 <= dt/T.
+/// Accuracy: rounding, also where dt/T is small: the weights come from expm1 and a series.
+struct LagStep {
+  double decay = 1.0, old_weight = 0.0, new_weight = 0.0;  ///< [1]
+};
+
+inline LagStep lag_step(double ratio, Hold hold) {
+  const double rise = -std::expm1(-ratio);  // 1 - exp(-x)
+  if (hold == Hold::held) return {1.0 - rise, rise, 0.0};
+  // 1 - (1 - exp(-x))/x loses its digits below; the series is then exact to rounding.
+  const double new_weight =
+      ratio < 1e-2
+          ? ratio * (1.0 / 2 -
+                     ratio * (1.0 / 6 -
+                              ratio * (1.0 / 24 -
+                                       ratio * (1.0 / 120 - ratio * (1.0 / 720 - ratio / 5040)))))
+          : 1.0 - rise / ratio;
+  return {1.0 - rise, rise - new_weight, new_weight};
+}
+
+/// When the rows of a record were taken.
+struct Clock {
+  std::vector<double> steps{};  ///< time since the row before [s]; 0 where a run begins
+  std::vector<bool> begins{};   ///< a run begins with this row, and with it the simulation
+  [[nodiscard]] std::size_t rows() const { return steps.size(); }
+};
+
+/// State of a first-order lag of time constant T > 0 [s] at every row, in the unit of the input.
+/// Every run begins from `start`. `input` and `state` have a value for each row of the clock.
+void lag_response(const Clock& clock, std::span<const double> input, Hold hold,
+                  double time_constant, double start, std::span<double> state);
+
+}  // namespace raceway::correction

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "record/units.h"
+
+namespace raceway::correction {
+
+/// How far a simulated displacement is from a measured one, by the definitions that papers use side
+/// by side. Residue: measured minus simulated. All [SI] but where a percentage is said.
+struct Metrics {
+  std::size_t readings = 0;
+  double rms = unset, mean_abs = unset, max_abs = unset;
+  double residue_min = unset, residue_max = unset;
+  /// |max| + |min| of the residue, as printed by [Transfer2022, eq. 7]. It is the peak-to-peak
+  /// value where the two have different signs, and more where they have not.
+  double peak_to_peak = unset;
+  /// (1 - |y - s| / |y - mean of y|) 100, y measured: 100 is perfect, 0 no better than the mean.
+  double fit_percent = unset;
+  /// How much smaller the largest residue is than the largest displacement [%].
+  double reduction_of_max_percent = unset;
+};
+
+/// Rows of which either is NaN do not count.
+[[nodiscard]] Metrics metrics(std::span<const double> measured, std::span<const double> simulated);
+
+}  // namespace raceway::correction

@@ -1,0 +1,190 @@
+#include "correction/transfer_function.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string_view>
+
+namespace raceway::correction {
+namespace {
+
+using Coefficients = std::vector<double>;
+
+double sum(const Coefficients& c) { return std::accumulate(c.begin(), c.end(), 0.0); }
+
+/// True where 1 is a root, but for rounding.
+bool has_root_at_one(const Coefficients& c) {
+  const double size =
+      std::accumulate(c.begin(), c.end(), 0.0, [](double s, double x) { return s + std::abs(x); });
+  return c.size() > 1 && std::abs(sum(c)) <= 1e-14 * size;
+}
+
+/// Without the factor (1 - z^-1).
+Coefficients divided_by_root_at_one(const Coefficients& c) {
+  Coefficients quotient(c.size() - 1);
+  std::partial_sum(c.begin(), c.end() - 1, quotient.begin());
+  return quotient;
+}
+
+std::vector<std::complex<double>> poles_of(const Coefficients& denominator) {
+  const auto n = static_cast<Eigen::Index>(denominator.size()) - 1;
+  if (n == 0) return {};
+  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    companion(0, k) = -denominator[static_cast<std::size_t>(k) + 1];
+  companion.bottomLeftCorner(n - 1, n - 1).setIdentity();
+  const Eigen::VectorXcd roots = companion.eigenvalues();
+  std::vector<std::complex<double>> poles(roots.begin(), roots.end());
+  std::sort(poles.begin(), poles.end(), [](const auto& a, const auto& b) {
+    return std::abs(a) != std::abs(b) ? std::abs(a) > std::abs(b) : a.real() > b.real();
+  });
+  return poles;
+}
+
+/// Half of the last digit with which a number is written down.
+double half_of_last_digit(double x) {
+  if (x == 0.0) return 0.0;
+  char text[32];
+  const auto end =
+      std::to_chars(std::begin(text), std::end(text), std::abs(x), std::chars_format::scientific)
+          .ptr;
+  const std::string_view written(text, static_cast<std::size_t>(end - text));
+  const std::size_t e = written.find('e');
+  const int decimals = e > 1 ? static_cast<int>(e) - 2 : 0;
+  return 0.5 * std::pow(10.0, std::stoi(std::string(written.substr(e + 1))) - decimals);
+}
+
+/// Fills in what rounding of the printed digits leaves open.
+void draw_roundings(const TransferFunction& printed, TransferFunctionCheck& result) {
+  constexpr int draws = 4000;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> even(-1.0, 1.0);
+  const auto rounded = [&](Coefficients c, std::size_t first) {
+    for (std::size_t k = first; k < c.size(); ++k) c[k] += even(random) * half_of_last_digit(c[k]);
+    return c;
+  };
+  std::vector<double> gains;
+  int unstable = 0;
+  for (int i = 0; i < draws; ++i) {
+    const Coefficients a = rounded(printed.numerator, 0), b = rounded(printed.denominator, 1);
+    gains.push_back(sum(a) / sum(b));
+    const auto poles = poles_of(b);
+    if (!poles.empty() && std::abs(poles.front()) >= 1.0) ++unstable;
+  }
+  std::sort(gains.begin(), gains.end());
+  result.dc_gain_lower = gains[draws / 20];
+  result.dc_gain_upper = gains[draws - draws / 20 - 1];
+  result.unstable_share = static_cast<double>(unstable) / draws;
+}
+
+double single_error(const TransferFunction& printed, double dc_gain) {
+  const auto steps = static_cast<std::size_t>(std::clamp(144000.0 / printed.sampling, 1.0, 2e6));
+  const std::vector<float> step(steps, 1.0F);
+  const std::vector<double> exact_step(steps, 1.0);
+  const double reached = run_single(printed, step).back();
+  return (reached - run(printed, exact_step).back()) / std::abs(dc_gain);
+}
+
+std::vector<std::string> warnings(const TransferFunctionCheck& c, double quantum, double visible) {
+  std::vector<std::string> result;
+  if (!c.poles.empty() && std::abs(c.poles.front()) >= 1.0 - 1e-12)
+    result.emplace_back("pole on or outside the unit circle: what it starts never decays");
+  if (std::any_of(c.poles.begin(), c.poles.end(),
+                  [](const auto& p) { return p.imag() == 0.0 && p.real() < 0.0; }))
+    result.emplace_back(
+        "negative real pole: the output changes its sign from sample to sample, which no body "
+        "does");
+  if (std::any_of(c.poles.begin(), c.poles.end(), [](const auto& p) { return p.imag() != 0.0; }))
+    result.emplace_back("complex poles: the output swings, which heat does not");
+  if (c.unstable_share > 0.0)
+    result.push_back(
+        fmt::format("rounding of the printed digits can make it unstable ({:.1f} % of 4000 draws)",
+                    100.0 * c.unstable_share));
+  if (c.dc_gain_upper - c.dc_gain_lower > 0.2 * std::abs(c.dc_gain))
+    result.push_back(fmt::format(
+        "DC gain not determined by the printed digits: {:.4g} lies in {:.4g} to {:.4g} (5 to 95 %)",
+        c.dc_gain / um, c.dc_gain_lower / um, c.dc_gain_upper / um));
+  if (std::abs(c.feedthrough) * quantum > visible)
+    result.push_back(
+        fmt::format("feedthrough turns a quantum of {:g} of its sensor into a step of {:.3g} um",
+                    quantum, c.feedthrough * quantum / um));
+  if (!(std::abs(c.single_error) <= 0.01))
+    result.push_back(
+        fmt::format("in single precision a step ends {:.1f} % of the gain off after 40 h",
+                    100.0 * std::abs(c.single_error)));
+  return result;
+}
+
+}  // namespace
+
+TransferFunction reduced(const TransferFunction& printed) {
+  if (printed.numerator.empty() || printed.denominator.empty())
+    throw std::invalid_argument("a transfer function needs a numerator and a denominator");
+  for (const Coefficients* c : {&printed.numerator, &printed.denominator})
+    if (!std::all_of(c->begin(), c->end(), [](double x) { return std::isfinite(x); }))
+      throw std::invalid_argument("a coefficient is not finite");
+  if (printed.denominator.front() != 1.0)
+    throw std::invalid_argument("the denominator must begin with 1");
+  if (!(printed.sampling > 0.0))
+    throw std::invalid_argument("a transfer function needs the sampling time that it was made for");
+  TransferFunction result = printed;
+  while (has_root_at_one(result.numerator) && has_root_at_one(result.denominator)) {
+    result.numerator = divided_by_root_at_one(result.numerator);
+    result.denominator = divided_by_root_at_one(result.denominator);
+  }
+  return result;
+}
+
+std::vector<double> run(const TransferFunction& printed, std::span<const double> input) {
+  const TransferFunction f = reduced(printed);
+  const std::size_t order = std::max(f.numerator.size(), f.denominator.size());
+  Coefficients a = f.numerator, b = f.denominator;
+  a.resize(order);
+  b.resize(order);
+  // Transposed direct form: one state per past sample.
+  std::vector<double> state(order, 0.0), output(input.size());
+  for (std::size_t k = 0; k < input.size(); ++k) {
+    const double y = output[k] = a[0] * input[k] + state[0];
+    for (std::size_t i = 1; i < order; ++i)
+      state[i - 1] = (i + 1 < order ? state[i] : 0.0) + a[i] * input[k] - b[i] * y;
+  }
+  return output;
+}
+
+std::vector<float> run_single(const TransferFunction& printed, std::span<const float> input) {
+  const std::vector<float> a(printed.numerator.begin(), printed.numerator.end());
+  const std::vector<float> b(printed.denominator.begin(), printed.denominator.end());
+  std::vector<float> output(input.size());
+  for (std::size_t k = 0; k < input.size(); ++k) {
+    float y = 0.0F;
+    for (std::size_t i = 0; i < a.size() && i <= k; ++i) y += a[i] * input[k - i];
+    for (std::size_t i = 1; i < b.size() && i <= k; ++i) y -= b[i] * output[k - i];
+    output[k] = y;
+  }
+  return output;
+}
+
+TransferFunctionCheck check(const TransferFunction& printed, double quantum, double visible) {
+  const TransferFunction f = reduced(printed);
+  TransferFunctionCheck result;
+  result.poles = poles_of(printed.denominator);
+  for (const std::complex<double>& p : result.poles)
+    result.time_constants.push_back(p.imag() == 0.0 && p.real() > 0.0 && p.real() < 1.0 - 1e-12
+                                        ? -printed.sampling / std::log(p.real())
+                                        : unset);
+  result.dc_gain = sum(f.numerator) / sum(f.denominator);
+  result.feedthrough = printed.numerator.front();
+  draw_roundings(printed, result);
+  result.single_error = single_error(printed, result.dc_gain);
+  result.warnings = warnings(result, quantum, visible);
+  return result;
+}
+
+}  // namespace raceway::correction

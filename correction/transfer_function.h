@@ -1,0 +1,56 @@
+#pragma once
+
+#include <complex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "record/units.h"
+
+namespace raceway::correction {
+
+/// A transfer function as papers and controls print it, at one sampling time.
+///
+///   y(k) = sum a(i) u(k-i) - sum b(i) y(k-i),   b(0) = 1
+///
+/// Source:   [Transfer2022, eq. 1], [S3]; a in um/K (not um/(s K), as printed), here [m/K].
+/// Traps:    slow poles lie so near 1 that printed digits decide gain and stability: a sampling of
+///           1 s with time constants of 5400 and 900 s leaves a sum of the denominator of 2e-7. It
+///           is therefore read, checked and run, and never identified: that is done in sections.
+struct TransferFunction {
+  std::vector<double> numerator, denominator;
+  double sampling = unset;  ///< [s]
+};
+
+/// The same without a common root at exactly 1, where both have one: a pole that never decays,
+/// cancelled on paper, drifts away in numbers. Throws std::invalid_argument: no coefficient, b(0)
+/// that is not 1, one that is not finite, sampling that is not positive.
+[[nodiscard]] TransferFunction reduced(const TransferFunction& printed);
+
+/// Response to an input sampled at the function's own rate, from rest, in double precision.
+[[nodiscard]] std::vector<double> run(const TransferFunction& printed,
+                                      std::span<const double> input);
+/// The same as a controller with single precision runs it, unreduced.
+[[nodiscard]] std::vector<float> run_single(const TransferFunction& printed,
+                                            std::span<const float> input);
+
+/// What printed coefficients say of themselves.
+struct TransferFunctionCheck {
+  std::vector<std::complex<double>> poles{};  ///< as printed, the largest first
+  std::vector<double> time_constants{};       ///< of each pole [s]; NaN for one that is no decay
+  double dc_gain = unset;                     ///< in the unit of a(0)
+  /// What the gain may be when the last printed digit of every coefficient is rounded: 5th and 95th
+  /// percentile of 4000 draws, and the share of them that are unstable.
+  double dc_gain_lower = unset, dc_gain_upper = unset;
+  double unstable_share = unset;
+  double feedthrough = unset;   ///< a(0): what of a step arrives at once
+  double single_error = unset;  ///< of a step after 40 h in single precision, over the gain [1]
+  std::vector<std::string> warnings{};  ///< for people, a sentence each
+};
+
+/// `quantum`: the least step that the input's sensor can make, in its unit; `visible`: a step of
+/// the output above which it is named, in the unit of a(0) times that of the input.
+[[nodiscard]] TransferFunctionCheck check(const TransferFunction& printed, double quantum = 0.1,
+                                          double visible = 0.1 * um);
+
+}  // namespace raceway::correction

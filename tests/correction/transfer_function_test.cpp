@@ -1,0 +1,123 @@
+#include "correction/transfer_function.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "tests/correction/reference.h"
+
+namespace raceway::correction {
+namespace {
+
+/// The transfer functions that were published, as printed. Their coefficients are in um/K, here
+/// too: all of it is linear in the numerator.
+class Published : public testing::TestWithParam<const char*> {
+ protected:
+  nlohmann::json known = reference(GetParam());
+  TransferFunction f{.numerator = numbers(known["a"]),
+                     .denominator = numbers(known["b"]),
+                     .sampling = known["sampling_s"]};
+};
+
+TEST_P(Published, HasItsPoles) {
+  const TransferFunctionCheck c = check(f);
+  ASSERT_EQ(c.poles.size(), known["poles"].size());
+  for (const auto& pole : known["poles"])
+    EXPECT_THAT(c.poles, testing::Contains(testing::ResultOf(
+                             [&](const std::complex<double>& p) {
+                               return std::abs(p - std::complex<double>(pole[0], pole[1]));
+                             },
+                             testing::Lt(1e-7))));
+  for (const auto& constant : known["time_constants_s"]) {
+    if (constant.is_null()) continue;
+    const double expected = constant;
+    // A pole known to 1e-7 leaves this of a time constant.
+    const double leeway = 1e-7 * expected * expected + 1e-6;
+    EXPECT_THAT(c.time_constants, testing::Contains(testing::DoubleNear(expected, leeway)));
+  }
+  const auto none = std::count_if(c.time_constants.begin(), c.time_constants.end(),
+                                  [](double t) { return std::isnan(t); });
+  EXPECT_EQ(none, std::count(known["time_constants_s"].begin(), known["time_constants_s"].end(),
+                             nullptr));
+}
+
+TEST_P(Published, HasItsGainAndWhatRoundingLeavesOpen) {
+  const TransferFunctionCheck c = check(f);
+  EXPECT_NEAR(c.dc_gain / known["dc_gain_um_K"].get<double>(), 1.0, 1e-9);
+  EXPECT_DOUBLE_EQ(c.feedthrough, known["feedthrough_um_K"].get<double>());
+  EXPECT_NEAR(c.unstable_share, known["unstable_share_if_rounded"].get<double>(), 0.03);
+  const double lower = known["dc_if_rounded_5_95"][0], upper = known["dc_if_rounded_5_95"][1];
+  EXPECT_NEAR(c.dc_gain_lower, lower, 0.2 * (upper - lower));
+  EXPECT_NEAR(c.dc_gain_upper, upper, 0.2 * (upper - lower));
+}
+
+TEST_P(Published, AnswersAStepAsTheReference) {
+  const auto& response = known["step_response"];
+  const auto samples = response["time_s"].get<std::vector<std::size_t>>();
+  const std::vector<double> step(samples.back() + 1, 1.0);
+  const std::vector<double> y = run(f, step);
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    EXPECT_NEAR(y[samples[k]] / response["um"][k].get<double>(), 1.0, 1e-6) << samples[k];
+  const auto peak = std::max_element(y.begin(), y.end(),
+                                     [](double a, double b) { return std::abs(a) < std::abs(b); });
+  EXPECT_NEAR(*peak / known["step_peak_um"].get<double>(), 1.0, 1e-6);
+}
+
+TEST_P(Published, EndsInSinglePrecisionWhereTheReferenceDoes) {
+  const std::vector<float> step(144000, 1.0F);
+  EXPECT_NEAR(run_single(f, step).back() / known["float32_direct_form_40h_um"].get<double>(), 1.0,
+              0.05);
+}
+
+TEST_P(Published, WarnsOfWhatTheReferenceWarnsOf) {
+  TransferFunction in_metres = f;
+  for (double& a : in_metres.numerator) a *= um;
+  const auto said = check(in_metres).warnings;
+  const auto expected = known["warnings"].get<std::vector<std::string>>();
+  for (const char* start :
+       {"negative real pole", "pole on or outside the unit circle",
+        "rounding of the printed digits", "DC gain not determined", "feedthrough turns a"}) {
+    const auto begins = [&](const std::string& w) { return w.rfind(start, 0) == 0; };
+    EXPECT_EQ(std::any_of(said.begin(), said.end(), begins),
+              std::any_of(expected.begin(), expected.end(), begins))
+        << start;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(TransferFunction, Published,
+                         testing::Values("tf_S2_SP1", "tf_S2_amb", "tf_S2_SP2", "tf_S3_Z_amb",
+                                         "tf_S3_Z_X", "tf_S3_Z_Y", "tf_S3_Z_Z"),
+                         [](const auto& of) { return std::string(of.param); });
+
+/// Why models are kept in sections: printed with four decimals, this one has another gain.
+TEST(TransferFunction, OfSlowSectionsHangsOnDigitsThatNobodyPrints) {
+  const auto known = reference("why_not_polynomials");
+  const auto b = numbers(known["denominator"]);
+  EXPECT_NEAR(std::accumulate(b.begin(), b.end(), 0.0) / known["sum_b"].get<double>(), 1.0, 1e-4);
+  const double p = std::exp(-1.0 / 5400), q = std::exp(-1.0 / 900);
+  EXPECT_NEAR(b[1], -(p + q), 1e-10);
+  EXPECT_NEAR(b[2], p * q, 1e-12);
+  TransferFunction rounded{.numerator = {1e-7}, .denominator = {1, -1.9987, 0.9987}, .sampling = 1};
+  EXPECT_THAT(check(rounded).warnings, testing::Contains(testing::HasSubstr("unit circle")));
+}
+
+TEST(TransferFunction, RefusesWhatItCannotRun) {
+  const auto refused = [](TransferFunction f, const char* why) {
+    try {
+      static_cast<void>(reduced(f));
+      ADD_FAILURE() << why;
+    } catch (const std::invalid_argument& e) {
+      EXPECT_THAT(e.what(), testing::HasSubstr(why));
+    }
+  };
+  refused({{}, {1.0}, 1.0}, "needs a numerator");
+  refused({{1.0}, {2.0, 1.0}, 1.0}, "must begin with 1");
+  refused({{1.0}, {1.0, -0.9}, 0.0}, "sampling time");
+  refused({{unset}, {1.0, -0.9}, 1.0}, "not finite");
+}
+
+}  // namespace
+}  // namespace raceway::correction
