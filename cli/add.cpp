@@ -2,7 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <functional>
+#include <utility>
+
 #include "cli/commands.h"
+#include "cli/correction_input.h"
 #include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
@@ -22,7 +26,7 @@ namespace {
 
 struct AddFlags {
   std::vector<std::string> names;  // model, effects, further data
-  std::string data, output;
+  std::string data, output, displacement;
   PerRecordFlag per_record;
   DataFlag reading;
   bool json = false, force = false;
@@ -63,6 +67,51 @@ void print(const fit::AddResult& r) {
   }
 }
 
+fit::AddResult added(const fit::Subject& subject, const std::vector<std::string>& ids,
+                     const record::Record& data, const std::string& model) {
+  try {
+    return fit::add(subject, ids, data);
+  } catch (const std::invalid_argument& e) {
+    refuse_data(model, data, e);
+  }
+}
+
+/// What the effects bought, and `write` where they are kept.
+int finish(const AddFlags& flags, const std::string& source, fit::AddResult result,
+           const record::Record& data, const std::vector<io::ModelOfPage>& facts,
+           const std::function<void(const fit::Calibration&)>& write) {
+  tell_of_scale(data, result.messages);
+  if (flags.json) {
+    put_document(io::add_json(source, data, result));
+  } else {
+    print(result);
+  }
+  warn(result.messages);
+  flags.report.write([&] { return io::add_report(source, data, result, facts); }, flags.force);
+  if (!result.calibration.converged()) {
+    complain("raceway add: the fit did not converge; nothing is written");
+    return not_converged;
+  }
+  if (result.refused && !flags.force) {
+    complain(fmt::format("raceway add: refused: {} (--force adds it all the same)", result.reason));
+    return wrong_input;
+  }
+  write(result.calibration);
+  return done;
+}
+
+int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
+                   const std::vector<std::string>& files) {
+  CorrectionQuestion asked =
+      ask_correction(flags.names.front(), files, flags.displacement, flags.reading);
+  flags.tolerance.set(asked.model, asked.file.source);
+  const correction::CorrectionSubject subject(asked.model);
+  return finish(flags, asked.file.source, added(subject, ids, asked.data, asked.file.source),
+                asked.data, {}, [&](const fit::Calibration& c) {
+                  write_correction(asked, *c.subject, flags.output, flags.force);
+                });
+}
+
 int run(const AddFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty() && flags.per_record.names.empty())
@@ -76,6 +125,7 @@ int run(const AddFlags& flags) {
     throw io::InputError(
         "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
         {.key = "EFFECT"});
+  if (io::has_correction(path)) return run_correction(flags, ids, files);
   io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
   const record::Record data =
@@ -83,36 +133,10 @@ int run(const AddFlags& flags) {
   const auto subject = flags.per_record.subject(file.model, data);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*subject);
-  fit::AddResult result = [&] {
-    try {
-      return fit::add(*subject, ids, data);
-    } catch (const std::invalid_argument& e) {
-      refuse_data(path, data, e);
-    }
-  }();
-  tell_of_scale(data, result.messages);
-  if (flags.json) {
-    put_document(io::add_json(file.source, data, result));
-  } else {
-    print(result);
-  }
-  warn(result.messages);
-  flags.report.write(
-      [&] {
-        return io::add_report(file.source, data, result,
-                              {of_page(file, output.model(result.calibration))});
-      },
-      flags.force);
-  if (!result.calibration.converged()) {
-    complain("raceway add: the fit did not converge; nothing is written");
-    return not_converged;
-  }
-  if (result.refused && !flags.force) {
-    complain(fmt::format("raceway add: refused: {} (--force adds it all the same)", result.reason));
-    return wrong_input;
-  }
-  output.write(file, result.calibration);
-  return done;
+  fit::AddResult result = added(*subject, ids, data, path);
+  const std::vector<io::ModelOfPage> facts{of_page(file, output.model(result.calibration))};
+  return finish(flags, file.source, std::move(result), data, facts,
+                [&](const fit::Calibration& c) { output.write(file, c); });
 }
 
 }  // namespace
@@ -135,6 +159,7 @@ Run setup_add(CLI::App& command) {
                   "model file to write: MODEL with the effects and the new values;\n"
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
+  declare_displacement(command, flags->displacement);
   flags->per_record.declare(command);
   flags->reading.declare(command);
   flags->tolerance.declare(command);

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <functional>
 
 #include "cli/calibrate_conformity.h"
 #include "cli/commands.h"
+#include "cli/correction_input.h"
 #include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
@@ -21,7 +23,7 @@ namespace raceway::cli {
 namespace {
 
 struct CalibrateFlags {
-  std::string model, output;
+  std::string model, output, displacement;
   std::vector<std::string> data;
   PerRecordFlag per_record;
   DataFlag reading;
@@ -65,6 +67,45 @@ void print(const fit::Calibration& c) {
                error_text(e.rmse_after, *e.channel), error_unit(*e.channel));
 }
 
+fit::Calibration calibrated(const fit::Subject& subject, const record::Record& data,
+                            const std::string& model) {
+  try {
+    return fit::calibrate(subject, data);
+  } catch (const std::invalid_argument& e) {
+    refuse_data(model, data, e);
+  }
+}
+
+/// What was found, and `write` where it is to be kept.
+int finish(const CalibrateFlags& flags, fit::Calibration c, const record::Record& data,
+           const std::string& files, const std::function<void(const fit::Calibration&)>& write) {
+  tell_of_scale(data, c.messages);
+  if (flags.json) {
+    put_document(io::calibration_json(c, data));
+  } else if (c.converged()) {
+    print(c);
+  }
+  warn(c.messages);
+  if (!c.converged()) {
+    complain(fmt::format("raceway calibrate: {} after {} steps; {}", fit::name(c.status),
+                         c.iterations,
+                         flags.output.empty() ? "no result" : files + " is not written"));
+    return not_converged;
+  }
+  write(c);
+  return done;
+}
+
+int run_correction(const CalibrateFlags& flags) {
+  const CorrectionQuestion asked =
+      ask_correction(flags.model, flags.data, flags.displacement, flags.reading);
+  const correction::CorrectionSubject subject(asked.model);
+  return finish(flags, calibrated(subject, asked.data, asked.file.source), asked.data, flags.output,
+                [&](const fit::Calibration& c) {
+                  write_correction(asked, *c.subject, flags.output, flags.force);
+                });
+}
+
 int run(const CalibrateFlags& flags) {
   if (flags.output == "-")
     throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file",
@@ -78,34 +119,15 @@ int run(const CalibrateFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty() && flags.per_record.names.empty())
     io::require_writable(flags.output, if_exists);
+  if (io::has_correction(flags.model)) return run_correction(flags);
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   const record::Record data = open_records(flags.data, flags.model, *io::make_subject(file.model),
                                            flags.reading.options(file));
   const auto subject = flags.per_record.subject(file.model, data);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*subject);
-  fit::Calibration c = [&] {
-    try {
-      return fit::calibrate(*subject, data);
-    } catch (const std::invalid_argument& e) {
-      refuse_data(flags.model, data, e);
-    }
-  }();
-  tell_of_scale(data, c.messages);
-  if (flags.json) {
-    put_document(io::calibration_json(c, data));
-  } else if (c.converged()) {
-    print(c);
-  }
-  warn(c.messages);
-  if (!c.converged()) {
-    complain(fmt::format(
-        "raceway calibrate: {} after {} steps; {}", fit::name(c.status), c.iterations,
-        flags.output.empty() ? "no result" : output.names(*subject) + " is not written"));
-    return not_converged;
-  }
-  output.write(file, c);
-  return done;
+  return finish(flags, calibrated(*subject, data, flags.model), data, output.names(*subject),
+                [&](const fit::Calibration& c) { output.write(file, c); });
 }
 
 }  // namespace
@@ -127,6 +149,7 @@ Run setup_calibrate(CLI::App& command) {
                   "model file to write: MODEL with the new values, all else as it is;\n"
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
+  declare_displacement(command, flags->displacement);
   flags->per_record.declare(command);
   flags->reading.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");

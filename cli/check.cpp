@@ -5,11 +5,15 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/correction_input.h"
 #include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/open_input.h"
 #include "cli/text_table.h"
+#include "correction/record_check.h"
 #include "io/error.h"
+#include "io/names.h"
+#include "io/number_text.h"
 #include "io/output_file.h"
 #include "io/record_text.h"
 #include "io/results.h"
@@ -75,24 +79,86 @@ int suggest(const std::string& model, const std::string& path) {
 }
 
 struct CheckFlags {
-  std::string model, data, output;
+  std::string model, data, output, displacement;
   DataFlag reading;
   bool json = false, suggest = false, force = false;
 };
 
 /// What the model leaves to the program.
-void print_defaults(const io::ModelFile& file) {
-  fmt::print("{}: {} default{}\n", file.source, file.defaults.size(),
-             file.defaults.size() == 1 ? "" : "s");
-  for (const std::string& d : file.defaults)
-    fmt::print("  {}\n", d.substr(0, d.find(" (default)")));
+void print_defaults(const std::string& source, const std::vector<std::string>& defaults) {
+  fmt::print("{}: {} default{}\n", source, defaults.size(), defaults.size() == 1 ? "" : "s");
+  for (const std::string& d : defaults) fmt::print("  {}\n", d.substr(0, d.find(" (default)")));
 }
 
 int run_model(const io::ModelFile& file, bool json) {
   if (json)
     put_document(io::model_check_json(file.model.name, file.defaults, file.notes));
   else
-    print_defaults(file);
+    print_defaults(file.source, file.defaults);
+  return done;
+}
+
+/// What a record over time can tell, in lines.
+void print(const correction::RecordCheck& c) {
+  fmt::print(
+      "rows every {:.4g} s over {:.4g} h, {} readings every {:.4g} s: time constants of {:.3g} s "
+      "to "
+      "{:.3g} s can be told\n",
+      c.sampling, c.duration / 3600.0, c.readings, c.reading_interval, c.shortest, c.longest);
+  for (const correction::RecordCheck::Quantum& q : c.quanta)
+    fmt::print("{}: last digit {:.3g} {}\n", q.column->name, q.step / q.column->factor,
+               io::difference_unit(*q.column));
+  for (const correction::RecordCheck::Printed& p : c.printed) {
+    std::vector<std::string> lags;
+    for (const double tau : p.check.time_constants)
+      lags.push_back(std::isfinite(tau) ? fmt::format("{:.4g} s", tau) : "no decay");
+    fmt::print(
+        "channel {}: poles of {}, DC gain {:.4g} um per unit ({:.4g} to {:.4g} as printed)\n",
+        p.channel, fmt::join(lags, ", "), p.check.dc_gain / um, p.check.dc_gain_lower / um,
+        p.check.dc_gain_upper / um);
+  }
+}
+
+int check_corrections(const CheckFlags& flags, io::IfExists if_exists) {
+  if (flags.data.empty()) {
+    const io::CorrectionFile file = io::read_correction(flags.model);
+    std::vector<std::string> names;
+    for (const correction::Model& m : file.models) names.push_back(m.name);
+    if (flags.json) {
+      put_document(io::model_check_json(io::listed(names), file.defaults, file.notes));
+    } else {
+      tell(file.notes);
+      print_defaults(file.source, file.defaults);
+    }
+    return done;
+  }
+  const CorrectionQuestion asked =
+      ask_correction(flags.model, {flags.data}, flags.displacement, flags.reading);
+  const auto subject = correction::CorrectionSubject(asked.model).informed_by(asked.data);
+  fit::Check check;
+  try {
+    check = fit::check(*subject, asked.data);
+  } catch (const std::invalid_argument& e) {
+    refuse_data(asked.file.source, asked.data, e);
+  }
+  const correction::RecordCheck over_time = correction::check_record(asked.model, asked.data);
+  if (!check.problem.empty()) warn({check.problem});
+  warn(over_time.warnings);
+  if (flags.json) {
+    std::vector<std::string> notes = asked.file.notes;
+    notes.insert(notes.end(), asked.data.notes.begin(), asked.data.notes.end());
+    put_document(io::check_json(asked.model.name, check, asked.file.defaults, notes, &over_time));
+  } else {
+    print(check, asked.data);
+    fmt::print("\n");
+    print(over_time);
+    fmt::print("\n");
+    print_defaults(asked.file.source, asked.file.defaults);
+  }
+  if (!flags.output.empty()) {
+    io::write_text(flags.output, io::record_text(asked.data), if_exists);
+    say(fmt::format("{} written, {} rows", flags.output, asked.data.rows()));
+  }
   return done;
 }
 
@@ -102,6 +168,7 @@ int run(const CheckFlags& flags) {
     throw io::InputError("raceway check: --output -: stdout shows what was read; name a file",
                          {.key = "--output"});
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+  if (io::has_correction(flags.model)) return check_corrections(flags, if_exists);
   const std::string& model = flags.model;
   const io::ModelFile file = open_model(model, Accepts::rig_or_shaft, Defaults::keep);
   if (flags.data.empty()) return run_model(file, flags.json);
@@ -127,7 +194,7 @@ int run(const CheckFlags& flags) {
   } else {
     print(check, data);
     fmt::print("\n");
-    print_defaults(file);
+    print_defaults(file.source, file.defaults);
   }
   if (!flags.output.empty()) {
     io::write_text(flags.output, io::record_text(data), if_exists);
@@ -143,6 +210,7 @@ Run setup_check(CLI::App& command) {
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   command.add_option("DATA", flags->data, "measurements (CSV); without them the model alone")
       ->type_name("");
+  declare_displacement(command, flags->displacement);
   flags->reading.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/correction_input.h"
 #include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/open_input.h"
@@ -14,6 +15,8 @@
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "cli/tolerance_flag.h"
+#include "correction/alignment.h"
+#include "correction/phases.h"
 #include "fit/calibrate.h"
 #include "fit/several_records.h"
 #include "io/error.h"
@@ -32,6 +35,7 @@ struct CompareFlags {
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
   PerRecordFlag per_record;
   DataFlag reading;  // the same, to each record by itself
+  std::string displacement, zero = "mean";
   bool json = false, force = false;
   ReportFlag report;
   ToleranceFlag tolerance;
@@ -47,7 +51,8 @@ std::string difference(double error, const fit::Comparison& c, bool sign = true)
 }
 
 std::string range_text(const fit::ErrorRange& r) {
-  if (r.is_run()) return r.run.empty() ? "no run_id" : "run " + r.run;
+  if (r.is_run())
+    return r.run.empty() ? "no run_id" : fmt::format("{} {}", r.channel->words, r.run);
   const record::Channel& of = *r.channel;
   const std::string low = fmt::format("{:.4g}", of.in_unit(r.from));
   const std::string high = fmt::format("{:.4g}", of.in_unit(r.to));
@@ -69,8 +74,11 @@ std::string noise_text(const fit::Comparison& c) {
                        fit::name(c.noise.source));
   const std::string_view column = deviation_column(of);
   return fmt::format(
-      "not known ({}no repeated rows){}",
-      column.empty() ? "" : fmt::format("no column {}, ", column),
+      "not known ({}){}",
+      record::find_channel(of.name) == nullptr  // of a record over time
+          ? "none declared, and readings stand far apart"
+          : fmt::format("{}no repeated rows",
+                        column.empty() ? "" : fmt::format("no column {}, ", column)),
       std::isnan(c.estimated_noise)
           ? ""
           : fmt::format("; estimated {} {}", error_text(c.estimated_noise, of, 3), error_unit(of)));
@@ -286,6 +294,67 @@ void warn_of_other_sensors(const std::vector<io::ModelFile>& files) {
                        file.source, first.source));
 }
 
+void show(const CompareFlags& flags, const std::vector<std::string>& models,
+          const std::vector<Comparisons>& comparisons, const record::Record& data) {
+  if (flags.json)
+    put_document(io::comparison_json(models, comparisons, data));
+  else if (models.size() == 1)
+    print(models[0], comparisons[0], data);
+  else
+    print_ladders(models, comparisons);
+}
+
+correction::Zero zero_of(const CompareFlags& flags) {
+  return flags.zero == "first"  ? correction::Zero::first
+         : flags.zero == "none" ? correction::Zero::none
+                                : correction::Zero::mean;
+}
+
+/// A correction as it is compared: with the constant of each run, and what --refit names, found
+/// from the record.
+Compared aligned(correction::Model model, const CompareFlags& flags, const record::Record& data) {
+  if (flags.refit.empty()) return {correction::aligned(model, data, zero_of(flags))};
+  model.free = flags.refit;
+  if (std::find(model.free.begin(), model.free.end(), "offset") == model.free.end())
+    model.free.emplace_back("offset");
+  const fit::Calibration found = fit::calibrate(correction::CorrectionSubject(model), data);
+  warn(found.messages);
+  return {found.subject, static_cast<int>(found.parameters.size())};
+}
+
+int compare_corrections(const CompareFlags& flags, const std::vector<std::string>& paths,
+                        const std::vector<std::string>& data) {
+  if (!flags.per_record.names.empty())
+    throw io::InputError("--per-record: a correction is held against one record",
+                         {.key = "--per-record"});
+  std::vector<std::string> models;
+  std::vector<Comparisons> comparisons;
+  record::Record record;
+  for (const std::string& path : paths) {
+    if (!io::has_correction(path))
+      throw io::InputError(
+          path + ": has no [correction]: only corrections can be compared with one",
+          {.file = path, .key = "correction"});
+    CorrectionQuestion asked = ask_correction(path, data, flags.displacement, flags.reading);
+    flags.tolerance.set(asked.model, asked.file.source);
+    try {
+      const Compared one = aligned(asked.model, flags, asked.data);
+      comparisons.push_back(fit::compare(*one.subject, asked.data, one.fitted));
+    } catch (const std::invalid_argument& e) {
+      refuse_data(asked.file.source, asked.data, e);
+    }
+    for (fit::Comparison& c : comparisons.back())
+      fit::add_groups(c, correction::phase, correction::phases(asked.data, *c.channel));
+    models.push_back(asked.file.source);
+    warn(beyond_range(asked.model, asked.data).notes);
+    record = std::move(asked.data);
+  }
+  show(flags, models, comparisons, record);
+  flags.report.write([&] { return io::comparison_report(models, {}, comparisons, record, {}); },
+                     flags.force);
+  return done;
+}
+
 int run(const CompareFlags& flags) {
   if (flags.files.size() < 2)
     throw io::InputError(
@@ -295,6 +364,8 @@ int run(const CompareFlags& flags) {
       flags.files.begin() + static_cast<std::ptrdiff_t>(first_data(flags.files));
   const std::vector<std::string> paths(flags.files.begin(), data_begin);
   flags.report.check(flags.force);
+  if (io::has_correction(paths.front()))
+    return compare_corrections(flags, paths, {data_begin, flags.files.end()});
   const std::vector<io::ModelFile> files = open_models(paths, flags.tolerance);
   std::vector<std::string> models;
   for (const io::ModelFile& file : files) models.push_back(file.source);
@@ -324,13 +395,7 @@ int run(const CompareFlags& flags) {
   if (!flags.per_record.names.empty())
     tell({fmt::format("{} refitted to each record by itself in each model",
                       fmt::join(flags.per_record.names, " and "))});
-  if (flags.json) {
-    put_document(io::comparison_json(models, comparisons, data));
-  } else if (models.size() == 1) {
-    print(models[0], comparisons[0], data);
-  } else {
-    print_ladders(models, comparisons);
-  }
+  show(flags, models, comparisons, data);
   std::vector<io::ModelOfPage> facts;
   for (std::size_t i = 0; i < files.size(); ++i) facts.push_back(of_page(files[i], compared[i]));
   flags.report.write(
@@ -352,6 +417,13 @@ Run setup_compare(CLI::App& command) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
+  declare_displacement(command, flags->displacement);
+  command
+      .add_option("--zero", flags->zero,
+                  "of a correction: the constant taken off before it is compared: mean (that\n"
+                  "which leaves least, default), first (the first reading of each run), none")
+      ->check(CLI::IsMember({"mean", "first", "none"}))
+      ->type_name("WHICH");
   flags->per_record.declare(command);
   flags->reading.declare(command);
   flags->tolerance.declare(command);

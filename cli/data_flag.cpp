@@ -13,9 +13,14 @@ void DataFlag::declare(CLI::App& command) {
 }
 
 io::ReadOptions DataFlag::options(const io::ModelFile& model) const {
-  io::ReadOptions result = options();
-  if (columns.empty()) result.columns = model.columns;
+  io::ReadOptions result = options(model.columns);
   result.sensor = model.sensor;
+  return result;
+}
+
+io::ReadOptions DataFlag::options(const io::ColumnMap& of_model) const {
+  io::ReadOptions result = options();
+  if (columns.empty()) result.columns = of_model;
   return result;
 }
 

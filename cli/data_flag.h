@@ -16,6 +16,7 @@ struct DataFlag {
   void declare(CLI::App& command);
   /// How measurements are read: by the map of the flag, else by [columns] of the model.
   [[nodiscard]] io::ReadOptions options(const io::ModelFile& model) const;
+  [[nodiscard]] io::ReadOptions options(const io::ColumnMap& of_model) const;
   /// The same without a model.
   [[nodiscard]] io::ReadOptions options() const;
 };

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/correction_input.h"
 #include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/number_flag.h"
@@ -26,7 +27,7 @@ namespace raceway::cli {
 namespace {
 
 struct DiagnoseFlags {
-  std::string model;
+  std::string model, displacement;
   std::vector<std::string> data;
   bool json = false, no_pairs = false, force = false;
   int tried_before = 0;
@@ -58,15 +59,19 @@ std::string size_text(const std::vector<fit::Parameter>& parameters) {
   return text;
 }
 
+/// Where a tolerance alone decides there is no likelihood.
+bool has_gains(const fit::Diagnosis& d) { return !std::isnan(d.needed_gain); }
+
 /// Errors of every channel, then what it is and how much it gains.
 TextTable effects_table(const fit::Diagnosis& d) {
-  std::vector<TextTable::Column> columns{{"effect", "", true}, {"", "", true}, {"gain", ""}};
+  std::vector<TextTable::Column> columns{{"effect", "", true}, {"", "", true}};
+  if (has_gains(d)) columns.push_back({"gain", ""});
   for (const fit::ChannelDiagnosis& c : d.channels) {
     columns.push_back({"RMS", error_unit(c.channel())});
     columns.push_back({"held out", error_unit(c.channel())});
   }
   columns.push_back({"size", "", true});
-  columns.push_back({"gain, | needed", "", true});
+  if (has_gains(d)) columns.push_back({"gain, | needed", "", true});
   return TextTable(columns);
 }
 
@@ -82,17 +87,19 @@ void print_effects(const fit::Diagnosis& d) {
     const std::string gain_bar = bar(e.gain, best, bar_width, d.needed_gain);
     // Rounding of a gain is no gain.
     const double gain = std::abs(e.gain) < 0.005 ? 0.0 : e.gain;
-    std::vector<std::string> row{e.id, e.in_verdict ? "<-" : "", number(gain, 3)};
+    std::vector<std::string> row{e.id, e.in_verdict ? "<-" : ""};
+    if (has_gains(d)) row.push_back(number(gain, 3));
     for (std::size_t k = 0; k < d.channels.size(); ++k) {
       row.push_back(channel_error(e.rmse, k, d));
       row.push_back(channel_error(e.rmse_held_out, k, d));
     }
     row.push_back(size_text(e.parameters));
-    row.push_back(e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar);
+    if (has_gains(d)) row.push_back(e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar);
     table.add(std::move(row));
   }
   if (shown == 0) return;
   fmt::print("\n{}", table.text(terminal_width()));
+  if (!has_gains(d)) return;
   fmt::print("gain: fall of -2 ln L; {} needed ({} explanations tried, {} rows)\n",
              number(d.needed_gain, 3), d.candidates_tried, d.rows);
 }
@@ -216,8 +223,10 @@ void print_ladder(const fit::Diagnosis& d, const fit::ChannelDiagnosis& c) {
 
 void print(const fit::Diagnosis& d) {
   fmt::print("{}\n{}\n\n", in_colour(d.headline, Colour::strong), d.sentence);
-  fmt::print("verdict: {} (p of the misfit {})\n\n", fit::name(d.verdict),
-             d.p_value < 1e-300 ? "< 1e-300" : fmt::format("{:.1g}", d.p_value));
+  fmt::print("verdict: {}{}\n\n", fit::name(d.verdict),
+             std::isnan(d.p_value) ? ""
+             : d.p_value < 1e-300  ? " (p of the misfit < 1e-300)"
+                                   : fmt::format(" (p of the misfit {:.1g})", d.p_value));
   for (const fit::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
   print_effects(d);
   fmt::print("\n");
@@ -266,32 +275,54 @@ fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const fit::Subject& subj
   }
 }
 
-int run(const DiagnoseFlags& flags) {
-  flags.report.check(flags.force);
+/// What is asked: a model with its measurements.
+struct Question {
+  std::string source{};                           // file of the model
+  std::shared_ptr<const fit::Subject> model{};    // as it is written
+  std::shared_ptr<const fit::Subject> subject{};  // as it is diagnosed
+  record::Record data{};
+  std::vector<io::ModelOfPage> facts{};
+};
+
+Question ask(const DiagnoseFlags& flags) {
+  if (io::has_correction(flags.model)) {
+    CorrectionQuestion asked =
+        ask_correction(flags.model, flags.data, flags.displacement, flags.reading);
+    flags.tolerance.set(asked.model, asked.file.source);
+    const auto subject = std::make_shared<const correction::CorrectionSubject>(asked.model);
+    return {asked.file.source, subject, subject, std::move(asked.data), {}};
+  }
   io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
+  Question question{.source = file.source};
   const auto model = io::make_subject(file.model);
-  const record::Record data =
-      open_records(flags.data, flags.model, *model, flags.reading.options(file));
-  const auto subject = flags.per_record.subject(file.model, data);
+  question.model = model;
+  question.data = open_records(flags.data, flags.model, *model, flags.reading.options(file));
+  question.subject = flags.per_record.subject(file.model, question.data);
+  question.facts = {of_page(file, file.model)};
+  return question;
+}
+
+int run(const DiagnoseFlags& flags) {
+  flags.report.check(flags.force);
+  const Question asked = ask(flags);
   fit::Diagnosis diagnosis;
   try {
-    diagnosis = diagnosis_of(flags, *subject, data);
+    diagnosis = diagnosis_of(flags, *asked.subject, asked.data);
   } catch (const OutOfTime& e) {
     say(e.what());
     return not_converged;
   }
-  tell_of_scale(data, diagnosis.messages);
+  tell_of_scale(asked.data, diagnosis.messages);
   if (flags.json) {
-    put_document(io::diagnosis_json(file.source, data, diagnosis));
+    put_document(io::diagnosis_json(asked.source, asked.data, diagnosis));
   } else {
     print(diagnosis);
   }
   warn(diagnosis.messages);
   flags.report.write(
       [&] {
-        return io::diagnosis_report(file.source, *model, data, diagnosis,
-                                    {of_page(file, file.model)});
+        return io::diagnosis_report(asked.source, *asked.model, asked.data, diagnosis, asked.facts);
       },
       flags.force);
   return done;
@@ -313,6 +344,7 @@ Run setup_diagnose(CLI::App& command) {
       ->type_name("N");
   add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
              "[s] after which it gives up; default 120");
+  declare_displacement(command, flags->displacement);
   flags->per_record.declare(command);
   flags->reading.declare(command);
   flags->tolerance.declare(command);

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
+#include "correction/catalogue.h"
 #include "effects/catalogue.h"
 #include "io/error.h"
 #include "io/names.h"
@@ -81,7 +82,41 @@ void print_list(std::span<const Description> list) {
                                     effects::find(d.id, Form::shaft)->moves(Form::shaft))),
                std::string(d.title)});
   fmt::print("{}", table.text(terminal_width()));
-  fmt::print("\nraceway effects ID explains one of them.\n");
+}
+
+/// Effects on a displacement over time, which have a catalogue of their own.
+void print_cards(std::span<const correction::EffectCard> cards) {
+  TextTable table({{"effect on a record over time", "", true}, {"what it is", "", true, true}});
+  for (const correction::EffectCard& card : cards)
+    table.add({std::string(card.id), std::string(card.title)});
+  fmt::print("\n{}", table.text(terminal_width()));
+}
+
+void print_page(const correction::EffectCard& card) {
+  fmt::print("{}: {}\n\n", card.id, card.title);
+  paragraph("changes", "displacement of a machine over time, of a model with [correction]");
+  paragraph("formula", card.form);
+  paragraph("needs", card.needs);
+  paragraph("looks like", card.confused);
+  if (card.of_reading)
+    paragraph("belongs", "to the record: it is carried neither to another one nor to a control");
+  if (card.evidence) paragraph("told", "by raceway check; it has no number");
+  if (card.numbers.empty()) return;
+  fmt::print("\n");
+  TextTable table({{"parameter", "", true},
+                   {"lower", ""},
+                   {"upper", ""},
+                   {"no effect at", ""},
+                   {"unit", "", true}});
+  const auto bound = [](double value) {
+    return std::isfinite(value) ? plain(value) : std::string("-");
+  };
+  for (const record::NumberCard& n : card.numbers)
+    table.add({std::string(n.name), bound(n.lower), bound(n.upper), bound(n.neutral),
+               n.unit == "1"      ? "-"
+               : n.unit == "um/u" ? "um per unit of the input"
+                                  : std::string(n.unit)});
+  fmt::print("{}", table.text(terminal_width()));
 }
 
 void print_page(const Description& d) {
@@ -154,6 +189,7 @@ std::vector<Description> forms_of(std::string_view id) {
 [[noreturn]] void refuse_unknown(const std::string& id) {
   std::vector<std::string> ids;
   for (const Description& known : effects::catalogue()) ids.emplace_back(known.id);
+  for (const correction::EffectCard& card : correction::catalogue()) ids.emplace_back(card.id);
   const std::string near = io::suggestion(id, ids);
   throw io::InputError(fmt::format("raceway effects: {}: no such effect{}", id,
                                    near.empty() ? "; raceway effects lists them" : near),
@@ -162,7 +198,7 @@ std::vector<Description> forms_of(std::string_view id) {
 
 int explain(const std::vector<Description>& forms, bool json) {
   if (json) {
-    put_document(forms.size() == 1 ? io::effect_json(forms[0]) : io::effects_json(forms));
+    put_document(forms.size() == 1 ? io::effect_json(forms[0]) : io::effects_json(forms, {}));
     return done;
   }
   for (const Description& d : forms) {
@@ -172,25 +208,48 @@ int explain(const std::vector<Description>& forms, bool json) {
   return done;
 }
 
-int list(std::span<const Description> found, bool json) {
-  if (json)
-    put_document(io::effects_json(found));
-  else
-    print_list(found);
+std::vector<correction::EffectCard> matching_cards(const std::string& words) {
+  std::vector<correction::EffectCard> found;
+  for (const correction::EffectCard& card : correction::catalogue())
+    if (io::lower_case(fmt::format("{} {} {}", card.id, card.title, card.form))
+            .find(io::lower_case(words)) != std::string::npos)
+      found.push_back(card);
+  return found;
+}
+
+int list(std::span<const Description> found, std::span<const correction::EffectCard> cards,
+         bool json) {
+  if (json) {
+    put_document(io::effects_json(found, cards));
+    return done;
+  }
+  if (!found.empty()) print_list(found);
+  if (!cards.empty()) print_cards(cards);
+  fmt::print("\nraceway effects ID explains one of them.\n");
   return done;
 }
 
 int show(const std::string& id, bool json) {
-  if (id.empty()) return json ? list(effects::all_forms(), json) : list(effects::catalogue(), json);
+  if (id.empty())
+    return list(json ? effects::all_forms() : effects::catalogue(), correction::catalogue(), json);
   if (const std::vector<Description> forms = forms_of(id); !forms.empty())
     return explain(forms, json);
+  if (const correction::EffectCard* const card = correction::find_card(id)) {
+    if (json)
+      put_document(io::effects_json({}, std::span(card, 1)));
+    else
+      print_page(*card);
+    return done;
+  }
   if (const std::string own = model::own_datum_explained(id); !own.empty() && !json) {
     fmt::print("{}\n", own);
     return done;
   }
   const std::vector<Description> found = matching(id);
-  if (found.empty()) refuse_unknown(id);
-  return found.size() == 1 ? explain(forms_of(found[0].id), json) : list(found, json);
+  const std::vector<correction::EffectCard> cards = matching_cards(id);
+  if (found.empty() && cards.empty()) refuse_unknown(id);
+  if (found.size() == 1 && cards.empty()) return explain(forms_of(found[0].id), json);
+  return list(found, cards, json);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "correction/correction_subject.h"
 #include "io/csv.h"
 #include "io/error.h"
 #include "io/number_text.h"
@@ -48,11 +49,6 @@ std::string allowed(const std::vector<fit::Measured>& measured) {
   return fmt::format("{}", fmt::join(units, ", "));
 }
 
-bool has_tolerance(const model::Model& model, const record::Channel& channel) {
-  return std::any_of(model.tolerances.begin(), model.tolerances.end(),
-                     [&](const record::NamedValue& t) { return t.name == channel.name; });
-}
-
 }  // namespace
 
 void ToleranceFlag::declare(CLI::App& command) {
@@ -63,28 +59,43 @@ void ToleranceFlag::declare(CLI::App& command) {
       ->type_name("VALUES");
 }
 
-void ToleranceFlag::set(io::ModelFile& file) const {
+void ToleranceFlag::set(const std::vector<fit::Measured>& measured, const std::string& source,
+                        std::string_view table, const Set& take) const {
+  std::vector<std::string> taken;
   if (text.empty()) return;
-  const std::vector<fit::Measured> measured = io::make_subject(file.model)->measured();
   std::istringstream items(text);
   for (std::string item; std::getline(items, item, ',');) {
     const Tolerance given = parsed(item);
+    if (std::find(taken.begin(), taken.end(), given.unit) != taken.end())
+      refuse(item, fmt::format("two of them in {}", given.unit));
+    taken.push_back(given.unit);
     bool known = false;
     for (const fit::Measured& m : measured) {
       const record::Channel& channel = *m.channel;
       if (io::difference_unit(channel) != given.unit) continue;
       known = true;
       if (!std::isnan(m.tolerance))
-        refuse(item, fmt::format("two of them: {} stands under [loop] of {}",
-                                 io::tolerance_key(channel), file.source));
-      if (has_tolerance(file.model, channel))
-        refuse(item, fmt::format("two of them in {}", given.unit));
-      file.model.tolerances.push_back({std::string(channel.name), given.value * channel.factor});
+        refuse(item, fmt::format("two of them: {} stands under [{}] of {}",
+                                 io::tolerance_key(channel), table, source));
+      take(channel, given.value * channel.factor);
     }
     if (!known)
-      refuse(item, fmt::format("nothing of {} is measured in {}; allowed: {}", file.source,
-                               given.unit, allowed(measured)));
+      refuse(item, fmt::format("nothing of {} is measured in {}; allowed: {}", source, given.unit,
+                               allowed(measured)));
   }
+}
+
+void ToleranceFlag::set(io::ModelFile& file) const {
+  if (text.empty()) return;
+  set(io::make_subject(file.model)->measured(), file.source, "loop",
+      [&](const record::Channel& channel, double value) {
+        file.model.tolerances.push_back({std::string(channel.name), value});
+      });
+}
+
+void ToleranceFlag::set(correction::Model& model, const std::string& source) const {
+  set(correction::CorrectionSubject(model).measured(), source, "correction",
+      [&](const record::Channel&, double value) { model.tolerance = value; });
 }
 
 }  // namespace raceway::cli

@@ -1,8 +1,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "correction/model.h"
+#include "fit/subject.h"
 #include "io/model_file.h"
 
 namespace raceway::cli {
@@ -17,6 +22,13 @@ struct ToleranceFlag {
   /// Throws io::InputError: no number with a unit, a unit in which nothing is measured, a channel
   /// that has a tolerance already.
   void set(io::ModelFile& file) const;
+  void set(correction::Model& model, const std::string& source) const;
+
+ private:
+  using Set = std::function<void(const record::Channel&, double)>;
+  /// `table`: where the file has its own.
+  void set(const std::vector<fit::Measured>& measured, const std::string& source,
+           std::string_view table, const Set& take) const;
 };
 
 }  // namespace raceway::cli

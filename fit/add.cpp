@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "fit/approximation_loop.h"
 #include "fit/effect_sizes.h"
 #include "fit/search.h"
 #include "fit/verdict_text.h"
@@ -227,6 +228,7 @@ class Addition {
 }  // namespace
 
 AddResult add(const Subject& subject, std::span<const std::string> ids, const Record& record) {
+  if (subject.approximates()) return add_approximation(subject, ids, record);
   if (ids.empty()) throw std::invalid_argument("no effect to add");
   (void)subject.with_candidates(ids);  // throws for what is no candidate
   return Addition(subject, ids, record).run();

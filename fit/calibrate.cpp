@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "fit/approximation_loop.h"
 #include "fit/identifiability.h"
 #include "fit/verdict_text.h"
 
@@ -338,6 +339,7 @@ Calibration fit_moving(const Subject& started, const std::optional<Evidence>& ev
 }  // namespace
 
 Calibration calibrate(const Subject& subject, const Record& record) {
+  if (subject.approximates()) return calibrate_approximation(subject, record);
   subject.require(record);
   Calibration result;
   result.parameters = starting(subject, result);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "fit/calibrate.h"
+#include "fit/compare.h"
 #include "fit/estimated_noise.h"
 #include "fit/row_order.h"
 
@@ -40,6 +41,9 @@ Check check(const Subject& subject, const Record& record) {
         {column.channel, static_cast<int>(read), estimate_noise(record, *column.channel)});
   }
   const std::vector<Measured> predicted = subject.measured();
+  for (const Measured& p : predicted)
+    for (Check::MeasuredChannel& m : result.measured)
+      if (*m.channel == *p.channel) m.noise = noise_of(record, p);
   std::stable_partition(result.measured.begin(), result.measured.end(), [&](const auto& m) {
     return std::any_of(predicted.begin(), predicted.end(),
                        [&](const Measured& p) { return *p.channel == *m.channel; });

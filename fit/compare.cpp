@@ -223,7 +223,9 @@ LackOfFit test_lack_of_fit(const Record& record, const Comparison& comparison,
 }
 
 std::string where_text(const ErrorRange& range) {
-  if (range.is_run()) return range.run.empty() ? "in rows without run_id" : "in run " + range.run;
+  if (range.is_run())
+    return range.run.empty() ? "in rows without run_id"
+                             : fmt::format("in {} {}", range.channel->words, range.run);
   const std::string from = fmt::format("{:.4g}", range.channel->in_unit(range.from));
   const std::string to = fmt::format("{:.4g}", range.channel->in_unit(range.to));
   return from == to ? fmt::format("at {} {}", from, range.channel->place)
@@ -274,8 +276,8 @@ std::string statement_of(const Comparison& c) {
 void find_errors(std::span<const double> predicted, const Record& record, Comparison& result) {
   const std::span<const double> readings = record.values(*result.channel);
   const record::Column* const deviation = record.deviation_of(*result.channel);
-  const bool by_row = result.noise.source == NoiseSource::declared ||
-                      result.noise.source == NoiseSource::regression;
+  const bool by_row = deviation && (result.noise.source == NoiseSource::declared ||
+                                    result.noise.source == NoiseSource::regression);
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (std::isnan(readings[i])) continue;  // not read then
     const double residual = predicted[i] - readings[i];
@@ -316,7 +318,30 @@ void sum_up(Comparison& result) {
     result.fit_percent = 100.0 * (1.0 - std::sqrt(square / spread));
 }
 
+Judgement judged_by_tolerance(const Comparison& c) {
+  if (std::isnan(c.tolerance)) return Judgement::unknown;
+  return c.rmse <= c.tolerance ? Judgement::noise : Judgement::structure;
+}
+
+/// Of a model that only comes near.
+std::string statement_beside(const Comparison& c) {
+  const Channel& q = *c.channel;
+  std::string text = fmt::format("The misfit is {:.3g} {}", c.rmse / q.factor, q.unit);
+  if (std::isfinite(c.noise.rms) && c.noise.rms > 0.0)
+    text += fmt::format(", {:.2g} times the noise of a reading", c.rmse / c.noise.rms);
+  if (!c.where.empty() && c.where.front().rmse > 1.2 * c.rmse)
+    text += "; it is worst " + where_text(c.where.front());
+  return text + ".";
+}
+
 }  // namespace
+
+Noise noise_of(const Record& record, const Measured& measured) {
+  if (!measured.approximate) return estimate_noise(record, *measured.channel);
+  if (std::isfinite(measured.std)) return {.rms = measured.std, .source = NoiseSource::declared};
+  const double rms = noise_of_neighbours(record, *measured.channel);
+  return {.rms = rms, .source = std::isfinite(rms) ? NoiseSource::neighbours : NoiseSource::none};
+}
 
 std::string p_value_text(double p) {
   return p < 1e-300 ? "p < 1e-300"
@@ -331,13 +356,17 @@ Comparison compare(std::span<const double> predicted, const Record& record,
   if (record.rows() == 0) throw std::invalid_argument(record.source + ": no rows to compare with");
   Comparison result{.channel = measured.channel};
   result.tolerance = measured.tolerance;
-  result.noise = estimate_noise(record, *measured.channel);
+  result.noise = noise_of(record, measured);
   find_errors(predicted, record, result);
   if (result.errors.empty())
     throw std::invalid_argument(record.source + ": the model predicts none of the rows");
   sum_up(result);
-  result.lack_of_fit = test_lack_of_fit(record, result, fitted_parameters);
-  result.pattern = find_pattern(record, result.errors);
+  if (!measured.approximate) {
+    result.lack_of_fit = test_lack_of_fit(record, result, fitted_parameters);
+    result.pattern = find_pattern(record, result.errors);
+  } else {
+    result.judgement = judged_by_tolerance(result);
+  }
   if (std::isfinite(result.lack_of_fit.p_value))
     result.judgement =
         result.lack_of_fit.p_value < alarm_level ? Judgement::structure : Judgement::noise;
@@ -346,7 +375,8 @@ Comparison compare(std::span<const double> predicted, const Record& record,
   // Runs that are records are told as these.
   const bool runs = record.parts.empty() || record.runs.size() > record.parts.size();
   for (const record::Column& c : record.columns)
-    if (c.channel->is_input() || (runs && c.channel->role == record::Role::run))
+    if (c.channel->is_input() || (measured.approximate && c.channel->role == record::Role::time) ||
+        (runs && *c.channel == record::run))
       add_ranges(*c.channel, record, result);
   add_records(record, result);
   std::stable_sort(result.where.begin(), result.where.end(),
@@ -357,7 +387,8 @@ Comparison compare(std::span<const double> predicted, const Record& record,
                      return std::abs(a.residual) > std::abs(b.residual);
                    });
   result.worst.resize(std::min(worst_rows, result.worst.size()));
-  result.statement = statement_of(result) + tolerance_text(result);
+  result.statement = (measured.approximate ? statement_beside(result) : statement_of(result)) +
+                     tolerance_text(result);
   return result;
 }
 
@@ -372,6 +403,27 @@ std::vector<Comparison> compare(const Subject& subject, const Record& record,
       result.push_back(compare(std::span(predicted).subspan(c * record.rows(), record.rows()),
                                record, channels[c], fitted_parameters));
   return result;
+}
+
+void add_groups(Comparison& comparison, const Channel& kind,
+                const std::vector<std::string>& group) {
+  std::map<std::string, ErrorRange> ranges;
+  for (const RowError& e : comparison.errors) {
+    if (group[e.row].empty()) continue;
+    ErrorRange& range = ranges[group[e.row]];
+    range.channel = &kind;
+    range.run = group[e.row];
+    if (range.rows++ == 0) range.rmse = range.bias = 0.0;
+    range.rmse += e.residual * e.residual;
+    range.bias += e.residual;
+  }
+  for (auto& [_, range] : ranges) {
+    range.rmse = std::sqrt(range.rmse / range.rows);
+    range.bias /= range.rows;
+    comparison.where.push_back(range);
+  }
+  std::stable_sort(comparison.where.begin(), comparison.where.end(),
+                   [](const ErrorRange& a, const ErrorRange& b) { return a.rmse > b.rmse; });
 }
 
 void estimate_unknown_noise(const Subject& subject, const Record& record,

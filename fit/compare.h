@@ -15,7 +15,7 @@ namespace raceway::fit {
 struct ErrorRange {
   const Channel* channel = nullptr;
   double from = unset, to = unset;  ///< smallest and largest value within [SI]; index of a run
-  std::string run{};                ///< run_id, or name of a record; empty for all else
+  std::string run{};  ///< run_id, or name of a record or of a group; empty for all else
   int rows = 0;
   double rmse = unset;  ///< SI
   double bias = unset;  ///< mean of prediction minus reading [SI]
@@ -86,6 +86,10 @@ struct Comparison {
   std::string statement{};  ///< in one sentence: how wrong, structure or noise, and where
 };
 
+/// The noise of a measured channel: as the model declares it or as neighbours in time tell it where
+/// the model only comes near, otherwise estimate_noise().
+[[nodiscard]] Noise noise_of(const Record& record, const Measured& measured);
+
 /// Compares a model with every measured channel that the record has. `fitted_parameters` of the
 /// model were fitted to these very data; they cost degrees of freedom in the test (0 where in
 /// doubt, which makes the test milder). Throws std::invalid_argument if nothing can be compared: a
@@ -97,6 +101,10 @@ struct Comparison {
 /// where there is none.
 [[nodiscard]] Comparison compare(std::span<const double> predicted, const Record& record,
                                  const Measured& measured, int fitted_parameters = 0);
+
+/// Adds groups of rows to `where`: `group` names that of each row, empty for none; `kind` is a
+/// channel of the role of a run that says what they are.
+void add_groups(Comparison& comparison, const Channel& kind, const std::vector<std::string>& group);
 
 /// Fills in Comparison::estimated_noise and the standard deviations of rows where the noise is not
 /// known: from a saturated regression, as a diagnosis does. The judgement stays.

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fit/compare.h"
@@ -95,6 +96,13 @@ struct Shape {
   double gain = unset;             ///< fall of -2 ln L against the model without it
 };
 
+/// What a model leaves over time that nothing in its catalogue explains.
+struct Course {
+  std::vector<std::pair<double, double>> when{};  ///< from and to, where it is largest [s]
+  double period = unset;         ///< after which it comes back [s]; NaN where it does not
+  double time_constant = unset;  ///< in which it forgets itself [s]
+};
+
 /// A measurement that would tell apart what the data cannot.
 struct SuggestedMeasurement {
   std::vector<Setting> point;
@@ -126,6 +134,7 @@ struct Diagnosis {
   double predicted_separation = unset, separation_by_repetition = unset;
   std::vector<std::string> records_needed;  ///< what to record beside it, to tell them apart
   std::optional<Shape> shape;
+  std::optional<Course> course;
   std::vector<Parameter> base;    ///< base parameters without (start) and with the verdict (value)
   std::vector<HoldOut> hold_out;  ///< of the verdict's best set against the base
   double needed_gain = unset;     ///< ln N + 2 ln m

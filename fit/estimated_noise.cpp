@@ -9,6 +9,7 @@ namespace raceway::fit {
 
 std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(const Subject& subject,
                                                                        const Record& record) {
+  if (subject.approximates()) return std::nullopt;  // no regression on its inputs knows the past
   try {
     const Evidence evidence = gather_evidence(subject, record, {.screened = false});
     const Problem& problem = evidence.problem;

@@ -1,8 +1,10 @@
 #include "fit/noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "record/median.h"
 #include "record/repeats.h"
 
 namespace raceway::fit {
@@ -31,6 +33,8 @@ std::string_view name(NoiseSource source) {
       return "regression";
     case NoiseSource::repeats:
       return "repeats";
+    case NoiseSource::neighbours:
+      return "neighbours";
   }
   return "none";
 }
@@ -67,6 +71,27 @@ Noise estimate_noise(const record::Record& record, const record::Channel& measur
     noise.source = NoiseSource::repeats;
   }
   return noise;
+}
+
+double noise_of_neighbours(const record::Record& record, const record::Channel& measured) {
+  constexpr double far_apart = 120.0;  // [s]
+  constexpr double to_std = 1.4826;    // of a median distance, for a normal law
+  const std::span<const double> time = record.values(record::time), read = record.values(measured);
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < read.size(); ++k)
+    if (std::isfinite(read[k])) rows.push_back(k);
+  std::vector<double> steps, second;
+  for (std::size_t i = 2; i < rows.size(); ++i) {
+    const std::size_t a = rows[i - 2], b = rows[i - 1], c = rows[i];
+    if (record.run_of(a) != record.run_of(c)) continue;
+    steps.push_back(time[c] - time[b]);
+    const double share = (time[b] - time[a]) / (time[c] - time[a]);
+    const double between = (1.0 - share) * read[a] + share * read[c];
+    second.push_back(std::abs(read[b] - between) /
+                     std::sqrt(1.0 + (1.0 - share) * (1.0 - share) + share * share));
+  }
+  if (second.size() < 30 || record::median(steps) > far_apart) return unset;
+  return to_std * record::median(second);
 }
 
 }  // namespace raceway::fit

@@ -11,10 +11,12 @@ enum class NoiseSource {
   none,
   declared,
   regression,  ///< by which the readings themselves were gained
-  repeats
+  repeats,
+  neighbours  ///< readings beside each other in time
 };
 
-/// The source in the words of the JSON results: "none", "declared", "regression", "repeats".
+/// The source in the words of the JSON results: "none", "declared", "regression", "repeats",
+/// "neighbours".
 [[nodiscard]] std::string_view name(NoiseSource source);
 
 /// How much of the readings of one channel is scatter.
@@ -29,5 +31,10 @@ struct Noise {
 /// (their rms), otherwise the scatter within repeats where that has at least 3 degrees of freedom.
 /// Never estimated from the misfit of a model, which would call missing physics noise.
 [[nodiscard]] Noise estimate_noise(const record::Record& record, const record::Channel& measured);
+
+/// Scatter of single readings [SI], from those beside them: NaN where they stand too far apart to
+/// tell it from what is measured moving meanwhile.
+[[nodiscard]] double noise_of_neighbours(const record::Record& record,
+                                         const record::Channel& measured);
 
 }  // namespace raceway::fit

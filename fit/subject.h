@@ -32,6 +32,11 @@ struct Measured {
   /// Up to this what the model leaves is its own coarseness, not something missing: it counts as
   /// noise [SI].
   double model_error = 0.0;
+  /// Scatter of a single reading, where the model declares it [SI].
+  double std = unset;
+  /// What a model leaves of it follows the rows before it, whatever is added (see
+  /// Subject::approximates()): no test against noise says anything.
+  bool approximate = false;
   /// Below this an error does not matter to whoever uses the model [SI]; NaN where nobody said.
   double tolerance = unset;
 };
@@ -54,6 +59,11 @@ struct Candidate {
   std::size_t size = 0;      ///< which of them is its size: at `neutral` it changes nothing
   bool base_law = false;     ///< corrects the law of the subject itself, which comes before physics
   bool of_the_user = false;  ///< nothing is known of its size
+  /// The only values that a parameter may take, rising, by parameter; empty, or empty for one: all
+  /// within its bounds.
+  std::vector<std::vector<double>> only{};
+  /// Nothing that is carried to another record: it cleans this one.
+  bool of_reading = false;
   /// What is wrong where this explains a misfit: a datum rather than what may be missing, in words
   /// ("the oil card"); empty for all else.
   std::string datum{};
@@ -138,6 +148,10 @@ class Subject {
   /// True where a reading depends on the rows before it. Then rows are neither sorted nor left out
   /// before they are predicted.
   [[nodiscard]] virtual bool has_memory() const { return false; }
+  /// True for a model that only comes near whatever is added to it: what it leaves is larger than
+  /// the noise of the sensor and follows the rows before it, for ever. It is fitted with all rows
+  /// alike, and judged by what it leaves on parts of the record that no fit saw.
+  [[nodiscard]] virtual bool approximates() const { return false; }
   /// What predictors of one record may share.
   [[nodiscard]] virtual std::shared_ptr<const void> prepare(const Record& record) const;
   /// By the values of the parameters of these names. `prepared` may be null; it and the record

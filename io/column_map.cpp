@@ -8,6 +8,7 @@
 #include "io/data_columns.h"
 #include "io/input_file.h"
 #include "io/signal_channels.h"
+#include "record/series_channel.h"
 
 // Last: see io/toml_text.h.
 #include "io/column_section.h"
@@ -79,7 +80,8 @@ void read_rule_table(const Section& s, const toml::key& key, const toml::table& 
 }
 
 ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& node) {
-  const auto named = named_channel(key.str(), file_channels());
+  auto named = named_channel(key.str(), file_channels());
+  if (!named) named = named_series_channel(key.str());
   if (!named) {
     const Names known = names_of_channels();
     const std::string near = suggestion(key.str(), known);
@@ -153,6 +155,22 @@ std::optional<NamedChannel> named_channel(std::string_view name,
     if (!own || !same_name(parts.name, variable_of(*c))) continue;
     if (const Unit* const unit = find_unit(parts.unit, own->dimension))
       return NamedChannel{c, unit == own ? nullptr : unit};
+  }
+  return std::nullopt;
+}
+
+std::optional<NamedChannel> named_series_channel(std::string_view name) {
+  if (const Channel* const exact = record::series_channel(name)) return NamedChannel{exact};
+  static constexpr std::array fixed{&record::time, &record::speed, &record::run};
+  if (auto named = named_channel(name, fixed)) return named;
+  const HeaderParts parts = header_parts(name);
+  std::string base = lower_case(parts.name);
+  std::replace(base.begin(), base.end(), ' ', '_');
+  for (const std::string_view ending : {"_C", "_m_min", "_rpm", "_um"}) {
+    const Channel* const channel = record::series_channel(base + std::string(ending));
+    const Unit* const own = channel ? unit_of(*channel) : nullptr;
+    const Unit* const unit = own ? find_unit(parts.unit, own->dimension) : nullptr;
+    if (unit) return NamedChannel{channel, unit == own ? nullptr : unit};
   }
   return std::nullopt;
 }

@@ -40,6 +40,10 @@ struct NamedChannel {
 [[nodiscard]] std::optional<NamedChannel> named_channel(
     std::string_view name, std::span<const record::Channel* const> channels);
 
+/// The same of a quantity of records over time: "front_bearing_temperature_K", "displacement_z
+/// [mm]".
+[[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
+
 /// One line of [columns]: what one of our columns is in somebody else's file.
 struct ColumnRule {
   std::string key;                   ///< as it stands there: "friction_torque_Nmm"
@@ -66,7 +70,8 @@ struct ReadOptions {
   ColumnMap columns{};
   /// By which a column torque_signal_V becomes friction torque.
   std::optional<rig::TorqueSensor> sensor{};
-  bool drop_nan = false;  ///< rows with a cell that has no number are left out and told
+  bool drop_nan = false;   ///< rows with a cell that has no number are left out and told
+  bool over_time = false;  ///< columns are those of records over time
 };
 
 /// All channels that a file may have: those of a record, of a fall between two speeds, of a torque

@@ -89,11 +89,15 @@ CellRange range_of(const ColumnSource& source, bool with_sign) {
   return range;
 }
 
+std::optional<NamedChannel> named_column(std::string_view name, bool over_time) {
+  return over_time ? named_series_channel(name) : named_channel(name, file_channels());
+}
+
 FormFinder finder(const ReadOptions& options) {
   return [&](std::string_view text) {
     return find_form(text, [&](std::string_view cell) {
       return options.columns.find(cell) != nullptr ||
-             named_channel(cell, file_channels()).has_value();
+             named_column(cell, options.over_time).has_value();
     });
   };
 }
@@ -117,7 +121,7 @@ const ColumnSource* Recognised::find(const Channel& channel) const {
   return nullptr;
 }
 
-Recognised recognise(const CsvTable& table, const ColumnMap& map) {
+Recognised recognise(const CsvTable& table, const ColumnMap& map, bool over_time) {
   Recognised result;
   const auto has_column_of = [&](const ColumnRule& rule) {
     return table.column(rule.header).has_value();
@@ -129,7 +133,7 @@ Recognised recognise(const CsvTable& table, const ColumnMap& map) {
           table, result);
       continue;
     }
-    const auto named = named_channel(name, file_channels());
+    const auto named = named_column(name, over_time);
     const bool replaced = named && is_ruled(map, *named->channel) &&
                           std::any_of(map.rules.begin(), map.rules.end(), [&](const auto& rule) {
                             return *rule.channel == *named->channel && has_column_of(rule);

@@ -8,12 +8,11 @@
 #include <limits>
 #include <unordered_map>
 
-#include "io/bad_cells.h"
+#include "io/column_reader.h"
 #include "io/csv.h"
 #include "io/data_columns.h"
 #include "io/error.h"
 #include "io/names.h"
-#include "io/timestamp.h"
 #include "rig/coast_down.h"
 #include "rig/fall_times.h"
 #include "rig/torque_sensor.h"
@@ -41,7 +40,7 @@ class Reader {
         sensor_(options.sensor),
         columns_(find_columns(table_, subject, expected_, options)),
         dropped_(options.drop_nan ? drop_empty_rows(table_, used_columns()) : std::string()),
-        bad_(table_.source, table_.rows()),
+        cells_(table_),
         notes_(columns_.notes) {
     if (!dropped_.empty()) notes_.push_back(dropped_);
   }
@@ -49,9 +48,9 @@ class Reader {
   Record read() {
     for (const DataColumns::Place& place : columns_.places) {
       if (place.channel->role == Role::run)
-        values(*place.channel) = runs(place);
-      else if (is_stamped(place))
-        values(*place.channel) = times(place);
+        values(*place.channel) = cells_.named(place, runs_);
+      else if (cells_.is_stamped(place))
+        values(*place.channel) = cells_.times(place);
       else if (columns_.signal && *place.channel == record::friction_torque)
         values(*place.channel) = numbers(*columns_.signal, *place.channel);
       else
@@ -61,7 +60,7 @@ class Reader {
       values(record::torque_deviation) =
           numbers(*columns_.signal_deviation, record::torque_deviation);
     if (!columns_.falls.empty()) read_falls();
-    check_decimal_marks();
+    cells_.check_decimal_marks();
     note_form();
     fill_in();
     if (!falls_.empty()) return torque_of_falls();
@@ -70,7 +69,7 @@ class Reader {
       return torque(
           [&](const model::Rig& of) { return rig::coast_down_torque(samples, of).record; });
     }
-    bad_.throw_if_any();
+    cells_.bad.throw_if_any();
     if (columns_.signal) make_torques();
     note_what_is_left_out();
     return record();
@@ -101,19 +100,7 @@ class Reader {
     const auto& below_zero = expected_.signed_inputs;
     const bool with_sign = std::any_of(below_zero.begin(), below_zero.end(),
                                        [&](const Channel* s) { return *s == c; });
-    std::vector<double> list;
-    list.reserve(table_.rows());
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      const std::string_view text = cell(place, row);
-      if (text.empty() && may_be_empty(c, row)) {
-        list.push_back(unset);
-        continue;
-      }
-      const ParsedNumber number = si_of_cell(table_, row, place, with_sign, bad_);
-      keep_mark(number.decimal_mark, row, text);
-      list.push_back(number.value);
-    }
-    return list;
+    return cells_.numbers(place, with_sign, [&](std::size_t row) { return may_be_empty(c, row); });
   }
 
   /// Signals of the torque sensor, and their deviations, become torques.
@@ -136,78 +123,10 @@ class Reader {
     return used;
   }
 
-  [[nodiscard]] bool is_stamped(const DataColumns::Place& place) const {
-    return *place.channel == record::time &&
-           (place.excel_date || parse_timestamp(cell(place, 0)).has_value());
-  }
-
-  /// Times of a column of dates, from that of the first row on [s].
-  std::vector<double> times(const DataColumns::Place& place) {
-    std::vector<double> list;
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      const std::string_view text = cell(place, row);
-      std::optional<double> time = parse_timestamp(text);
-      if (!time && place.excel_date) {
-        const ParsedNumber days = parse_number(text, table_.separator != ',');
-        if (days.problem.empty()) time = seconds_of_excel(days.value);
-      }
-      if (!time)
-        bad_.add(table_.line(row), place.name, text,
-                 "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
-      list.push_back(time.value_or(unset));
-    }
-    const double first = list.front();
-    for (double& time : list) time -= first;
-    if (!std::isnan(first))
-      notes_.push_back(fmt::format("column {} has {}: time_s counts from {}", place.name,
-                                   place.excel_date ? "dates of Excel" : "dates",
-                                   timestamp_text(first)));
-    return list;
-  }
-
-  /// Indices of the names in the order in which they come.
-  std::vector<double> runs(const DataColumns::Place& place) {
-    std::unordered_map<std::string, std::size_t> index;
-    std::vector<double> list;
-    list.reserve(table_.rows());
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
-      const std::string_view text = cell(place, row);
-      if (text.empty()) bad_.add(table_.line(row), place.channel->name, text, "is empty");
-      const auto [entry, is_new] = index.emplace(text, runs_.size());
-      if (is_new) runs_.emplace_back(text);
-      list.push_back(static_cast<double>(entry->second));
-    }
-    return list;
-  }
-
-  struct Mark {
-    int line = 0;
-    std::string cell;
-  };
-  void keep_mark(char mark, std::size_t row, std::string_view text) {
-    if (mark == '\0') return;
-    Mark& first = mark == ',' ? comma_ : point_;
-    if (first.line == 0) first = {table_.line(row), std::string(text)};
-  }
-
-  void check_decimal_marks() const {
-    if (comma_.line == 0 || point_.line == 0) return;
-    throw InputError(
-        fmt::format(
-            "{}:{}: {} has a decimal comma, but {} in line {} a decimal point; use one of them",
-            table_.source, comma_.line, comma_.cell, point_.cell, point_.line),
-        {.file = table_.source, .line = comma_.line});
-  }
-
+  /// How the file is written comes first, then what was said of its columns.
   void note_form() {
-    std::vector<std::string> form;
-    if (table_.separator == ';') form.emplace_back("semicolons");
-    if (table_.separator == '\t') form.emplace_back("tabs");
-    if (comma_.line != 0) form.emplace_back("decimal commas");
-    if (table_.byte_order_mark) form.emplace_back("a byte order mark");
-    if (table_.carriage_returns) form.emplace_back("CRLF line ends");
-    if (!form.empty()) notes_.insert(notes_.begin(), "read with " + listed(form));
-    notes_.insert(notes_.begin(), table_.notes.begin(), table_.notes.end());
+    const std::vector<std::string> form = cells_.notes_on_form();
+    notes_.insert(notes_.begin(), form.begin(), form.end());
   }
 
   void fill_in() {
@@ -289,12 +208,12 @@ class Reader {
       double& last = last_time[static_cast<std::size_t>(values(record::run)[row])];
       const double now = values(record::time)[row];
       if (now < last)
-        bad_.add(table_.line(row), record::time.name, cell(*columns_.find(record::time), row),
-                 "must not go back within a run");
+        cells_.bad.add(table_.line(row), record::time.name, cell(*columns_.find(record::time), row),
+                       "must not go back within a run");
       if (!std::isnan(now)) last = now;
       if (!(values(record::speed)[row] < expected_.minimum_speed)) fast.push_back(row);
     }
-    bad_.throw_if_any();
+    cells_.bad.throw_if_any();
     const double minimum = record::speed.in_unit(expected_.minimum_speed);
     if (fast.empty())
       throw InputError(
@@ -323,7 +242,7 @@ class Reader {
       const rig::Fall& f = falls_[row];
       values(record::speed).push_back(0.5 * (f.from + f.to));
       if (f.to >= f.from)
-        bad_.add(
+        cells_.bad.add(
             table_.line(row), speed_to.name, cell(columns_.falls[1], row),
             fmt::format("must be below speed_from_rpm = {} rpm", cell(columns_.falls[0], row)));
     }
@@ -331,7 +250,7 @@ class Reader {
 
   /// Without falls to slow speeds.
   Record torque_of_falls() {
-    bad_.throw_if_any();
+    cells_.bad.throw_if_any();
     std::vector<std::size_t> fast;
     std::vector<rig::Fall> falls;
     for (std::size_t row = 0; row < falls_.size(); ++row)
@@ -383,11 +302,10 @@ class Reader {
   std::optional<rig::TorqueSensor> sensor_;
   DataColumns columns_;
   std::string dropped_;  // what is said of rows without a number
-  BadCells bad_;
+  ColumnReader cells_;
   std::array<std::vector<double>, record::channels.size()> values_;  // [SI]
   std::vector<rig::Fall> falls_;  // by row; empty but in a file of times between two speeds
   std::vector<std::string> runs_, notes_;
-  Mark comma_, point_;
 };
 
 }  // namespace

@@ -213,6 +213,40 @@ std::string comparison_json(const std::vector<std::string>& model_files,
   return text(std::move(document));
 }
 
+namespace {
+
+json printed_object(const correction::RecordCheck::Printed& p) {
+  json poles = json::array();
+  for (const std::complex<double>& pole : p.check.poles)
+    poles.push_back({pole.real(), pole.imag()});
+  // One step of 1 K at the input, by the last digit that the sensor shows.
+  return {{"channel", p.channel},
+          {"poles", std::move(poles)},
+          {"time_constants_s", p.check.time_constants},
+          {"dc_gain", p.check.dc_gain / um},
+          {"dc_gain_5_95_percent", {p.check.dc_gain_lower / um, p.check.dc_gain_upper / um}},
+          {"unstable_percent", 100.0 * p.check.unstable_share},
+          {"feedthrough", p.check.feedthrough / um},
+          {"warnings", p.check.warnings}};
+}
+
+json over_time_object(const correction::RecordCheck& c) {
+  json quanta = json::object(), printed = json::array();
+  for (const correction::RecordCheck::Quantum& q : c.quanta)
+    quanta[std::string(q.column->name)] = q.step / q.column->factor;
+  for (const correction::RecordCheck::Printed& p : c.printed) printed.push_back(printed_object(p));
+  return {{"sampling_s", c.sampling},
+          {"duration_s", c.duration},
+          {"readings", c.readings},
+          {"reading_interval_s", c.reading_interval},
+          {"time_constants_visible_s", {c.shortest, c.longest}},
+          {"quanta", std::move(quanta)},
+          {"polynomials", std::move(printed)},
+          {"warnings", c.warnings}};
+}
+
+}  // namespace
+
 std::string model_check_json(const std::string& model_name,
                              const std::vector<std::string>& defaults,
                              const std::vector<std::string>& notes) {
@@ -221,7 +255,8 @@ std::string model_check_json(const std::string& model_name,
 
 std::string check_json(const std::string& model_name, const fit::Check& check,
                        const std::vector<std::string>& defaults,
-                       const std::vector<std::string>& notes) {
+                       const std::vector<std::string>& notes,
+                       const correction::RecordCheck* over_time) {
   json columns = json::array();
   for (const fit::Check::Column& c : check.columns)
     columns.push_back({{"name", c.channel->name},
@@ -251,6 +286,7 @@ std::string check_json(const std::string& model_name, const fit::Check& check,
                    {"effects", effects},    {"defaults", defaults},
                    {"notes", notes}};
   add_channels(document, std::move(channels));
+  if (over_time) document.update(over_time_object(*over_time));
   return text(std::move(document));
 }
 

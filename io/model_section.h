@@ -139,6 +139,11 @@ class Section {
                             kind(*node)));
     return *node->value<std::string>();
   }
+  /// A text; empty for all else, a list among them.
+  [[nodiscard]] std::string text_or_empty(std::string_view key) const {
+    const toml::node* const node = find(key);
+    return node && node->is_string() ? *node->value<std::string>() : std::string();
+  }
   [[nodiscard]] std::optional<std::string> choice(std::string_view key,
                                                   const Names& allowed) const {
     auto value = text(key);

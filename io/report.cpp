@@ -34,7 +34,10 @@ std::vector<double> std_of_rows(const fit::Comparison& comparison, const record:
     for (const fit::RowError& e : comparison.errors) std.push_back(e.std);
     return rows.by_row(comparison, std);
   }
-  const record::Column& deviation = *record.deviation_of(*comparison.channel);
+  const record::Column* const declared = record.deviation_of(*comparison.channel);
+  // Declared by the model, or found beside each other in time: one for all rows.
+  if (!declared) return std::vector<double>(rows.rows().size(), comparison.noise.rms);
+  const record::Column& deviation = *declared;
   for (const std::size_t row : rows.rows()) std.push_back(deviation.values[row]);
   return std;
 }
@@ -43,6 +46,7 @@ std::vector<double> std_of_rows(const fit::Comparison& comparison, const record:
 std::vector<double> std_of_rows(const fit::NoiseModel& noise, const fit::Comparison& comparison,
                                 const ReportRows& rows) {
   const Eigen::VectorXd& std = noise.whitening.std();
+  if (std.size() == 0) return std::vector<double>(rows.rows().size(), noise.rms);
   return rows.by_row(comparison, std::span(std.data(), static_cast<std::size_t>(std.size())));
 }
 

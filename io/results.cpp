@@ -145,11 +145,35 @@ std::string bearings_json(const std::vector<CatalogueBearing>& rows) {
   return text({{"bearings", bearings}});
 }
 
+namespace {
+
+json card_page(const correction::EffectCard& card) {
+  json parameters = json::array();
+  for (const record::NumberCard& n : card.numbers)
+    parameters.push_back({{"name", n.name},
+                          {"unit", n.unit},
+                          {"lower", n.lower},
+                          {"upper", n.upper},
+                          {"neutral", n.neutral}});
+  return {{"id", card.id},
+          {"title", card.title},
+          {"changes", "displacement over time"},
+          {"formula", card.form},
+          {"needs", card.needs},
+          {"confused_with", card.confused},
+          {"of_this_record_alone", card.of_reading},
+          {"parameters", std::move(parameters)}};
+}
+
+}  // namespace
+
 std::string effect_json(const effects::Description& effect) { return text(effect_page(effect)); }
 
-std::string effects_json(std::span<const effects::Description> all) {
+std::string effects_json(std::span<const effects::Description> all,
+                         std::span<const correction::EffectCard> of_records) {
   json pages = json::array();
   for (const effects::Description& effect : all) pages.push_back(effect_page(effect));
+  for (const correction::EffectCard& card : of_records) pages.push_back(card_page(card));
   return text({{"effects", pages}});
 }
 

@@ -6,6 +6,8 @@
 
 #include "bearing/bearing_equilibrium.h"
 #include "bearing/operating_point.h"
+#include "correction/catalogue.h"
+#include "correction/record_check.h"
 #include "effects/effect.h"
 #include "fit/calibrate.h"
 #include "fit/check.h"
@@ -51,7 +53,8 @@ namespace raceway::io {
 /// `defaults` of the model and `notes` on the data, as people read them.
 [[nodiscard]] std::string check_json(const std::string& model_name, const fit::Check& check,
                                      const std::vector<std::string>& defaults,
-                                     const std::vector<std::string>& notes);
+                                     const std::vector<std::string>& notes,
+                                     const correction::RecordCheck* over_time = nullptr);
 
 /// The same of a model without data.
 [[nodiscard]] std::string model_check_json(const std::string& model_name,
@@ -65,6 +68,7 @@ namespace raceway::io {
 
 /// The page of one effect, or `{"effects": [...]}` of all.
 [[nodiscard]] std::string effect_json(const effects::Description& effect);
-[[nodiscard]] std::string effects_json(std::span<const effects::Description> effects);
+[[nodiscard]] std::string effects_json(std::span<const effects::Description> effects,
+                                       std::span<const correction::EffectCard> of_records);
 
 }  // namespace raceway::io

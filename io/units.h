@@ -13,6 +13,7 @@ enum class Dimension {
   force,
   length,
   speed,
+  feed,
   temperature,
   time,
   angle,

@@ -41,6 +41,8 @@ struct Parameter {
   double lower = unset, upper = unset;  ///< closed bounds
   double plausible_lower = unset, plausible_upper = unset;  ///< range met in practice
   double neutral = unset;  ///< with it an effect changes nothing; NaN for a shape
+  /// With all others held, readings change in proportion to it; with all of these together too.
+  bool proportional = false;
   double scale = 1.0;      ///< typical size, > 0
   double std = unset;      ///< standard error; NaN at a bound and where the data do not fix it
   Interval interval{};     ///< 95 %, by profile likelihood, where it was asked for

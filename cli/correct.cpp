@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/commands.h"
+#include "cli/correction_input.h"
+#include "cli/messages.h"
+#include "cli/text_table.h"
+#include "correction/alignment.h"
+#include "io/correction_results.h"
+#include "io/error.h"
+#include "io/output_file.h"
+
+namespace raceway::cli {
+namespace {
+
+struct CorrectFlags {
+  std::string model, data, output;
+  DataFlag reading;
+  bool json = false, force = false;
+};
+
+io::Corrected corrected(const correction::Model& model, const record::Record& record,
+                        std::vector<std::string>& messages) {
+  const auto subject = correction::aligned(model, record, correction::Zero::none);
+  io::Corrected result{.displacement = model.displacement,
+                       .predicted = fit::predict(*subject, record)};
+  const correction::Series series(record);
+  result.parts = correction::contributions(subject->model(), series);
+  if (record.has(*model.displacement)) {
+    const auto zeroed = correction::aligned(model, record, correction::Zero::mean);
+    result.metrics =
+        correction::metrics(record.values(*model.displacement), fit::predict(*zeroed, record));
+  }
+  const Beyond beyond = beyond_range(model, record);
+  result.rows_beyond_range = beyond.rows;
+  messages.insert(messages.end(), beyond.notes.begin(), beyond.notes.end());
+  const auto bad = std::find_if(result.predicted.begin(), result.predicted.end(),
+                                [](double v) { return !std::isfinite(v); });
+  if (bad != result.predicted.end())
+    messages.push_back(
+        fmt::format("{}: no displacement from {} on: the power leaves the range of a delay element",
+                    model.displacement->name,
+                    record.place(static_cast<std::size_t>(bad - result.predicted.begin()))));
+  return result;
+}
+
+void print(const std::vector<io::Corrected>& list, const record::Record& record) {
+  TextTable table({{"displacement", "", true},
+                   {"predicted from", "um"},
+                   {"to", "um"},
+                   {"readings", ""},
+                   {"RMS", "um"},
+                   {"largest", "um"},
+                   {"fit", "%"}});
+  for (const io::Corrected& c : list) {
+    const auto [low, high] = std::minmax_element(c.predicted.begin(), c.predicted.end());
+    table.add({std::string(c.displacement->name), number(*low / um, 4), number(*high / um, 4),
+               fmt::format("{}", c.metrics.readings), number(c.metrics.rms / um, 3),
+               number(c.metrics.max_abs / um, 3), number(c.metrics.fit_percent, 3)});
+  }
+  fmt::print("{}: {} rows over {:.4g} h\n\n{}", record.source, record.rows(),
+             (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
+             table.text(terminal_width()));
+  fmt::print("RMS and largest: what is left of the readings when one constant is taken off\n");
+}
+
+int run(const CorrectFlags& flags) {
+  if (flags.json && flags.output == "-")
+    throw io::InputError("raceway correct: --json and --output - both write to stdout; take one",
+                         {.key = "--output"});
+  const bool to_file = !flags.output.empty() && flags.output != "-";
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (to_file) io::require_writable(flags.output, if_exists);
+  const io::CorrectionFile file = open_corrections(flags.model);
+  const record::Record record =
+      open_series(flags.data, file.models, flags.reading.options(file.columns));
+  std::vector<std::string> messages;
+  std::vector<io::Corrected> list;
+  for (const correction::Model& model : file.models) {
+    try {
+      list.push_back(corrected(model, record, messages));
+    } catch (const std::invalid_argument& e) {
+      throw io::InputError(fmt::format("{} with {}: {}", record.source, file.source, e.what()),
+                           {.file = record.source});
+    }
+  }
+  if (!flags.output.empty()) {
+    const std::string csv = io::corrected_text(record, list);
+    if (to_file) {
+      io::write_text(flags.output, csv, if_exists);
+      say(fmt::format("{} written, {} rows", flags.output, record.rows()));
+    } else {
+      fmt::print("{}", csv);
+    }
+  }
+  if (flags.json)
+    put_document(io::corrected_json(file.source, record, list, messages));
+  else if (flags.output != "-")
+    print(list, record);
+  warn(messages);
+  return done;
+}
+
+}  // namespace
+
+Run setup_correct(CLI::App& command) {
+  auto flags = std::make_shared<CorrectFlags>();
+  command.add_option("MODEL", flags->model, "model file (TOML) with [correction]")
+      ->required()
+      ->type_name("");
+  command.add_option("RECORD", flags->data, "record over time (CSV); displacements may be empty")
+      ->required()
+      ->type_name("");
+  command
+      .add_option("-o,--output", flags->output,
+                  "CSV file to write, - for stdout: time_s, predicted_um, what each channel adds,\n"
+                  "residual_um; of several displacements predicted_COLUMN, residual_COLUMN")
+      ->type_name("FILE");
+  flags->reading.declare(command);
+  command.add_flag("--force", flags->force, "replace the file if it exists");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer("Example:\n  raceway correct z.toml monday.csv -o corrected.csv");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

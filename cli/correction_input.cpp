@@ -1,0 +1,138 @@
+#include "cli/correction_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/messages.h"
+#include "correction/identify.h"
+#include "correction/series.h"
+#include "correction/simulation.h"
+#include "io/error.h"
+#include "io/names.h"
+#include "io/output_file.h"
+#include "io/series_file.h"
+
+namespace raceway::cli {
+
+io::CorrectionFile open_corrections(const std::string& path) {
+  io::CorrectionFile file = io::read_correction(path);
+  const std::size_t count = file.defaults.size();
+  if (count > 0)
+    tell({fmt::format("{} default{}: raceway check {} lists {}", count, count == 1 ? "" : "s", path,
+                      count == 1 ? "it" : "them")});
+  for (const std::string& note : file.notes) tell({file.source + ": " + note});
+  return file;
+}
+
+record::Record open_series(const std::string& path, const std::vector<correction::Model>& models,
+                           const io::ReadOptions& options) {
+  if (path.ends_with(".toml"))
+    throw io::InputError(path + ": stands where a record over time (CSV) is expected",
+                         {.file = path});
+  std::vector<const record::Channel*> wanted, needed;
+  for (const correction::Model& m : models) {
+    wanted.push_back(m.displacement);
+    for (const record::Channel* c : correction::inputs_of(m))
+      if (std::find(needed.begin(), needed.end(), c) == needed.end()) needed.push_back(c);
+  }
+  record::Record record = io::read_series(path, wanted, needed, options);
+  tell(record.notes);
+  return record;
+}
+
+void declare_displacement(CLI::App& command, std::string& column) {
+  command
+      .add_option("--displacement", column,
+                  "of a MODEL with several [[correction]]: the column to work on, as "
+                  "displacement_z_um")
+      ->type_name("COLUMN");
+}
+
+CorrectionQuestion ask_correction(const std::string& model, const std::vector<std::string>& data,
+                                  const std::string& displacement, const DataFlag& reading) {
+  CorrectionQuestion asked{.file = open_corrections(model)};
+  const std::vector<correction::Model>& models = asked.file.models;
+  std::vector<std::string> known;
+  for (const correction::Model& m : models) known.emplace_back(m.displacement->name);
+  if (displacement.empty() && models.size() > 1)
+    throw io::InputError(
+        fmt::format("{}: has several [[correction]]: choose one by --displacement {}",
+                    asked.file.source, fmt::join(known, " or ")),
+        {.file = asked.file.source, .key = "--displacement"});
+  for (; !displacement.empty() && asked.index < models.size(); ++asked.index)
+    if (known[asked.index] == displacement) break;
+  if (asked.index == models.size())
+    throw io::InputError(fmt::format("--displacement {}: {} models {}", displacement,
+                                     asked.file.source, io::listed(known)),
+                         {.file = asked.file.source, .key = "--displacement"});
+  if (data.size() != 1)
+    throw io::InputError(
+        "a correction is held against one record; runs of one machine are rows of one file "
+        "with their run_id",
+        {.key = "DATA"});
+  asked.model = models[asked.index];
+  asked.data = open_series(data.front(), {asked.model}, reading.options(asked.file.columns));
+  if (!asked.data.has(*asked.model.displacement))
+    throw io::InputError(
+        fmt::format("{}: has no column {}", asked.data.source, asked.model.displacement->name),
+        {.file = asked.data.source, .key = std::string(asked.model.displacement->name)});
+  return asked;
+}
+
+void write_correction(const CorrectionQuestion& asked, const fit::Subject& found,
+                      const std::string& path, bool replace) {
+  if (path.empty()) return;
+  std::vector<correction::Model> models = asked.file.models;
+  correction::Model& model = models[asked.index];
+  model = correction::model_of(found);
+  model.range = correction::seen_range(model, asked.data);
+  io::write_text(path, io::with_corrections(asked.file, models),
+                 replace ? io::IfExists::replace : io::IfExists::refuse);
+  say(path + " written");
+}
+
+Beyond beyond_range(const correction::Model& model, const record::Record& record) {
+  Beyond result;
+  std::vector<bool> beyond(record.rows(), false);
+  const correction::Series series(record);
+  for (const correction::SeenRange& r : model.range) {
+    std::size_t count = 0, first = 0;
+    const auto look = [&](std::span<const double> values) {
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        constexpr double rounding = 1e-9;
+        const double slack = rounding * std::max(std::abs(r.lower), std::abs(r.upper));
+        if (values[k] >= r.lower - slack && values[k] <= r.upper + slack) continue;
+        if (count++ == 0) first = k;
+        beyond[k] = true;
+      }
+    };
+    if (r.column) {
+      look(record.values(*r.column));
+    } else if (const auto* const of = correction::find_channel(model, r.name);
+               of && of->input.is_power()) {
+      look(*series.input(of->input));
+    }
+    if (count > 0)
+      result.notes.push_back(
+          fmt::format("{}: {} of {} rows lie beyond {:.4g} to {:.4g} {}, where the numbers of the "
+                      "model come from, "
+                      "the first at {} ({:.4g} s)",
+                      r.name, count, record.rows(), r.column ? r.column->in_unit(r.lower) : r.lower,
+                      r.column ? r.column->in_unit(r.upper) : r.upper,
+                      r.column ? std::string(r.column->unit) : "W", record.place(first),
+                      record.value(record::time, first)));
+  }
+  for (const correction::DrivenChannel& c : model.channels)
+    if (const std::size_t rows = series.rows_beyond_table(c.input); rows > 0)
+      result.notes.push_back(fmt::format(
+          "channel {}: {:.1f} % of the rows lie outside of the axes of {}; there the "
+          "value at the edge holds",
+          c.name, 100.0 * static_cast<double>(rows) / static_cast<double>(record.rows()),
+          c.input.table->file));
+  result.rows = static_cast<std::size_t>(std::count(beyond.begin(), beyond.end(), true));
+  return result;
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/data_flag.h"
+#include "correction/correction_subject.h"
+#include "io/correction_file.h"
+#include "record/record.h"
+
+namespace raceway::cli {
+
+/// Reads a file of corrections, counts on stderr the defaults that were used, and says what is to
+/// be known of it.
+[[nodiscard]] io::CorrectionFile open_corrections(const std::string& path);
+
+/// Reads a record over time for all of these models, and tells the notes on stderr.
+[[nodiscard]] record::Record open_series(const std::string& path,
+                                         const std::vector<correction::Model>& models,
+                                         const io::ReadOptions& options);
+
+/// `--displacement COLUMN` of a command that works on one displacement of a file.
+void declare_displacement(CLI::App& command, std::string& column);
+
+/// One model of a file with its record.
+struct CorrectionQuestion {
+  io::CorrectionFile file{};
+  correction::Model model{};
+  std::size_t index = 0;  ///< of the model in the file
+  record::Record data{};
+};
+
+/// Throws io::InputError: several models and none chosen, more than one record, and as
+/// open_corrections() and open_series() do.
+[[nodiscard]] CorrectionQuestion ask_correction(const std::string& model,
+                                                const std::vector<std::string>& data,
+                                                const std::string& displacement,
+                                                const DataFlag& reading);
+
+/// Writes the file with the numbers of a subject that grew out of its model, and their range; says
+/// so. Nothing for an empty path.
+void write_correction(const CorrectionQuestion& asked, const fit::Subject& found,
+                      const std::string& path, bool replace);
+
+/// Notes on what a record asks of a model that it was not asked when its numbers were found: inputs
+/// beyond the range, power beyond the friction table, with the first row of each; and the number of
+/// rows beyond the range.
+struct Beyond {
+  std::size_t rows = 0;
+  std::vector<std::string> notes{};
+};
+[[nodiscard]] Beyond beyond_range(const correction::Model& model, const record::Record& record);
+
+}  // namespace raceway::cli

@@ -1,0 +1,219 @@
+#include "correction/identify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/correction_input.h"
+#include "cli/messages.h"
+#include "cli/process.h"
+#include "cli/progress.h"
+#include "cli/text_table.h"
+#include "correction/alignment.h"
+#include "io/correction_results.h"
+#include "io/error.h"
+#include "io/names.h"
+#include "io/output_file.h"
+#include "io/series_file.h"
+#include "record/series_channel.h"
+
+namespace raceway::cli {
+namespace {
+
+struct IdentifyFlags {
+  std::string model, data, validate, output, order = "1:3";
+  std::vector<std::string> inputs;
+  DataFlag reading;
+  bool json = false, force = false;
+};
+
+/// "2" or "1:3"
+std::pair<int, int> orders(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto number = [&](std::string_view part) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size() || value < 1 || value > 6)
+      throw io::InputError(fmt::format("--order {}: must be a number of sections from 1 to 6, or a "
+                                       "range of them as 1:3",
+                                       text),
+                           {.key = "--order"});
+    return value;
+  };
+  const std::string_view all = text;
+  if (colon == text.npos) return {number(all), number(all)};
+  const std::pair result{number(all.substr(0, colon)), number(all.substr(colon + 1))};
+  if (result.first > result.second)
+    throw io::InputError(fmt::format("--order {}: the first is above the second", text),
+                         {.key = "--order"});
+  return result;
+}
+
+/// Columns that may drive a channel, by name; "all" means every input that varies.
+std::vector<const record::Channel*> offered(const std::vector<std::string>& names,
+                                            const record::Record& record) {
+  std::vector<const record::Channel*> list;
+  if (names.size() == 1 && names.front() == "all") {
+    for (const record::Column& c : record.columns) {
+      const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
+      if (c.channel->is_input() && *low < *high) list.push_back(c.channel);
+    }
+    return list;
+  }
+  for (const std::string& name : names) {
+    const record::Channel* const c = record::series_channel(name);
+    if (!c || !c->is_input() || !record.has(*c)) {
+      std::vector<std::string> known;
+      for (const record::Column& column : record.columns) known.emplace_back(column.channel->name);
+      throw io::InputError(fmt::format("--inputs {}: {} has no such input{}", name, record.source,
+                                       io::suggestion(name, known)),
+                           {.file = record.source, .key = "--inputs"});
+    }
+    list.push_back(c);
+  }
+  return list;
+}
+
+void print_sections(const correction::Identification& found) {
+  TextTable table({{"parameter", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
+  for (const record::Parameter& p : found.parameters)
+    table.add({p.name, number(p.value, 5), number(p.std, 2), p.unit == "1" ? "-" : p.unit});
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+/// Structures that were taken, and how the error fell.
+void print_ladder(const correction::Identification& found) {
+  TextTable table({{"structure", "", true}, {"held out", "um"}, {"in sample", "um"}});
+  for (const correction::StructureTried& t : found.tried) {
+    if (!t.taken) continue;
+    std::string text;
+    for (std::size_t c = 0; c < t.channels.size(); ++c)
+      text += fmt::format("{}{} {}", c > 0 ? ", " : "", t.channels[c], t.orders[c]);
+    table.add({text, number(t.rms_held_out / um, 3), number(t.rms / um, 3)});
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+void print(const correction::Identification& found, const record::Record& record) {
+  fmt::print("{} of {}: {} structures tried\n\n", found.model.displacement->name, record.source,
+             found.tried.size());
+  print_ladder(found);
+  fmt::print("\n");
+  print_sections(found);
+  fmt::print(
+      "\nRMS {} um, held out {} um, noise {} um; condition {:.2g}; what is left forgets itself "
+      "in {:.3g} min\n",
+      number(found.metrics.rms / um, 3), number(found.rms_held_out / um, 3),
+      number(found.noise / um, 2), found.condition, found.correlation_time / 60.0);
+}
+
+correction::Identification identified(const correction::Model& model, const record::Record& record,
+                                      const IdentifyFlags& flags, const std::string& source) {
+  const auto [lowest, highest] = orders(flags.order);
+  correction::IdentifyOptions options{
+      .lowest_order = lowest, .highest_order = highest, .offered = offered(flags.inputs, record)};
+  constexpr double an_hour = 3600.0;
+  const InterruptFlag interrupt(an_hour);
+  options.cancelled = [] { return InterruptFlag::raised().load(); };
+  std::optional<Progress> bar;
+  if (shows_progress()) {
+    bar.emplace();
+    options.progress = [&bar](double share, std::string_view step) { bar->show(share, step); };
+  }
+  try {
+    return correction::identify(model, record, options);
+  } catch (const std::invalid_argument& e) {
+    throw io::InputError(fmt::format("{} with {}: {}", record.source, source, e.what()),
+                         {.file = record.source});
+  }
+}
+
+/// What the found model is worth on a record that it did not see.
+void validate(const std::vector<correction::Model>& models, const IdentifyFlags& flags,
+              const io::CorrectionFile& file) {
+  if (flags.validate.empty()) return;
+  const record::Record other =
+      open_series(flags.validate, models, flags.reading.options(file.columns));
+  for (const correction::Model& model : models) {
+    const auto subject = correction::aligned(model, other, correction::Zero::mean);
+    const correction::Metrics m =
+        correction::metrics(other.values(*model.displacement), fit::predict(*subject, other));
+    if (!flags.json)
+      fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
+                 model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
+                 number(m.fit_percent, 3));
+    warn(beyond_range(model, other).notes);
+  }
+}
+
+int run(const IdentifyFlags& flags) {
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (flags.output == "-")
+    throw io::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
+                         {.key = "--output"});
+  if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+  (void)orders(flags.order);
+  const io::CorrectionFile file = open_corrections(flags.model);
+  const record::Record record =
+      open_series(flags.data, file.models, flags.reading.options(file.columns));
+  std::vector<correction::Identification> found;
+  std::vector<correction::Model> models;
+  for (const correction::Model& model : file.models) {
+    found.push_back(identified(model, record, flags, file.source));
+    models.push_back(found.back().model);
+    if (!flags.json) {
+      if (found.size() > 1) fmt::print("\n");
+      print(found.back(), record);
+    }
+    warn(found.back().messages);
+  }
+  validate(models, flags, file);
+  if (flags.json) put_document(io::identification_json(file.source, record, found));
+  if (!flags.output.empty()) {
+    io::write_text(flags.output, io::with_corrections(file, models), if_exists);
+    say(flags.output + " written");
+  }
+  return done;
+}
+
+}  // namespace
+
+Run setup_identify(CLI::App& command) {
+  auto flags = std::make_shared<IdentifyFlags>();
+  command
+      .add_option("MODEL", flags->model,
+                  "model file (TOML) with [correction]; its gains and time constants are hints")
+      ->required()
+      ->type_name("");
+  command.add_option("RECORD", flags->data, "record over time (CSV)")->required()->type_name("");
+  command
+      .add_option("--order", flags->order,
+                  "sections of each channel, as 2 or 1:3; chosen by the error on parts of the\n"
+                  "record that no fit saw; default 1:3")
+      ->type_name("N");
+  command
+      .add_option("--inputs", flags->inputs,
+                  "columns that may drive channels of their own (by comma), or all: taken up\n"
+                  "as long as the error on parts held out falls")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("COLUMNS");
+  command.add_option("--validate", flags->validate, "another record, to judge the model by")
+      ->type_name("RECORD2");
+  command
+      .add_option("-o,--output", flags->output,
+                  "model file to write: MODEL with the new sections, numbers and range")
+      ->type_name("FILE");
+  flags->reading.declare(command);
+  command.add_flag("--force", flags->force, "replace the file if it exists");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer(
+      "Example:\n  raceway identify z.toml monday.csv --validate friday.csv -o found.toml");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+
+#include "correction/correction_subject.h"
+
+namespace raceway::correction {
+
+/// Which constant is taken off before a prediction is compared: the zero of a displacement is
+/// arbitrary.
+enum class Zero {
+  none,   ///< none: the offset of the model stands
+  first,  ///< that which makes the first reading of each run right
+  mean    ///< that which leaves least
+};
+
+/// The subject informed by a record, with the constant of every run, and the states that a warm
+/// machine had when its record began, found from the readings before the first long gap. All else
+/// as in the model.
+[[nodiscard]] std::shared_ptr<const CorrectionSubject> aligned(const Model& model,
+                                                               const record::Record& record,
+                                                               Zero zero);
+
+}  // namespace raceway::correction

@@ -1,0 +1,342 @@
+#include "correction/correction_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "correction/catalogue.h"
+#include "correction/series.h"
+#include "correction/simulation.h"
+#include "record/median.h"
+#include "record/nearest_names.h"
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+namespace {
+
+constexpr int parts = 8;  // of which each is held out
+
+using Beginning = CorrectionSubject::Beginning;
+
+/// One model simulated again and again.
+class CorrectionPredictor : public fit::Predictor {
+ public:
+  CorrectionPredictor(const Model& model, const TimeConstantLimits& limits,
+                      std::vector<Beginning> beginnings, const std::vector<std::string>& names,
+                      std::shared_ptr<const Series> series)
+      : model_(model), beginnings_(std::move(beginnings)), series_(std::move(series)) {
+    numbers_ = numbers(model_, limits);
+    for (const std::string& name : names) {
+      const auto number = std::find_if(numbers_.begin(), numbers_.end(),
+                                       [&](const Number& n) { return n.parameter.name == name; });
+      const auto beginning =
+          std::find_if(beginnings_.begin(), beginnings_.end(),
+                       [&](const Beginning& b) { return b.parameter.name == name; });
+      places_.push_back(number != numbers_.end() ? number->place : &beginning->parameter.value);
+      factors_.push_back(number != numbers_.end() ? number->factor : 1.0);
+    }
+  }
+  // numbers_ point into model_.
+  CorrectionPredictor(const CorrectionPredictor&) = delete;
+  CorrectionPredictor& operator=(const CorrectionPredictor&) = delete;
+
+  void readings(std::span<const double> values, std::span<double> out) override {
+    for (std::size_t k = 0; k < values.size(); ++k) *places_[k] = values[k] * factors_[k];
+    simulate(model_, *series_, out);
+    for (const Beginning& b : beginnings_) {
+      const double size = b.parameter.value * um;
+      if (size == 0.0) continue;
+      if (b.is_state) {
+        const Section& s = model_.channels[b.channel].sections[b.section];
+        const Series::Values decay = series_->decay(s.time_constant);
+        for (std::size_t k = 0; k < out.size(); ++k) out[k] += size * (*decay)[k];
+      } else {
+        for (std::size_t k = 0; k < out.size(); ++k)
+          if (series_->zero()[k] == b.zero) out[k] += size;
+      }
+    }
+  }
+
+ private:
+  Model model_;
+  std::vector<Beginning> beginnings_;
+  std::shared_ptr<const Series> series_;
+  std::vector<Number> numbers_;
+  std::vector<double*> places_;
+  std::vector<double> factors_;
+};
+
+fit::Parameter beginning_parameter(std::string name) {
+  fit::Parameter p;
+  p.name = std::move(name);
+  p.unit = "um";
+  p.start = p.value = p.initial = 0.0;
+  p.lower = p.plausible_lower = -std::numeric_limits<double>::infinity();
+  p.upper = p.plausible_upper = std::numeric_limits<double>::infinity();
+  p.proportional = true;
+  return p;
+}
+
+/// Times at which a reading may have jumped: between two readings, away from changes of the speed.
+std::vector<double> times_between_readings(const fit::Record& record, const Channel& displacement) {
+  constexpr double after_a_change = 600.0;  // [s]
+  const std::span<const double> time = record.values(record::time),
+                                speed = record.values(record::speed),
+                                read = record.values(displacement);
+  std::vector<double> changes, times;
+  for (std::size_t k = 1; k < speed.size(); ++k)
+    if (speed[k] != speed[k - 1]) changes.push_back(time[k]);
+  double last = unset;
+  for (std::size_t k = 0; k < read.size(); ++k) {
+    if (std::isnan(read[k])) continue;
+    const auto next = std::lower_bound(changes.begin(), changes.end(), time[k] - after_a_change);
+    if (!std::isnan(last) && (next == changes.end() || *next > time[k] + after_a_change))
+      times.push_back(0.5 * (last + time[k]));
+    last = time[k];
+  }
+  return times;
+}
+
+}  // namespace
+
+CorrectionSubject::CorrectionSubject(Model model) : model_(std::move(model)) {}
+
+std::vector<fit::Measured> CorrectionSubject::measured() const {
+  return {{.channel = model_.displacement,
+           .std = model_.measured_std,
+           .approximate = true,
+           .tolerance = model_.tolerance}};
+}
+
+void CorrectionSubject::require(const fit::Record& record) const {
+  if (!record.has(record::time))
+    throw std::invalid_argument("a displacement over time needs a column time_s");
+  for (const Channel* c : inputs_of(model_))
+    if (!record.has(*c))
+      throw std::invalid_argument(
+          fmt::format("column {} is missing, which the model needs", c->name));
+}
+
+std::shared_ptr<const void> CorrectionSubject::prepare(const fit::Record& record) const {
+  return std::make_shared<const Series>(record);
+}
+
+std::unique_ptr<fit::Predictor> CorrectionSubject::predictor(
+    const fit::Record& record, const std::vector<std::string>& names,
+    const std::shared_ptr<const void>& prepared) const {
+  (void)fit::find_parameters(*this, names);
+  auto series = prepared ? std::static_pointer_cast<const Series>(prepared)
+                         : std::make_shared<const Series>(record);
+  return std::make_unique<CorrectionPredictor>(model_, limits_, beginnings_, names,
+                                               std::move(series));
+}
+
+std::unique_ptr<fit::Subject> CorrectionSubject::informed_by(const fit::Record& record) const {
+  auto result = std::make_unique<CorrectionSubject>(*this);
+  const Series series(record);
+  std::vector<double> steps;
+  double longest = 0.0;
+  for (std::size_t k = 0; k < series.rows(); ++k) {
+    if (!series.clock().begins[k]) steps.push_back(series.clock().steps[k]);
+    longest = std::max(longest, series.time()[k]);
+  }
+  if (!steps.empty() && longest > 0.0)
+    result->limits_ = {2.0 * record::median(steps), 0.5 * longest};
+  result->columns_.clear();
+  for (const record::Column& c : record.columns)
+    if (c.channel->is_input() && std::any_of(c.values.begin(), c.values.end(),
+                                             [&](double v) { return v != c.values.front(); }))
+      result->columns_.push_back(c.channel);
+  result->jump_times_ = times_between_readings(record, *model_.displacement);
+  result->beginnings_.clear();
+  for (int z = 1; z < series.zeros(); ++z)
+    result->beginnings_.push_back(
+        {.parameter = beginning_parameter(fmt::format("zero.{}", z + 1)), .zero = z});
+  if (model_.initial_state == InitialState::free)
+    for (std::size_t c = 0; c < model_.channels.size(); ++c)
+      for (std::size_t s = 0; s < model_.channels[c].sections.size(); ++s)
+        result->beginnings_.push_back({.parameter = beginning_parameter(fmt::format(
+                                           "initial.{}.{}", model_.channels[c].name, s + 1)),
+                                       .channel = c,
+                                       .section = s,
+                                       .is_state = true});
+  result->informed_ = true;
+  return result;
+}
+
+std::vector<fit::Parameter> CorrectionSubject::parameters() const {
+  std::vector<fit::Parameter> list = correction::parameters(model_, limits_);
+  for (const Beginning& b : beginnings_) list.push_back(b.parameter);
+  return list;
+}
+
+std::vector<std::string> CorrectionSubject::free() const {
+  std::vector<std::string> names = free_names(model_);
+  for (const Beginning& b : beginnings_) names.push_back(b.parameter.name);
+  return names;
+}
+
+std::unique_ptr<fit::Subject> CorrectionSubject::with_values(
+    std::span<const fit::NamedValue> values) const {
+  auto result = std::make_unique<CorrectionSubject>(*this);
+  const std::vector<Number> all = numbers(result->model_, limits_);
+  for (const fit::NamedValue& v : values) {
+    (void)fit::find_parameters(*this, {v.name});
+    for (const Number& n : all)
+      if (n.parameter.name == v.name) *n.place = v.value * n.factor;
+    for (Beginning& b : result->beginnings_)
+      if (b.parameter.name == v.name) b.parameter.start = b.parameter.value = v.value;
+  }
+  return result;
+}
+
+bool CorrectionSubject::is_used(const Channel& column) const {
+  const std::vector<const Channel*> used = inputs_of(model_);
+  return std::find(used.begin(), used.end(), &column) != used.end();
+}
+
+/// Effects that the columns allow and the model does not have, as they would be switched on.
+std::vector<Effect> CorrectionSubject::possible() const {
+  std::vector<Effect> list;
+  const auto add = [&](std::string_view id, std::string where = {},
+                       std::vector<const Channel*> columns = {}) {
+    Effect e{.id = std::string(id), .where = std::move(where), .columns = std::move(columns)};
+    const std::string full = full_id(e);
+    if (std::any_of(model_.effects.begin(), model_.effects.end(),
+                    [&](const Effect& own) { return full_id(own) == full; }))
+      return;
+    const EffectCard& card = *find_card(id);
+    for (const record::NumberCard& n : card.numbers)
+      if (n.name != "decay_speed_rpm" || e.columns.empty()) e.values.push_back(n.initial);
+    list.push_back(std::move(e));
+  };
+  std::vector<const Channel*> ambient, base, motor;
+  bool coolant = false, speed = false;
+  for (const Channel* c : columns_) {
+    speed = speed || *c == record::speed;
+    coolant = coolant || c->name == "coolant_on";
+    if (is_used(*c)) continue;
+    if (record::is_ambient(*c)) ambient.push_back(c);
+    if (!record::is_temperature(*c)) continue;
+    if (c->variable.starts_with("base")) base.push_back(c);
+    if (c->variable.starts_with("motor")) motor.push_back(c);
+  }
+  if (!ambient.empty() || !base.empty()) add("ambient-drift", {}, ambient.empty() ? base : ambient);
+  for (const Channel* c : columns_)
+    if ((c->kind == "feed" || (c->kind == "speed" && c->variable != "speed")) && !is_used(*c))
+      add("feed-axis-heat", std::string(c->variable.substr(0, c->variable.find('_'))), {c});
+  if (speed && !model_.kinematic) add("kinematic-displacement");
+  if (!motor.empty())
+    add("motor-heat", {}, motor);
+  else if (speed)
+    add("motor-heat");
+  if (!jump_times_.empty()) add("offset-jump");
+  add("slow-drift");
+  for (std::size_t c = 0; c < model_.channels.size(); ++c) {
+    const DrivenChannel& channel = model_.channels[c];
+    if (channel.sections.empty()) continue;
+    const std::string where = c == 0 ? "" : channel.name;  // the main one goes without saying
+    add("second-time-constant", where);
+    if (!channel.input.is_power() && channel.feedthrough == 0.0 &&
+        channel.input.course() == record::Course::straight)
+      add("sensor-lag", where);
+    if (c > 0) continue;
+    if (coolant) add("cooling-switch");
+    if (speed) add("speed-dependent-time-constant");
+    add("thermal-asymmetry");
+  }
+  return list;
+}
+
+std::vector<fit::Candidate> CorrectionSubject::candidates() const {
+  std::vector<fit::Candidate> list;
+  for (Effect& e : possible()) {
+    const EffectCard& card = *find_card(e.id);
+    fit::Candidate candidate{.id = full_id(e), .size = card.size, .of_reading = card.of_reading};
+    Model with = model_;
+    with.effects.push_back(e);
+    const std::string prefix = candidate.id + ".";
+    for (const fit::Parameter& p : correction::parameters(with, limits_))
+      if (p.name.starts_with(prefix)) candidate.parameters.push_back(p);
+    if (e.id == "offset-jump") candidate.only = {{}, jump_times_};
+    list.push_back(std::move(candidate));
+  }
+  std::sort(list.begin(), list.end(),
+            [](const fit::Candidate& a, const fit::Candidate& b) { return a.id < b.id; });
+  return list;
+}
+
+std::vector<std::string> CorrectionSubject::catalogue() const {
+  std::vector<std::string> ids;
+  for (const EffectCard& card : correction::catalogue()) ids.emplace_back(card.id);
+  for (const Effect& e : possible())
+    if (!e.where.empty()) ids.push_back(full_id(e));
+  return ids;
+}
+
+Effect CorrectionSubject::as_switched_on(const std::string& id) const {
+  std::vector<std::string> known;
+  for (Effect& e : possible()) {
+    if (full_id(e) == id) return std::move(e);
+    known.push_back(full_id(e));
+  }
+  for (const Effect& e : model_.effects)
+    if (full_id(e) == id)
+      throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
+  if (const EffectCard* const card = find_card(id))
+    throw std::invalid_argument(card->evidence
+                                    ? fmt::format("{}: is told by the record and has no number", id)
+                                    : fmt::format("{}: needs {}", id, card->needs));
+  throw std::invalid_argument(
+      fmt::format("unknown effect \"{}\"; nearest: {}", id, record::nearest_names(id, known, 3)));
+}
+
+std::unique_ptr<fit::Subject> CorrectionSubject::with_candidates(
+    std::span<const std::string> ids) const {
+  auto result = std::make_unique<CorrectionSubject>(*this);
+  for (auto id = ids.begin(); id != ids.end(); ++id) {
+    if (std::find(ids.begin(), id, *id) != id)
+      throw std::invalid_argument(fmt::format("{} is listed twice", *id));
+    result->model_.effects.push_back(as_switched_on(*id));
+  }
+  if (!model_.free.empty() && !ids.empty())
+    if (std::find(model_.free.begin(), model_.free.end(), "effects") == model_.free.end())
+      result->model_.free.emplace_back("effects");
+  return result;
+}
+
+std::string CorrectionSubject::lacks(const std::string& id, const fit::Record&) const {
+  for (const Effect& e : possible())
+    if (full_id(e) == id) return {};
+  const EffectCard* const card = find_card(id);
+  return card ? std::string(card->needs) : std::string();
+}
+
+std::vector<fit::Blocking> CorrectionSubject::blockings(const fit::Record& record) const {
+  std::vector<std::size_t> read;
+  for (std::size_t k = 0; k < record.rows(); ++k)
+    if (std::isfinite(record.value(*model_.displacement, k))) read.push_back(k);
+  if (read.size() < static_cast<std::size_t>(2 * parts)) return {};
+  fit::Blocking blocking{
+      .variable = "time", .block = std::vector<int>(record.rows(), -1), .blocks = parts};
+  const bool warm = model_.initial_state == InitialState::free;
+  std::size_t next = 0;
+  int part = 0;
+  for (std::size_t k = 0; k < record.rows(); ++k) {
+    while (next < read.size() && read[next] < k) ++next;
+    part = std::min(parts - 1, static_cast<int>(next * parts / read.size()));
+    blocking.block[k] = warm && part == 0 ? -1 : part;
+  }
+  return {std::move(blocking)};
+}
+
+const Model& model_of(const fit::Subject& subject) {
+  const auto* const of = dynamic_cast<const CorrectionSubject*>(&subject);
+  if (!of) throw std::invalid_argument("this is no correction model");
+  return of->model();
+}
+
+}  // namespace raceway::correction

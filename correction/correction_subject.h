@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "correction/model.h"
+#include "correction/numbers.h"
+#include "fit/subject.h"
+
+namespace raceway::correction {
+
+/// A correction model as the loop sees it: one displacement over time.
+class CorrectionSubject : public fit::Subject {
+ public:
+  explicit CorrectionSubject(Model model);
+
+  [[nodiscard]] const Model& model() const { return model_; }
+
+  [[nodiscard]] std::vector<fit::Measured> measured() const override;
+  void require(const fit::Record& record) const override;
+  [[nodiscard]] bool has_memory() const override { return true; }
+  [[nodiscard]] bool approximates() const override { return true; }
+  [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
+  [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
+      const fit::Record& record, const std::vector<std::string>& names,
+      const std::shared_ptr<const void>& prepared) const override;
+  /// With the time constants that the record can tell, the columns that it has, and a zero for each
+  /// of its runs.
+  [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
+
+  [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
+  [[nodiscard]] std::vector<std::string> free() const override;
+  [[nodiscard]] std::unique_ptr<fit::Subject> with_values(
+      std::span<const fit::NamedValue> values) const override;
+
+  [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
+  [[nodiscard]] std::vector<std::string> catalogue() const override;
+  [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
+      std::span<const std::string> ids) const override;
+  [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
+  /// Eight parts of the record, one after the other, with as many readings each. Where the record
+  /// began warm the first is in none.
+  [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
+
+  /// What is no number of the model: the zero of each run after the first, and the states with
+  /// which a record begins that did not begin at rest [m].
+  struct Beginning {
+    fit::Parameter parameter{};
+    int zero = 0;  ///< of which run, or
+    std::size_t channel = 0, section = 0;
+    bool is_state = false;
+  };
+
+ private:
+  [[nodiscard]] Effect as_switched_on(const std::string& id) const;
+  [[nodiscard]] std::vector<Effect> possible() const;
+  [[nodiscard]] bool is_used(const Channel& column) const;
+
+  Model model_;
+  // Of the record that informed it.
+  bool informed_ = false;
+  TimeConstantLimits limits_{};
+  std::vector<const Channel*> columns_{};  // inputs that vary
+  std::vector<double> jump_times_{};
+  std::vector<Beginning> beginnings_{};
+};
+
+/// The model of a subject. Throws std::invalid_argument for one of another kind.
+[[nodiscard]] const Model& model_of(const fit::Subject& subject);
+
+}  // namespace raceway::correction

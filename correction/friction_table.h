@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace raceway::correction {
+
+/// Friction torque of a whole spindle over speed, load and temperature, on a grid.
+struct FrictionTable {
+  std::string file{};  ///< as the model names it
+  /// Rising, one value or more each. [rad/s], [N], [K].
+  std::vector<double> speed{}, axial_load{}, temperature{};
+  /// [N m]; speed runs fastest, then load, then temperature.
+  std::vector<double> torque{};
+
+  /// Between its points in straight lines; outside of its axes the value at the edge holds.
+  [[nodiscard]] double operator()(double of_speed, double load, double of_temperature) const;
+  /// Whether a point lies within the axes; an axis of one value takes all.
+  [[nodiscard]] bool holds(double of_speed, double load, double of_temperature) const;
+};
+
+}  // namespace raceway::correction

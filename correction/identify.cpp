@@ -1,0 +1,286 @@
+#include "correction/identify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "correction/correction_subject.h"
+#include "correction/numbers.h"
+#include "correction/series.h"
+#include "correction/simulation.h"
+#include "fit/noise.h"
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+namespace {
+
+constexpr double worth_a_section = 0.97;  // of the error held out: less is no reason for one more
+constexpr double worth_a_channel = 0.95;
+
+bool is_identified(const DrivenChannel& c) { return !c.element && !c.printed; }
+
+/// With a section more, whose time constant a search will find.
+void add_section(DrivenChannel& c) { c.sections.push_back({0.0, 3600.0}); }
+
+std::string name_of_channel(const Channel& column, const Model& model) {
+  std::string name(column.variable);
+  if (name.ends_with("_temperature")) name.erase(name.size() - 12);
+  while (find_channel(model, name) != nullptr) name += "_2";
+  return name;
+}
+
+class Search {
+ public:
+  Search(const Model& model, const record::Record& record, const IdentifyOptions& options)
+      : options_(options), record_(std::make_shared<const record::Record>(record)), model_(model) {
+    for (DrivenChannel& c : model_.channels) {
+      if (!is_identified(c)) continue;
+      // Of what the file has, the first sections are starts.
+      const auto lowest = static_cast<std::size_t>(options.lowest_order);
+      if (c.sections.size() > lowest) c.sections.resize(lowest);
+      if (!c.sections.empty() || c.feedthrough == 0.0)
+        while (c.sections.size() < lowest) add_section(c);
+    }
+    model_.free.clear();
+  }
+
+  Identification run() {
+    if (model_.channels.empty() && !model_.kinematic) first_channel();
+    Approximation best = fitted(model_);
+    result_.tried.push_back(tried(model_, best, true));
+    for (int round = 1;; ++round) {
+      if (!improve(best, round)) break;
+    }
+    return finish(best);
+  }
+
+ private:
+  using Approximation = fit::Approximation;
+
+  [[nodiscard]] fit::ApproximationOptions search() const {
+    return {.cancelled = options_.cancelled};
+  }
+
+  [[nodiscard]] double in_SI(double weighted) const {
+    return std::isfinite(model_.tolerance) ? weighted * model_.tolerance : weighted;
+  }
+
+  [[nodiscard]] std::shared_ptr<const fit::Subject> subject_of(const Model& model) const {
+    const CorrectionSubject plain(model);
+    plain.require(*record_);
+    return plain.informed_by(*record_);
+  }
+
+  Approximation fitted(const Model& model) {
+    const auto subject = subject_of(model);
+    if (!recorded_)
+      recorded_ = std::make_unique<fit::Recorded>(
+          fit::recorded(*subject, record_, fit::usual_width(*record_)));
+    if (recorded_->means.list.size() < 3 * subject->free().size())
+      throw std::invalid_argument(fmt::format("{} readings of {} for {} numbers: too few",
+                                              recorded_->means.list.size(),
+                                              model.displacement->words, subject->free().size()));
+    Approximation a = fit::approximate(subject, *recorded_, subject->free(), search());
+    if (a.fit.values.size() == 0)
+      throw std::invalid_argument("no start of the search has a finite error");
+    fit::hold_out(a, *recorded_);
+    return a;
+  }
+
+  [[nodiscard]] StructureTried tried(const Model& model, const Approximation& a, bool taken) const {
+    StructureTried t{.rms_held_out = in_SI(a.rms_held_out), .rms = in_SI(a.rms), .taken = taken};
+    for (const DrivenChannel& c : model.channels) {
+      t.channels.push_back(c.name);
+      t.orders.push_back(static_cast<int>(c.sections.size()));
+    }
+    return t;
+  }
+
+  /// A model without any channel begins with the best of the columns that are offered.
+  void first_channel() {
+    if (options_.offered.empty())
+      throw std::invalid_argument(
+          "the model has no channel, and no column is offered to drive one (--inputs)");
+    double least = std::numeric_limits<double>::infinity();
+    Model best;
+    for (const Channel* column : options_.offered) {
+      Model with = model_;
+      add_channel(with, *column);
+      const Approximation a = fitted(with);
+      result_.tried.push_back(tried(with, a, false));
+      if (!(error(a) < least)) continue;
+      least = error(a);
+      best = std::move(with);
+    }
+    model_ = std::move(best);
+  }
+
+  void add_channel(Model& model, const Channel& column) const {
+    DrivenChannel c{.name = name_of_channel(column, model),
+                    .input = {.name = std::string(column.name), .columns = {&column}}};
+    for (int k = 0; k < options_.lowest_order; ++k) add_section(c);
+    model.channels.push_back(std::move(c));
+  }
+
+  /// On parts held out; in sample where nothing can be.
+  [[nodiscard]] static double error(const Approximation& a) {
+    return std::isfinite(a.rms_held_out) ? a.rms_held_out : a.rms;
+  }
+
+  [[nodiscard]] bool drives_a_channel(const Channel& column) const {
+    return std::any_of(model_.channels.begin(), model_.channels.end(), [&](const DrivenChannel& c) {
+      return std::find(c.input.columns.begin(), c.input.columns.end(), &column) !=
+             c.input.columns.end();
+    });
+  }
+
+  /// The best of all that are one step larger, where it is better by enough.
+  bool improve(Approximation& best, int round) {
+    Model next;
+    Approximation found;
+    double least = std::numeric_limits<double>::infinity(), needed = unset;
+    std::size_t at = 0;
+    const auto consider = [&](Model with, double worth) {
+      if (options_.progress)
+        options_.progress(std::min(0.9, 0.2 * round), "trying a larger structure");
+      Approximation a = fitted(with);
+      if (error(a) < least) {
+        least = error(a);
+        needed = worth;
+        next = with;
+        found = std::move(a);
+        at = result_.tried.size();
+      }
+      result_.tried.push_back(tried(with, error(a) == least ? found : a, false));
+    };
+    for (std::size_t c = 0; c < model_.channels.size(); ++c) {
+      if (!is_identified(model_.channels[c]) ||
+          static_cast<int>(model_.channels[c].sections.size()) >= options_.highest_order)
+        continue;
+      Model with = model_;
+      add_section(with.channels[c]);
+      consider(std::move(with), worth_a_section);
+    }
+    if (model_.channels.size() < options_.most_channels)
+      for (const Channel* column : options_.offered) {
+        if (drives_a_channel(*column)) continue;
+        Model with = model_;
+        add_channel(with, *column);
+        consider(std::move(with), worth_a_channel);
+      }
+    if (!(least < needed * error(best))) return false;
+    result_.tried[at].taken = true;
+    model_ = std::move(next);
+    best = std::move(found);
+    return true;
+  }
+
+  Identification finish(const Approximation& best) {
+    if (options_.progress) options_.progress(0.95, "fitting single rows");
+    fit::Recorded rows;
+    const Approximation last = fit::refined(best, *recorded_, rows);
+    describe(last, best, rows);
+    return std::move(result_);
+  }
+
+  void describe(const Approximation& last, const Approximation& best, const fit::Recorded& rows) {
+    const fit::ApproximationErrors errors = fit::errors_of(last, rows);
+    result_.rms_held_out = in_SI(best.rms_held_out);
+    result_.condition = errors.condition;
+    result_.correlation_time = errors.correlation_time;
+    result_.noise = std::isfinite(model_.measured_std)
+                        ? model_.measured_std
+                        : fit::noise_of_neighbours(*record_, *model_.displacement);
+    const auto fitted = fit::fitted(last);
+    result_.model = model_of(*fitted);
+    result_.model.free = {};
+    result_.parameters = last.parameters;
+    fit::Covariance covariance;
+    std::vector<Eigen::Index> sure;
+    for (std::size_t k = 0; k < last.names.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(k);
+      record::Parameter& p = result_.parameters[k];
+      p.value = last.fit.values[at];
+      p.std = std::sqrt(errors.covariance(at, at));
+      if (last.fit.at_bound[k]) result_.at_bound.push_back(p.name);
+      const bool of_the_model = !p.name.starts_with("zero.") && !p.name.starts_with("initial.");
+      if (!std::isfinite(p.std) || !of_the_model) continue;
+      covariance.names.push_back(p.name);
+      sure.push_back(at);
+    }
+    if (!sure.empty()) {
+      covariance.values = last.fit.values(sure);
+      covariance.matrix = errors.covariance(sure, sure);
+      result_.model.covariance = std::move(covariance);
+    }
+    result_.model.range = seen_range(result_.model, *record_);
+    std::vector<double> predicted = fit::predict(*fitted, *record_);
+    result_.metrics = metrics(record_->values(*model_.displacement), predicted);
+    result_.whiteness_p_value = whiteness(last.fit.residual);
+    warn(rows);
+  }
+
+  /// That what is left has no memory, by Ljung and Box over 20 lags.
+  [[nodiscard]] static double whiteness(const Eigen::VectorXd& r) {
+    constexpr Eigen::Index lags = 20;
+    if (r.size() < 3 * lags || !(r.squaredNorm() > 0.0)) return unset;
+    const auto n = static_cast<double>(r.size());
+    double q = 0.0;
+    for (Eigen::Index lag = 1; lag <= lags; ++lag) {
+      const double rho = r.head(r.size() - lag).dot(r.tail(r.size() - lag)) / r.squaredNorm();
+      q += rho * rho / (n - static_cast<double>(lag));
+    }
+    const boost::math::chi_squared law(static_cast<double>(lags));
+    return boost::math::cdf(boost::math::complement(law, n * (n + 2.0) * q));
+  }
+
+  void warn(const fit::Recorded& rows) {
+    const auto tell = [&](std::string text) { result_.messages.push_back(std::move(text)); };
+    for (const std::string& name : result_.at_bound)
+      tell(fmt::format("{} ends at a bound: the record cannot tell it", name));
+    for (const record::Parameter& p : result_.parameters)
+      if (p.unit == "s" && 3.0 * p.value > rows.duration)
+        tell(fmt::format("{} = {:.3g} s: the record of {:.3g} s is shorter than three of them",
+                         p.name, p.value, rows.duration));
+    if (std::isnan(result_.rms_held_out))
+      tell("too few readings to hold parts out: the order rests on the error in sample");
+    if (result_.condition > 1e6)
+      tell(
+          fmt::format("the columns of the fit are nearly dependent (condition {:.1e}): gains mean "
+                      "little by themselves, their sum does",
+                      result_.condition));
+  }
+
+  const IdentifyOptions& options_;
+  std::shared_ptr<const record::Record> record_;
+  std::unique_ptr<fit::Recorded> recorded_;
+  Model model_;
+  Identification result_;
+};
+
+}  // namespace
+
+Identification identify(const Model& model, const record::Record& record,
+                        const IdentifyOptions& options) {
+  return Search(model, record, options).run();
+}
+
+std::vector<SeenRange> seen_range(const Model& model, const record::Record& record) {
+  std::vector<SeenRange> list;
+  const auto add = [&](const Channel* column, std::string name, std::span<const double> values) {
+    if (values.empty()) return;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    list.push_back({.column = column, .name = std::move(name), .lower = *low, .upper = *high});
+  };
+  for (const Channel* c : inputs_of(model)) add(c, std::string(c->name), record.values(*c));
+  const Series series(record);
+  for (const DrivenChannel& c : model.channels)
+    if (c.input.is_power()) add(nullptr, c.name, *series.input(c.input));
+  return list;
+}
+
+}  // namespace raceway::correction

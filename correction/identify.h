@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "correction/metrics.h"
+#include "correction/model.h"
+#include "fit/approximation.h"
+
+namespace raceway::correction {
+
+struct IdentifyOptions {
+  int lowest_order = 1, highest_order = 3;  ///< sections of a channel
+  /// Columns that may drive a channel of their own, beside those of the model: taken up one by one
+  /// as long as the error on parts held out falls.
+  std::vector<const Channel*> offered{};
+  std::size_t most_channels = 6;
+  std::function<void(double share, std::string_view step)> progress{};
+  std::function<bool()> cancelled{};
+};
+
+/// A structure that was tried, and how well it predicts what it did not see.
+struct StructureTried {
+  std::vector<std::string> channels{};
+  std::vector<int> orders{};                 ///< of each channel
+  double rms_held_out = unset, rms = unset;  ///< [m]
+  bool taken = false;
+};
+
+/// A model whose structure and numbers come from a record.
+struct Identification {
+  Model model{};                                ///< with its numbers, range and covariance
+  std::vector<StructureTried> tried{};          ///< in the order of the search
+  std::vector<record::Parameter> parameters{};  ///< of the model, fitted, with standard errors
+  Metrics metrics{};                            ///< on the record, one constant removed
+  double rms_held_out = unset;                  ///< [m]
+  double condition = unset;
+  double correlation_time = unset;   ///< of what is left [s]
+  double whiteness_p_value = unset;  ///< that what is left does not follow the rows before it
+  double noise = unset;              ///< of a single reading [m]
+  std::vector<std::string> at_bound{};
+  std::vector<std::string> messages{};
+
+  [[nodiscard]] bool converged() const { return !parameters.empty(); }
+};
+
+/// Finds order, inputs and numbers of a model from a record: gains and time constants by variable
+/// projection from many starts, the structure by the error on eight parts held out, the numbers at
+/// last on single rows. Gains, time constants and kinematic law of the model are starts; delay
+/// elements that go with the power and printed coefficients stay as they are.
+///
+/// Throws std::invalid_argument: a record without an input of the model, or with too few readings.
+[[nodiscard]] Identification identify(const Model& model, const record::Record& record,
+                                      const IdentifyOptions& options = {});
+
+/// The range of every input of a model on a record.
+[[nodiscard]] std::vector<SeenRange> seen_range(const Model& model, const record::Record& record);
+
+}  // namespace raceway::correction

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "correction/delay_element.h"
+#include "correction/friction_table.h"
+#include "correction/transfer_function.h"
+#include "fit/covariance.h"
+#include "record/record.h"
+#include "record/series_channel.h"
+
+/// The displacement of a machine over hours, from what its control knows: a sum of lags of
+/// temperatures, power, speed and feeds, and of what follows the speed at once.
+namespace raceway::correction {
+
+using record::Channel;
+
+/// What drives a channel.
+///
+/// Temperatures count from the first row of a run. Feeds and speeds act by their absolute value.
+struct Input {
+  std::string name{};                     ///< as the file has it: "power_W", or the only column
+  std::vector<const Channel*> columns{};  ///< of which the mean drives
+  const Channel* reference = nullptr;     ///< of which the rise is taken off that of the input
+  std::shared_ptr<const FrictionTable> table{};  ///< power: its torque at the speed times the speed
+  double axial_load = unset;                     ///< [N], of the power
+  double temperature = unset;                    ///< [K], of the power, where no column has it
+  const Channel* temperature_column = nullptr;
+
+  [[nodiscard]] bool is_power() const { return table != nullptr; }
+  /// What gains are per: "K", "W", "m/min" or "rpm" for people, "K", "W", "m_min", "rpm" in keys,
+  /// and one of them in SI.
+  [[nodiscard]] std::string_view unit() const;
+  [[nodiscard]] std::string_view key_unit() const;
+  [[nodiscard]] double factor() const;
+  [[nodiscard]] record::Course course() const;
+};
+
+/// A lag: where a step of the input by one leads to, and how fast.
+struct Section {
+  double gain = unset;           ///< [m] per SI unit of the input
+  double time_constant = unset;  ///< [s]
+};
+
+/// One body that moves, as one input tells of it.
+struct DrivenChannel {
+  std::string name{};
+  Input input{};
+  std::vector<Section> sections{};
+  double feedthrough = 0.0;  ///< [m] per SI unit of the input, at once
+  double scale = 1.0;        ///< of all of it: the gain of a sister spindle
+  /// Instead of sections: a gain and a time constant that go with the power.
+  std::optional<DelayElement> element{};
+  /// Instead of sections: coefficients as printed, for one sampling time; um/K whatever the input.
+  std::optional<TransferFunction> printed{};
+};
+
+/// The law of instant displacement, u = A n^(1 - B exp(-C n)): see shaft/kinematic_law.h.
+struct Kinematic {
+  double A = unset, B = unset, C = unset;  ///< [um], [1], [1/rpm]
+};
+
+/// An effect of the catalogue, as it is switched on.
+struct Effect {
+  std::string id{};
+  std::string where{};                    ///< channel or axis that it acts on; empty without
+  std::vector<const Channel*> columns{};  ///< of which the mean drives it
+  std::vector<double> values{};           ///< of its numbers, in the units of its card
+};
+
+/// Where a machine stood when its record began.
+enum class InitialState { rest, free };
+
+/// What was seen when the numbers were found: outside of it nobody knows.
+struct SeenRange {
+  const Channel* column = nullptr;      ///< null: the power of a channel
+  std::string name{};                   ///< of the column, or of the channel
+  double lower = unset, upper = unset;  ///< SI; of temperatures as they stand, not their rise
+};
+
+struct Model {
+  std::string name{};
+  const Channel* displacement = nullptr;
+  double tolerance = unset;     ///< [m]
+  double measured_std = unset;  ///< [m]
+  InitialState initial_state = InitialState::rest;
+  double sampling = unset;  ///< [s], of printed coefficients
+  double offset = 0.0;      ///< [m]
+  std::vector<DrivenChannel> channels{};
+  std::optional<Kinematic> kinematic{};
+  std::vector<Effect> effects{};
+  /// Names of parameters, and groups of them: see groups().
+  std::vector<std::string> free{};
+  std::vector<SeenRange> range{};
+  std::optional<fit::Covariance> covariance{};
+};
+
+}  // namespace raceway::correction

@@ -1,0 +1,204 @@
+#include "correction/numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "correction/catalogue.h"
+#include "record/nearest_names.h"
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr std::array<std::string_view, 5> groups{"gains", "time_constants", "offset", "kinematic",
+                                                 "scale"};
+
+class List {
+ public:
+  List(Model& model, const TimeConstantLimits& limits) : model_(model), limits_(limits) {}
+
+  std::vector<Number> numbers() {
+    add("offset", "um", "correction.offset_um", "offset", model_.offset, um).proportional = true;
+    for (std::size_t c = 0; c < model_.channels.size(); ++c) add_channel(c);
+    if (model_.kinematic) add_kinematic(*model_.kinematic);
+    for (std::size_t e = 0; e < model_.effects.size(); ++e) add_effect(e);
+    return std::move(list_);
+  }
+
+ private:
+  record::Parameter& add(std::string name, std::string unit, std::string address, std::string group,
+                         double& place, double factor) {
+    Number& n = list_.emplace_back();
+    n.parameter.name = std::move(name);
+    n.parameter.unit = std::move(unit);
+    n.parameter.addresses = {std::move(address)};
+    n.parameter.start = n.parameter.value = n.parameter.initial = place / factor;
+    n.parameter.lower = -endless;
+    n.parameter.upper = endless;
+    n.parameter.plausible_lower = -endless;
+    n.parameter.plausible_upper = endless;
+    n.group = std::move(group);
+    n.place = &place;
+    n.factor = factor;
+    return n.parameter;
+  }
+
+  void bound(record::Parameter& p, double lower, double upper) const {
+    p.lower = p.plausible_lower = lower;
+    p.upper = p.plausible_upper = upper;
+    p.scale = record::typical_size(p.start, p.initial, lower, upper);
+  }
+
+  /// What follows power or speed faster than this is the law of instant displacement.
+  [[nodiscard]] double shortest(const Input& input) const {
+    constexpr double of_a_body = 180.0;  // [s]
+    return input.course() == record::Course::held ? std::max(of_a_body, limits_.shortest)
+                                                  : limits_.shortest;
+  }
+
+  void add_channel(std::size_t index) {
+    DrivenChannel& c = model_.channels[index];
+    const std::string key = fmt::format("correction.channel.{}.", index);
+    const std::string gain = "um/" + std::string(c.input.unit());
+    const double factor = um / c.input.factor();
+    for (std::size_t s = 0; s < c.sections.size(); ++s) {
+      const std::string of = fmt::format("{}sections.{}.", key, s);
+      add(fmt::format("{}.gain_{}", c.name, s + 1), gain,
+          fmt::format("{}gain_um_{}", of, c.input.key_unit()), "gains", c.sections[s].gain, factor)
+          .proportional = true;
+      bound(add(fmt::format("{}.time_constant_{}", c.name, s + 1), "s", of + "time_constant_s",
+                "time_constants", c.sections[s].time_constant, 1.0),
+            shortest(c.input), limits_.longest);
+    }
+    if (c.feedthrough != 0.0 || (c.sections.empty() && !c.element && !c.printed))
+      add(c.name + ".feedthrough", gain,
+          fmt::format("{}feedthrough_um_{}", key, c.input.key_unit()), "gains", c.feedthrough,
+          factor)
+          .proportional = true;
+    add(c.name + ".scale", "1", key + "scale", "scale", c.scale, 1.0).proportional = true;
+  }
+
+  void add_kinematic(Kinematic& law) {
+    add("kinematic.A", "um", "correction.kinematic.A", "kinematic", law.A, 1.0).proportional = true;
+    bound(add("kinematic.B", "1", "correction.kinematic.B", "kinematic", law.B, 1.0), 0.0, 1.2);
+    bound(add("kinematic.C", "1/rpm", "correction.kinematic.C", "kinematic", law.C, 1.0), 1e-4,
+          3e-3);
+  }
+
+  void add_effect(std::size_t index) {
+    Effect& e = model_.effects[index];
+    const EffectCard& card = *find_card(e.id);
+    for (std::size_t k = 0; k < e.values.size(); ++k) {
+      const record::NumberCard& n = card.numbers[k];
+      const bool is_gain = n.unit == "um/u";
+      record::Parameter& p =
+          add(full_id(e) + "." + std::string(n.name),
+              is_gain ? gain_unit(e, model_) : std::string(n.unit),
+              fmt::format("correction.effect.{}.{}", index,
+                          is_gain                              ? "gain_" + gain_key_unit(e, model_)
+                          : n.unit == "um" && n.name == "size" ? std::string("size_um")
+                                                               : std::string(n.name)),
+              "effects", e.values[k], 1.0);
+      p.initial = n.initial;
+      p.neutral = n.neutral;
+      p.proportional = is_gain || n.unit == "um";
+      const bool lag = n.name == "time_constant_s";
+      bound(p, lag ? std::max(n.lower, shortest(input_of(e, model_))) : n.lower,
+            lag ? std::min(n.upper, limits_.longest) : n.upper);
+      if (!std::isfinite(n.lower)) p.scale = 1.0;
+    }
+  }
+
+  Model& model_;
+  TimeConstantLimits limits_;
+  std::vector<Number> list_;
+};
+
+}  // namespace
+
+std::string_view Input::unit() const {
+  if (is_power()) return "W";
+  return columns.empty() || record::is_temperature(*columns.front()) ? "K" : columns.front()->unit;
+}
+
+std::string_view Input::key_unit() const {
+  if (is_power()) return "W";
+  return columns.empty() || record::is_temperature(*columns.front()) ? "K"
+                                                                     : columns.front()->key_unit();
+}
+
+double Input::factor() const {
+  return is_power() || columns.empty() ? 1.0 : columns.front()->factor;
+}
+
+record::Course Input::course() const {
+  return is_power() || columns.empty() ? record::Course::held : record::course_of(*columns.front());
+}
+
+std::vector<Number> numbers(Model& model, const TimeConstantLimits& limits) {
+  return List(model, limits).numbers();
+}
+
+std::vector<record::Parameter> parameters(const Model& model, const TimeConstantLimits& limits) {
+  Model copy = model;
+  std::vector<record::Parameter> list;
+  for (Number& n : numbers(copy, limits)) list.push_back(std::move(n.parameter));
+  return list;
+}
+
+std::vector<std::string> free_names(const Model& model) {
+  Model copy = model;
+  const std::vector<Number> all = numbers(copy);
+  std::vector<std::string> wanted = model.free;
+  if (wanted.empty()) wanted = {"gains", "time_constants", "offset", "kinematic", "effects"};
+  std::vector<std::string> known(groups.begin(), groups.end());
+  for (const Number& n : all) known.push_back(n.parameter.name);
+  known.emplace_back("effects");
+  for (const std::string& name : wanted)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw std::invalid_argument(fmt::format("no parameter and no group is called {}; nearest: {}",
+                                              name, record::nearest_names(name, known, 3)));
+  std::vector<std::string> free;
+  for (const Number& n : all)
+    if (std::find(wanted.begin(), wanted.end(), n.parameter.name) != wanted.end() ||
+        std::find(wanted.begin(), wanted.end(), n.group) != wanted.end())
+      free.push_back(n.parameter.name);
+  return free;
+}
+
+const DrivenChannel* find_channel(const Model& model, std::string_view name) {
+  for (const DrivenChannel& c : model.channels)
+    if (name.empty() || c.name == name) return &c;
+  return nullptr;
+}
+
+Input input_of(const Effect& effect, const Model& model) {
+  if (effect.columns.empty()) {
+    const DrivenChannel* const of = find_channel(model, effect.where);
+    return effect.id == "motor-heat" || !of ? Input{} : of->input;
+  }
+  return {.name = std::string(effect.columns.front()->name), .columns = effect.columns};
+}
+
+std::string gain_unit(const Effect& effect, const Model& model) {
+  // exp(-n/n0) has no unit.
+  if (effect.id == "motor-heat" && effect.columns.empty()) return "um";
+  return "um/" + std::string(input_of(effect, model).unit());
+}
+
+std::string gain_key_unit(const Effect& effect, const Model& model) {
+  if (effect.id == "motor-heat" && effect.columns.empty()) return "um";
+  return "um_" + std::string(input_of(effect, model).key_unit());
+}
+
+std::string full_id(const Effect& effect) {
+  return effect.where.empty() ? effect.id : effect.id + ":" + effect.where;
+}
+
+}  // namespace raceway::correction

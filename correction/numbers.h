@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "correction/model.h"
+#include "record/parameter.h"
+
+namespace raceway::correction {
+
+/// Between which time constants a record can tell anything [s].
+struct TimeConstantLimits {
+  double shortest = 1.0, longest = 1e7;
+};
+
+/// One number of a model that may be fitted.
+struct Number {
+  record::Parameter parameter{};  ///< named "spindle.gain_1", in the units of the files
+  std::string group{};  ///< "gains", "time_constants", "offset", "kinematic", "scale" or "effects"
+  double* place = nullptr;  ///< in the model
+  double factor = 1.0;      ///< what stands there is the value of the parameter times it
+};
+
+/// All of them, in the order of the file. They point into the model, which outlives them.
+[[nodiscard]] std::vector<Number> numbers(Model& model, const TimeConstantLimits& limits = {});
+
+/// The same without places.
+[[nodiscard]] std::vector<record::Parameter> parameters(const Model& model,
+                                                        const TimeConstantLimits& limits = {});
+
+/// Names of the parameters of a model that a list of names and groups means, in the order of the
+/// model; without a list gains, time constants, offset and the numbers of effects. Throws
+/// std::invalid_argument for a name that is none.
+[[nodiscard]] std::vector<std::string> free_names(const Model& model);
+
+/// The unit of the gain of an effect: "um/K".
+[[nodiscard]] std::string gain_unit(const Effect& effect, const Model& model);
+/// "um_K"
+[[nodiscard]] std::string gain_key_unit(const Effect& effect, const Model& model);
+
+/// The channel of that name, or the first one for an empty name; null where there is none.
+[[nodiscard]] const DrivenChannel* find_channel(const Model& model, std::string_view name);
+
+/// What drives an effect that adds a share of its own; for one that acts on a channel its input.
+[[nodiscard]] Input input_of(const Effect& effect, const Model& model);
+
+/// "ambient-drift", or "second-time-constant:ambient" where it says which channel or axis.
+[[nodiscard]] std::string full_id(const Effect& effect);
+
+}  // namespace raceway::correction

@@ -1,0 +1,196 @@
+#include "correction/record_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "correction/series.h"
+#include "correction/simulation.h"
+#include "record/median.h"
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+namespace {
+
+constexpr double samplings = 3.0;     // that the fastest lag must last
+constexpr double stuck_for = 1800.0;  // [s]
+constexpr double a_jump = 20.0;  // times the usual step, and
+constexpr double a_leap = 0.25;  // of the range, in one row
+constexpr std::size_t few_values = 2000;
+
+std::string amount(const Channel& c, double si) {
+  return fmt::format("{:.3g} {}", si / c.factor, record::is_temperature(c) ? "K" : c.unit);
+}
+
+/// The last digit of a column: the greatest step of which all differences are multiples.
+double quantum_of(const Channel& channel, std::span<const double> values) {
+  std::set<double> levels;
+  for (const double v : values) {
+    if (std::isfinite(v)) levels.insert(channel.in_unit(v));
+    if (levels.size() > few_values) return unset;
+  }
+  if (levels.size() < 3) return unset;
+  double least = std::numeric_limits<double>::infinity();
+  for (auto a = levels.begin(), b = std::next(a); b != levels.end(); ++a, ++b)
+    if (*b - *a > 1e-9) least = std::min(least, *b - *a);
+  constexpr double off_the_lattice = 0.02;
+  for (const double v : levels) {
+    const double steps = (v - *levels.begin()) / least;
+    if (std::abs(steps - std::round(steps)) > off_the_lattice) return unset;
+  }
+  return least * channel.factor;
+}
+
+class Checking {
+ public:
+  Checking(const Model& model, const record::Record& record)
+      : model_(model), record_(record), series_(record) {}
+
+  RecordCheck run() {
+    look_at_time();
+    for (const record::Column& c : record_.columns)
+      if (c.channel->is_input()) look_at(c);
+    look_at_readings();
+    look_at_model();
+    return std::move(result_);
+  }
+
+ private:
+  void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
+
+  void look_at_time() {
+    std::vector<double> steps;
+    double longest = 0.0;
+    for (std::size_t k = 0; k < series_.rows(); ++k) {
+      if (!series_.clock().begins[k]) steps.push_back(series_.clock().steps[k]);
+      longest = std::max(longest, series_.time()[k]);
+    }
+    result_.sampling = record::median(steps);
+    result_.duration = longest;
+    result_.shortest = samplings * result_.sampling;
+    result_.longest = 0.5 * longest;
+  }
+
+  void look_at(const record::Column& c) {
+    const Channel& channel = *c.channel;
+    if (const double q = quantum_of(channel, c.values); std::isfinite(q))
+      result_.quanta.push_back({&channel, q});
+    const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
+    if (*low == *high)
+      return warn(fmt::format("{} never varies: nothing can be learnt from it", channel.name));
+    if (record::is_temperature(channel)) look_for_faults(c);
+  }
+
+  /// A temperature that stands still to the last digit while others move, or leaps.
+  void look_for_faults(const record::Column& c) {
+    const std::span<const double> time = record_.values(record::time);
+    const Channel& channel = *c.channel;
+    std::vector<double> steps;
+    for (std::size_t k = 1; k < c.values.size(); ++k)
+      if (!series_.clock().begins[k]) steps.push_back(std::abs(c.values[k] - c.values[k - 1]));
+    const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
+    const double usual = std::fmax(record::median(steps), quantum_of_column(channel));
+    const double leap = std::max(a_jump * usual, a_leap * (*high - *low));
+    std::size_t since = 0;
+    double longest = 0.0, at = 0.0;
+    std::size_t jumps = 0, first_jump = 0;
+    for (std::size_t k = 1; k < c.values.size(); ++k) {
+      if (series_.clock().begins[k] || c.values[k] != c.values[k - 1]) since = k;
+      if (time[k] - time[since] > longest) longest = time[k] - time[since], at = time[since];
+      if (!series_.clock().begins[k] && std::abs(c.values[k] - c.values[k - 1]) > leap) {
+        if (jumps++ == 0) first_jump = k;
+      }
+    }
+    if (longest > stuck_for && others_move(c, at, at + longest))
+      warn(fmt::format(
+          "{} stands still for {:.3g} min from {:.4g} s on, while others move: does the "
+          "sensor stick?",
+          channel.name, longest / 60.0, at));
+    if (jumps > 0)
+      warn(fmt::format("{} leaps by more than {} {} time{}, first before {}", channel.name,
+                       amount(channel, leap), jumps, jumps == 1 ? "" : "s",
+                       record_.place(first_jump)));
+  }
+
+  /// Whether another temperature goes over a good part of its range between two times.
+  [[nodiscard]] bool others_move(const record::Column& than, double from, double to) const {
+    constexpr double good_part = 0.25;
+    const std::span<const double> time = record_.values(record::time);
+    for (const record::Column& c : record_.columns) {
+      if (c.channel == than.channel || !record::is_temperature(*c.channel)) continue;
+      const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
+      double least = unset, most = unset;
+      for (std::size_t k = 0; k < c.values.size(); ++k)
+        if (time[k] >= from && time[k] <= to)
+          least = std::fmin(least, c.values[k]), most = std::fmax(most, c.values[k]);
+      if (most - least > good_part * (*high - *low)) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] double quantum_of_column(const Channel& channel) const {
+    for (const RecordCheck::Quantum& q : result_.quanta)
+      if (*q.column == channel) return q.step;
+    return unset;
+  }
+
+  void look_at_readings() {
+    const std::span<const double> time = record_.values(record::time),
+                                  read = record_.values(*model_.displacement);
+    std::vector<double> intervals;
+    double last = unset;
+    for (std::size_t k = 0; k < read.size(); ++k) {
+      if (std::isnan(read[k])) continue;
+      ++result_.readings;
+      if (!std::isnan(last)) intervals.push_back(time[k] - last);
+      last = time[k];
+    }
+    result_.reading_interval = record::median(intervals);
+    if (result_.readings > 0 && result_.reading_interval > 120.0)
+      warn(fmt::format(
+          "readings come every {:.3g} s: what scatters between them is not the noise of "
+          "the sensor; declare measurement_std_um",
+          result_.reading_interval));
+  }
+
+  void look_at_model() {
+    for (const DrivenChannel& c : model_.channels) {
+      for (std::size_t s = 0; s < c.sections.size(); ++s)
+        if (const double tau = c.sections[s].time_constant; 3.0 * tau > result_.duration)
+          warn(fmt::format(
+              "channel {}: the time constant of {:.4g} s is more than a third of the record "
+              "of {:.4g} s, which cannot tell it",
+              c.name, tau, result_.duration));
+      if (c.printed) {
+        double quantum = 0.1;
+        for (const Channel* column : c.input.columns)
+          if (const double q = quantum_of_column(*column); std::isfinite(q)) quantum = q;
+        result_.printed.push_back({c.name, check(*c.printed, quantum)});
+        for (const std::string& text : result_.printed.back().check.warnings)
+          warn(fmt::format("channel {}: {}", c.name, text));
+      }
+      if (c.feedthrough == 0.0) continue;
+      for (const Channel* column : c.input.columns)
+        if (const double q = quantum_of_column(*column); std::isfinite(q))
+          warn(fmt::format(
+              "channel {}: a step of the last digit of {} ({}) moves the displacement by "
+              "{:.3g} um at once",
+              c.name, column->name, amount(*column, q), std::abs(c.feedthrough * q) / um));
+    }
+  }
+
+  const Model& model_;
+  const record::Record& record_;
+  Series series_;
+  RecordCheck result_;
+};
+
+}  // namespace
+
+RecordCheck check_record(const Model& model, const record::Record& record) {
+  return Checking(model, record).run();
+}
+
+}  // namespace raceway::correction

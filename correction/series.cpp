@@ -1,0 +1,223 @@
+#include "correction/series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "record/series_channel.h"
+#include "shaft/kinematic_law.h"
+
+namespace raceway::correction {
+namespace {
+
+constexpr std::size_t most_kept = std::size_t{96} << 20U;  // bytes
+
+/// Kinds of what is kept, the first number of a key.
+constexpr double of_input = 0, of_lag = 1, of_law = 2, of_motor = 3, of_decay = 4, of_settling = 5;
+
+Hold hold_of(record::Course course) {
+  return course == record::Course::straight ? Hold::straight : Hold::held;
+}
+
+}  // namespace
+
+Series::Series(const record::Record& record) : record_(record) {
+  const std::span<const double> time = record.values(record::time);
+  if (time.empty()) throw std::invalid_argument("a displacement over time needs a column time_s");
+  const record::Channel* const setup = record::series_channel("setup_id");
+  std::map<std::pair<int, double>, int> zeros;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    const bool begins = k == 0 || record.run_of(k) != record.run_of(k - 1);
+    const double step = begins ? 0.0 : time[k] - time[k - 1];
+    if (!(step > 0.0) && !begins)
+      throw std::invalid_argument(fmt::format(
+          "time_s of {} is {:.10g} s, which is {} {:.10g} s in the row before: time must rise "
+          "within a run",
+          record.place(k), time[k], step == 0.0 ? "the same as" : "earlier than", time[k - 1]));
+    clock_.steps.push_back(step);
+    clock_.begins.push_back(begins);
+    time_.push_back(begins ? 0.0 : time_.back() + step);
+    whole_time_.push_back(k == 0 ? 0.0 : whole_time_.back() + step);
+    const double clamped = record.has(*setup) ? record.value(*setup, k) : 0.0;
+    zero_.push_back(
+        zeros.emplace(std::pair{record.run_of(k), clamped}, static_cast<int>(zeros.size()))
+            .first->second);
+  }
+  zeros_ = std::max(1, static_cast<int>(zeros.size()));
+  for (const double n : record.values(record::speed)) speed_rpm_.push_back(std::abs(n) / rpm);
+  const auto coolant = record.values(*record::series_channel("coolant_on"));
+  coolant_.assign(coolant.begin(), coolant.end());
+}
+
+template <typename Make>
+Series::Values Series::kept(Key key, const Make& make) const {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (const auto found = kept_.find(key); found != kept_.end()) return found->second;
+  }
+  auto made = std::make_shared<std::vector<double>>(rows());
+  make(*made);
+  const std::scoped_lock lock(mutex_);
+  // Inputs are few and asked for always; of the rest none is worth more than another.
+  if (kept_.size() * rows() * sizeof(double) > most_kept)
+    std::erase_if(kept_, [](const auto& one) { return one.first.front() != of_input; });
+  return kept_.emplace(std::move(key), std::move(made)).first->second;
+}
+
+double Series::id_of(const Input& input) const {
+  std::string text;
+  for (const record::Channel* c : input.columns) text += std::string(c->name) + " ";
+  if (input.reference) text += "- " + std::string(input.reference->name);
+  if (input.is_power())
+    text += fmt::format("power {} {} {} {}", static_cast<const void*>(input.table.get()),
+                        input.axial_load, input.temperature,
+                        input.temperature_column ? input.temperature_column->name : "");
+  const std::scoped_lock lock(mutex_);
+  const auto found = std::find(inputs_.begin(), inputs_.end(), text);
+  const auto id = static_cast<double>(found - inputs_.begin());
+  if (found == inputs_.end()) inputs_.push_back(std::move(text));
+  return id;
+}
+
+std::vector<double> Series::power(const Input& input) const {
+  if (speed_rpm_.empty()) throw std::invalid_argument("the input power_W needs a column speed_rpm");
+  const std::span<const double> temperature = input.temperature_column
+                                                  ? record_.values(*input.temperature_column)
+                                                  : std::span<const double>();
+  if (input.temperature_column && temperature.empty())
+    throw std::invalid_argument(
+        fmt::format("the input power_W needs a column {}", input.temperature_column->name));
+  std::vector<double> list;
+  for (std::size_t k = 0; k < rows(); ++k) {
+    const double speed = speed_rpm_[k] * rpm;
+    list.push_back(speed *
+                   (*input.table)(speed, input.axial_load,
+                                  temperature.empty() ? input.temperature : temperature[k]));
+  }
+  return list;
+}
+
+std::size_t Series::rows_beyond_table(const Input& input) const {
+  if (!input.is_power()) return 0;
+  const std::span<const double> temperature = input.temperature_column
+                                                  ? record_.values(*input.temperature_column)
+                                                  : std::span<const double>();
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < rows(); ++k)
+    count += input.table->holds(speed_rpm_[k] * rpm, input.axial_load,
+                                temperature.empty() ? input.temperature : temperature[k])
+                 ? 0
+                 : 1;
+  return count;
+}
+
+Series::Values Series::input(const Input& input) const {
+  return kept({of_input, id_of(input)}, [&](std::vector<double>& out) {
+    if (input.is_power()) {
+      out = power(input);
+      return;
+    }
+    const bool from_first = input.course() == record::Course::straight;
+    const auto add = [&](const record::Channel& channel, double weight) {
+      const std::span<const double> values = record_.values(channel);
+      if (values.empty())
+        throw std::invalid_argument(
+            fmt::format("column {} is missing, which the model needs", channel.name));
+      double first = 0.0;
+      for (std::size_t k = 0; k < rows(); ++k) {
+        if (clock_.begins[k]) first = from_first ? values[k] : 0.0;
+        out[k] += weight * (from_first ? values[k] - first : std::abs(values[k]));
+      }
+    };
+    for (const record::Channel* c : input.columns)
+      add(*c, 1.0 / static_cast<double>(input.columns.size()));
+    if (input.reference) add(*input.reference, -1.0);
+  });
+}
+
+/// Steps of a lag whose time constant changes from row to row, exact while it holds.
+void Series::answer(const std::vector<double>& input, record::Course course, double time_constant,
+                    const Answer& by, std::vector<double>& state) const {
+  const Hold hold = hold_of(course);
+  const double from_sensor = by.sensor_time_constant / time_constant;
+  std::vector<double>& x = state;
+  for (std::size_t k = 0; k < rows(); ++k) {
+    if (clock_.begins[k]) {
+      x[k] = 0.0;
+      continue;
+    }
+    // What holds from the row before to this one.
+    const double f = by.speed_factor == 0.0 || speed_rpm_.empty()
+                         ? 1.0
+                         : 1.0 / (1.0 + by.speed_factor * speed_rpm_[k - 1] / 10000.0);
+    const bool off = !coolant_.empty() && coolant_[k - 1] < 0.5;
+    const double gain =
+        (by.speed_factor == 0.0 ? 1.0 : std::pow(f, by.gain_power)) * (off ? by.off_gain : 1.0);
+    const double before = gain * input[k - 1];
+    const double after = hold == Hold::straight ? gain * input[k] : before;
+    double tau = time_constant * f * (off ? by.off_time_constant : 1.0);
+    if (0.5 * (before + after) < x[k - 1]) tau *= by.falling;
+    const LagStep step = lag_step(clock_.steps[k] / tau, hold);
+    x[k] = step.decay * x[k - 1] + step.old_weight * before + step.new_weight * after;
+  }
+  if (from_sensor > 0.0)
+    for (std::size_t k = 0; k < rows(); ++k) x[k] += from_sensor * (input[k] - x[k]);
+}
+
+Series::Values Series::lag(const Input& of, double time_constant, const Answer& by) const {
+  return kept({of_lag, id_of(of), time_constant, by.sensor_time_constant, by.off_gain,
+               by.off_time_constant, by.speed_factor, by.gain_power, by.falling},
+              [&](std::vector<double>& out) {
+                const Values driving = input(of);
+                if (by.is_plain())
+                  lag_response(clock_, *driving, hold_of(of.course()), time_constant, 0.0, out);
+                else
+                  answer(*driving, of.course(), time_constant, by, out);
+              });
+}
+
+Series::Values Series::kinematic(double B, double C) const {
+  return kept({of_law, B, C}, [&](std::vector<double>& out) {
+    if (speed_rpm_.empty())
+      throw std::invalid_argument("the kinematic displacement needs a column speed_rpm");
+    double last = -1.0, value = 0.0;
+    for (std::size_t k = 0; k < rows(); ++k) {
+      if (speed_rpm_[k] != last) {
+        last = speed_rpm_[k];
+        value = shaft::kinematic_displacement_um(last, 1.0, B, C);
+      }
+      out[k] = value;
+    }
+  });
+}
+
+Series::Values Series::motor(double decay_speed_rpm, double time_constant) const {
+  return kept({of_motor, decay_speed_rpm, time_constant}, [&](std::vector<double>& out) {
+    if (speed_rpm_.empty()) throw std::invalid_argument("motor-heat needs a column speed_rpm");
+    std::vector<double> heat;
+    for (const double n : speed_rpm_)
+      heat.push_back(n > 0.0 ? std::exp(-n / decay_speed_rpm) : 0.0);
+    lag_response(clock_, heat, Hold::held, time_constant, 0.0, out);
+  });
+}
+
+Series::Values Series::decay(double time_constant) const {
+  return kept({of_decay, time_constant}, [&](std::vector<double>& out) {
+    bool first = true;
+    for (std::size_t k = 0; k < rows(); ++k) {
+      first = first && (k == 0 || !clock_.begins[k]);
+      out[k] = first ? std::exp(-time_[k] / time_constant) : 0.0;
+    }
+  });
+}
+
+Series::Values Series::settling(double time_constant) const {
+  return kept({of_settling, time_constant}, [&](std::vector<double>& out) {
+    for (std::size_t k = 0; k < rows(); ++k) out[k] = -std::expm1(-whole_time_[k] / time_constant);
+  });
+}
+
+}  // namespace raceway::correction

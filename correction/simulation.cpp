@@ -1,0 +1,158 @@
+#include "correction/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include "correction/catalogue.h"
+#include "correction/numbers.h"
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+namespace {
+
+constexpr double same_sampling = 1e-6;  // share by which steps may differ from the printed one
+
+using Sink = std::function<void(double weight, const std::vector<double>& values)>;
+
+Answer answer_of(const Model& model, const DrivenChannel& channel) {
+  Answer answer;
+  for (const Effect& e : model.effects) {
+    if (!find_card(e.id)->of_channel || find_channel(model, e.where) != &channel) continue;
+    if (e.id == "cooling-switch") {
+      answer.off_gain = e.values[0];
+      answer.off_time_constant = e.values[1];
+    } else if (e.id == "sensor-lag") {
+      answer.sensor_time_constant = e.values[0];
+    } else if (e.id == "speed-dependent-time-constant") {
+      answer.speed_factor = e.values[0];
+      answer.gain_power = e.values[1];
+    } else {
+      answer.falling = e.values[0];
+    }
+  }
+  return answer;
+}
+
+void require_sampling(const Series& series, double sampling, const std::string& name) {
+  const Clock& clock = series.clock();
+  for (std::size_t k = 0; k < clock.rows(); ++k)
+    if (!clock.begins[k] && std::abs(clock.steps[k] - sampling) > same_sampling * sampling)
+      throw std::invalid_argument(fmt::format(
+          "the coefficients of channel {} are for a sampling of {} s, and {} comes {:.6g} s after "
+          "the row before: they hold for no other rate",
+          name, sampling, series.record().place(k), clock.steps[k]));
+}
+
+/// Of one sampling, from rest in every run.
+std::vector<double> run_printed(const TransferFunction& function, const Series& series,
+                                const std::vector<double>& input, const std::string& name) {
+  require_sampling(series, function.sampling, name);
+  std::vector<double> all;
+  const std::vector<bool>& begins = series.clock().begins;
+  for (std::size_t first = 0; first < input.size();) {
+    std::size_t last = first + 1;
+    while (last < input.size() && !begins[last]) ++last;
+    const std::vector<double> part = run(function, std::span(input).subspan(first, last - first));
+    all.insert(all.end(), part.begin(), part.end());
+    first = last;
+  }
+  return all;
+}
+
+void add_channel(const Model& model, const DrivenChannel& c, const Series& series,
+                 const Sink& sink) {
+  const Series::Values input = series.input(c.input);
+  if (c.element) {
+    std::vector<double> u(series.rows());
+    delay_response(series.clock(), *input, *c.element, u);
+    sink(c.scale, u);
+  }
+  if (c.printed) sink(c.scale, run_printed(*c.printed, series, *input, c.name));
+  if (c.feedthrough != 0.0) sink(c.scale * c.feedthrough, *input);
+  const Answer answer = answer_of(model, c);
+  for (const Section& s : c.sections)
+    if (s.gain != 0.0) sink(c.scale * s.gain, *series.lag(c.input, s.time_constant, answer));
+}
+
+/// A share of its own.
+void add_effect(const Model& model, const Effect& e, const Series& series, const Sink& sink) {
+  const EffectCard& card = *find_card(e.id);
+  if (card.of_channel || e.values.front() == 0.0) return;
+  const double size = e.values.front() * um;
+  if (e.id == "kinematic-displacement") {
+    sink(size, *series.kinematic(e.values[1], e.values[2]));
+  } else if (e.id == "offset-jump") {
+    const std::span<const double> time = series.record().values(record::time);
+    std::vector<double> step(series.rows());
+    for (std::size_t k = 0; k < step.size(); ++k) step[k] = time[k] >= e.values[1] ? 1.0 : 0.0;
+    sink(size, step);
+  } else if (e.id == "slow-drift") {
+    sink(size, *series.settling(e.values[1]));
+  } else if (e.id == "motor-heat" && e.columns.empty()) {
+    sink(size, *series.motor(e.values[2], e.values[1]));
+  } else {
+    const Input input = input_of(e, model);
+    sink(size / input.factor(), *series.lag(input, e.values[1], {}));
+  }
+}
+
+Sink add_to(std::span<double> sum) {
+  return [sum](double weight, const std::vector<double>& values) {
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * values[k];
+  };
+}
+
+}  // namespace
+
+void simulate(const Model& model, const Series& series, std::span<double> displacement) {
+  std::fill(displacement.begin(), displacement.end(), model.offset);
+  const Sink sink = add_to(displacement);
+  for (const DrivenChannel& c : model.channels) add_channel(model, c, series, sink);
+  if (const auto& law = model.kinematic; law && law->A != 0.0)
+    sink(law->A * um, *series.kinematic(law->B, law->C));
+  for (const Effect& e : model.effects) add_effect(model, e, series, sink);
+}
+
+std::vector<Contribution> contributions(const Model& model, const Series& series) {
+  std::vector<Contribution> list;
+  const auto part = [&](std::string name) {
+    list.push_back({std::move(name), std::vector<double>(series.rows())});
+    return add_to(list.back().displacement);
+  };
+  for (const DrivenChannel& c : model.channels) add_channel(model, c, series, part(c.name));
+  if (const auto& law = model.kinematic)
+    part("kinematic")(law->A * um, *series.kinematic(law->B, law->C));
+  for (const Effect& e : model.effects)
+    if (!find_card(e.id)->of_channel) add_effect(model, e, series, part(full_id(e)));
+  return list;
+}
+
+std::vector<const Channel*> inputs_of(const Model& model) {
+  std::vector<const Channel*> list;
+  const auto add = [&](const Channel* c) {
+    if (c && std::find(list.begin(), list.end(), c) == list.end()) list.push_back(c);
+  };
+  const auto add_input = [&](const Input& input) {
+    for (const Channel* c : input.columns) add(c);
+    add(input.reference);
+    if (!input.is_power()) return;
+    add(&record::speed);
+    add(input.temperature_column);
+  };
+  for (const DrivenChannel& c : model.channels) add_input(c.input);
+  if (model.kinematic) add(&record::speed);
+  for (const Effect& e : model.effects) {
+    add_input(input_of(e, model));
+    if (e.id == "kinematic-displacement" || e.id == "speed-dependent-time-constant" ||
+        (e.id == "motor-heat" && e.columns.empty()))
+      add(&record::speed);
+    if (e.id == "cooling-switch") add(record::series_channel("coolant_on"));
+  }
+  return list;
+}
+
+}  // namespace raceway::correction

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "correction/model.h"
+#include "correction/series.h"
+
+namespace raceway::correction {
+
+/// What one part of a model adds to the displacement, at every row [m].
+struct Contribution {
+  std::string name{};  ///< of the channel or the effect; "kinematic"
+  std::vector<double> displacement{};
+};
+
+/// Displacement at every row of a record from rest [m], the offset of the model included. NaN from
+/// where a power leaves the range of a delay element to the end of that run. Throws
+/// std::invalid_argument where the record lacks an input, or its sampling is not that of printed
+/// coefficients.
+void simulate(const Model& model, const Series& series, std::span<double> displacement);
+
+/// The same by its parts, offset left out.
+[[nodiscard]] std::vector<Contribution> contributions(const Model& model, const Series& series);
+
+/// Columns that a model needs beside the time.
+[[nodiscard]] std::vector<const Channel*> inputs_of(const Model& model);
+
+}  // namespace raceway::correction

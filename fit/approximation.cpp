@@ -1,0 +1,332 @@
+#include "fit/approximation.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace raceway::fit {
+namespace {
+
+constexpr double a_minute = 60.0;
+constexpr double most_means = 1500.0;
+constexpr std::size_t trials = 6;   // of a parameter of a candidate
+constexpr std::size_t coarse = 64;  // of values that are the only ones
+constexpr double same = 1e-4;       // relative: a start that ended where another did
+
+double duration_of(const Record& record) {
+  const std::span<const double> time = record.values(record::time);
+  double longest = 0.0, begin = 0.0;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    if (k == 0 || record.run_of(k) != record.run_of(k - 1)) begin = time[k];
+    longest = std::max(longest, time[k] - begin);
+  }
+  return longest;
+}
+
+bool spans_decades(const Parameter& p) {
+  return p.lower > 0.0 && std::isfinite(p.upper) && p.upper > 10.0 * p.lower;
+}
+
+/// A share of the way between the bounds.
+double between(const Parameter& p, double share) {
+  if (!std::isfinite(p.upper - p.lower)) return p.start;
+  return spans_decades(p) ? p.lower * std::pow(p.upper / p.lower, share)
+                          : p.lower + share * (p.upper - p.lower);
+}
+
+/// Polishes the best of some starts, the least misfit at the end.
+SeparableFit best_of(const Separable& problem, std::vector<SeparableFit> begun, int polished,
+                     const std::vector<bool>& held, const ApproximationOptions& options) {
+  std::erase_if(begun, [](const SeparableFit& f) { return !std::isfinite(f.misfit); });
+  std::stable_sort(begun.begin(), begun.end(), [](const SeparableFit& a, const SeparableFit& b) {
+    return a.misfit < b.misfit;
+  });
+  SeparableFit best;
+  int done = 0;
+  double last = unset;
+  for (const SeparableFit& start : begun) {
+    if (options.cancelled && options.cancelled()) break;
+    // A start that is as good as the one before it is most likely the same hollow.
+    if (std::abs(start.misfit - last) <= same * start.misfit) continue;
+    last = start.misfit;
+    SeparableFit fit = problem.from(start.values, -1, held);
+    if (std::isnan(best.misfit) || fit.misfit < best.misfit) best = std::move(fit);
+    if (++done >= polished) break;
+  }
+  return best;
+}
+
+Approximation approximation_of(std::shared_ptr<const Subject> subject,
+                               const std::vector<std::string>& names, const Separable& problem,
+                               SeparableFit fit, const Means& means) {
+  Approximation result{.subject = std::move(subject),
+                       .names = names,
+                       .parameters = problem.parameters(),
+                       .fit = std::move(fit)};
+  for (std::size_t k = 0; k < result.parameters.size(); ++k) {
+    Parameter& p = result.parameters[k];
+    if (result.fit.values.size() == 0) continue;
+    p.value = result.fit.values[static_cast<Eigen::Index>(k)];
+    if (result.fit.at_bound[k])
+      p.at_bound = p.value - p.lower < p.upper - p.value ? Bound::lower : Bound::upper;
+  }
+  result.rms =
+      std::sqrt(result.fit.misfit / static_cast<double>(std::max<Eigen::Index>(1, means.size())));
+  return result;
+}
+
+}  // namespace
+
+double usual_width(const Record& record) {
+  return std::max(a_minute, duration_of(record) / most_means);
+}
+
+Recorded recorded(const Subject& subject, std::shared_ptr<const Record> record, double width) {
+  Recorded result;
+  result.prepared = subject.prepare(*record);
+  result.means = means_of(subject, *record, width);
+  result.duration = duration_of(*record);
+  result.record = std::move(record);
+  return result;
+}
+
+Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded& recorded,
+                          const std::vector<std::string>& names,
+                          const ApproximationOptions& options) {
+  const Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names);
+  const std::vector<Parameter>& parameters = problem.parameters();
+  Eigen::VectorXd start(parameters.size());
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    start[static_cast<Eigen::Index>(k)] =
+        std::clamp(parameters[k].start, parameters[k].lower, parameters[k].upper);
+  std::vector<SeparableFit> begun{problem.at(start)};
+  for (const Eigen::VectorXd& other : options.starts) begun.push_back(problem.at(other));
+  boost::random::mt19937_64 engine(20210305);
+  boost::random::uniform_01<double> any;
+  for (int k = 0; k < options.random_starts && !problem.bending().empty(); ++k) {
+    Eigen::VectorXd x = start;
+    for (const std::size_t j : problem.bending())
+      x[static_cast<Eigen::Index>(j)] = between(parameters[j], any(engine));
+    begun.push_back(problem.at(x));
+  }
+  SeparableFit fit = best_of(problem, std::move(begun), options.polished, {}, options);
+  return approximation_of(std::move(subject), names, problem, std::move(fit), recorded.means);
+}
+
+namespace {
+
+/// All combinations of trial values of the bending parameters of candidates, with the base as it
+/// ended; of values that are the only ones a coarse choice, then their neighbours.
+std::vector<SeparableFit> tried(const Separable& problem, const Eigen::VectorXd& start,
+                                std::size_t first,
+                                const std::vector<const std::vector<double>*>& only) {
+  const std::vector<Parameter>& parameters = problem.parameters();
+  std::vector<std::size_t> bending;
+  for (const std::size_t k : problem.bending())
+    if (k >= first) bending.push_back(k);
+  std::vector<std::vector<double>> values;
+  std::size_t count = 1;
+  const std::size_t each = bending.size() > 2 ? 3 : bending.size() > 1 ? 4 : trials;
+  for (const std::size_t k : bending) {
+    std::vector<double>& list = values.emplace_back();
+    if (only[k] != nullptr) {
+      const std::size_t all = only[k]->size(), some = std::min(all, coarse);
+      for (std::size_t i = 0; i < some; ++i)
+        list.push_back((*only[k])[(2 * i + 1) * all / (2 * some)]);
+    } else {
+      for (std::size_t i = 0; i < each; ++i)
+        list.push_back(
+            between(parameters[k], (static_cast<double>(i) + 0.5) / static_cast<double>(each)));
+    }
+    count *= list.size();
+  }
+  std::vector<SeparableFit> begun;
+  for (std::size_t n = 0; n < count; ++n) {
+    Eigen::VectorXd x = start;
+    std::size_t rest = n;
+    for (std::size_t j = 0; j < bending.size(); ++j) {
+      x[static_cast<Eigen::Index>(bending[j])] = values[j][rest % values[j].size()];
+      rest /= values[j].size();
+    }
+    begun.push_back(problem.at(x));
+  }
+  for (const std::size_t k : bending) {
+    if (only[k] == nullptr || only[k]->size() <= coarse) continue;
+    const auto best = std::min_element(
+        begun.begin(), begun.end(),
+        [](const SeparableFit& a, const SeparableFit& b) { return a.misfit < b.misfit; });
+    const auto place = static_cast<Eigen::Index>(k);
+    const auto here =
+        std::lower_bound(only[k]->begin(), only[k]->end(), best->values[place]) - only[k]->begin();
+    const auto reach = static_cast<std::ptrdiff_t>(only[k]->size() / coarse + 1);
+    Eigen::VectorXd x = best->values;
+    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, here - reach);
+         i < std::min(static_cast<std::ptrdiff_t>(only[k]->size()), here + reach + 1); ++i) {
+      x[place] = (*only[k])[static_cast<std::size_t>(i)];
+      begun.push_back(problem.at(x));
+    }
+  }
+  return begun;
+}
+
+}  // namespace
+
+Approximation approximate_with(const Approximation& base, const Recorded& recorded,
+                               const std::vector<const Candidate*>& candidates,
+                               const ApproximationOptions& options) {
+  std::vector<std::string> ids, names = base.names;
+  for (const Candidate* c : candidates) {
+    ids.push_back(c->id);
+    for (const Parameter& p : c->parameters) names.push_back(p.name);
+  }
+  std::shared_ptr<const Subject> subject = base.subject->with_candidates(ids);
+  const Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names);
+  std::vector<const std::vector<double>*> only(base.names.size(), nullptr);
+  std::vector<bool> held(names.size(), false);
+  for (const Candidate* c : candidates)
+    for (std::size_t k = 0; k < c->parameters.size(); ++k) {
+      const bool few = k < c->only.size() && !c->only[k].empty();
+      held[only.size()] = few;
+      only.push_back(few ? &c->only[k] : nullptr);
+    }
+  Eigen::VectorXd start(names.size());
+  start.head(base.fit.values.size()) = base.fit.values;
+  for (std::size_t k = base.names.size(); k < names.size(); ++k)
+    start[static_cast<Eigen::Index>(k)] = problem.parameters()[k].start;
+  std::vector<SeparableFit> begun = tried(problem, start, base.names.size(), only);
+  for (const Eigen::VectorXd& other : options.starts) begun.push_back(problem.at(other));
+  // Where the base was bent to hide the effect, its own time constants have to move first.
+  const auto best = std::min_element(
+      begun.begin(), begun.end(),
+      [](const SeparableFit& a, const SeparableFit& b) { return a.misfit < b.misfit; });
+  boost::random::mt19937_64 engine(20210305);
+  boost::random::uniform_01<double> any;
+  const Eigen::VectorXd found = best->values;
+  for (int k = 0; k < options.random_starts; ++k) {
+    Eigen::VectorXd x = found;
+    for (const std::size_t j : problem.bending())
+      if (!held[j]) x[static_cast<Eigen::Index>(j)] = between(problem.parameters()[j], any(engine));
+    begun.push_back(problem.at(x));
+  }
+  SeparableFit fit = best_of(problem, std::move(begun), options.polished, held, options);
+  return approximation_of(std::move(subject), names, problem, std::move(fit), recorded.means);
+}
+
+void hold_out(Approximation& a, const Recorded& recorded) {
+  const Means& means = recorded.means;
+  a.held_out.assign(means.list.size(), unset);
+  if (a.fit.values.size() == 0) return;
+  int blocks = 0;
+  for (const Means::Mean& mean : means.list) blocks = std::max(blocks, mean.block + 1);
+  const Separable problem(*a.subject, *recorded.record, recorded.prepared, means, a.names);
+  std::vector<bool> held(a.names.size(), false);
+  // What may take some values alone stays where it was found.
+  for (std::size_t k = 0; k < a.names.size(); ++k)
+    held[k] = !std::isfinite(a.parameters[k].upper - a.parameters[k].lower) &&
+              !a.parameters[k].proportional;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (int b = 0; b < blocks; ++b) {
+    const auto in_block = [&](const Means::Mean& mean) { return mean.block == b; };
+    if (std::none_of(means.list.begin(), means.list.end(), in_block)) continue;
+    const SeparableFit without = problem.from(a.fit.values, b, held);
+    for (std::size_t i = 0; i < means.list.size(); ++i)
+      if (means.list[i].block == b) {
+        a.held_out[i] = without.residual[static_cast<Eigen::Index>(i)];
+        const double weighted = a.held_out[i] * means.list[i].weight;
+        sum += weighted * weighted;
+        ++count;
+      }
+  }
+  a.rms_held_out = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : unset;
+}
+
+namespace {
+
+constexpr std::size_t most_rows = 20000;  // that are fitted one by one
+constexpr double almost_no_ridge = 1e-12;
+
+/// Two lags that only a ridge has held apart say nothing by themselves.
+bool runs_away(const Eigen::VectorXd& values, const Eigen::VectorXd& from) {
+  constexpr double far = 10.0;
+  for (Eigen::Index k = 0; k < values.size(); ++k)
+    if (!(std::abs(values[k]) <= far * std::abs(from[k]) + far)) return true;
+  return false;
+}
+
+}  // namespace
+
+Approximation refined(const Approximation& a, const Recorded& by_means, Recorded& rows) {
+  const double width = by_means.record->rows() > most_rows ? usual_width(*by_means.record) : 0.0;
+  rows = recorded(*a.subject, by_means.record, width);
+  const Separable problem(*a.subject, *rows.record, rows.prepared, rows.means, a.names);
+  std::vector<bool> held(a.names.size(), false);
+  for (std::size_t k = 0; k < a.names.size(); ++k)
+    held[k] = !std::isfinite(a.parameters[k].upper - a.parameters[k].lower) &&
+              !a.parameters[k].proportional;
+  SeparableFit fit = problem.from(a.fit.values, -1, held, almost_no_ridge);
+  if (!fit.values.allFinite() || runs_away(fit.values, a.fit.values))
+    fit = problem.from(a.fit.values, -1, held);
+  Approximation result = approximation_of(a.subject, a.names, problem, std::move(fit), rows.means);
+  result.rms_held_out = a.rms_held_out;
+  return result;
+}
+
+ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) {
+  ApproximationErrors result;
+  const Means& means = recorded.means;
+  const Separable problem(*a.subject, *recorded.record, recorded.prepared, means, a.names);
+  const Eigen::MatrixXd slope = problem.jacobian(a.fit.values);
+  std::vector<Eigen::Index> moving;
+  for (std::size_t k = 0; k < a.names.size(); ++k)
+    if (!a.fit.at_bound[k] && slope.col(static_cast<Eigen::Index>(k)).norm() > 0.0)
+      moving.push_back(static_cast<Eigen::Index>(k));
+  const auto count = static_cast<Eigen::Index>(a.names.size());
+  result.covariance = Eigen::MatrixXd::Constant(count, count, unset);
+  // How long what is left remembers: until its correlation first falls below 0.
+  const Eigen::VectorXd& r = a.fit.residual;
+  const double square = r.squaredNorm();
+  double sum = 1.0;
+  for (Eigen::Index lag = 1; lag < r.size() / 2 && square > 0.0; ++lag) {
+    const double rho = r.head(r.size() - lag).dot(r.tail(r.size() - lag)) / square;
+    if (rho < 0.05) break;
+    sum += 2.0 * rho;
+  }
+  const double spacing = r.size() > 1 ? (means.list.back().time - means.list.front().time) /
+                                            static_cast<double>(r.size() - 1)
+                                      : unset;
+  result.correlation_time = 0.5 * (sum - 1.0) * spacing;
+  result.effective = static_cast<double>(r.size()) / sum;
+  if (moving.empty()) return result;
+  Eigen::VectorXd w(r.size());
+  for (Eigen::Index i = 0; i < r.size(); ++i) w[i] = means.list[static_cast<std::size_t>(i)].weight;
+  Eigen::MatrixXd columns = w.asDiagonal() * slope(Eigen::all, moving);
+  const Eigen::VectorXd length = columns.colwise().norm();
+  columns = columns * length.cwiseInverse().asDiagonal();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinV);
+  const Eigen::VectorXd& s = svd.singularValues();
+  result.condition = s[0] / s[s.size() - 1];
+  const double freedom =
+      std::max(1.0, static_cast<double>(r.size() - static_cast<Eigen::Index>(moving.size())));
+  const double variance = w.cwiseProduct(r).squaredNorm() / freedom * sum;
+  const Eigen::MatrixXd v = svd.matrixV() * s.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd inner = variance * (v * v.transpose());
+  for (std::size_t i = 0; i < moving.size(); ++i)
+    for (std::size_t j = 0; j < moving.size(); ++j) {
+      const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+      result.covariance(moving[i], moving[j]) = inner(row, column) / (length[row] * length[column]);
+    }
+  return result;
+}
+
+std::shared_ptr<const Subject> fitted(const Approximation& a) {
+  std::vector<NamedValue> values;
+  for (std::size_t k = 0; k < a.names.size(); ++k)
+    values.push_back({a.names[k], a.fit.values[static_cast<Eigen::Index>(k)]});
+  return a.subject->with_values(values);
+}
+
+}  // namespace raceway::fit

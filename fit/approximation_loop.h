@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "fit/add.h"
+#include "fit/approximation.h"
+#include "fit/diagnose.h"
+
+/// The loop for subjects that only approximate (Subject::approximates()): is what is missing larger
+/// than what the user tolerates, on parts of the record that no fit saw? What they leave is always
+/// larger than the noise of the sensor and follows the rows before it, so that no test against
+/// noise would ever be passed. Called by diagnose(), calibrate() and add().
+namespace raceway::fit {
+
+/// Verdict on the means of a minute or more:
+///
+///   refit -> held out, part by part -> within the tolerance: nothing is missing that matters
+///   each candidate -> one within the tolerance, beside all that come near it
+///   pairs, where no single one is within -> one that gains a fifth more
+///   otherwise like the one that takes half of the mean square, or in no catalogue
+///
+/// Near is what errs at most a fifth more, or is not told from the best by
+/// lambda = T/(30 min) (r²/best² - 1) of at least 20, errors on parts held out, and takes half of
+/// what the best takes.
+[[nodiscard]] Diagnosis diagnose_approximation(const Subject& subject, const Record& record,
+                                               const DiagnoseOptions& options);
+
+/// Free parameters fitted to single rows, begun where the means led.
+[[nodiscard]] Calibration calibrate_approximation(const Subject& subject, const Record& record);
+
+[[nodiscard]] AddResult add_approximation(const Subject& subject, std::span<const std::string> ids,
+                                          const Record& record);
+
+}  // namespace raceway::fit

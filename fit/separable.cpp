@@ -1,0 +1,240 @@
+#include "fit/separable.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "fit/least_squares.h"
+
+namespace raceway::fit {
+namespace {
+
+constexpr int most_steps = 60;
+constexpr double small_step = 1e-6;  // of a derivative, on the scale of a parameter
+constexpr double settled = 1e-9;     // relative fall of the misfit that is none
+constexpr double decade = 10.0;
+
+bool is_logarithmic(const Parameter& p) {
+  return p.lower > 0.0 && std::isfinite(p.upper) && p.upper > decade * p.lower;
+}
+
+}  // namespace
+
+Means means_of(const Subject& subject, const Record& record, double width) {
+  Means means;
+  const std::vector<Blocking> blockings = subject.blockings(record);
+  const std::span<const double> time = record.values(record::time);
+  const std::vector<Measured> channels = subject.measured();
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const std::span<const double> read = record.values(*channels[c].channel);
+    if (read.empty()) continue;
+    const double weight =
+        1.0 / (std::isfinite(channels[c].tolerance) ? channels[c].tolerance : 1.0);
+    std::map<std::tuple<int, int, long>, std::size_t> places;
+    for (std::size_t k = 0; k < read.size(); ++k) {
+      if (!std::isfinite(read[k])) continue;
+      const int block = blockings.empty() ? -1 : blockings.front().block[k];
+      const auto place = static_cast<Eigen::Index>(c * record.rows() + k);
+      const long bin =
+          width > 0.0 ? std::lround(std::floor((time[k] - time[0]) / width)) : static_cast<long>(k);
+      const auto [found, is_new] =
+          places.emplace(std::tuple(record.run_of(k), block, bin), means.list.size());
+      if (is_new)
+        means.list.push_back({.measured = 0.0, .weight = weight, .time = 0.0, .block = block});
+      Means::Mean& mean = means.list[found->second];
+      mean.places.push_back(place);
+      mean.measured += read[k];
+      mean.time += time[k];
+    }
+  }
+  for (Means::Mean& mean : means.list) {
+    const auto count = static_cast<double>(mean.places.size());
+    mean.measured /= count;
+    mean.time /= count;
+  }
+  return means;
+}
+
+Separable::Separable(const Subject& subject, const Record& record,
+                     const std::shared_ptr<const void>& prepared, const Means& means,
+                     const std::vector<std::string>& names)
+    : parameters_(find_parameters(subject, names)),
+      means_(means),
+      predictor_(subject.predictor(record, names, prepared)),
+      measured_(means.size()),
+      weight_(means.size()),
+      all_(subject.measured().size() * record.rows()) {
+  for (std::size_t k = 0; k < parameters_.size(); ++k)
+    (parameters_[k].proportional ? straight_ : bending_).push_back(k);
+  for (Eigen::Index i = 0; i < means.size(); ++i) {
+    measured_[i] = means.list[static_cast<std::size_t>(i)].measured;
+    weight_[i] = means.list[static_cast<std::size_t>(i)].weight;
+  }
+}
+
+Eigen::VectorXd Separable::readings(const Eigen::VectorXd& values) const {
+  predictor_->readings({values.data(), static_cast<std::size_t>(values.size())}, all_);
+  Eigen::VectorXd result(means_.size());
+  for (Eigen::Index i = 0; i < means_.size(); ++i) {
+    const std::vector<Eigen::Index>& places = means_.list[static_cast<std::size_t>(i)].places;
+    double sum = 0.0;
+    for (const Eigen::Index place : places) sum += all_[static_cast<std::size_t>(place)];
+    result[i] = sum / static_cast<double>(places.size());
+  }
+  return result;
+}
+
+Separable::Basis Separable::basis(Eigen::VectorXd values) const {
+  for (const std::size_t k : straight_) values[static_cast<Eigen::Index>(k)] = 0.0;
+  Basis result{readings(values), Eigen::MatrixXd(means_.size(), straight_.size())};
+  for (std::size_t j = 0; j < straight_.size(); ++j) {
+    double& value = values[static_cast<Eigen::Index>(straight_[j])];
+    value = 1.0;
+    result.columns.col(static_cast<Eigen::Index>(j)) = readings(values) - result.constant;
+    value = 0.0;
+  }
+  return result;
+}
+
+double Separable::to_scale(std::size_t k, double value) const {
+  const Parameter& p = parameters_[k];
+  if (is_logarithmic(p)) return std::log(value);
+  return std::isfinite(p.upper - p.lower) ? (value - p.lower) / (p.upper - p.lower) : value;
+}
+
+double Separable::from_scale(std::size_t k, double at) const {
+  const Parameter& p = parameters_[k];
+  const double value = is_logarithmic(p)                  ? std::exp(at)
+                       : std::isfinite(p.upper - p.lower) ? p.lower + at * (p.upper - p.lower)
+                                                          : at;
+  return std::clamp(value, p.lower, p.upper);
+}
+
+SeparableFit Separable::at(const Eigen::VectorXd& values, int left_out, double ridge) const {
+  const Basis of = basis(values);
+  SeparableFit fit{.values = values, .at_bound = std::vector<bool>(parameters_.size(), false)};
+  Eigen::VectorXd w = weight_;
+  if (left_out >= 0)
+    for (Eigen::Index i = 0; i < w.size(); ++i)
+      if (means_.list[static_cast<std::size_t>(i)].block == left_out) w[i] = 0.0;
+  const Eigen::VectorXd rest = measured_ - of.constant;
+  Eigen::VectorXd amounts = Eigen::VectorXd::Zero(of.columns.cols());
+  if (of.columns.cols() > 0 && of.columns.allFinite() && rest.allFinite()) {
+    Eigen::MatrixXd a = w.asDiagonal() * of.columns;
+    Eigen::VectorXd length = a.colwise().norm();
+    for (double& l : length)
+      if (!(l > 0.0)) l = 1.0;
+    a = a * length.cwiseInverse().asDiagonal();
+    const Eigen::VectorXd b = w.cwiseProduct(rest);
+    if (ridge >= 1e-9) {
+      Eigen::MatrixXd normal = a.transpose() * a;
+      normal.diagonal().array() += ridge;
+      amounts = normal.ldlt().solve(a.transpose() * b);
+    } else {
+      amounts = a.colPivHouseholderQr().solve(b);
+    }
+    amounts = amounts.cwiseQuotient(length);
+  }
+  for (std::size_t j = 0; j < straight_.size(); ++j)
+    fit.values[static_cast<Eigen::Index>(straight_[j])] = amounts[static_cast<Eigen::Index>(j)];
+  fit.residual = rest - of.columns * amounts;
+  fit.misfit = w.cwiseProduct(fit.residual).squaredNorm();
+  for (const std::size_t k : bending_) {
+    const Parameter& p = parameters_[k];
+    const double v = values[static_cast<Eigen::Index>(k)];
+    constexpr double near = 1e-4;
+    const double at = to_scale(k, v);
+    fit.at_bound[k] = (std::isfinite(p.lower) && at <= to_scale(k, p.lower) + near) ||
+                      (std::isfinite(p.upper) && at >= to_scale(k, p.upper) - near);
+  }
+  return fit;
+}
+
+SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
+                             const std::vector<bool>& held, double ridge) const {
+  std::vector<std::size_t> moving;
+  for (const std::size_t k : bending_)
+    if (held.empty() || !held[k]) moving.push_back(k);
+  Eigen::VectorXd values = start;
+  for (const std::size_t k : bending_) {
+    double& v = values[static_cast<Eigen::Index>(k)];
+    v = std::clamp(v, parameters_[k].lower, parameters_[k].upper);
+  }
+  SeparableFit best = at(values, left_out, ridge);
+  if (!std::isfinite(best.misfit)) return best;
+  Eigen::VectorXd w = weight_;
+  if (left_out >= 0)
+    for (Eigen::Index i = 0; i < w.size(); ++i)
+      if (means_.list[static_cast<std::size_t>(i)].block == left_out) w[i] = 0.0;
+  const auto n = static_cast<Eigen::Index>(moving.size());
+  double damping = 1e-3;
+  best.converged = moving.empty();
+  for (int step = 0; step < most_steps && !best.converged; ++step) {
+    best.iterations = step + 1;
+    Eigen::MatrixXd slope(means_.size(), n);
+    Eigen::VectorXd lower(n), upper(n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const std::size_t k = moving[static_cast<std::size_t>(j)];
+      const auto place = static_cast<Eigen::Index>(k);
+      const double here = to_scale(k, best.values[place]);
+      lower[j] = to_scale(k, parameters_[k].lower) - here;
+      upper[j] = to_scale(k, parameters_[k].upper) - here;
+      const double h = upper[j] > small_step ? small_step : -small_step;
+      Eigen::VectorXd moved = best.values;
+      moved[place] = from_scale(k, here + h);
+      slope.col(j) = w.cwiseProduct(at(moved, left_out, ridge).residual - best.residual) / -h;
+    }
+    const LeastSquares problem(slope, w.cwiseProduct(best.residual));
+    bool better = false;
+    double fall = 0.0;
+    for (int attempt = 0; attempt < 8 && !better; ++attempt) {
+      Eigen::VectorXd d = Eigen::VectorXd::Zero(n);
+      std::vector<int> side(static_cast<std::size_t>(n), 0);
+      problem.solve(lower, upper, damping, d, side);
+      Eigen::VectorXd moved = best.values;
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const std::size_t k = moving[static_cast<std::size_t>(j)];
+        const auto place = static_cast<Eigen::Index>(k);
+        // No further than a time constant can be believed to lie.
+        const double by = std::clamp(d[j], -1.5, 1.5);
+        moved[place] = from_scale(k, to_scale(k, best.values[place]) + by);
+      }
+      SeparableFit next = at(moved, left_out, ridge);
+      if (std::isfinite(next.misfit) && next.misfit < best.misfit) {
+        fall = best.misfit - next.misfit;
+        next.iterations = best.iterations;
+        best = std::move(next);
+        damping = std::max(1e-9, 0.2 * damping);
+        better = true;
+      } else {
+        damping *= 6.0;
+      }
+    }
+    if (!better || fall <= settled * best.misfit) best.converged = true;
+  }
+  return best;
+}
+
+Eigen::MatrixXd Separable::jacobian(const Eigen::VectorXd& values) const {
+  Eigen::MatrixXd result(means_.size(), values.size());
+  const Basis of = basis(values);
+  for (std::size_t j = 0; j < straight_.size(); ++j)
+    result.col(static_cast<Eigen::Index>(straight_[j])) =
+        of.columns.col(static_cast<Eigen::Index>(j));
+  const Eigen::VectorXd here = readings(values);
+  for (const std::size_t k : bending_) {
+    const auto place = static_cast<Eigen::Index>(k);
+    const double at = to_scale(k, values[place]);
+    Eigen::VectorXd moved = values;
+    moved[place] = from_scale(k, at + small_step);
+    if (moved[place] == values[place]) moved[place] = from_scale(k, at - small_step);
+    const double by = moved[place] - values[place];
+    result.col(place) = by == 0.0 ? Eigen::VectorXd(Eigen::VectorXd::Zero(means_.size()))
+                                  : Eigen::VectorXd((readings(moved) - here) / by);
+  }
+  return result;
+}
+
+}  // namespace raceway::fit

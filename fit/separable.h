@@ -1,0 +1,89 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/subject.h"
+
+namespace raceway::fit {
+
+/// Readings as means over neighbouring rows, which is all that a slow model needs of them.
+struct Means {
+  struct Mean {
+    std::vector<Eigen::Index> places{};  ///< in the readings of a predictor
+    double measured = unset;             ///< SI
+    double weight = 1.0;                 ///< over that of others: 1/tolerance of its channel
+    double time = unset;                 ///< middle of its rows [s]
+    int block = -1;                      ///< that is held out; -1: none
+  };
+  std::vector<Mean> list{};
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
+};
+
+/// Means over `width` [s], each within one run and one block; single rows where that is 0.
+[[nodiscard]] Means means_of(const Subject& subject, const Record& record, double width);
+
+/// Parameters of which readings are in proportion, and others that bend them.
+struct SeparableFit {
+  bool converged = false;
+  int iterations = 0;
+  Eigen::VectorXd values{};  ///< of all parameters, in the units of the files
+  std::vector<bool> at_bound{};
+  Eigen::VectorXd
+      residual{};         ///< reading minus prediction of every mean [SI], also of those left out
+  double misfit = unset;  ///< weighted sum of squares of those that were fitted
+};
+
+/// Minimises the weighted sum of squares of means over the parameters of some names: those in
+/// proportion by linear least squares within each step (variable projection [GolubPereyra1973]),
+/// the others by the method of Levenberg and Marquardt, on a scale of logarithms where bounds span
+/// more than a decade.
+///
+/// A ridge of 1e-6 on columns of unit length keeps two lags of nearly one time constant from
+/// growing against each other.
+class Separable {
+ public:
+  /// `record` and `prepared` as of Subject::predictor(); all of them outlive this.
+  Separable(const Subject& subject, const Record& record,
+            const std::shared_ptr<const void>& prepared, const Means& means,
+            const std::vector<std::string>& names);
+
+  [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
+  /// Indices of parameters() that bend.
+  [[nodiscard]] const std::vector<std::size_t>& bending() const { return bending_; }
+
+  /// The least misfit with the bending parameters as they are.
+  [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values, int left_out = -1,
+                                double ridge = usual_ridge) const;
+  /// From one start; `held` parameters stay as they are. Means of the block `left_out` do not
+  /// count.
+  [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
+                                  const std::vector<bool>& held = {},
+                                  double ridge = usual_ridge) const;
+  /// Derivatives of all means by all parameters.
+  [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& values) const;
+
+  static constexpr double usual_ridge = 1e-6;
+
+ private:
+  struct Basis {
+    Eigen::VectorXd constant;
+    Eigen::MatrixXd columns;  // of the parameters in proportion
+  };
+  [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& values) const;
+  [[nodiscard]] Basis basis(Eigen::VectorXd values) const;
+  [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
+  [[nodiscard]] double from_scale(std::size_t parameter, double at) const;
+
+  std::vector<Parameter> parameters_;
+  std::vector<std::size_t> bending_, straight_;
+  const Means& means_;
+  std::unique_ptr<Predictor> predictor_;
+  Eigen::VectorXd measured_, weight_;
+  mutable std::vector<double> all_;  // readings by row
+};
+
+}  // namespace raceway::fit

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/bad_cells.h"
+#include "io/column_source.h"
+
+namespace raceway::io {
+
+/// Cells of a file of measurements as numbers, column by column; shared by the readers of
+/// measurements, not for other code.
+class ColumnReader {
+ public:
+  explicit ColumnReader(const CsvTable& table) : table_(table), bad(table.source, table.rows()) {}
+
+  /// [SI]; NaN where `may_be_empty` allows an empty cell. `with_sign`: an input that may be below
+  /// zero here.
+  [[nodiscard]] std::vector<double> numbers(
+      const ColumnSource& source, bool with_sign,
+      const std::function<bool(std::size_t row)>& may_be_empty);
+
+  /// Whether the column has dates.
+  [[nodiscard]] bool is_stamped(const ColumnSource& source) const;
+  /// Times of a column of dates, from that of the first row on [s].
+  [[nodiscard]] std::vector<double> times(const ColumnSource& source);
+  /// Indices into `names`, which gets the texts of the cells in the order in which they come.
+  [[nodiscard]] std::vector<double> named(const ColumnSource& source,
+                                          std::vector<std::string>& names);
+
+  /// Throws InputError where some cells have a decimal comma and others a point.
+  void check_decimal_marks() const;
+  /// How the file is written where that is not the usual way, and what was said of it.
+  [[nodiscard]] std::vector<std::string> notes_on_form() const;
+
+ private:
+  struct Mark {
+    int line = 0;
+    std::string cell;
+  };
+  void keep_mark(char mark, std::size_t row, std::string_view text);
+
+  const CsvTable& table_;
+  Mark comma_, point_;
+  std::vector<std::string> notes_;  // on dates
+
+ public:
+  BadCells bad;  ///< what is wrong with cells so far
+};
+
+}  // namespace raceway::io

@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "correction/catalogue.h"
+#include "correction/numbers.h"
+#include "io/correction_file.h"
+#include "io/model_file.h"
+#include "io/number_text.h"
+
+// Last: see io/toml_text.h.
+#include "io/model_tables.h"
+
+// Changes a correction file and leaves all else as the user wrote it.
+namespace raceway::io {
+namespace {
+
+using correction::DrivenChannel;
+using correction::Effect;
+using correction::Model;
+
+std::string float_text(double value) {
+  std::string text = fmt::format("{}", with_15_digits(value));
+  if (text.find_first_of(".e") == text.npos) text += ".0";
+  return text;
+}
+
+std::string section_text(const DrivenChannel& c, const correction::Section& s) {
+  return fmt::format("{{ gain_um_{} = {}, time_constant_s = {} }}", c.input.key_unit(),
+                     float_text(s.gain * c.input.factor() / um), float_text(s.time_constant));
+}
+
+std::string sections_text(const DrivenChannel& c) {
+  std::vector<std::string> parts;
+  for (const correction::Section& s : c.sections) parts.push_back(section_text(c, s));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
+}
+
+std::string columns_text(const std::vector<const record::Channel*>& columns) {
+  std::vector<std::string> names;
+  for (const record::Channel* c : columns) names.push_back(fmt::format("\"{}\"", c->name));
+  return names.size() == 1 ? names.front() : fmt::format("[{}]", fmt::join(names, ", "));
+}
+
+/// Text pieces by line and column of TOML.
+class Editor {
+ public:
+  explicit Editor(std::string text) : text_(std::move(text)) {
+    line_end_ = text_.find("\r\n") != text_.npos ? "\r\n" : "\n";
+  }
+
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+  [[nodiscard]] toml::table parsed() const { return parse_toml(text_, "model"); }
+
+  /// The model of that index, its table found anew in the text as it is now.
+  template <typename Use>
+  void with_table(std::size_t index, const Use& use) {
+    const toml::table root = parsed();
+    const toml::node* node = root.get("correction");
+    if (node->is_array()) node = node->as_array()->get(index);
+    use(*node->as_table());
+  }
+
+  void replace(const toml::node& node, const std::string& by) {
+    const std::size_t begin = byte_of(node.source().begin), end = byte_of(node.source().end);
+    text_.replace(begin, end - begin, by);
+  }
+
+  /// A block of lines at the end of the file.
+  void append(const std::string& block) {
+    if (!text_.empty() && text_.back() != '\n') text_ += line_end_;
+    text_ += line_end_;
+    for (const char c : block) {
+      if (c == '\n')
+        text_ += line_end_;
+      else
+        text_ += c;
+    }
+  }
+
+  /// Takes out a table with brackets: from its line to that of the next header.
+  void remove(const toml::table& table) {
+    const std::size_t begin = line_start(table.source().begin.line);
+    std::size_t end = text_.find('\n', begin);
+    while (end != text_.npos) {
+      const std::size_t first = text_.find_first_not_of(" \t", end + 1);
+      if (first == text_.npos || text_[first] == '[') break;
+      end = text_.find('\n', end + 1);
+    }
+    text_.erase(begin, end == text_.npos ? text_.npos : end + 1 - begin);
+  }
+
+ private:
+  [[nodiscard]] std::size_t line_start(std::size_t line) const {
+    std::size_t at = 0;
+    for (; line > 1; --line) at = text_.find('\n', at) + 1;
+    return at;
+  }
+  [[nodiscard]] std::size_t byte_of(const toml::source_position& place) const {
+    std::size_t at = line_start(place.line);
+    for (auto column = place.column; column > 1 && at < text_.size(); --column) {
+      ++at;
+      while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xc0) == 0x80) ++at;
+    }
+    return at;
+  }
+
+  std::string text_, line_end_;
+};
+
+std::string effect_text(const Effect& e, const Model& m) {
+  std::string text = fmt::format("[[correction.effect]]\nid = \"{}\"\n", e.id);
+  const correction::EffectCard& card = *correction::find_card(e.id);
+  if (!e.where.empty())
+    text += fmt::format("{} = \"{}\"\n", correction::find_channel(m, e.where) ? "channel" : "axis",
+                        e.where);
+  if (!e.columns.empty()) text += fmt::format("input = {}\n", columns_text(e.columns));
+  for (std::size_t k = 0; k < e.values.size(); ++k) {
+    const record::NumberCard& n = card.numbers[k];
+    const std::string key = n.unit == "um/u"   ? "gain_" + correction::gain_key_unit(e, m)
+                            : n.name == "size" ? std::string("size_um")
+                                               : std::string(n.name);
+    text += fmt::format("{} = {}\n", key, float_text(e.values[k]));
+  }
+  return text;
+}
+
+std::string channel_text(const DrivenChannel& c) {
+  std::string text =
+      fmt::format("[[correction.channel]]\nname = \"{}\"\ninput = {}\nsections = {}\n", c.name,
+                  columns_text(c.input.columns), sections_text(c));
+  if (c.feedthrough != 0.0)
+    text += fmt::format("feedthrough_um_{} = {}\n", c.input.key_unit(),
+                        float_text(c.feedthrough * c.input.factor() / um));
+  return text;
+}
+
+std::string range_text(const Model& m) {
+  std::string text = "[correction.range]  # of the record that the numbers come from\n";
+  for (const correction::SeenRange& r : m.range) {
+    const auto shown = [&](double v) {
+      return float_text(with_digits(r.column ? r.column->in_unit(v) : v, 6));
+    };
+    const std::string key = r.column ? r.name : fmt::format("\"{} power_W\"", r.name);
+    text += fmt::format("{} = [{}, {}]\n", key, shown(r.lower), shown(r.upper));
+  }
+  return text;
+}
+
+/// Channels that the file has, with other sections.
+void write_sections(Editor& editor, std::size_t index, const Model& old, const Model& now) {
+  for (std::size_t c = 0; c < old.channels.size() && c < now.channels.size(); ++c) {
+    const DrivenChannel& channel = now.channels[c];
+    if (channel.element || channel.printed) continue;
+    editor.with_table(index, [&](const toml::table& table) {
+      const toml::table& of = *table.get("channel")->as_array()->get(c)->as_table();
+      if (const toml::node* const sections = of.get("sections")) {
+        const std::string text = sections_text(channel);
+        if (sections_text(old.channels[c]) != text) editor.replace(*sections, text);
+      }
+    });
+  }
+}
+
+/// Numbers that stand outside of sections.
+void write_numbers(std::string& text, std::size_t index, bool listed, const Model& old,
+                   const Model& now) {
+  const std::vector<record::Parameter> was = correction::parameters(old);
+  std::vector<KeyValue> changes;
+  for (const record::Parameter& p : correction::parameters(now)) {
+    const std::string& address = p.addresses.front();
+    if (address.find(".sections.") != address.npos) continue;
+    const auto before =
+        std::find_if(was.begin(), was.end(), [&](const auto& w) { return w.name == p.name; });
+    if (before == was.end() || before->value == p.value) continue;
+    std::string key = address;
+    if (listed)
+      key = fmt::format("correction.{}{}", index, address.substr(std::string("correction").size()));
+    changes.push_back({key, with_15_digits(p.value)});
+  }
+  text = with_values(text, changes);
+}
+
+void remove_range(Editor& editor, std::size_t index) {
+  bool has = false;
+  editor.with_table(index, [&](const toml::table& table) { has = table.contains("range"); });
+  if (!has) return;
+  editor.with_table(index, [&](const toml::table& table) {
+    const toml::table& range = *table.get("range")->as_table();
+    if (!range.is_inline()) return editor.remove(range);
+    editor.replace(range, "{}");
+  });
+}
+
+}  // namespace
+
+std::string with_corrections(const CorrectionFile& file, const std::vector<Model>& models) {
+  std::string text = file.text;
+  const bool marked = text.starts_with(utf8_mark);
+  if (marked) text.erase(0, utf8_mark.size());
+  const bool listed = parse_toml(text, "model").get("correction")->is_array();
+  for (std::size_t index = 0; index < models.size(); ++index) {
+    const Model& old = file.models[index];
+    const Model& now = models[index];
+    const bool grows = now.channels.size() > old.channels.size() ||
+                       now.effects.size() > old.effects.size() || !now.range.empty();
+    if (grows && index + 1 < models.size())
+      throw InputError(
+          fmt::format("{}: has several tables [[correction]], and only the last can get new "
+                      "channels, effects or a range: "
+                      "put each into a file of its own",
+                      file.source));
+    write_numbers(text, index, listed, old, now);
+    Editor editor(std::move(text));
+    write_sections(editor, index, old, now);
+    if (!now.range.empty()) remove_range(editor, index);
+    for (std::size_t c = old.channels.size(); c < now.channels.size(); ++c)
+      editor.append(channel_text(now.channels[c]));
+    for (std::size_t e = old.effects.size(); e < now.effects.size(); ++e)
+      editor.append(effect_text(now.effects[e], now));
+    if (!now.range.empty()) editor.append(range_text(now));
+    text = editor.take();
+  }
+  (void)parse_correction(text, file.source);  // it reads back
+  if (marked) text.insert(0, utf8_mark);
+  return text;
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,149 @@
+#include "io/correction_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "correction/numbers.h"
+#include "io/fit_objects.h"
+#include "io/json_text.h"
+#include "io/number_text.h"
+
+namespace raceway::io {
+namespace {
+
+using correction::Identification;
+using correction::Metrics;
+
+json metrics_object(const Metrics& m) {
+  return {{"readings", m.readings},
+          {"rmse_um", m.rms / um},
+          {"mae_um", m.mean_abs / um},
+          {"max_abs_um", m.max_abs / um},
+          {"residue_min_um", m.residue_min / um},
+          {"residue_max_um", m.residue_max / um},
+          {"peak_to_peak_um", m.peak_to_peak / um},
+          {"fit_percent", m.fit_percent},
+          {"reduction_of_max_percent", m.reduction_of_max_percent}};
+}
+
+json value_object(const Identification& found, const std::string& name) {
+  for (const record::Parameter& p : found.parameters)
+    if (p.name == name) return {{"value", p.value}, {"std", p.std}, {"unit", p.unit}};
+  return nullptr;
+}
+
+json channel_of(const Identification& found, const correction::DrivenChannel& c) {
+  json sections = json::array();
+  for (std::size_t s = 0; s < c.sections.size(); ++s)
+    sections.push_back({{"gain", value_object(found, fmt::format("{}.gain_{}", c.name, s + 1))},
+                        {"time_constant_s",
+                         value_object(found, fmt::format("{}.time_constant_{}", c.name, s + 1))}});
+  json result = {{"name", c.name}, {"input", c.input.name}, {"sections", std::move(sections)}};
+  if (c.feedthrough != 0.0) result["feedthrough"] = value_object(found, c.name + ".feedthrough");
+  return result;
+}
+
+json identified_object(const Identification& found) {
+  json channels = json::array(), tried = json::array();
+  for (const correction::DrivenChannel& c : found.model.channels)
+    channels.push_back(channel_of(found, c));
+  for (const correction::StructureTried& t : found.tried)
+    tried.push_back({{"channels", t.channels},
+                     {"order", t.orders},
+                     {"rmse_held_out_um", t.rms_held_out / um},
+                     {"rmse_um", t.rms / um},
+                     {"taken", t.taken}});
+  json result = {{"displacement", found.model.displacement->name},
+                 {"channels", std::move(channels)},
+                 {"offset_um", value_object(found, "offset")}};
+  if (found.model.kinematic)
+    result["kinematic"] = {{"A", value_object(found, "kinematic.A")},
+                           {"B", value_object(found, "kinematic.B")},
+                           {"C", value_object(found, "kinematic.C")}};
+  result.update({{"order_tried", std::move(tried)},
+                 {"rmse_held_out_um", found.rms_held_out / um},
+                 {"condition", found.condition},
+                 {"at_bound", found.at_bound},
+                 {"metrics", metrics_object(found.metrics)},
+                 {"noise_um", found.noise / um},
+                 {"correlation_time_s", found.correlation_time},
+                 {"whiteness_p_value", found.whiteness_p_value},
+                 {"warnings", found.messages}});
+  return result;
+}
+
+json corrected_object(const Corrected& c) {
+  const auto [low, high] = std::minmax_element(c.predicted.begin(), c.predicted.end());
+  return {{"displacement", c.displacement->name},
+          {"predicted_range_um", {*low / um, *high / um}},
+          {"rows_beyond_range", c.rows_beyond_range},
+          {"metrics", metrics_object(c.metrics)}};
+}
+
+/// The first of a list at the top of a document, all of them in `axes` where there are several.
+void add_axes(json& document, json axes) {
+  document.update(axes.at(0));
+  if (axes.size() > 1) document["axes"] = std::move(axes);
+}
+
+}  // namespace
+
+std::string identification_json(const std::string& model_file, const record::Record& record,
+                                const std::vector<Identification>& found) {
+  json document = {{"model", model_file}, {"data", data_of(record)}, {"rows", record.rows()}};
+  json axes = json::array();
+  for (const Identification& one : found) axes.push_back(identified_object(one));
+  add_axes(document, std::move(axes));
+  return text(document);
+}
+
+std::string corrected_text(const record::Record& record, const std::vector<Corrected>& corrected) {
+  std::string result = "time_s";
+  const bool several = corrected.size() > 1;
+  const auto of = [&](const Corrected& c, std::string_view name) {
+    return several ? fmt::format(",{}_{}", name, c.displacement->name)
+                   : fmt::format(",{}_um", name);
+  };
+  for (const Corrected& c : corrected) {
+    result += of(c, "predicted");
+    if (!several)
+      for (const correction::Contribution& part : c.parts) {
+        std::string name = part.name;
+        std::replace(name.begin(), name.end(), ':', '_');
+        result += fmt::format(",{}_um", name);
+      }
+    result += of(c, "residual");
+  }
+  result += '\n';
+  const std::span<const double> time = record.values(record::time);
+  const auto cell = [&](double value) {
+    result += ',';
+    if (std::isfinite(value)) result += fmt::format("{}", with_digits(value / um, 9));
+  };
+  for (std::size_t row = 0; row < record.rows(); ++row) {
+    result += fmt::format("{}", with_15_digits(time[row]));
+    for (const Corrected& c : corrected) {
+      cell(c.predicted[row]);
+      if (!several)
+        for (const correction::Contribution& part : c.parts) cell(part.displacement[row]);
+      cell(record.value(*c.displacement, row) - c.predicted[row]);
+    }
+    result += '\n';
+  }
+  return result;
+}
+
+std::string corrected_json(const std::string& model_file, const record::Record& record,
+                           const std::vector<Corrected>& corrected,
+                           const std::vector<std::string>& messages) {
+  json document = {{"model", model_file}, {"data", data_of(record)}, {"rows", record.rows()}};
+  json axes = json::array();
+  for (const Corrected& c : corrected) axes.push_back(corrected_object(c));
+  add_axes(document, std::move(axes));
+  document["messages"] = messages;
+  return text(document);
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correction/identify.h"
+#include "correction/simulation.h"
+#include "record/record.h"
+
+namespace raceway::io {
+
+/// The document of `raceway identify --json`, of one displacement or several.
+[[nodiscard]] std::string identification_json(const std::string& model_file,
+                                              const record::Record& record,
+                                              const std::vector<correction::Identification>& found);
+
+/// What a model makes of a record.
+struct Corrected {
+  const record::Channel* displacement = nullptr;
+  std::vector<double> predicted{};  ///< [m]
+  std::vector<correction::Contribution> parts{};
+  correction::Metrics metrics{};  ///< one constant removed; empty where nothing was read
+  std::size_t rows_beyond_range = 0;
+};
+
+/// time_s, predicted_um (of several displacements predicted_COLUMN), what each channel adds, and
+/// where it was read the residual_um.
+[[nodiscard]] std::string corrected_text(const record::Record& record,
+                                         const std::vector<Corrected>& corrected);
+[[nodiscard]] std::string corrected_json(const std::string& model_file,
+                                         const record::Record& record,
+                                         const std::vector<Corrected>& corrected,
+                                         const std::vector<std::string>& messages);
+
+}  // namespace raceway::io

@@ -1,0 +1,136 @@
+#include "io/friction_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "io/bad_cells.h"
+#include "io/column_map.h"
+#include "io/csv.h"
+#include "io/error.h"
+#include "io/names.h"
+#include "record/channel.h"
+
+namespace raceway::io {
+namespace {
+
+using record::Channel;
+
+/// The column of a channel, also in another unit; null without.
+struct Found {
+  std::size_t column;
+  const Unit* unit;
+};
+std::optional<Found> find(const CsvTable& table, const Channel& channel) {
+  const std::array one{&channel};
+  for (std::size_t c = 0; c < table.header.size(); ++c)
+    if (const auto named = named_channel(table.header[c], one)) return Found{c, named->unit};
+  return std::nullopt;
+}
+
+std::vector<double> values_of(const CsvTable& table, const Channel& channel, bool required,
+                              BadCells& bad) {
+  const auto found = find(table, channel);
+  if (!found) {
+    if (!required) return {};
+    throw InputError(
+        fmt::format("{}:{}: column {} is missing; a friction table has speed_rpm, "
+                    "axial_load_N, temperature_C and friction_torque_Nmm; the header has {}",
+                    table.source, table.header_line, channel.name, listed(table.header)),
+        {table.source, table.header_line, std::string(channel.name)});
+  }
+  std::vector<double> list;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const ParsedNumber number = read_cell(table, row, found->column, range_of(channel), bad);
+    list.push_back(found->unit ? found->unit->to_SI(number.value) : channel.to_SI(number.value));
+  }
+  return list;
+}
+
+std::vector<double> axis_of(const std::vector<double>& values) {
+  const std::set<double> levels(values.begin(), values.end());
+  return {levels.begin(), levels.end()};
+}
+
+std::size_t place_on(const std::vector<double>& axis, double value) {
+  return static_cast<std::size_t>(std::lower_bound(axis.begin(), axis.end(), value) - axis.begin());
+}
+
+}  // namespace
+
+correction::FrictionTable read_friction_table(const std::string& path) {
+  const CsvTable csv = read_csv(path);
+  BadCells bad(csv.source, csv.rows());
+  const std::vector<double> speed = values_of(csv, record::speed, true, bad);
+  std::vector<double> load = values_of(csv, record::axial_load, false, bad);
+  std::vector<double> temperature = values_of(csv, record::temperature, false, bad);
+  const std::vector<double> torque = values_of(csv, record::friction_torque, true, bad);
+  bad.throw_if_any();
+  if (load.empty()) load.assign(speed.size(), 0.0);
+  if (temperature.empty()) temperature.assign(speed.size(), 0.0);
+  correction::FrictionTable table{.file = path,
+                                  .speed = axis_of(speed),
+                                  .axial_load = axis_of(load),
+                                  .temperature = axis_of(temperature)};
+  constexpr std::size_t most_points = 100'000'000;
+  const std::size_t points =
+      table.speed.size() * table.axial_load.size() * table.temperature.size();
+  if (points > most_points || points > 1000 * speed.size() + 1000)
+    throw InputError(
+        fmt::format("{}: {} speeds, {} loads and {} temperatures are no grid of {} rows",
+                    csv.source, table.speed.size(), table.axial_load.size(),
+                    table.temperature.size(), csv.rows()),
+        {csv.source});
+  table.torque.assign(points, unset);
+  for (std::size_t row = 0; row < speed.size(); ++row) {
+    double& at =
+        table.torque[(place_on(table.temperature, temperature[row]) * table.axial_load.size() +
+                      place_on(table.axial_load, load[row])) *
+                         table.speed.size() +
+                     place_on(table.speed, speed[row])];
+    if (!std::isnan(at))
+      throw InputError(
+          fmt::format("{}:{}: the point {} rpm, {} N, {} C stands twice; of a table with "
+                      "radial loads keep one of them",
+                      csv.source, csv.line(row), speed[row] / rpm, load[row],
+                      celsius(temperature[row])),
+          {csv.source, csv.line(row)});
+    at = torque[row];
+  }
+  const auto hole = std::find_if(table.torque.begin(), table.torque.end(),
+                                 [](double v) { return std::isnan(v); });
+  if (hole != table.torque.end()) {
+    const auto at = static_cast<std::size_t>(hole - table.torque.begin());
+    const std::size_t s = at % table.speed.size(), rest = at / table.speed.size();
+    throw InputError(
+        fmt::format("{}: the grid has no point at {} rpm, {} N, {} C", csv.source,
+                    table.speed[s] / rpm, table.axial_load[rest % table.axial_load.size()],
+                    celsius(table.temperature[rest / table.axial_load.size()])),
+        {csv.source});
+  }
+  return table;
+}
+
+correction::Characteristic::Table read_characteristic(const std::string& path,
+                                                      const std::string& value) {
+  const CsvTable csv = read_csv(path);
+  correction::Characteristic::Table table;
+  const auto column = [&](std::string_view begin) {
+    for (std::size_t c = 0; c < csv.header.size(); ++c)
+      if (csv.header[c].starts_with(begin)) return c;
+    throw InputError(fmt::format("{}:{}: column {} is missing; the header has {}", csv.source,
+                                 csv.header_line, begin, listed(csv.header)),
+                     {csv.source, csv.header_line, std::string(begin)});
+  };
+  const std::size_t power = column("power_"), of = column(value + "_");
+  const double power_unit = column_unit(csv.header[power]), unit = column_unit(csv.header[of]);
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    table.power.push_back(csv.number(row, power) * power_unit);
+    table.value.push_back(csv.number(row, of) * unit);
+  }
+  return table;
+}
+
+}  // namespace raceway::io

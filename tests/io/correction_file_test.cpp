@@ -1,0 +1,166 @@
+#include "io/correction_file.h"
+
+#include <gmock/gmock.h>
+
+#include "correction/numbers.h"
+#include "io/error.h"
+#include "io/series_file.h"
+#include "record/series_channel.h"
+
+namespace raceway::io {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const std::string head = "[correction]\ndisplacement = \"displacement_z_um\"\n";
+const std::string channel =
+    "[[correction.channel]]\nname = \"spindle\"\ninput = \"front_temperature_C\"\n"
+    "sections = [{ gain_um_K = 5.0, time_constant_s = 5400 }]\n";
+
+auto reading(const std::string& text) {
+  return [text] { (void)parse_correction(text, "z.toml"); };
+}
+auto refused(const std::string& message) { return ThrowsMessage<InputError>(HasSubstr(message)); }
+
+TEST(CorrectionFile, IsReadIntoSI) {
+  const CorrectionFile file = parse_correction(
+      head + "tolerance_um = 2\noffset_um = -3\n" + channel +
+          "[[correction.channel]]\ninput = \"x_feed_m_min\"\n"
+          "sections = [{ gain_um_m_min = 0.5, time_constant_s = 3000 }]\nscale = 1.1\n"
+          "[correction.kinematic]\nA = 1.28e-3\nB = 0.697\nC = 5.3e-4\n",
+      "z.toml");
+  ASSERT_EQ(file.models.size(), 1U);
+  const correction::Model& m = file.models[0];
+  EXPECT_EQ(m.displacement->name, "displacement_z_um");
+  EXPECT_NEAR(m.tolerance, 2e-6, 1e-18);
+  EXPECT_NEAR(m.offset, -3e-6, 1e-18);
+  EXPECT_NEAR(m.channels[0].sections[0].gain, 5e-6, 1e-18);
+  EXPECT_EQ(m.channels[1].name, "x_feed");
+  EXPECT_NEAR(m.channels[1].sections[0].gain, 0.5e-6 * 60, 1e-15);  // m per m/s
+  EXPECT_EQ(m.channels[1].scale, 1.1);
+  EXPECT_EQ(m.kinematic->B, 0.697);
+}
+
+TEST(CorrectionFile, SeveralDisplacementsAreAListOfTables) {
+  const std::string text = "[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel +
+                           "[[correction]]\ndisplacement = \"displacement_y_um\"\n" + channel;
+  EXPECT_EQ(parse_correction(text, "z.toml").models.size(), 2U);
+  EXPECT_THAT(reading("[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel +
+                      "[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel),
+              refused("two tables"));
+}
+
+TEST(CorrectionFile, WhatIsWrongIsSaidWithItsPlace) {
+  EXPECT_THAT(reading("[correction]\n"), refused("displacement is missing"));
+  EXPECT_THAT(reading("[correction]\ndisplacement = \"z_um\"\n"), refused("z.toml:2"));
+  EXPECT_THAT(reading(head + "tolerence_um = 2\n"), refused("tolerance_um?"));
+  EXPECT_THAT(reading(head + "tolerance_um = 0\n"), refused("must be above 0"));
+  EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"),
+              refused("has no sections"));
+  EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"
+                             "sections = [{ gain_um_W = 1, time_constant_s = 9 }]\n"),
+              refused("gain_um_K"));
+  EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"power_W\"\nsections = []\n"),
+              refused("needs friction_table"));
+  EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"
+                             "numerator = [1.0]\ndenominator = [1.0, -0.9]\n"),
+              refused("sampling_s is missing"));
+  EXPECT_THAT(reading(head + channel + "[[correction.effect]]\nid = \"ambient-drfit\"\n"),
+              refused("ambient-drift"));
+  EXPECT_THAT(reading(head + channel + channel), refused("two channels have it"));
+  EXPECT_THAT(
+      reading(head + channel + "[loop]\ntolerance_um = 1\n[calibration]\nfree=[\"gain\"]\n"),
+      refused("gains"));
+  EXPECT_THAT(reading(head + "tolerance_um = 2\n" + channel + "[loop]\ntolerance_um = 1\n"),
+              refused("keep one of them"));
+}
+
+/// All else of a file stays as it was written.
+TEST(CorrectionFile, NumbersAreChangedWhereTheyStand) {
+  const std::string text = "# mine\n" + head + "tolerance_um = 2  # on parts held out\n" + channel +
+                           "\n[calibration]\nfree = [\"gains\"]  # no more\n";
+  const CorrectionFile file = parse_correction(text, "z.toml");
+  std::vector<correction::Model> models = file.models;
+  models[0].channels[0].sections = {{4e-6, 1000}, {1e-6, 9000}};
+  models[0].offset = 2.5e-6;
+  models[0].effects.push_back({.id = "slow-drift", .values = {3.0, 20000}});
+  models[0].range = {{.column = record::series_channel("front_temperature_C"),
+                      .name = "front_temperature_C",
+                      .lower = kelvin(20),
+                      .upper = kelvin(35)}};
+  const std::string now = with_corrections(file, models);
+  for (const char* kept : {"# mine\n", "# on parts held out", "free = [\"gains\"]  # no more"})
+    EXPECT_THAT(now, HasSubstr(kept));
+  const correction::Model back = parse_correction(now, "z.toml").models[0];
+  ASSERT_EQ(back.channels[0].sections.size(), 2U);
+  EXPECT_NEAR(back.channels[0].sections[1].gain, 1e-6, 1e-18);
+  EXPECT_NEAR(back.offset, 2.5e-6, 1e-18);
+  ASSERT_EQ(back.effects.size(), 1U);
+  EXPECT_EQ(back.effects[0].values, (std::vector<double>{3.0, 20000}));
+  ASSERT_EQ(back.range.size(), 1U);
+  EXPECT_NEAR(back.range[0].upper, kelvin(35), 1e-9);
+  // Once more: the range is replaced, not doubled.
+  models[0] = back;
+  EXPECT_EQ(with_corrections(parse_correction(now, "z.toml"), models), now);
+}
+
+const std::string header = "time_s,speed_rpm,front_temperature_C,displacement_z_um\n";
+
+record::Record series(const std::string& text) {
+  return parse_series(text, "r.csv", {record::series_channel("displacement_z_um")}, {});
+}
+
+TEST(SeriesFile, AnEmptyDisplacementWasNotRead) {
+  const record::Record r = series(header + "0,100,20,1\n60,100,21,\n120,100,22,3\n");
+  EXPECT_EQ(r.rows(), 3U);
+  EXPECT_TRUE(std::isnan(r.values(*record::series_channel("displacement_z_um"))[1]));
+  EXPECT_NEAR(r.values(*record::series_channel("front_temperature_C"))[2], kelvin(22), 1e-12);
+  EXPECT_THAT([] { (void)series(header + "0,100,,1\n"); }, refused("is empty"));
+}
+
+TEST(SeriesFile, TimeMustRiseWithinARun) {
+  EXPECT_THAT([] { (void)series(header + "0,1,20,1\n60,1,20,1\n30,1,20,1\n"); },
+              refused("r.csv:4: time_s = \"30\": goes back"));
+  EXPECT_THAT([] { (void)series(header + "0,1,20,1\n60,1,20,1\n60,1,20,1\n"); },
+              refused("stands twice"));
+  const record::Record runs = series("run_id,time_s,displacement_z_um\na,0,1\na,60,2\nb,0,3\n");
+  EXPECT_EQ(runs.runs, (std::vector<std::string>{"a", "b"}));
+}
+
+TEST(SeriesFile, ReadsOtherUnitsAndDates) {
+  const record::Record r = series(
+      "time_s;Spindle speed [1/min];front_temperature_K;displacement_z_mm;x_feed_mm_min\n"
+      "2024-03-12T08:15:00;100;293,15;0,001;600\n2024-03-12T08:16:00;100;294,15;0,002;600\n");
+  EXPECT_NEAR(r.values(record::time)[1], 60.0, 1e-9);
+  EXPECT_NEAR(r.values(*record::series_channel("front_temperature_C"))[0], 293.15, 1e-9);
+  EXPECT_NEAR(r.values(*record::series_channel("displacement_z_um"))[1], 2e-6, 1e-15);
+  EXPECT_NEAR(r.values(*record::series_channel("x_feed_m_min"))[0], 0.01, 1e-12);
+}
+
+TEST(SeriesFile, NamesGapsAndWhatItDoesNotKnow) {
+  std::string text = "time_s,front_temperature_C,displacement_z_um,note\n";
+  for (int k = 0; k < 50; ++k)
+    text += std::to_string(k < 25 ? 10 * k : 10 * k + 5000) + ",20,1,x\n";
+  const record::Record r = series(text);
+  EXPECT_THAT(r.notes, testing::Contains(HasSubstr("1 gap in time")));
+  EXPECT_THAT(r.notes, testing::Contains(HasSubstr("column note is unknown")));
+}
+
+TEST(SeriesChannel, AQuantityIsMadeOnce) {
+  const record::Channel* const c = record::series_channel("rear_bearing_temperature_C");
+  ASSERT_NE(c, nullptr);
+  EXPECT_EQ(c, record::series_channel("rear_bearing_temperature_C"));
+  EXPECT_EQ(c->words, "rear bearing temperature");
+  EXPECT_EQ(c->key_unit(), "C");
+  EXPECT_EQ(record::series_channel("x_feed_m_min")->key_unit(), "m_min");
+  EXPECT_EQ(record::series_channel("speed_rpm"), &record::speed);
+  for (const char* none :
+       {"temperature_C", "_temperature_C", "displacement_um", "a b_temperature_C"})
+    EXPECT_EQ(record::series_channel(none), nullptr) << none;
+  EXPECT_TRUE(record::is_ambient(*record::series_channel("hall_air_temperature_C")));
+  EXPECT_FALSE(record::is_ambient(*record::series_channel("repair_temperature_C")));
+}
+
+}  // namespace
+}  // namespace raceway::io
