@@ -28,9 +28,14 @@ constexpr std::array kinematic{NumberCard{"A", "um", 0.0, -free_size, free_size}
 constexpr std::array speed_dependent{NumberCard{"s", "1", 0.0, 0.0, 6.0, 0.0, 6.0, 0.0},
                                      NumberCard{"g", "1", 1.0, 0.0, 1.5, 0.0, 1.5, unset}};
 constexpr std::array asymmetry{NumberCard{"ratio", "1", 1.0, 0.2, 5.0, 0.2, 5.0, 1.0}};
-constexpr std::array jump{
-    NumberCard{"size", "um", 0.0, -free_size, free_size},
-    NumberCard{"time_s", "s", 0.0, -free_size, free_size, -free_size, free_size, unset}};
+constexpr NumberCard size_of(std::string_view name) {
+  return {name, "um", 0.0, -free_size, free_size};
+}
+constexpr NumberCard time_of(std::string_view name) {
+  return {name, "s", 0.0, -free_size, free_size, -free_size, free_size, unset};
+}
+constexpr std::array jump{size_of("size"),     time_of("time_s"), size_of("size_2"),
+                          time_of("time_2_s"), size_of("size_3"), time_of("time_3_s")};
 constexpr std::array drift{NumberCard{"size", "um", 0.0, -free_size, free_size}, time_constant};
 
 constexpr std::array cards{
@@ -68,7 +73,7 @@ constexpr std::array cards{
                .numbers = motor},
     EffectCard{.id = "offset-jump",
                .title = "the reading jumps: a collet, a probe, a cable",
-               .form = "+ c H(t - t1)",
+               .form = "+ sum of c H(t - t1), three at most",
                .needs = "dense readings",
                .confused = "kinematic-displacement, a hidden heat that is switched on",
                .numbers = jump,

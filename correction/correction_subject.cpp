@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "correction/catalogue.h"
+#include "correction/quantum.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "record/median.h"
@@ -100,6 +101,37 @@ std::vector<double> times_between_readings(const fit::Record& record, const Chan
   return times;
 }
 
+/// Whether an error of this size is most of what is left.
+bool explains(double rms, const std::vector<double>& left) {
+  constexpr double most_of_it = 0.5;  // of the mean square
+  double sum = 0.0, square = 0.0, count = 0.0;
+  for (const double r : left)
+    if (std::isfinite(r)) {
+      sum += r;
+      square += r * r;
+      count += 1.0;
+    }
+  return rms * rms * count >= most_of_it * (square - sum * sum / count);
+}
+
+/// Whether what is left steps back wherever the input steps, by what the feedthrough made of it.
+bool steps_with(const std::vector<double>& input, const std::vector<double>& left,
+                double feedthrough, const std::vector<bool>& begins) {
+  constexpr double surely = 20.0;  // standard errors
+  constexpr double fewest = 30.0;
+  double sum = 0.0, square = 0.0, count = 0.0;
+  for (std::size_t k = 1; k < input.size(); ++k) {
+    const double step = input[k] - input[k - 1], back = (left[k - 1] - left[k]) / step;
+    if (begins[k] || step == 0.0 || !std::isfinite(back)) continue;
+    sum += back / feedthrough;
+    square += std::pow(back / feedthrough, 2);
+    count += 1.0;
+  }
+  if (count < fewest) return false;
+  const double mean = sum / count, variance = square / count - mean * mean;
+  return mean > surely * std::sqrt(variance / count);
+}
+
 }  // namespace
 
 CorrectionSubject::CorrectionSubject(Model model) : model_(std::move(model)) {}
@@ -144,12 +176,14 @@ std::unique_ptr<fit::Subject> CorrectionSubject::informed_by(const fit::Record& 
     longest = std::max(longest, series.time()[k]);
   }
   if (!steps.empty() && longest > 0.0)
-    result->limits_ = {2.0 * record::median(steps), 0.5 * longest};
+    result->limits_ = {2.0 * record::median(steps), 0.5 * longest, longest};
   result->columns_.clear();
   for (const record::Column& c : record.columns)
     if (c.channel->is_input() && std::any_of(c.values.begin(), c.values.end(),
                                              [&](double v) { return v != c.values.front(); }))
       result->columns_.push_back(c.channel);
+  const std::span<const double> time = record.values(record::time);
+  result->end_ = *std::max_element(time.begin(), time.end()) + 1.0;
   result->jump_times_ = times_between_readings(record, *model_.displacement);
   result->beginnings_.clear();
   for (int z = 1; z < series.zeros(); ++z)
@@ -210,7 +244,8 @@ std::vector<Effect> CorrectionSubject::possible() const {
       return;
     const EffectCard& card = *find_card(id);
     for (const record::NumberCard& n : card.numbers)
-      if (n.name != "decay_speed_rpm" || e.columns.empty()) e.values.push_back(n.initial);
+      if (n.name != "decay_speed_rpm" || e.columns.empty())
+        e.values.push_back(id == "offset-jump" && n.unit == "s" ? end_ : n.initial);
     list.push_back(std::move(e));
   };
   std::vector<const Channel*> ambient, base, motor;
@@ -261,7 +296,9 @@ std::vector<fit::Candidate> CorrectionSubject::candidates() const {
     const std::string prefix = candidate.id + ".";
     for (const fit::Parameter& p : correction::parameters(with, limits_))
       if (p.name.starts_with(prefix)) candidate.parameters.push_back(p);
-    if (e.id == "offset-jump") candidate.only = {{}, jump_times_};
+    if (e.id == "offset-jump")
+      for (std::size_t k = 0; k < e.values.size(); ++k)
+        candidate.only.push_back(k % 2 == 1 ? jump_times_ : std::vector<double>());
     list.push_back(std::move(candidate));
   }
   std::sort(list.begin(), list.end(),
@@ -313,6 +350,45 @@ std::string CorrectionSubject::lacks(const std::string& id, const fit::Record&) 
     if (full_id(e) == id) return {};
   const EffectCard* const card = find_card(id);
   return card ? std::string(card->needs) : std::string();
+}
+
+std::vector<fit::Fault> CorrectionSubject::faults(const fit::Record& record) const {
+  std::vector<fit::Fault> list;
+  const Series series(record);
+  std::vector<double> left = fit::predict(*this, record);
+  for (std::size_t k = 0; k < left.size(); ++k)
+    left[k] = record.value(*model_.displacement, k) - left[k];
+  for (const DrivenChannel& c : model_.channels) {
+    if (c.feedthrough == 0.0 || c.input.is_power()) continue;
+    auto without = std::make_shared<fit::Record>(record);
+    std::vector<std::string> sensors;
+    double largest = 0.0, square = 0.0;
+    const auto smooth = [&](const Channel& column, double weight) {
+      if (record::course_of(column) != record::Course::straight) return;
+      const std::span<const double> values = record.values(column);
+      const double quantum = quantum_of(values);
+      if (std::isnan(quantum)) return;
+      sensors.emplace_back(column.name);
+      largest = std::max(largest, quantum);
+      square += std::pow(weight * quantum, 2) / 12.0;  // of what is evenly spread over a quantum
+      without->find(column)->values =
+          between_digits(record.values(record::time), values, series.clock().begins);
+    };
+    for (const Channel* column : c.input.columns)
+      smooth(*column, 1.0 / static_cast<double>(c.input.columns.size()));
+    if (c.input.reference) smooth(*c.input.reference, 1.0);
+    const double moved = c.scale * c.feedthrough * std::sqrt(square);
+    if (sensors.empty() || !explains(moved, left) ||
+        !steps_with(*series.input(c.input), left, c.scale * c.feedthrough, series.clock().begins))
+      continue;
+    list.push_back({.id = "sensor-quantisation",
+                    .datum = fmt::format("the sensor of {}", fmt::join(sensors, ", ")),
+                    .correction = fmt::format("it steps by {:.3g} K, and the displacement with it "
+                                              "through the feedthrough of channel {}",
+                                              largest, c.name),
+                    .without = std::move(without)});
+  }
+  return list;
 }
 
 std::vector<fit::Blocking> CorrectionSubject::blockings(const fit::Record& record) const {

@@ -39,6 +39,9 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
+  /// Sensors of which the last digit shows: it moves the displacement at once, and what is left
+  /// steps back with it and is no larger than that makes it. Asked of a model that was fitted.
+  [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;
   /// Eight parts of the record, one after the other, with as many readings each. Where the record
   /// began warm the first is in none.
   [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
@@ -63,6 +66,7 @@ class CorrectionSubject : public fit::Subject {
   TimeConstantLimits limits_{};
   std::vector<const Channel*> columns_{};  // inputs that vary
   std::vector<double> jump_times_{};
+  double end_ = 0.0;  // behind the last row [s]
   std::vector<Beginning> beginnings_{};
 };
 

@@ -15,6 +15,8 @@
 namespace raceway::correction {
 namespace {
 
+/// Time constants of a drift over those of the record.
+constexpr std::pair slowest{0.15, 5.0};
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr std::array<std::string_view, 5> groups{"gains", "time_constants", "offset", "kinematic",
                                                  "scale"};
@@ -100,17 +102,17 @@ class List {
       record::Parameter& p =
           add(full_id(e) + "." + std::string(n.name),
               is_gain ? gain_unit(e, model_) : std::string(n.unit),
-              fmt::format("correction.effect.{}.{}", index,
-                          is_gain                              ? "gain_" + gain_key_unit(e, model_)
-                          : n.unit == "um" && n.name == "size" ? std::string("size_um")
-                                                               : std::string(n.name)),
-              "effects", e.values[k], 1.0);
+              fmt::format("correction.effect.{}.{}", index, key_of(e, n, model_)), "effects",
+              e.values[k], 1.0);
       p.initial = n.initial;
       p.neutral = n.neutral;
       p.proportional = is_gain || n.unit == "um";
       const bool lag = n.name == "time_constant_s";
-      bound(p, lag ? std::max(n.lower, shortest(input_of(e, model_))) : n.lower,
-            lag ? std::min(n.upper, limits_.longest) : n.upper);
+      if (e.id == "slow-drift" && lag && !std::isnan(limits_.record))
+        bound(p, slowest.first * limits_.record, slowest.second * limits_.record);
+      else
+        bound(p, lag ? std::max(n.lower, shortest(input_of(e, model_))) : n.lower,
+              lag ? std::min(n.upper, limits_.longest) : n.upper);
       if (!std::isfinite(n.lower)) p.scale = 1.0;
     }
   }
@@ -195,6 +197,11 @@ std::string gain_unit(const Effect& effect, const Model& model) {
 std::string gain_key_unit(const Effect& effect, const Model& model) {
   if (effect.id == "motor-heat" && effect.columns.empty()) return "um";
   return "um_" + std::string(input_of(effect, model).key_unit());
+}
+
+std::string key_of(const Effect& effect, const record::NumberCard& number, const Model& model) {
+  if (number.unit == "um/u") return "gain_" + gain_key_unit(effect, model);
+  return std::string(number.name) + (number.name.starts_with("size") ? "_um" : "");
 }
 
 std::string full_id(const Effect& effect) {

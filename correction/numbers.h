@@ -13,6 +13,7 @@ namespace raceway::correction {
 /// Between which time constants a record can tell anything [s].
 struct TimeConstantLimits {
   double shortest = 1.0, longest = 1e7;
+  double record = unset;  ///< its length, where there is one
 };
 
 /// One number of a model that may be fitted.
@@ -39,6 +40,10 @@ struct Number {
 [[nodiscard]] std::string gain_unit(const Effect& effect, const Model& model);
 /// "um_K"
 [[nodiscard]] std::string gain_key_unit(const Effect& effect, const Model& model);
+
+/// Under which a file takes a number of an effect: "gain_um_K".
+[[nodiscard]] std::string key_of(const Effect& effect, const record::NumberCard& number,
+                                 const Model& model);
 
 /// The channel of that name, or the first one for an empty name; null where there is none.
 [[nodiscard]] const DrivenChannel* find_channel(const Model& model, std::string_view name);

@@ -81,15 +81,20 @@ void add_channel(const Model& model, const DrivenChannel& c, const Series& serie
 /// A share of its own.
 void add_effect(const Model& model, const Effect& e, const Series& series, const Sink& sink) {
   const EffectCard& card = *find_card(e.id);
-  if (card.of_channel || e.values.front() == 0.0) return;
+  const bool of_jumps = e.id == "offset-jump";
+  if (card.of_channel || (e.values.front() == 0.0 && !of_jumps)) return;
   const double size = e.values.front() * um;
   if (e.id == "kinematic-displacement") {
     sink(size, *series.kinematic(e.values[1], e.values[2]));
-  } else if (e.id == "offset-jump") {
+  } else if (of_jumps) {
     const std::span<const double> time = series.record().values(record::time);
     std::vector<double> step(series.rows());
-    for (std::size_t k = 0; k < step.size(); ++k) step[k] = time[k] >= e.values[1] ? 1.0 : 0.0;
-    sink(size, step);
+    for (std::size_t j = 0; j + 1 < e.values.size(); j += 2) {
+      if (e.values[j] == 0.0) continue;
+      for (std::size_t k = 0; k < step.size(); ++k)
+        step[k] = time[k] >= e.values[j + 1] ? 1.0 : 0.0;
+      sink(e.values[j] * um, step);
+    }
   } else if (e.id == "slow-drift") {
     sink(size, *series.settling(e.values[1]));
   } else if (e.id == "motor-heat" && e.columns.empty()) {

@@ -12,9 +12,13 @@ namespace {
 
 constexpr double a_minute = 60.0;
 constexpr double most_means = 1500.0;
-constexpr std::size_t trials = 6;   // of a parameter of a candidate
-constexpr std::size_t coarse = 64;  // of values that are the only ones
-constexpr double same = 1e-4;       // relative: a start that ended where another did
+constexpr std::size_t trials = 6;       // of a parameter of a candidate
+constexpr std::size_t coarse = 128;     // of values that are the only ones
+constexpr double worth_another = 0.85;  // of the misfit, that a further one must fall below
+constexpr int replacements = 3;         // of places, after all else was fitted
+constexpr double hollow = 0.1;          // share of the way between bounds
+constexpr int most_spread = 64, fewest = 3;
+constexpr double same = 1e-4;  // relative: a start that ended where another did
 
 double duration_of(const Record& record) {
   const std::span<const double> time = record.values(record::time);
@@ -37,6 +41,47 @@ double between(const Parameter& p, double share) {
                           : p.lower + share * (p.upper - p.lower);
 }
 
+/// The share at which a value lies.
+double share_of(const Parameter& p, double value) {
+  if (!std::isfinite(p.upper - p.lower)) return 0.0;
+  return spans_decades(p) ? std::log(value / p.lower) / std::log(p.upper / p.lower)
+                          : (value - p.lower) / (p.upper - p.lower);
+}
+
+/// Whether a start lies so near another one that it most likely ends where that one did.
+bool in_the_same_hollow(const Separable& problem, const Eigen::VectorXd& a,
+                        const Eigen::VectorXd& b) {
+  return std::all_of(problem.bending().begin(), problem.bending().end(), [&](std::size_t k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    const Parameter& p = problem.parameters()[k];
+    return std::abs(share_of(p, a[at]) - share_of(p, b[at])) < hollow;
+  });
+}
+
+/// All combinations of values spread over what bends, as many as make up no more than `most`.
+std::vector<Eigen::VectorXd> spread(const Separable& problem, const Eigen::VectorXd& start,
+                                    int most) {
+  const std::vector<std::size_t>& bending = problem.bending();
+  const int each =
+      bending.empty()
+          ? 0
+          : static_cast<int>(std::pow(most + 0.5, 1.0 / static_cast<double>(bending.size())));
+  std::vector<Eigen::VectorXd> list;
+  if (each < fewest) return list;
+  const int count = static_cast<int>(std::lround(std::pow(each, bending.size())));
+  for (int n = 0; n < count; ++n) {
+    Eigen::VectorXd x = start;
+    int rest = n;
+    for (const std::size_t k : bending) {
+      x[static_cast<Eigen::Index>(k)] =
+          between(problem.parameters()[k], (rest % each + 0.5) / each);
+      rest /= each;
+    }
+    list.push_back(std::move(x));
+  }
+  return list;
+}
+
 /// Polishes the best of some starts, the least misfit at the end.
 SeparableFit best_of(const Separable& problem, std::vector<SeparableFit> begun, int polished,
                      const std::vector<bool>& held, const ApproximationOptions& options) {
@@ -47,11 +92,17 @@ SeparableFit best_of(const Separable& problem, std::vector<SeparableFit> begun, 
   SeparableFit best;
   int done = 0;
   double last = unset;
+  std::vector<const Eigen::VectorXd*> seen;
   for (const SeparableFit& start : begun) {
     if (options.cancelled && options.cancelled()) break;
     // A start that is as good as the one before it is most likely the same hollow.
     if (std::abs(start.misfit - last) <= same * start.misfit) continue;
+    if (std::any_of(seen.begin(), seen.end(), [&](const Eigen::VectorXd* other) {
+          return in_the_same_hollow(problem, start.values, *other);
+        }))
+      continue;
     last = start.misfit;
+    seen.push_back(&start.values);
     SeparableFit fit = problem.from(start.values, -1, held);
     if (std::isnan(best.misfit) || fit.misfit < best.misfit) best = std::move(fit);
     if (++done >= polished) break;
@@ -104,6 +155,8 @@ Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded
         std::clamp(parameters[k].start, parameters[k].lower, parameters[k].upper);
   std::vector<SeparableFit> begun{problem.at(start)};
   for (const Eigen::VectorXd& other : options.starts) begun.push_back(problem.at(other));
+  for (const Eigen::VectorXd& other : spread(problem, start, most_spread))
+    begun.push_back(problem.at(other));
   boost::random::mt19937_64 engine(20210305);
   boost::random::uniform_01<double> any;
   for (int k = 0; k < options.random_starts && !problem.bending().empty(); ++k) {
@@ -119,28 +172,22 @@ Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded
 namespace {
 
 /// All combinations of trial values of the bending parameters of candidates, with the base as it
-/// ended; of values that are the only ones a coarse choice, then their neighbours.
+/// ended; places stay as they are.
 std::vector<SeparableFit> tried(const Separable& problem, const Eigen::VectorXd& start,
                                 std::size_t first,
                                 const std::vector<const std::vector<double>*>& only) {
   const std::vector<Parameter>& parameters = problem.parameters();
   std::vector<std::size_t> bending;
   for (const std::size_t k : problem.bending())
-    if (k >= first) bending.push_back(k);
+    if (k >= first && only[k] == nullptr) bending.push_back(k);
   std::vector<std::vector<double>> values;
   std::size_t count = 1;
   const std::size_t each = bending.size() > 2 ? 3 : bending.size() > 1 ? 4 : trials;
   for (const std::size_t k : bending) {
     std::vector<double>& list = values.emplace_back();
-    if (only[k] != nullptr) {
-      const std::size_t all = only[k]->size(), some = std::min(all, coarse);
-      for (std::size_t i = 0; i < some; ++i)
-        list.push_back((*only[k])[(2 * i + 1) * all / (2 * some)]);
-    } else {
-      for (std::size_t i = 0; i < each; ++i)
-        list.push_back(
-            between(parameters[k], (static_cast<double>(i) + 0.5) / static_cast<double>(each)));
-    }
+    for (std::size_t i = 0; i < each; ++i)
+      list.push_back(
+          between(parameters[k], (static_cast<double>(i) + 0.5) / static_cast<double>(each)));
     count *= list.size();
   }
   std::vector<SeparableFit> begun;
@@ -153,23 +200,47 @@ std::vector<SeparableFit> tried(const Separable& problem, const Eigen::VectorXd&
     }
     begun.push_back(problem.at(x));
   }
-  for (const std::size_t k : bending) {
-    if (only[k] == nullptr || only[k]->size() <= coarse) continue;
-    const auto best = std::min_element(
-        begun.begin(), begun.end(),
-        [](const SeparableFit& a, const SeparableFit& b) { return a.misfit < b.misfit; });
-    const auto place = static_cast<Eigen::Index>(k);
-    const auto here =
-        std::lower_bound(only[k]->begin(), only[k]->end(), best->values[place]) - only[k]->begin();
-    const auto reach = static_cast<std::ptrdiff_t>(only[k]->size() / coarse + 1);
-    Eigen::VectorXd x = best->values;
-    for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, here - reach);
-         i < std::min(static_cast<std::ptrdiff_t>(only[k]->size()), here + reach + 1); ++i) {
-      x[place] = (*only[k])[static_cast<std::size_t>(i)];
-      begun.push_back(problem.at(x));
-    }
-  }
   return begun;
+}
+
+/// Where a parameter that is the place of the one before it serves best, all else as it is.
+double best_place(const Separable& problem, const SeparableFit& fit, std::size_t k,
+                  const std::vector<double>& only) {
+  const auto best_of = [&](const std::vector<double>& list) {
+    const std::vector<double> falls = problem.falls(fit.values, k - 1, k, list);
+    return list[static_cast<std::size_t>(std::max_element(falls.begin(), falls.end()) -
+                                         falls.begin())];
+  };
+  const std::size_t some = std::min(only.size(), coarse);
+  std::vector<double> list;
+  for (std::size_t i = 0; i < some; ++i)
+    list.push_back(only[(2 * i + 1) * only.size() / (2 * some)]);
+  const double about = best_of(list);
+  const auto here = std::lower_bound(only.begin(), only.end(), about) - only.begin();
+  const auto reach = static_cast<std::ptrdiff_t>(only.size() / some + 1);
+  return best_of({only.begin() + std::max<std::ptrdiff_t>(0, here - reach),
+                  only.begin() + std::min<std::ptrdiff_t>(std::ssize(only), here + reach + 1)});
+}
+
+/// With places found one after the other, and further ones as long as each takes enough. `off`:
+/// values with which none is in use.
+SeparableFit placed(const Separable& problem, SeparableFit fit, const Eigen::VectorXd& off,
+                    const std::vector<const std::vector<double>*>& only) {
+  for (std::size_t k = 0; k < only.size(); ++k) {
+    if (only[k] == nullptr) continue;
+    const auto at = static_cast<Eigen::Index>(k);
+    const bool in_use = fit.values[at] != off[at];
+    const bool is_first = k < 2 || only[k - 2] == nullptr;
+    Eigen::VectorXd x = fit.values;
+    x[at] = best_place(problem, fit, k, *only[k]);
+    SeparableFit next = problem.at(x);
+    const double needed = in_use || is_first ? 1.0 : worth_another;
+    if (next.misfit < needed * fit.misfit)
+      fit = std::move(next);
+    else if (!in_use)
+      break;
+  }
+  return fit;
 }
 
 }  // namespace
@@ -198,10 +269,11 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
     start[static_cast<Eigen::Index>(k)] = problem.parameters()[k].start;
   std::vector<SeparableFit> begun = tried(problem, start, base.names.size(), only);
   for (const Eigen::VectorXd& other : options.starts) begun.push_back(problem.at(other));
-  // Where the base was bent to hide the effect, its own time constants have to move first.
   const auto best = std::min_element(
       begun.begin(), begun.end(),
       [](const SeparableFit& a, const SeparableFit& b) { return a.misfit < b.misfit; });
+  *best = placed(problem, std::move(*best), start, only);
+  // Where the base was bent to hide the effect, its own time constants have to move first.
   boost::random::mt19937_64 engine(20210305);
   boost::random::uniform_01<double> any;
   const Eigen::VectorXd found = best->values;
@@ -212,6 +284,12 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
     begun.push_back(problem.at(x));
   }
   SeparableFit fit = best_of(problem, std::move(begun), options.polished, held, options);
+  if (std::find(held.begin(), held.end(), true) != held.end())
+    for (int round = 0; round < replacements && std::isfinite(fit.misfit); ++round) {
+      SeparableFit moved = placed(problem, fit, start, only);
+      if (!(moved.misfit < (1.0 - same) * fit.misfit)) break;
+      fit = problem.from(moved.values, -1, held);
+    }
   return approximation_of(std::move(subject), names, problem, std::move(fit), recorded.means);
 }
 

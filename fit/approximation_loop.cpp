@@ -31,10 +31,12 @@ double weight_of(const Recorded& recorded) { return recorded.means.list.front().
 /// A fit with one or two candidates.
 struct Tried {
   std::vector<const Candidate*> on{};
+  const Fault* shown = nullptr;  ///< instead: by the record itself
   Approximation fit{};
   [[nodiscard]] double error() const { return fit.rms_held_out; }
   [[nodiscard]] std::vector<std::string> ids() const {
     std::vector<std::string> list;
+    if (shown) list.push_back(shown->id);
     for (const Candidate* c : on) list.push_back(c->id);
     return list;
   }
@@ -158,8 +160,27 @@ class Inquiry {
       hold_out(t.fit, recorded_);
       singles_.push_back(std::move(t));
     }
+    look_at_record();
     sort(singles_);
     result_.candidates_tried = static_cast<int>(singles_.size()) + options_.tried_before;
+  }
+
+  /// Faults that the record shows of itself: the model alone, on what it would be without.
+  void look_at_record() {
+    const auto asked = [&](const std::string& id) {
+      const std::vector<std::string>& only = options_.candidates;
+      return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
+    };
+    faults_ = fitted(base_)->faults(record_);
+    for (const Fault& e : faults_) {
+      if (!asked(e.id)) continue;
+      const Recorded without = recorded(*subject_, e.without, usual_width(record_));
+      Tried t{.shown = &e};
+      t.fit = approximate(subject_, without, subject_->free(), search());
+      if (t.fit.fit.values.size() == 0) continue;
+      hold_out(t.fit, without);
+      singles_.push_back(std::move(t));
+    }
   }
 
   static void sort(std::vector<Tried>& list) {
@@ -199,12 +220,20 @@ class Inquiry {
     if (result_.within_tolerance) {
       for (const Tried& t : singles_)
         if (t.error() < surely_better * base_.rms_held_out)
-          result_.significant_but_immaterial.push_back(t.on.front()->id);
+          result_.significant_but_immaterial.push_back(t.ids().front());
       return;
     }
     if (!singles_.empty() && singles_.front().error() <= 1.0) {
       found_ = near_best(singles_);
       result_.verdict = found_.size() == 1 ? Verdict::effect : Verdict::ambiguous;
+      return;
+    }
+    const auto shown = std::find_if(singles_.begin(), singles_.end(),
+                                    [](const Tried& t) { return t.shown != nullptr; });
+    if (shown != singles_.end()) {
+      found_ = {&*shown};
+      result_.verdict = Verdict::effect_like;
+      result_.course = course_of(recorded_.means, base_.fit.residual);
       return;
     }
     if (options_.pairs) try_pairs();
@@ -247,8 +276,11 @@ class Inquiry {
   }
 
   [[nodiscard]] RankedEffect ranked(const Tried& t, std::size_t member) const {
-    const Candidate& c = *t.on[member];
-    RankedEffect effect{.id = c.id};
+    RankedEffect effect{.id = t.ids()[member]};
+    if (t.shown) {
+      effect.datum = t.shown->datum;
+      effect.correction = t.shown->correction;
+    }
     effect.rmse = {in_SI(t.fit.rms)};
     effect.rmse_held_out = {in_SI(t.error())};
     const ApproximationErrors errors = errors_of(t.fit, recorded_);
@@ -259,41 +291,46 @@ class Inquiry {
       if (k < base_.names.size()) {
         p.start = base_.parameters[k].value;
         effect.base.push_back(std::move(p));
-      } else if (p.name.starts_with(c.id + ".")) {
-        p.name.erase(0, c.id.size() + 1);
+      } else if (p.name.starts_with(effect.id + ".")) {
+        p.name.erase(0, effect.id.size() + 1);
         effect.parameters.push_back(std::move(p));
       }
     }
     return effect;
   }
 
+  [[nodiscard]] bool is_told(const std::string& id) const {
+    return std::any_of(result_.effects.begin(), result_.effects.end(),
+                       [&](const RankedEffect& e) { return e.id == id; });
+  }
+
   void fill() {
     for (const Tried* t : found_) {
       result_.sets.push_back(t->ids());
-      for (std::size_t m = 0; m < t->on.size(); ++m) {
-        if (std::any_of(result_.effects.begin(), result_.effects.end(),
-                        [&](const RankedEffect& e) { return e.id == t->on[m]->id; }))
-          continue;
+      const std::vector<std::string> ids = t->ids();
+      for (std::size_t m = 0; m < ids.size(); ++m) {
+        if (is_told(ids[m])) continue;
         RankedEffect effect = ranked(*t, m);
         effect.in_verdict = true;
         for (const Tried* other : found_)
-          for (const Candidate* c : other->on)
-            if (other != t && std::find(t->on.begin(), t->on.end(), c) == t->on.end())
-              effect.indistinguishable_from.push_back(c->id);
+          for (const std::string& id : other->ids())
+            if (std::find(ids.begin(), ids.end(), id) == ids.end())
+              effect.indistinguishable_from.push_back(id);
         result_.effects.push_back(std::move(effect));
       }
     }
     for (const Tried& t : singles_)
-      if (std::none_of(result_.effects.begin(), result_.effects.end(),
-                       [&](const RankedEffect& e) { return e.id == t.on.front()->id; }))
-        result_.effects.push_back(ranked(t, 0));
+      if (!is_told(t.ids().front())) result_.effects.push_back(ranked(t, 0));
     if (found_.empty()) return;
     const Tried& best = *found_.front();
     result_.base = ranked(best, 0).base;
     ChannelDiagnosis& d = result_.channels.front();
     d.rmse_after = in_SI(best.fit.rms);
     d.rmse_held_out_after = in_SI(best.error());
-    explain(best);
+    if (best.shown)
+      result_.messages.push_back(best.shown->datum + ": " + best.shown->correction);
+    else
+      explain(best);
     for (const Candidate* c : best.on)
       if (c->of_reading)
         result_.messages.push_back(fmt::format(
@@ -355,10 +392,10 @@ class Inquiry {
         const Tried& best = *found_.front();
         const Tried* next = nullptr;
         for (const Tried& t : singles_)
-          if (!next && plain(t.on.front()->id) != plain(best.on.front()->id)) next = &t;
+          if (!next && plain(t.ids().front()) != plain(best.ids().front())) next = &t;
         return fmt::format(
             "Consistent with {}: {}; with it {}{}.", found_text(), base, error(best.error()),
-            next ? fmt::format(", next best {} {}", next->on.front()->id, error(next->error()))
+            next ? fmt::format(", next best {} {}", next->ids().front(), error(next->error()))
                  : "");
       }
       case Verdict::ambiguous:
@@ -370,7 +407,7 @@ class Inquiry {
         return fmt::format(
             "Consistent with {}: {}; no single effect brings it within (best {} {}), "
             "together {}.",
-            found_text(), base, singles_.front().on.front()->id, error(singles_.front().error()),
+            found_text(), base, singles_.front().ids().front(), error(singles_.front().error()),
             error(found_.front()->error()));
       case Verdict::effect_like:
         return fmt::format(
@@ -383,7 +420,7 @@ class Inquiry {
     return fmt::format("Something is missing that nothing in the catalogue explains: {}{}.{}", base,
                        singles_.empty() ? ""
                                         : fmt::format("; the nearest, {}, leaves {}",
-                                                      singles_.front().on.front()->id,
+                                                      singles_.front().ids().front(),
                                                       error(singles_.front().error())),
                        course_text());
   }
@@ -414,6 +451,7 @@ class Inquiry {
   std::shared_ptr<const Subject> subject_;
   Recorded recorded_;
   std::vector<Candidate> candidates_;
+  std::vector<Fault> faults_;
   Approximation base_;
   std::vector<Tried> singles_, pairs_;
   std::vector<const Tried*> found_;

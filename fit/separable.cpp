@@ -217,6 +217,33 @@ SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
   return best;
 }
 
+std::vector<double> Separable::falls(Eigen::VectorXd values, std::size_t size, std::size_t place,
+                                     const std::vector<double>& tried) const {
+  const Basis of = basis(values);
+  std::vector<Eigen::Index> others;
+  for (std::size_t j = 0; j < straight_.size(); ++j)
+    if (straight_[j] != size) others.push_back(static_cast<Eigen::Index>(j));
+  Eigen::MatrixXd a = weight_.asDiagonal() * of.columns(Eigen::all, others);
+  Eigen::VectorXd r = weight_.cwiseProduct(measured_ - of.constant);
+  std::vector<double> list(tried.size(), 0.0);
+  if (!a.allFinite() || !r.allFinite()) return list;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
+  const Eigen::MatrixXd q =
+      qr.householderQ() * Eigen::MatrixXd::Identity(a.rows(), std::min(a.rows(), qr.rank()));
+  r -= q * (q.transpose() * r);
+  for (const std::size_t k : straight_) values[static_cast<Eigen::Index>(k)] = 0.0;
+  values[static_cast<Eigen::Index>(size)] = 1.0;
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    values[static_cast<Eigen::Index>(place)] = tried[i];
+    const Eigen::VectorXd column = weight_.cwiseProduct(readings(values) - of.constant);
+    const double length = column.squaredNorm();
+    const double apart = length - (q.transpose() * column).squaredNorm();
+    constexpr double alike = 1e-9;
+    if (apart > alike * length) list[i] = std::pow(column.dot(r), 2) / apart;
+  }
+  return list;
+}
+
 Eigen::MatrixXd Separable::jacobian(const Eigen::VectorXd& values) const {
   Eigen::MatrixXd result(means_.size(), values.size());
   const Basis of = basis(values);

@@ -63,6 +63,11 @@ class Separable {
   [[nodiscard]] SeparableFit from(const Eigen::VectorXd& start, int left_out = -1,
                                   const std::vector<bool>& held = {},
                                   double ridge = usual_ridge) const;
+  /// How far the misfit falls where the parameter `size` is freed and `place`, which only it feels,
+  /// takes each of these values: all else in proportion follows, what bends stays.
+  [[nodiscard]] std::vector<double> falls(Eigen::VectorXd values, std::size_t size,
+                                          std::size_t place,
+                                          const std::vector<double>& tried) const;
   /// Derivatives of all means by all parameters.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& values) const;
 

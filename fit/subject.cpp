@@ -70,6 +70,8 @@ std::string Subject::correction(const std::string&, std::span<const double>) con
 
 std::unique_ptr<Subject> Subject::without_free_candidates() const { return nullptr; }
 
+std::vector<Fault> Subject::faults(const Record&) const { return {}; }
+
 std::string Subject::rules_out(const std::string&) const { return {}; }
 std::string Subject::lacks(const std::string&, const Record&) const { return {}; }
 

@@ -60,7 +60,8 @@ struct Candidate {
   bool base_law = false;     ///< corrects the law of the subject itself, which comes before physics
   bool of_the_user = false;  ///< nothing is known of its size
   /// The only values that a parameter may take, rising, by parameter; empty, or empty for one: all
-  /// within its bounds.
+  /// within its bounds. In what only approximates such a parameter is the place of the one before
+  /// it, which is in proportion; places after the first are taken as far as they are needed.
   std::vector<std::vector<double>> only{};
   /// Nothing that is carried to another record: it cleans this one.
   bool of_reading = false;
@@ -125,6 +126,14 @@ struct Axis {
   const Channel* channel = nullptr;
   std::vector<double> levels{};  ///< SI; NaN: as it is
   bool told = true;              ///< in words; otherwise in results alone
+};
+
+/// A fault that a record shows of itself: no number of a model mends it.
+struct Fault {
+  std::string id;          ///< of Subject::catalogue()
+  std::string datum;       ///< what is wrong, in words: "the sensor of ..."
+  std::string correction;  ///< how, in words
+  std::shared_ptr<const Record> without{};  ///< the record without it, as far as it can be told
 };
 
 /// Rows held out together, block by block.
@@ -195,6 +204,9 @@ class Subject {
   [[nodiscard]] virtual std::string lacks(const std::string& id, const Record& record) const;
   /// The levels without which parameters of the model do nearly the same; empty if nothing.
   [[nodiscard]] virtual std::string lacks_levels(const std::string& id, const Record& record) const;
+
+  /// Default: none.
+  [[nodiscard]] virtual std::vector<Fault> faults(const Record& record) const;
 
   // How its records are judged.
   /// Default: a polynomial in the first input that varies, to the fourth degree; of every other its

@@ -118,10 +118,8 @@ std::string effect_text(const Effect& e, const Model& m) {
   if (!e.columns.empty()) text += fmt::format("input = {}\n", columns_text(e.columns));
   for (std::size_t k = 0; k < e.values.size(); ++k) {
     const record::NumberCard& n = card.numbers[k];
-    const std::string key = n.unit == "um/u"   ? "gain_" + correction::gain_key_unit(e, m)
-                            : n.name == "size" ? std::string("size_um")
-                                               : std::string(n.name);
-    text += fmt::format("{} = {}\n", key, float_text(e.values[k]));
+    if (n.name.starts_with("size_") && e.values[k] == 0.0) break;  // jumps that are not needed
+    text += fmt::format("{} = {}\n", correction::key_of(e, n, m), float_text(e.values[k]));
   }
   return text;
 }

@@ -336,9 +336,9 @@ class CorrectionReader {
     for (const record::NumberCard& n : card->numbers) {
       if (n.name == "decay_speed_rpm" && !e.columns.empty()) continue;
       const bool is_gain = n.unit == "um/u";
-      const std::string key = is_gain            ? "gain_" + correction::gain_key_unit(e, m)
-                              : n.name == "size" ? std::string("size_um")
-                                                 : std::string(n.name);
+      const std::string key = correction::key_of(e, n, m);
+      // Jumps after the first, as many as there are.
+      if (n.name.starts_with("size_") && !s.find(key)) break;
       keys.push_back(key);
       e.values.push_back(
           s.required({key, is_gain ? correction::gain_unit(e, m) : std::string(n.unit),

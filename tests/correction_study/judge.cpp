@@ -19,7 +19,8 @@
 #include "correction/catalogue.h"
 #include "correction/correction_subject.h"
 #include "correction/simulation.h"
-#include "fit/approximation.h"
+#include "fit/add.h"
+#include "fit/calibrate.h"
 #include "fit/diagnose.h"
 #include "io/correction_file.h"
 #include "io/series_file.h"
@@ -59,26 +60,25 @@ record::Record open(const std::filesystem::path& file, const correction::Model& 
   return io::read_series(file.string(), {model.displacement}, correction::inputs_of(model));
 }
 
-/// The model with effects on, refitted; without those of a reading where it is for another record.
+/// The model refitted, with effects where there are any.
 correction::Model refitted(const correction::Model& model, const record::Record& train,
                            const Ids& effects) {
-  const std::shared_ptr<const fit::Subject> informed =
-      correction::CorrectionSubject(model).informed_by(train);
-  const fit::Recorded recorded = fit::recorded(
-      *informed, std::make_shared<const record::Record>(train), fit::usual_width(train));
-  fit::Approximation found = fit::approximate(informed, recorded, informed->free());
-  if (!effects.empty()) {
-    const std::vector<fit::Candidate> all = informed->candidates();
-    std::vector<const fit::Candidate*> on;
-    for (const std::string& id : effects)
-      for (const fit::Candidate& c : all)
-        if (c.id == id) on.push_back(&c);
-    found = fit::approximate_with(found, recorded, on);
-  }
-  return correction::model_of(*fit::fitted(found));
+  const correction::CorrectionSubject subject(model);
+  const std::shared_ptr<const fit::Subject> found =
+      effects.empty() ? fit::calibrate(subject, train).subject
+                      : fit::add(subject, effects, train).calibration.subject;
+  return correction::model_of(*found);
 }
 
-/// On a record that was not fitted, one constant removed [um].
+/// Told by the record itself: nothing can be switched on.
+bool is_fault(const Ids& set) {
+  return std::any_of(set.begin(), set.end(), [](const std::string& id) {
+    const correction::EffectCard* const card = correction::find_card(id);
+    return card && card->evidence;
+  });
+}
+
+/// On a record that was not fitted, without effects of a reading, one constant removed [um].
 double error_on(correction::Model model, const record::Record& test) {
   std::erase_if(model.effects, [](const correction::Effect& e) {
     return correction::find_card(e.id)->of_reading;
@@ -187,7 +187,8 @@ Outcome judge(const Case& of) {
     for (const Ids& set : d.sets) o.sets.push_back(plain(set));
     rank(d, o);
     o.base_test = error_on(refitted(model, train, {}), test);
-    if (d.sets.empty() || d.verdict == fit::Verdict::effect_like) return o;
+    if (d.sets.empty() || d.verdict == fit::Verdict::effect_like || is_fault(d.sets.front()))
+      return o;
     const correction::Model added = refitted(model, train, d.sets.front());
     o.added_test = error_on(added, test);
     o.asked_again = true;
