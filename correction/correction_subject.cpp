@@ -101,9 +101,10 @@ std::vector<double> times_between_readings(const fit::Record& record, const Chan
   return times;
 }
 
-/// Whether an error of this size is most of what is left.
+/// Whether an error of this size is much of what is left. A feedthrough of an input in steps is
+/// found a third too small [errors in variables], and its error with it.
 bool explains(double rms, const std::vector<double>& left) {
-  constexpr double most_of_it = 0.5;  // of the mean square
+  constexpr double much_of_it = 0.4;  // of the mean square
   double sum = 0.0, square = 0.0, count = 0.0;
   for (const double r : left)
     if (std::isfinite(r)) {
@@ -111,13 +112,14 @@ bool explains(double rms, const std::vector<double>& left) {
       square += r * r;
       count += 1.0;
     }
-  return rms * rms * count >= most_of_it * (square - sum * sum / count);
+  return rms * rms * count >= much_of_it * (square - sum * sum / count);
 }
 
 /// Whether what is left steps back wherever the input steps, by what the feedthrough made of it.
 bool steps_with(const std::vector<double>& input, const std::vector<double>& left,
                 double feedthrough, const std::vector<bool>& begins) {
-  constexpr double surely = 20.0;  // standard errors
+  constexpr double surely = 8.0;  // standard errors
+  constexpr double least = 0.4;   // of the feedthrough
   constexpr double fewest = 30.0;
   double sum = 0.0, square = 0.0, count = 0.0;
   for (std::size_t k = 1; k < input.size(); ++k) {
@@ -129,7 +131,7 @@ bool steps_with(const std::vector<double>& input, const std::vector<double>& lef
   }
   if (count < fewest) return false;
   const double mean = sum / count, variance = square / count - mean * mean;
-  return mean > surely * std::sqrt(variance / count);
+  return mean > least && mean > surely * std::sqrt(variance / count);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <boost/random/uniform_01.hpp>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace raceway::fit {
 namespace {
@@ -58,21 +59,22 @@ bool in_the_same_hollow(const Separable& problem, const Eigen::VectorXd& a,
   });
 }
 
-/// All combinations of values spread over what bends, as many as make up no more than `most`.
+/// All combinations of values spread over what bends and is not held, as many as make up no more
+/// than `most`.
 std::vector<Eigen::VectorXd> spread(const Separable& problem, const Eigen::VectorXd& start,
-                                    int most) {
-  const std::vector<std::size_t>& bending = problem.bending();
-  const int each =
-      bending.empty()
-          ? 0
-          : static_cast<int>(std::pow(most + 0.5, 1.0 / static_cast<double>(bending.size())));
+                                    const std::vector<bool>& held, int most) {
+  std::vector<std::size_t> moving;
+  for (const std::size_t k : problem.bending())
+    if (held.empty() || !held[k]) moving.push_back(k);
   std::vector<Eigen::VectorXd> list;
+  if (moving.empty()) return list;
+  const int each = static_cast<int>(std::pow(most + 0.5, 1.0 / static_cast<double>(moving.size())));
   if (each < fewest) return list;
-  const int count = static_cast<int>(std::lround(std::pow(each, bending.size())));
+  const int count = static_cast<int>(std::lround(std::pow(each, moving.size())));
   for (int n = 0; n < count; ++n) {
     Eigen::VectorXd x = start;
     int rest = n;
-    for (const std::size_t k : bending) {
+    for (const std::size_t k : moving) {
       x[static_cast<Eigen::Index>(k)] =
           between(problem.parameters()[k], (rest % each + 0.5) / each);
       rest /= each;
@@ -155,7 +157,7 @@ Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded
         std::clamp(parameters[k].start, parameters[k].lower, parameters[k].upper);
   std::vector<SeparableFit> begun{problem.at(start)};
   for (const Eigen::VectorXd& other : options.starts) begun.push_back(problem.at(other));
-  for (const Eigen::VectorXd& other : spread(problem, start, most_spread))
+  for (const Eigen::VectorXd& other : spread(problem, start, {}, most_spread))
     begun.push_back(problem.at(other));
   boost::random::mt19937_64 engine(20210305);
   boost::random::uniform_01<double> any;
@@ -272,7 +274,16 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
   const auto best = std::min_element(
       begun.begin(), begun.end(),
       [](const SeparableFit& a, const SeparableFit& b) { return a.misfit < b.misfit; });
-  *best = placed(problem, std::move(*best), start, only);
+  const bool has_places = std::find(held.begin(), held.end(), true) != held.end();
+  if (has_places) {
+    SeparableFit found = placed(problem, std::move(*best), start, only);
+    // A base that was bent far to hide jumps shows them where they are not.
+    for (const Eigen::VectorXd& other : spread(problem, start, held, options.random_starts / 2)) {
+      SeparableFit next = placed(problem, problem.at(other), start, only);
+      if (next.misfit < found.misfit) found = std::move(next);
+    }
+    *best = std::move(found);
+  }
   // Where the base was bent to hide the effect, its own time constants have to move first.
   boost::random::mt19937_64 engine(20210305);
   boost::random::uniform_01<double> any;
@@ -284,7 +295,7 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
     begun.push_back(problem.at(x));
   }
   SeparableFit fit = best_of(problem, std::move(begun), options.polished, held, options);
-  if (std::find(held.begin(), held.end(), true) != held.end())
+  if (has_places)
     for (int round = 0; round < replacements && std::isfinite(fit.misfit); ++round) {
       SeparableFit moved = placed(problem, fit, start, only);
       if (!(moved.misfit < (1.0 - same) * fit.misfit)) break;
@@ -292,6 +303,50 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
     }
   return approximation_of(std::move(subject), names, problem, std::move(fit), recorded.means);
 }
+
+namespace {
+
+/// What may take some values alone, and stays where it was found.
+bool is_place(const Parameter& p) { return !std::isfinite(p.upper - p.lower) && !p.proportional; }
+
+/// A fit to all but one block, with the jumps within that block as they were found: of a zero that
+/// changes there nothing outside of it tells. Nothing where there are none.
+std::optional<SeparableFit> with_jumps_of(const Approximation& a, const Recorded& recorded,
+                                          int block) {
+  double first = unset, last = unset;
+  for (const Means::Mean& mean : recorded.means.list)
+    if (mean.block == block) {
+      first = std::fmin(first, mean.time);
+      last = std::fmax(last, mean.time);
+    }
+  std::vector<NamedValue> given;
+  std::vector<std::size_t> rest;
+  for (std::size_t k = 0; k < a.names.size(); ++k) {
+    const auto value = [&](std::size_t of) { return a.fit.values[static_cast<Eigen::Index>(of)]; };
+    const auto is_within = [&](std::size_t place) {
+      return place < a.names.size() && is_place(a.parameters[place]) && value(place) >= first &&
+             value(place) <= last;
+    };
+    if (is_within(k) || (a.parameters[k].proportional && is_within(k + 1)))
+      given.push_back({a.names[k], value(k)});
+    else
+      rest.push_back(k);
+  }
+  if (given.empty()) return std::nullopt;
+  const std::unique_ptr<Subject> subject = a.subject->with_values(given);
+  std::vector<std::string> names;
+  std::vector<bool> held;
+  Eigen::VectorXd start(rest.size());
+  for (std::size_t j = 0; j < rest.size(); ++j) {
+    names.push_back(a.names[rest[j]]);
+    held.push_back(is_place(a.parameters[rest[j]]));
+    start[static_cast<Eigen::Index>(j)] = a.fit.values[static_cast<Eigen::Index>(rest[j])];
+  }
+  return Separable(*subject, *recorded.record, recorded.prepared, recorded.means, names)
+      .from(start, block, held);
+}
+
+}  // namespace
 
 void hold_out(Approximation& a, const Recorded& recorded) {
   const Means& means = recorded.means;
@@ -301,16 +356,14 @@ void hold_out(Approximation& a, const Recorded& recorded) {
   for (const Means::Mean& mean : means.list) blocks = std::max(blocks, mean.block + 1);
   const Separable problem(*a.subject, *recorded.record, recorded.prepared, means, a.names);
   std::vector<bool> held(a.names.size(), false);
-  // What may take some values alone stays where it was found.
-  for (std::size_t k = 0; k < a.names.size(); ++k)
-    held[k] = !std::isfinite(a.parameters[k].upper - a.parameters[k].lower) &&
-              !a.parameters[k].proportional;
+  for (std::size_t k = 0; k < a.names.size(); ++k) held[k] = is_place(a.parameters[k]);
   double sum = 0.0;
   std::size_t count = 0;
   for (int b = 0; b < blocks; ++b) {
     const auto in_block = [&](const Means::Mean& mean) { return mean.block == b; };
     if (std::none_of(means.list.begin(), means.list.end(), in_block)) continue;
-    const SeparableFit without = problem.from(a.fit.values, b, held);
+    const std::optional<SeparableFit> given = with_jumps_of(a, recorded, b);
+    const SeparableFit without = given ? *given : problem.from(a.fit.values, b, held);
     for (std::size_t i = 0; i < means.list.size(); ++i)
       if (means.list[i].block == b) {
         a.held_out[i] = without.residual[static_cast<Eigen::Index>(i)];
