@@ -18,7 +18,7 @@ constexpr std::size_t coarse = 128;     // of values that are the only ones
 constexpr double worth_another = 0.85;  // of the misfit, that a further one must fall below
 constexpr int replacements = 3;         // of places, after all else was fitted
 constexpr double hollow = 0.1;          // share of the way between bounds
-constexpr int most_spread = 64, fewest = 3;
+constexpr int most_spread = 64;
 constexpr double same = 1e-4;  // relative: a start that ended where another did
 
 double duration_of(const Record& record) {
@@ -60,9 +60,9 @@ bool in_the_same_hollow(const Separable& problem, const Eigen::VectorXd& a,
 }
 
 /// All combinations of values spread over what bends and is not held, as many as make up no more
-/// than `most`.
+/// than `most`; none where that leaves fewer than `fewest` values of each.
 std::vector<Eigen::VectorXd> spread(const Separable& problem, const Eigen::VectorXd& start,
-                                    const std::vector<bool>& held, int most) {
+                                    const std::vector<bool>& held, int most, int fewest) {
   std::vector<std::size_t> moving;
   for (const std::size_t k : problem.bending())
     if (held.empty() || !held[k]) moving.push_back(k);
@@ -157,7 +157,7 @@ Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded
         std::clamp(parameters[k].start, parameters[k].lower, parameters[k].upper);
   std::vector<SeparableFit> begun{problem.at(start)};
   for (const Eigen::VectorXd& other : options.starts) begun.push_back(problem.at(other));
-  for (const Eigen::VectorXd& other : spread(problem, start, {}, most_spread))
+  for (const Eigen::VectorXd& other : spread(problem, start, {}, most_spread, 3))
     begun.push_back(problem.at(other));
   boost::random::mt19937_64 engine(20210305);
   boost::random::uniform_01<double> any;
@@ -245,6 +245,18 @@ SeparableFit placed(const Separable& problem, SeparableFit fit, const Eigen::Vec
   return fit;
 }
 
+/// The same after all else was fitted, as long as it helps.
+SeparableFit placed_again(const Separable& problem, SeparableFit fit, const Eigen::VectorXd& off,
+                          const std::vector<const std::vector<double>*>& only,
+                          const std::vector<bool>& held) {
+  for (int round = 0; round < replacements; ++round) {
+    const SeparableFit moved = placed(problem, fit, off, only);
+    if (!(moved.misfit < (1.0 - same) * fit.misfit)) break;
+    fit = problem.from(moved.values, -1, held);
+  }
+  return fit;
+}
+
 }  // namespace
 
 Approximation approximate_with(const Approximation& base, const Recorded& recorded,
@@ -278,8 +290,11 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
   if (has_places) {
     SeparableFit found = placed(problem, std::move(*best), start, only);
     // A base that was bent far to hide jumps shows them where they are not.
-    for (const Eigen::VectorXd& other : spread(problem, start, held, options.random_starts / 2)) {
-      SeparableFit next = placed(problem, problem.at(other), start, only);
+    for (const Eigen::VectorXd& other :
+         spread(problem, start, held, options.random_starts / 2, 2)) {
+      SeparableFit next = placed_again(
+          problem, problem.from(placed(problem, problem.at(other), start, only).values, -1, held),
+          start, only, held);
       if (next.misfit < found.misfit) found = std::move(next);
     }
     *best = std::move(found);
@@ -295,12 +310,8 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
     begun.push_back(problem.at(x));
   }
   SeparableFit fit = best_of(problem, std::move(begun), options.polished, held, options);
-  if (has_places)
-    for (int round = 0; round < replacements && std::isfinite(fit.misfit); ++round) {
-      SeparableFit moved = placed(problem, fit, start, only);
-      if (!(moved.misfit < (1.0 - same) * fit.misfit)) break;
-      fit = problem.from(moved.values, -1, held);
-    }
+  if (has_places && std::isfinite(fit.misfit))
+    fit = placed_again(problem, std::move(fit), start, only, held);
   return approximation_of(std::move(subject), names, problem, std::move(fit), recorded.means);
 }
 
