@@ -368,7 +368,7 @@ std::vector<fit::Fault> CorrectionSubject::faults(const fit::Record& record) con
     const auto smooth = [&](const Channel& column, double weight) {
       if (record::course_of(column) != record::Course::straight) return;
       const std::span<const double> values = record.values(column);
-      const double quantum = quantum_of(values);
+      const double quantum = quantum_of(column, values);
       if (std::isnan(quantum)) return;
       sensors.emplace_back(column.name);
       largest = std::max(largest, quantum);

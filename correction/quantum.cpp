@@ -3,25 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
+#include <set>
 
 #include "record/units.h"
 
 namespace raceway::correction {
 
-double quantum_of(std::span<const double> values) {
-  constexpr double rounding = 1e-6, off_lattice = 0.01;  // of a unit; of the quantum
-  std::vector<double> levels(values.begin(), values.end());
-  std::sort(levels.begin(), levels.end());
-  const auto same = [](double a, double b) { return b - a < rounding; };
-  levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
-  double least = unset;
-  for (std::size_t k = 1; k < levels.size(); ++k)
-    least = std::fmin(least, levels[k] - levels[k - 1]);
-  for (const double level : levels) {
-    const double steps = (level - levels.front()) / least;
-    if (!(std::abs(steps - std::round(steps)) < off_lattice)) return unset;
+double quantum_of(const record::Channel& channel, std::span<const double> values) {
+  constexpr std::size_t few_values = 2000;
+  std::set<double> levels;
+  for (const double v : values) {
+    if (std::isfinite(v)) levels.insert(channel.in_unit(v));
+    if (levels.size() > few_values) return unset;
   }
-  return least;
+  if (levels.size() < 3) return unset;
+  double least = std::numeric_limits<double>::infinity();
+  for (auto a = levels.begin(), b = std::next(a); b != levels.end(); ++a, ++b)
+    if (*b - *a > 1e-9) least = std::min(least, *b - *a);
+  constexpr double off_the_lattice = 0.02;
+  for (const double v : levels) {
+    const double steps = (v - *levels.begin()) / least;
+    if (std::abs(steps - std::round(steps)) > off_the_lattice) return unset;
+  }
+  return least * channel.factor;
 }
 
 namespace {

@@ -3,13 +3,15 @@
 #include <span>
 #include <vector>
 
+#include "record/channel.h"
+
 namespace raceway::correction {
 
-/// The least step of a sensor: all values lie on multiples of it, counted from one of them. NaN
-/// where they do not, or are all the same.
-[[nodiscard]] double quantum_of(std::span<const double> values);
+/// The last digit of a column [SI]: the greatest step of which all differences are multiples. NaN
+/// where there is none, or fewer than three values.
+[[nodiscard]] double quantum_of(const record::Channel& channel, std::span<const double> values);
 
-/// What a sensor of that quantum may have stood at: straight between the changes of its last digit,
+/// What a sensor that steps may have stood at: straight between the changes of its last digit,
 /// where the value is half-way, and at the digit itself in the middle of a turn. `begins`: a run
 /// begins with this row.
 [[nodiscard]] std::vector<double> between_digits(std::span<const double> time,

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "correction/quantum.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "record/median.h"
@@ -16,31 +16,11 @@ namespace {
 
 constexpr double samplings = 3.0;     // that the fastest lag must last
 constexpr double stuck_for = 1800.0;  // [s]
-constexpr double a_jump = 20.0;  // times the usual step, and
-constexpr double a_leap = 0.25;  // of the range, in one row
-constexpr std::size_t few_values = 2000;
+constexpr double a_jump = 20.0;       // times the usual step, and
+constexpr double a_leap = 0.25;       // of the range, in one row
 
 std::string amount(const Channel& c, double si) {
   return fmt::format("{:.3g} {}", si / c.factor, record::is_temperature(c) ? "K" : c.unit);
-}
-
-/// The last digit of a column: the greatest step of which all differences are multiples.
-double quantum_of(const Channel& channel, std::span<const double> values) {
-  std::set<double> levels;
-  for (const double v : values) {
-    if (std::isfinite(v)) levels.insert(channel.in_unit(v));
-    if (levels.size() > few_values) return unset;
-  }
-  if (levels.size() < 3) return unset;
-  double least = std::numeric_limits<double>::infinity();
-  for (auto a = levels.begin(), b = std::next(a); b != levels.end(); ++a, ++b)
-    if (*b - *a > 1e-9) least = std::min(least, *b - *a);
-  constexpr double off_the_lattice = 0.02;
-  for (const double v : levels) {
-    const double steps = (v - *levels.begin()) / least;
-    if (std::abs(steps - std::round(steps)) > off_the_lattice) return unset;
-  }
-  return least * channel.factor;
 }
 
 class Checking {
