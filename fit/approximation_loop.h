@@ -18,8 +18,12 @@ namespace raceway::fit {
 ///
 ///   refit -> held out, part by part -> within the tolerance: nothing is missing that matters
 ///   each candidate -> one within the tolerance, beside all that come near it
+///   a fault that the record shows of itself, where no single one is within
 ///   pairs, where no single one is within -> one that gains a fifth more
 ///   otherwise like the one that takes half of the mean square, or in no catalogue
+///
+/// An error of a single one that is not told from the tolerance (1.645 of its standard error,
+/// 1/sqrt(2 T/30 min)) is within.
 ///
 /// Near is what errs at most a fifth more, or is not told from the best by
 /// lambda = T/(30 min) (r²/best² - 1) of at least 20, errors on parts held out, and takes half of

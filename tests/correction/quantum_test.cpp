@@ -20,7 +20,7 @@ TEST(Quantum, IsTheStepOfWhichAllAreMultiples) {
   EXPECT_NEAR(quantum_of(front(), std::vector{zero, zero + 1.5, zero + 0.5, zero + 2.0}), 0.5,
               1e-9);
   EXPECT_TRUE(
-      std::isnan(quantum_of(front(), std::vector{zero, zero + 1.0, zero + 1.3333, zero + 3})));
+      std::isnan(quantum_of(front(), std::vector{zero, zero + 1.0, zero + 1.45, zero + 3})));
   EXPECT_TRUE(std::isnan(quantum_of(front(), std::vector{zero, zero, zero})));
 }
 
