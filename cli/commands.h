@@ -16,6 +16,7 @@ Run setup_table(CLI::App& command);
 Run setup_displacement(CLI::App& command);
 Run setup_identify(CLI::App& command);
 Run setup_correct(CLI::App& command);
+Run setup_export(CLI::App& command);
 Run setup_merge(CLI::App& command);
 Run setup_calibrate(CLI::App& command);
 Run setup_calibrate_sensor(CLI::App& command);

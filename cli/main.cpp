@@ -53,6 +53,8 @@ constexpr std::array commands{
             cli::setup_identify},
     Command{"correct", "Run a correction over a record: displacement from what a machine knows",
             cli::setup_correct},
+    Command{"export", "A correction as something that runs in a control: Python, C, CSV, LinuxCNC",
+            cli::setup_export},
     Command{"effects", "The catalogue of physical effects, or one of them explained",
             cli::setup_effects},
     Command{"bearings", "The catalogue of bearings", cli::setup_bearings},

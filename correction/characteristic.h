@@ -21,6 +21,7 @@ class Characteristic {
   struct Table {
     std::vector<double> power, value;
   };
+  using Form = std::variant<Line, Power, Table>;
 
   Characteristic(Line line) : form_(line) {}
   Characteristic(Power power) : form_(power) {}
@@ -31,9 +32,10 @@ class Characteristic {
   [[nodiscard]] double operator()(double power) const;
   /// The least P [W] at which it is no longer positive; infinite where that is nowhere.
   [[nodiscard]] double positive_below() const;
+  [[nodiscard]] const Form& form() const { return form_; }
 
  private:
-  std::variant<Line, Power, Table> form_;
+  Form form_;
 };
 
 }  // namespace raceway::correction

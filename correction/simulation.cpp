@@ -18,25 +18,6 @@ constexpr double same_sampling = 1e-6;  // share by which steps may differ from 
 
 using Sink = std::function<void(double weight, const std::vector<double>& values)>;
 
-Answer answer_of(const Model& model, const DrivenChannel& channel) {
-  Answer answer;
-  for (const Effect& e : model.effects) {
-    if (!find_card(e.id)->of_channel || find_channel(model, e.where) != &channel) continue;
-    if (e.id == "cooling-switch") {
-      answer.off_gain = e.values[0];
-      answer.off_time_constant = e.values[1];
-    } else if (e.id == "sensor-lag") {
-      answer.sensor_time_constant = e.values[0];
-    } else if (e.id == "speed-dependent-time-constant") {
-      answer.speed_factor = e.values[0];
-      answer.gain_power = e.values[1];
-    } else {
-      answer.falling = e.values[0];
-    }
-  }
-  return answer;
-}
-
 void require_sampling(const Series& series, double sampling, const std::string& name) {
   const Clock& clock = series.clock();
   for (std::size_t k = 0; k < clock.rows(); ++k)
@@ -112,6 +93,25 @@ Sink add_to(std::span<double> sum) {
 }
 
 }  // namespace
+
+Answer answer_of(const Model& model, const DrivenChannel& channel) {
+  Answer answer;
+  for (const Effect& e : model.effects) {
+    if (!find_card(e.id)->of_channel || find_channel(model, e.where) != &channel) continue;
+    if (e.id == "cooling-switch") {
+      answer.off_gain = e.values[0];
+      answer.off_time_constant = e.values[1];
+    } else if (e.id == "sensor-lag") {
+      answer.sensor_time_constant = e.values[0];
+    } else if (e.id == "speed-dependent-time-constant") {
+      answer.speed_factor = e.values[0];
+      answer.gain_power = e.values[1];
+    } else {
+      answer.falling = e.values[0];
+    }
+  }
+  return answer;
+}
 
 void simulate(const Model& model, const Series& series, std::span<double> displacement) {
   std::fill(displacement.begin(), displacement.end(), model.offset);

@@ -24,6 +24,9 @@ void simulate(const Model& model, const Series& series, std::span<double> displa
 /// The same by its parts, offset left out.
 [[nodiscard]] std::vector<Contribution> contributions(const Model& model, const Series& series);
 
+/// How a channel of a model answers, by the effects that act on it.
+[[nodiscard]] Answer answer_of(const Model& model, const DrivenChannel& channel);
+
 /// Columns that a model needs beside the time.
 [[nodiscard]] std::vector<const Channel*> inputs_of(const Model& model);
 

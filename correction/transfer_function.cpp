@@ -48,6 +48,45 @@ std::vector<std::complex<double>> poles_of(const Coefficients& denominator) {
   return poles;
 }
 
+using Extended = long double;
+
+/// c0 + c1 x + c2 x² ...
+Extended polynomial(const std::vector<Extended>& c, Extended x) {
+  Extended value = 0;
+  for (std::size_t k = c.size(); k-- > 0;) value = value * x + c[k];
+  return value;
+}
+
+/// z^n b(1/z) over d = 1 - z: small numbers where z is close to 1, so that no digit of d is lost.
+std::vector<Extended> about_one(const Coefficients& b) {
+  std::vector<Extended> c(b.size(), 0);
+  // Horner's scheme over z = 1 - d.
+  for (const double coefficient : b) {
+    for (std::size_t k = c.size(); k-- > 1;) c[k] -= c[k - 1];
+    // What was c (1 - d) is now complete; the next coefficient joins the constant.
+    c[0] += coefficient;
+  }
+  return c;
+}
+
+Extended slope(const std::vector<Extended>& c, Extended x) {
+  Extended value = 0;
+  for (std::size_t k = c.size(); k-- > 1;) value = value * x + static_cast<Extended>(k) * c[k];
+  return value;
+}
+
+/// 1 - pole, from a start that has lost digits.
+Extended polished(const std::vector<Extended>& c, Extended start) {
+  for (int i = 0; i < 20; ++i) {
+    const Extended steep = slope(c, start);
+    if (steep == 0) break;
+    const Extended step = polynomial(c, start) / steep;
+    start -= step;
+    if (std::abs(step) <= 1e-18L * std::abs(start)) break;
+  }
+  return start;
+}
+
 /// Half of the last digit with which a number is written down.
 double half_of_last_digit(double x) {
   if (x == 0.0) return 0.0;
@@ -169,6 +208,50 @@ std::vector<float> run_single(const TransferFunction& printed, std::span<const f
     output[k] = y;
   }
   return output;
+}
+
+ParallelForm parallel_form(const TransferFunction& printed) {
+  TransferFunction f = reduced(printed);
+  const auto shorten = [](Coefficients& c) {
+    while (c.size() > 1 && c.back() == 0.0) c.pop_back();
+  };
+  shorten(f.numerator);
+  shorten(f.denominator);
+  const std::size_t order = f.denominator.size() - 1;
+  if (f.numerator.size() > order + 1)
+    throw std::invalid_argument(
+        "the numerator is longer than the denominator: an answer that ends after some samples is "
+        "no lag");
+  const std::vector<Extended> shifted = about_one(f.denominator);
+  std::vector<Extended> rates;  // 1 - pole
+  for (const std::complex<double>& p : poles_of(f.denominator)) {
+    if (p.imag() != 0.0)
+      throw std::invalid_argument(fmt::format(
+          "the poles {:.6g} +- {:.3g}i are not real: no lag swings", p.real(), std::abs(p.imag())));
+    const Extended rate = polished(shifted, 1.0L - static_cast<Extended>(p.real()));
+    if (!(rate > 0 && rate < 1))
+      throw std::invalid_argument(fmt::format(
+          "the pole {:.10g} does not lie between 0 and 1: it belongs to no time constant",
+          static_cast<double>(1 - rate)));
+    for (const Extended other : rates)
+      if (std::abs(rate - other) <= 1e-6L * rate)
+        throw std::invalid_argument(
+            fmt::format("the pole {:.10g} comes twice: lags side by side have different ones",
+                        static_cast<double>(1 - rate)));
+    rates.push_back(rate);
+  }
+  // a(x)/prod(1 - p x), x = 1/z: the share of a pole is a(1/p)/prod(1 - q/p) over the others.
+  ParallelForm form;
+  const std::vector<Extended> a(f.numerator.begin(), f.numerator.end());
+  form.through = f.numerator.front();
+  for (const Extended rate : rates) {
+    const Extended pole = 1 - rate;
+    Extended share = polynomial(a, 1 / pole);
+    for (const Extended other : rates)
+      if (other != rate) share *= pole / (other - rate);
+    form.lags.push_back({static_cast<double>(rate), static_cast<double>(share * pole / rate)});
+  }
+  return form;
 }
 
 TransferFunctionCheck check(const TransferFunction& printed, double quantum, double visible) {

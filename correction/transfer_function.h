@@ -34,6 +34,29 @@ struct TransferFunction {
 [[nodiscard]] std::vector<float> run_single(const TransferFunction& printed,
                                             std::span<const float> input);
 
+/// A transfer function as a sum of lags of what its input was one sample before, and of what comes
+/// through at once.
+///
+///   y(k) = through u(k) + sum x_i(k),   x_i(k) = x_i(k-1) + rise_i (gain_i u(k-1) - x_i(k-1))
+///
+/// Source:   partial fractions in z^-1, of the reduced function.
+/// Domain:   poles real, between 0 and 1 (open) and apart; a numerator no longer than the
+///           denominator.
+/// Accuracy: that of the poles; they are found in extended precision, since those of slow bodies
+///           lie within 1e-4 of each other.
+/// Traps:    the same numbers only at the sampling of the function; there a lag has the time
+///           constant -dt/ln(1 - rise), and its input is held between samples.
+struct ParallelForm {
+  struct Lag {
+    double rise, gain;  ///< 1 - pole [1]; in the unit of a(0)
+  };
+  double through = 0.0;  ///< in the unit of a(0)
+  std::vector<Lag> lags{};
+};
+
+/// Throws std::invalid_argument saying which pole stands against it.
+[[nodiscard]] ParallelForm parallel_form(const TransferFunction& printed);
+
 /// What printed coefficients say of themselves.
 struct TransferFunctionCheck {
   std::vector<std::complex<double>> poles{};  ///< as printed, the largest first

@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/correction/reference.h"
 
@@ -87,6 +91,52 @@ TEST_P(Published, WarnsOfWhatTheReferenceWarnsOf) {
   }
 }
 
+/// The answer of a parallel form at every sample.
+std::vector<double> answer_of(const ParallelForm& form, const std::vector<double>& input) {
+  std::vector<double> state(form.lags.size(), 0.0), output;
+  for (std::size_t k = 0; k < input.size(); ++k) {
+    double y = form.through * input[k];
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      const ParallelForm::Lag& lag = form.lags[i];
+      if (k > 0) state[i] += lag.rise * (lag.gain * input[k - 1] - state[i]);
+      y += state[i];
+    }
+    output.push_back(y);
+  }
+  return output;
+}
+
+std::vector<double> wavy_input(std::size_t samples) {
+  std::vector<double> input;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double t = static_cast<double>(k);
+    input.push_back(8.0 * std::sin(t / 700.0) + (k / 1500 % 2 == 0 ? 1.0 : 0.0));
+  }
+  return input;
+}
+
+double largest_distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+  return largest;
+}
+
+TEST_P(Published, IsTheSumOfItsLagsOrIsRefused) {
+  bool lags = true;
+  for (const auto& p : check(reduced(f)).poles)
+    lags = lags && p.imag() == 0.0 && p.real() > 0.0 && p.real() < 1.0;
+  if (!lags) {
+    EXPECT_THROW((void)parallel_form(f), std::invalid_argument);
+    return;
+  }
+  const ParallelForm form = parallel_form(f);
+  const std::vector<double> input = wavy_input(20000), y = run(f, input);
+  double size = 0.0;
+  for (const double v : y) size = std::max(size, std::abs(v));
+  // The direct form itself loses digits: those of its poles' distance from 1.
+  EXPECT_LT(largest_distance(answer_of(form, input), y), 1e-6 * size);
+}
+
 INSTANTIATE_TEST_SUITE_P(TransferFunction, Published,
                          testing::Values("tf_S2_SP1", "tf_S2_amb", "tf_S2_SP2", "tf_S3_Z_amb",
                                          "tf_S3_Z_X", "tf_S3_Z_Y", "tf_S3_Z_Z"),
@@ -117,6 +167,41 @@ TEST(TransferFunction, RefusesWhatItCannotRun) {
   refused({{1.0}, {2.0, 1.0}, 1.0}, "must begin with 1");
   refused({{1.0}, {1.0, -0.9}, 0.0}, "sampling time");
   refused({{unset}, {1.0, -0.9}, 1.0}, "not finite");
+}
+
+// Lags of bodies, multiplied out: they come back.
+TEST(ParallelForm, FindsTheLagsThatMadeThePolynomials) {
+  const double p1 = std::exp(-10.0 / 5400), p2 = std::exp(-10.0 / 900), through = 0.4;
+  const double g1 = (1 - p1) * 5.0, g2 = (1 - p2) * -3.0;
+  // through + g1 x/(1 - p1 x) + g2 x/(1 - p2 x)
+  const TransferFunction f{
+      .numerator = {through, -through * (p1 + p2) + g1 + g2, through * p1 * p2 - g1 * p2 - g2 * p1},
+      .denominator = {1.0, -(p1 + p2), p1 * p2},
+      .sampling = 10.0};
+  const ParallelForm form = parallel_form(f);
+  ASSERT_EQ(form.lags.size(), 2u);
+  EXPECT_DOUBLE_EQ(form.through, through);
+  EXPECT_NEAR(-10.0 / std::log1p(-form.lags[0].rise), 5400, 1e-5);  // digits of the coefficients
+  EXPECT_NEAR(-10.0 / std::log1p(-form.lags[1].rise), 900, 1e-6);
+  EXPECT_NEAR(form.lags[0].gain, 5.0, 1e-8);
+  EXPECT_NEAR(form.lags[1].gain, -3.0, 1e-8);
+}
+
+TEST(ParallelForm, RefusesWhatIsNoSumOfLags) {
+  const auto refusal = [](std::vector<double> a, std::vector<double> b) {
+    try {
+      (void)parallel_form({std::move(a), std::move(b), 1.0});
+    } catch (const std::invalid_argument& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(refusal({1.0}, {1, -1.2, 0.72}), testing::HasSubstr("are not real"));
+  EXPECT_THAT(refusal({1.0}, {1, 0.5}), testing::HasSubstr("the pole -0.5 does not lie between"));
+  EXPECT_THAT(refusal({1.0}, {1, -1.0}), testing::HasSubstr("the pole 1 does not lie between"));
+  EXPECT_THAT(refusal({1.0, 0.0, 2.0}, {1, -0.5}), testing::HasSubstr("longer"));
+  EXPECT_THAT(refusal({1.0}, {1, -1.0, 0.25}), testing::HasSubstr("comes twice"));
+  EXPECT_EQ(parallel_form({{2.0}, {1.0}, 1.0}).lags.size(), 0u);
 }
 
 }  // namespace

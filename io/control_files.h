@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "io/control_plan.h"
+
+/// Corrections as programs and tables that run without this one.
+///
+/// All programs give the same numbers as `correct`, and say the same by their flags: see
+/// docs/export.md. `name` is that of the file without its end, as an identifier.
+namespace raceway::io {
+
+/// A file of Python 2.7 and 3 that needs its standard library alone.
+[[nodiscard]] std::string control_python(const ControlPlan& plan);
+
+/// One header of C99 that needs math.h alone, in double or float.
+[[nodiscard]] std::string control_c(const ControlPlan& plan, std::string_view name);
+
+/// A component of LinuxCNC's HAL, for halcompile.
+[[nodiscard]] std::string control_linuxcnc(const ControlPlan& plan, std::string_view name);
+
+/// One number a row, with its unit and the part that it is of.
+[[nodiscard]] std::string control_csv(const ControlPlan& plan);
+
+}  // namespace raceway::io

@@ -1,0 +1,91 @@
+// A correction as a user takes it to a control.
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/sample.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string z_model =
+    "[correction]\ndisplacement = \"displacement_z_um\"\noffset_um = -1.5\n[[correction.channel]]\n"
+    "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+    "sections = [{ gain_um_K = 5.0, time_constant_s = 5400 }]\n[correction.kinematic]\n"
+    "A = 1.28e-3\nB = 0.697\nC = 5.3e-4\n[correction.range]\nfront_temperature_C = [18, 48]\n";
+
+std::vector<std::vector<double>> rows_of(const std::string& csv) {
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    rows.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+TEST(Export, RunsAsCorrectDoes) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write("z.toml", z_model), program = scratch.file("z.py");
+  std::string record = "time_s,speed_rpm,front_temperature_C\n";
+  for (int k = 0; k < 200; ++k)
+    record += std::to_string(17 * k + k % 5) + "," + std::to_string(k % 40 < 20 ? 6000 : 0) + "," +
+              std::to_string(22.0 + 0.1 * k - 0.0002 * k * k) + "\n";
+  const std::string data = scratch.write("record.csv", record);
+  const Result written = run("export " + model + " --format python -o " + program);
+  ASSERT_EQ(written.status, 0) << written.err;
+  EXPECT_THAT(written.err, HasSubstr("z.py written: 1 displacement of 2 parts from 2 inputs"));
+  EXPECT_THAT(written.err,
+              HasSubstr("note: [correction.range] has no speed_rpm: nothing will say"));
+  const auto exported = rows_of(run_shell("python3 " + program + " " + data).out);
+  const auto corrected = rows_of(run("correct " + model + " " + data + " -o - --quiet").out);
+  ASSERT_EQ(exported.size(), 200u);
+  ASSERT_EQ(corrected.size(), 200u);
+  for (std::size_t k = 0; k < exported.size(); ++k)
+    EXPECT_NEAR(exported[k][1], corrected[k][1], 1e-8 + 1e-8 * std::abs(corrected[k][1])) << k;
+}
+
+TEST(Export, WritesToStdoutAndNeverOverAFile) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write("z.toml", z_model);
+  EXPECT_THAT(run("export " + model + " --format csv --quiet").out,
+              HasSubstr("\ndisplacement_z_um,spindle,section 1,time_constant,5400,s\n"));
+  EXPECT_THAT(run("export " + model + " --format c -o -").out,
+              HasSubstr("static inline void raceway_correction_update("));
+  const std::string kept = scratch.write("kept.h", "kept");
+  expect_refused(run("export " + model + " --format c -o " + kept), "--force");
+  EXPECT_EQ(file_text(kept), "kept");
+  ASSERT_EQ(run("export " + model + " --format c --force -o " + kept).status, 0);
+  EXPECT_THAT(file_text(kept), HasSubstr("static inline void kept_update("));
+}
+
+TEST(Export, RefusesInOneMessage) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write("z.toml", z_model);
+  EXPECT_THAT(run("export " + model + " --format st").err, HasSubstr("--format"));
+  EXPECT_EQ(run("export " + model).status, 1);
+  expect_refused(run("export " + model + " --format linuxcnc -o " + scratch.file("z-axis.c")),
+                 "z_axis.comp");
+  const std::string swings = scratch.write(
+      "swings.toml",
+      "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = 1\n[[correction.channel]]\n"
+      "name = \"published\"\ninput = \"front_temperature_C\"\nnumerator = [1, 0]\n"
+      "denominator = [1, -1.2, 0.72]\n");
+  expect_refused(run("export " + swings + " --format python -o " + scratch.file("s.py")),
+                 "channel published: its polynomials cannot run beside sections: the poles 0.6 +- "
+                 "0.6i are not real: no lag swings");
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("s.py")));
+  EXPECT_THAT(run("export " + scratch.write("b.toml", "[bearing]\n") + " --format c").err,
+              HasSubstr("table [correction] is missing"));
+}
+
+}  // namespace
+}  // namespace raceway::tests
