@@ -420,8 +420,8 @@ Run setup_compare(CLI::App& command) {
   declare_displacement(command, flags->displacement);
   command
       .add_option("--zero", flags->zero,
-                  "of a correction: the constant taken off before it is compared: mean (that\n"
-                  "which leaves least, default), first (the first reading of each run), none")
+                  "of a correction: the constant taken off before it is compared: mean\n"
+                  "(which leaves least, default), first (the first reading of a run), none")
       ->check(CLI::IsMember({"mean", "first", "none"}))
       ->type_name("WHICH");
   flags->per_record.declare(command);

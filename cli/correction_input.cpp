@@ -45,7 +45,7 @@ record::Record open_series(const std::string& path, const std::vector<correction
 void declare_displacement(CLI::App& command, std::string& column) {
   command
       .add_option("--displacement", column,
-                  "of a MODEL with several [[correction]]: the column to work on, as "
+                  "of a MODEL with several [[correction]]: which of them, such as\n"
                   "displacement_z_um")
       ->type_name("COLUMN");
 }

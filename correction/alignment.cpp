@@ -45,7 +45,7 @@ std::unique_ptr<fit::Subject> fitted(const fit::Subject& subject, const record::
   Eigen::VectorXd start(problem.parameters().size());
   for (std::size_t k = 0; k < names.size(); ++k)
     start[static_cast<Eigen::Index>(k)] = problem.parameters()[k].start;
-  const fit::SeparableFit fit = problem.at(start);
+  const fit::SeparableFit fit = problem.at(start, -1, 0.0);
   std::vector<fit::NamedValue> values;
   for (std::size_t k = 0; k < names.size(); ++k)
     values.push_back({names[k], fit.values[static_cast<Eigen::Index>(k)]});
@@ -67,9 +67,10 @@ std::shared_ptr<const CorrectionSubject> aligned(const Model& model, const recor
         list.push_back(p.name);
     return list;
   };
-  const std::vector<std::string> states = names(true, false, false);
-  if (!states.empty() && record.has(*model.displacement))
-    subject = fitted(*subject, before_first_gap(record, *model.displacement), states);
+  // What a warm machine's inputs stood at before they count is one constant more.
+  if (model.initial_state == InitialState::free && record.has(*model.displacement))
+    subject =
+        fitted(*subject, before_first_gap(record, *model.displacement), names(true, false, true));
   if (zero == Zero::mean) subject = fitted(*subject, record, names(false, true, true));
   if (zero == Zero::first) {
     // Of every zero the first reading alone.

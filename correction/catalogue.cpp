@@ -9,14 +9,15 @@ namespace {
 using record::NumberCard;
 
 constexpr double free_size = std::numeric_limits<double>::infinity();
-constexpr double shortest = 1.0, longest = 1e7;  // of any time constant [s]; a record narrows it
+constexpr double shortest_lag = 1.0,
+                 longest_lag = 1e7;  // of any time constant [s]; a record narrows it
 
-constexpr NumberCard gain{"gain", "um/u", 0.0, -free_size, free_size};
-constexpr NumberCard time_constant{"time_constant_s", "s",      3600,    shortest,
-                                   longest,           shortest, longest, unset};
+constexpr NumberCard gain_number{"gain", "um/u", 0.0, -free_size, free_size};
+constexpr NumberCard time_constant{"time_constant_s", "s",          3600,        shortest_lag,
+                                   longest_lag,       shortest_lag, longest_lag, unset};
 
-constexpr std::array share{gain, time_constant};
-constexpr std::array motor{gain, time_constant,
+constexpr std::array own_share{gain_number, time_constant};
+constexpr std::array motor{gain_number, time_constant,
                            NumberCard{"decay_speed_rpm", "rpm", 2000, 300, 8000, 300, 8000, unset}};
 constexpr std::array cooling{NumberCard{"gain_ratio", "1", 1.0, 0.1, 10, 0.1, 10, 1.0},
                              NumberCard{"time_constant_ratio", "1", 1.0, 0.1, 10, 0.1, 10, 1.0}};
@@ -44,7 +45,7 @@ constexpr std::array cards{
                .form = "+ K/(1 + tau s) (mean of the room's temperatures)",
                .needs = "a temperature of the room, else of the base, that the model does not use",
                .confused = "slow-drift, a slow section, the motor's temperature",
-               .numbers = share},
+               .numbers = own_share},
     EffectCard{
         .id = "cooling-switch",
         .title = "the machine answers otherwise with its coolant off",
@@ -58,7 +59,7 @@ constexpr std::array cards{
                .form = "+ K/(1 + tau s) |feed|",
                .needs = "a feed that moves independently of the speed",
                .confused = "ambient-drift; second-time-constant where the feed follows the speed",
-               .numbers = share},
+               .numbers = own_share},
     EffectCard{.id = "kinematic-displacement",
                .title = "the shaft moves with speed, at once",
                .form = "+ A n^(1 - B exp(-C n))",
@@ -83,7 +84,7 @@ constexpr std::array cards{
                .form = "+ K/(1 + tau s) u on a channel",
                .needs = "transients longer than three times the fast time constant",
                .confused = "sensor-lag, kinematic-displacement (fast), slow-drift (slow)",
-               .numbers = share},
+               .numbers = own_share},
     EffectCard{.id = "sensor-lag",
                .title = "the sensor lags behind what it measures",
                .form = "the input is T (1 + tau s s)",

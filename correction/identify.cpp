@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 
@@ -182,9 +183,29 @@ class Search {
   Identification finish(const Approximation& best) {
     if (options_.progress) options_.progress(0.95, "fitting single rows");
     fit::Recorded rows;
-    const Approximation last = fit::refined(best, *recorded_, rows);
+    const Approximation last = fit::refined(slowest_first(best), *recorded_, rows);
     describe(last, best, rows);
     return std::move(result_);
+  }
+
+  /// The same with the sections of every channel in one order, whichever start led there.
+  [[nodiscard]] Approximation slowest_first(Approximation a) const {
+    const auto place = [&](const std::string& name) {
+      return static_cast<Eigen::Index>(std::find(a.names.begin(), a.names.end(), name) -
+                                       a.names.begin());
+    };
+    for (const DrivenChannel& c : model_.channels) {
+      std::vector<std::pair<double, double>> sections;  // time constant, gain
+      for (std::size_t s = 1; s <= c.sections.size(); ++s)
+        sections.emplace_back(a.fit.values[place(fmt::format("{}.time_constant_{}", c.name, s))],
+                              a.fit.values[place(fmt::format("{}.gain_{}", c.name, s))]);
+      std::sort(sections.begin(), sections.end(), std::greater<>());
+      for (std::size_t s = 1; s <= sections.size(); ++s) {
+        a.fit.values[place(fmt::format("{}.time_constant_{}", c.name, s))] = sections[s - 1].first;
+        a.fit.values[place(fmt::format("{}.gain_{}", c.name, s))] = sections[s - 1].second;
+      }
+    }
+    return a;
   }
 
   void describe(const Approximation& last, const Approximation& best, const fit::Recorded& rows) {

@@ -19,7 +19,7 @@ constexpr double worth_another = 0.85;  // of the misfit, that a further one mus
 constexpr int replacements = 3;         // of places, after all else was fitted
 constexpr double hollow = 0.1;          // share of the way between bounds
 constexpr int most_spread = 64;
-constexpr double same = 1e-4;  // relative: a start that ended where another did
+constexpr double same_hollow = 1e-4;  // relative: a start that ended where another did
 
 double duration_of(const Record& record) {
   const std::span<const double> time = record.values(record::time);
@@ -98,7 +98,7 @@ SeparableFit best_of(const Separable& problem, std::vector<SeparableFit> begun, 
   for (const SeparableFit& start : begun) {
     if (options.cancelled && options.cancelled()) break;
     // A start that is as good as the one before it is most likely the same hollow.
-    if (std::abs(start.misfit - last) <= same * start.misfit) continue;
+    if (std::abs(start.misfit - last) <= same_hollow * start.misfit) continue;
     if (std::any_of(seen.begin(), seen.end(), [&](const Eigen::VectorXd* other) {
           return in_the_same_hollow(problem, start.values, *other);
         }))
@@ -251,7 +251,7 @@ SeparableFit placed_again(const Separable& problem, SeparableFit fit, const Eige
                           const std::vector<bool>& held) {
   for (int round = 0; round < replacements; ++round) {
     const SeparableFit moved = placed(problem, fit, off, only);
-    if (!(moved.misfit < (1.0 - same) * fit.misfit)) break;
+    if (!(moved.misfit < (1.0 - same_hollow) * fit.misfit)) break;
     fit = problem.from(moved.values, -1, held);
   }
   return fit;
@@ -388,7 +388,7 @@ void hold_out(Approximation& a, const Recorded& recorded) {
 
 namespace {
 
-constexpr std::size_t most_rows = 20000;  // that are fitted one by one
+constexpr std::size_t most_single_rows = 20000;  // that are fitted one by one
 constexpr double almost_no_ridge = 1e-12;
 
 /// Two lags that only a ridge has held apart say nothing by themselves.
@@ -402,7 +402,8 @@ bool runs_away(const Eigen::VectorXd& values, const Eigen::VectorXd& from) {
 }  // namespace
 
 Approximation refined(const Approximation& a, const Recorded& by_means, Recorded& rows) {
-  const double width = by_means.record->rows() > most_rows ? usual_width(*by_means.record) : 0.0;
+  const double width =
+      by_means.record->rows() > most_single_rows ? usual_width(*by_means.record) : 0.0;
   rows = recorded(*a.subject, by_means.record, width);
   const Separable problem(*a.subject, *rows.record, rows.prepared, rows.means, a.names);
   std::vector<bool> held(a.names.size(), false);

@@ -14,7 +14,7 @@
 namespace raceway::fit {
 namespace {
 
-constexpr double near = 1.2;             // of the error of the best
+constexpr double comes_near = 1.2;       // of the error of the best
 constexpr double half_an_hour = 1800.0;  // in which what is left forgets itself [s]
 constexpr double decided = 20.0;         // lambda from which two are told apart
 constexpr double most_of_it = 0.5;       // of a mean square
@@ -194,7 +194,7 @@ class Inquiry {
     const double ratio = other.error() / best.error(), base = base_.rms_held_out;
     const double lambda = recorded_.duration / half_an_hour * (ratio * ratio - 1.0);
     const double taken = base * base - other.error() * other.error();
-    return (ratio <= near || lambda < decided) &&
+    return (ratio <= comes_near || lambda < decided) &&
            taken >= most_of_it * (base * base - best.error() * best.error());
   }
 
@@ -245,7 +245,7 @@ class Inquiry {
     }
     if (options_.pairs) try_pairs();
     if (!pairs_.empty() && pairs_.front().error() <= 1.0 &&
-        near * pairs_.front().error() <= singles_.front().error()) {
+        comes_near * pairs_.front().error() <= singles_.front().error()) {
       found_ = near_best(pairs_);
       result_.verdict = Verdict::several_effects;
       return;
@@ -263,7 +263,7 @@ class Inquiry {
   /// that they did not see.
   void try_pairs() {
     if (singles_.empty()) return;
-    const double most = std::min(1.0, singles_.front().error() / near);
+    const double most = std::min(1.0, singles_.front().error() / comes_near);
     const std::size_t count = candidates_.size() * (candidates_.size() - 1) / 2;
     std::size_t done = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i)

@@ -48,7 +48,10 @@ Course course_of(const Means& means, const Eigen::VectorXd& left) {
   std::vector<double> r = evenly(means, left, step);
   double mean = 0.0, square = 0.0;
   for (const double v : r) mean += v / static_cast<double>(r.size());
-  for (double& v : r) square += (v -= mean) * v;
+  for (double& v : r) {
+    v -= mean;
+    square += v * v;
+  }
   const double rms = std::sqrt(square / static_cast<double>(r.size()));
   if (!(rms > 0.0)) return course;
   std::vector<double> correlation;

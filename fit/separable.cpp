@@ -11,7 +11,7 @@
 namespace raceway::fit {
 namespace {
 
-constexpr int most_steps = 60;
+constexpr int most_tries = 60;
 constexpr double small_step = 1e-6;  // of a derivative, on the scale of a parameter
 constexpr double settled = 1e-9;     // relative fall of the misfit that is none
 constexpr double decade = 10.0;
@@ -171,7 +171,7 @@ SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
   const auto n = static_cast<Eigen::Index>(moving.size());
   double damping = 1e-3;
   best.converged = moving.empty();
-  for (int step = 0; step < most_steps && !best.converged; ++step) {
+  for (int step = 0; step < most_tries && !best.converged; ++step) {
     best.iterations = step + 1;
     Eigen::MatrixXd slope(means_.size(), n);
     Eigen::VectorXd lower(n), upper(n);

@@ -462,7 +462,7 @@ class Numbers {
     return fmt::format("{}_R({})", name_, control_number(value, "1e30"));
   }
   static std::string place(std::size_t index) {
-    return index == none ? "-1" : std::to_string(index);
+    return index == nowhere ? "-1" : std::to_string(index);
   }
   // C has no empty arrays.
   static std::string listed_or_zero(const std::string& list) { return list.empty() ? "0" : list; }
@@ -482,7 +482,7 @@ class Numbers {
   void add(const ControlDrive& d) {
     constexpr std::string_view kinds[] = {"rise", "size", "power", "motor"};
     std::size_t speeds = 0, temperatures = 0, torques = 0, speed_count = 0, temperature_count = 0;
-    if (d.table != none) {
+    if (d.table != nowhere) {
       const ControlTable& t = plan_.tables[d.table];
       const std::string file = harmless(t.file);
       speeds = add_points(t.speed_rpm, fmt::format("{} at {:g} N: rpm", file, t.axial_load_N));

@@ -80,10 +80,10 @@ class Table {
     constexpr std::string_view kinds[] = {"rise", "size", "power", "motor"};
     say("u", kinds[static_cast<std::size_t>(d.kind)]);
     for (const std::size_t k : d.inputs) say("input", plan_.inputs[k].column);
-    if (d.reference != none) say("reference", plan_.inputs[d.reference].column);
+    if (d.reference != nowhere) say("reference", plan_.inputs[d.reference].column);
     if (d.kind == Kind::motor) row(a.column, channel, part, "decay_speed", d.decay_rpm, "rpm");
     if (d.kind != Kind::power) return;
-    if (d.temperature != none) say("temperature", plan_.inputs[d.temperature].column);
+    if (d.temperature != nowhere) say("temperature", plan_.inputs[d.temperature].column);
     row(a.column, channel, part, "lowest_power", d.lowest, "W");
     row(a.column, channel, part, "highest_power", d.highest, "W");
     const ControlTable& t = plan_.tables[d.table];

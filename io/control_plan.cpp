@@ -61,12 +61,12 @@ class Planner {
   std::size_t number_of(std::string_view column) const {
     for (std::size_t k = 0; k < plan_.inputs.size(); ++k)
       if (plan_.inputs[k].column == column) return k;
-    return none;
+    return nowhere;
   }
 
   std::size_t input(const Channel& c) {
     const std::size_t known = number_of(c.name);
-    if (known != none) return known;
+    if (known != nowhere) return known;
     ControlInput in{.column = std::string(c.name),
                     .identifier = identifier(c.name),
                     .unit = std::string(c.unit.empty() ? "0 or 1" : c.unit),

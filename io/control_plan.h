@@ -18,7 +18,7 @@
 /// that. Polynomials become sections.
 namespace raceway::io {
 
-inline constexpr std::size_t none = static_cast<std::size_t>(-1);
+inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
 /// A number that the control gives at each call.
 struct ControlInput {
@@ -47,10 +47,10 @@ struct ControlDrive {
     motor   ///< exp(-n/n0) while it turns, else 0
   } kind = Kind::size;
   std::vector<std::size_t> inputs{};  ///< of rise and size
-  std::size_t reference = none;       ///< of rise
-  std::size_t temperature = none;     ///< of power; without it `temperature_C` holds
+  std::size_t reference = nowhere;       ///< of rise
+  std::size_t temperature = nowhere;     ///< of power; without it `temperature_C` holds
   double temperature_C = unset;
-  std::size_t table = none;                ///< of power
+  std::size_t table = nowhere;                ///< of power
   double decay_rpm = unset;                ///< of motor
   double lowest = unset, highest = unset;  ///< of power, as for an input
   std::string unit{};                      ///< "K"
@@ -59,7 +59,7 @@ struct ControlDrive {
 /// A lag of what drives it.
 struct ControlSection {
   std::string channel{};
-  std::size_t drive = none;
+  std::size_t drive = nowhere;
   double gain = unset;  ///< [um] per unit of the drive
   double time_constant_s = unset;
   bool straight = false;  ///< u goes straight between samples; else it holds until the next
@@ -80,7 +80,7 @@ struct ControlCurve {
 /// A section of which target and time constant go with the power.
 struct ControlElement {
   std::string channel{};
-  std::size_t drive = none;
+  std::size_t drive = nowhere;
   double scale = 1.0;
   ControlCurve gain_um{}, time_constant_s{};
   double power_limit_W = unset;  ///< from there on it stands still; infinite where nowhere
@@ -89,7 +89,7 @@ struct ControlElement {
 /// gain u, at once.
 struct ControlFeedthrough {
   std::string channel{};
-  std::size_t drive = none;
+  std::size_t drive = nowhere;
   double gain = unset;  ///< [um] per unit of the drive
 };
 
@@ -113,7 +113,7 @@ struct ControlAxis {
 struct ControlPlan {
   std::string source{};  ///< name of the model file
   std::vector<ControlInput> inputs{};
-  std::size_t speed = none, coolant = none;  ///< those of the inputs that have a part of their own
+  std::size_t speed = nowhere, coolant = nowhere;  ///< those of the inputs that have a part of their own
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};

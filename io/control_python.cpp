@@ -343,7 +343,7 @@ if __name__ == "__main__":
 )py";
 
 std::string number(double value) { return control_number(value, "None"); }
-std::string place(std::size_t index) { return index == none ? "None" : fmt::format("{}", index); }
+std::string place(std::size_t index) { return index == nowhere ? "None" : fmt::format("{}", index); }
 std::string list(const std::vector<double>& values) { return "[" + control_numbers(values) + "]"; }
 
 std::string drive_text(const ControlDrive& d, const ControlPlan& plan) {

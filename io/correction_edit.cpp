@@ -79,10 +79,17 @@ class Editor {
     }
   }
 
+  [[nodiscard]] std::size_t table_begin(const toml::table& table) const {
+    return line_start(table.source().begin.line);
+  }
+
   /// Takes out a table with brackets: from its line to that of the next header.
   void remove(const toml::table& table) {
-    const std::size_t begin = line_start(table.source().begin.line);
-    std::size_t end = text_.find('\n', begin);
+    std::size_t begin = line_start(table.source().begin.line);
+    // With the blank line before it.
+    if (std::string_view(text_).substr(0, begin).ends_with(line_end_ + line_end_))
+      begin -= line_end_.size();
+    std::size_t end = text_.find('\n', table_begin(table));
     while (end != text_.npos) {
       const std::size_t first = text_.find_first_not_of(" \t", end + 1);
       if (first == text_.npos || text_[first] == '[') break;

@@ -422,7 +422,8 @@ bool has_correction(const std::string& path) {
 CorrectionFile parse_correction(std::string text, const std::string& source) {
   ModelTables tables(text, source);
   check_tables(tables);
-  CorrectionFile file{.source = source};
+  CorrectionFile file;
+  file.source = source;
   CorrectionReader reader(tables, file.notes);
   const toml::node* const node = tables.root().get("correction");
   if (!node)

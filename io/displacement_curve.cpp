@@ -25,23 +25,23 @@ struct Column {
 };
 
 constexpr std::size_t displacement = 1;  // its place among the columns
-constexpr std::array columns{
+constexpr std::array curve_columns{
     Column{&record::speed, true, &shaft::DisplacementPoint::speed},
     Column{&record::axial_displacement, true, &shaft::DisplacementPoint::displacement},
     Column{&record::displacement_deviation, false, &shaft::DisplacementPoint::std}};
 
-using Places = std::array<std::optional<ColumnSource>, columns.size()>;
+using Places = std::array<std::optional<ColumnSource>, curve_columns.size()>;
 
 Places places(const CsvTable& table, const Recognised& found) {
   Places result;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const std::string_view name = columns[k].channel->name;
-    if (const ColumnSource* const source = found.find(*columns[k].channel)) {
+  for (std::size_t k = 0; k < curve_columns.size(); ++k) {
+    const std::string_view name = curve_columns[k].channel->name;
+    if (const ColumnSource* const source = found.find(*curve_columns[k].channel)) {
       result[k] = *source;
       continue;
     }
     const std::string place = fmt::format("{}:{}", table.source, table.header_line);
-    if (columns[k].required)
+    if (curve_columns[k].required)
       throw InputError(
           fmt::format("{}: column {} is missing{}", place, name, suggestion(name, table.header)),
           {table.source, table.header_line, std::string(name)});
@@ -103,9 +103,9 @@ DisplacementCurve curve_of(CsvTable table, const ReadOptions& options) {
       continue;
     }
     shaft::DisplacementPoint point;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t k = 0; k < curve_columns.size(); ++k) {
       if (!read[k]) continue;
-      point.*columns[k].member = si_of_cell(table, row, *read[k], false, bad).value;
+      point.*curve_columns[k].member = si_of_cell(table, row, *read[k], false, bad).value;
     }
     curve.points.push_back(point);
   }

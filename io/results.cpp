@@ -148,16 +148,16 @@ std::string bearings_json(const std::vector<CatalogueBearing>& rows) {
 namespace {
 
 json card_page(const correction::EffectCard& card) {
-  json parameters = json::array();
+  json parameters = json::object();
   for (const record::NumberCard& n : card.numbers)
-    parameters.push_back({{"name", n.name},
-                          {"unit", n.unit},
-                          {"lower", n.lower},
-                          {"upper", n.upper},
-                          {"neutral", n.neutral}});
+    parameters[std::string(n.name)] = {{"unit", n.unit},
+                                       {"initial", n.initial},
+                                       {"lower", n.lower},
+                                       {"upper", n.upper},
+                                       {"no_effect_at", n.neutral}};
   return {{"id", card.id},
           {"title", card.title},
-          {"changes", "displacement over time"},
+          {"acts_on", json::array({"displacement over time"})},
           {"formula", card.form},
           {"needs", card.needs},
           {"confused_with", card.confused},

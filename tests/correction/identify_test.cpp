@@ -39,16 +39,17 @@ struct Pieces {
   }
 };
 
-const Pieces spindle{
+const Pieces bearing_rise{
     {{0, 3e-3}, {4000, 0}, {12000, -2e-3}, {16000, 4e-3}, {19000, -1e-3}, {30000, 0}}};
 const Pieces room{{{0, 2e-4}, {9000, -4e-4}, {20000, 3e-4}}};
 
 MadeRecord made_record() {
   MadeRecord made(40000, 20);
-  made.with("front_temperature_C", [](double t) { return 22 + spindle.value(t); })
+  made.with("front_temperature_C", [](double t) { return 22 + bearing_rise.value(t); })
       .with("ambient_temperature_C", [](double t) { return 20 + room.value(t); })
       .with("displacement_z_um", [](double t) {
-        return 1.5 + 5 * spindle.lag(t, 5400) + 3 * spindle.lag(t, 900) - 2.5 * room.lag(t, 8000);
+        return 1.5 + 5 * bearing_rise.lag(t, 5400) + 3 * bearing_rise.lag(t, 900) -
+               2.5 * room.lag(t, 8000);
       });
   return made;
 }
@@ -99,10 +100,10 @@ TEST(Identify, AWarmMachineIsFoundFromItsFirstReadings) {
   MadeRecord made = made_record();
   // The record begins at 8000 s of the other one.
   const auto later = [](double t) { return t + 8000.0; };
-  made.with("front_temperature_C", [&](double t) { return 22 + spindle.value(later(t)); })
+  made.with("front_temperature_C", [&](double t) { return 22 + bearing_rise.value(later(t)); })
       .with("ambient_temperature_C", [&](double t) { return 20 + room.value(later(t)); })
       .with("displacement_z_um", [&](double t) {
-        return 5 * spindle.lag(later(t), 5400) + 3 * spindle.lag(later(t), 900) -
+        return 5 * bearing_rise.lag(later(t), 5400) + 3 * bearing_rise.lag(later(t), 900) -
                2.5 * room.lag(later(t), 8000);
       });
   Model m = start();
@@ -171,7 +172,7 @@ TEST(RecordCheck, NamesWhatIsWrongWithSensors) {
 TEST(RecordCheck, FindsTheLastDigitOfASensor) {
   MadeRecord made = made_record();
   made.with("front_temperature_C",
-            [](double t) { return std::round((22 + spindle.value(t)) / 0.05) * 0.05; });
+            [](double t) { return std::round((22 + bearing_rise.value(t)) / 0.05) * 0.05; });
   const RecordCheck check = check_record(start(), made.record);
   bool found = false;
   for (const RecordCheck::Quantum& q : check.quanta)

@@ -61,8 +61,12 @@ TEST(Numbers, GroupsMeanTheirParameters) {
 /// What follows speed or feed faster than a body can is the law of instant displacement.
 TEST(Numbers, HeldInputsHaveNoFastSections) {
   for (const record::Parameter& p : parameters(two_channels(), {2.0, 1e5})) {
-    if (p.name == "spindle.time_constant_1") EXPECT_EQ(p.lower, 2.0);
-    if (p.name == "feed.time_constant_1") EXPECT_EQ(p.lower, 180.0);
+    if (p.name == "spindle.time_constant_1") {
+      EXPECT_EQ(p.lower, 2.0);
+    }
+    if (p.name == "feed.time_constant_1") {
+      EXPECT_EQ(p.lower, 180.0);
+    }
   }
 }
 
@@ -72,7 +76,9 @@ TEST(CorrectionSubject, EveryNumberCanBeSetAndReadBack) {
     const double other = p.unit == "s" ? 1234.5 : 0.25;
     const std::vector<fit::NamedValue> values{{p.name, other}};
     for (const fit::Parameter& now : subject.with_values(values)->parameters())
-      if (now.name == p.name) EXPECT_NEAR(now.value, other, 1e-12 * other) << p.name;
+      if (now.name == p.name) {
+        EXPECT_NEAR(now.value, other, 1e-12 * other) << p.name;
+      }
   }
 }
 
@@ -109,10 +115,11 @@ TEST(CorrectionSubject, AJumpIsNeverLookedForAtAChangeOfSpeed) {
       .with("displacement_z_um", [](double t) { return t / 1e4; });
   const auto subject = CorrectionSubject(two_channels()).informed_by(made.record);
   for (const fit::Candidate& c : subject->candidates())
-    if (c.id == "offset-jump")
+    if (c.id == "offset-jump") {
       for (const double t : c.only[1])
         for (double change = 5000; change < 40000; change += 5000)
           EXPECT_GT(std::abs(t - change), 500.0);
+    }
 }
 
 TEST(CorrectionSubject, PartsAreContiguousAndEqual) {
@@ -147,7 +154,9 @@ TEST(EffectCards, AreInOrderAndHaveASizeThatChangesNothing) {
     EXPECT_LT(catalogue()[k - 1].id, catalogue()[k].id);
   for (const EffectCard& card : catalogue()) {
     EXPECT_EQ(find_card(card.id), &card);
-    if (!card.evidence) EXPECT_FALSE(std::isnan(card.numbers[card.size].neutral)) << card.id;
+    if (!card.evidence) {
+      EXPECT_FALSE(std::isnan(card.numbers[card.size].neutral)) << card.id;
+    }
   }
 }
 

@@ -53,7 +53,7 @@ TEST(Quantum, RunsAreApart) {
 }
 
 /// A spindle that follows its bearing at once and through a body, read by a sensor in steps.
-MadeRecord spindle(double quantum) {
+MadeRecord record_of_sensor(double quantum) {
   constexpr double hour = 3600.0;
   MadeRecord made(24.0 * hour, 30.0);
   double warm = 0.0, body = 0.0;
@@ -85,7 +85,7 @@ Model with_feedthrough() {
 }
 
 TEST(Quantum, ASensorThatStepsIsTheVerdict) {
-  const MadeRecord made = spindle(2.0);
+  const MadeRecord made = record_of_sensor(2.0);
   const fit::Diagnosis d = fit::diagnose(CorrectionSubject(with_feedthrough()), made.record);
   ASSERT_FALSE(d.sets.empty()) << d.sentence;
   EXPECT_THAT(d.sets.front(), ElementsAre("sensor-quantisation")) << d.sentence;
@@ -94,7 +94,7 @@ TEST(Quantum, ASensorThatStepsIsTheVerdict) {
 }
 
 TEST(Quantum, AFineSensorIsNone) {
-  const MadeRecord made = spindle(0.1);
+  const MadeRecord made = record_of_sensor(0.1);
   const fit::Diagnosis d = fit::diagnose(CorrectionSubject(with_feedthrough()), made.record);
   EXPECT_EQ(d.verdict, fit::Verdict::nothing_missing) << d.sentence;
   const auto fitted = CorrectionSubject(with_feedthrough()).informed_by(made.record);
@@ -102,7 +102,7 @@ TEST(Quantum, AFineSensorIsNone) {
 }
 
 TEST(Jumps, ThreeOfThemAreFoundWhereTheyAre) {
-  MadeRecord made = spindle(0.1);
+  MadeRecord made = record_of_sensor(0.1);
   constexpr double jumps[][2] = {{20000.0, 9.0}, {45000.0, -7.0}, {80000.0, 8.0}};
   std::vector<double>& read =
       made.record.find(*record::series_channel("displacement_z_um"))->values;
@@ -123,7 +123,7 @@ TEST(Jumps, ThreeOfThemAreFoundWhereTheyAre) {
 }
 
 TEST(SlowDrift, IsLookedForFromAShareOfTheRecordToFiveTimesIt) {
-  const MadeRecord made = spindle(0.1);
+  const MadeRecord made = record_of_sensor(0.1);
   const auto informed = CorrectionSubject(with_feedthrough()).informed_by(made.record);
   for (const fit::Candidate& c : informed->candidates()) {
     if (c.id != "slow-drift") continue;

@@ -63,7 +63,8 @@ TEST(Series, TemperaturesCountFromTheFirstRowLessTheReference) {
   const auto values = series.input(of);
   EXPECT_EQ(values->front(), 0.0);
   const double t = made.time[100];
-  EXPECT_NEAR((*values)[100], 6.0 * std::sin(t / 3000.0) - (room_temperature(t) - room_temperature(0)), 1e-9);
+  EXPECT_NEAR((*values)[100],
+              6.0 * std::sin(t / 3000.0) - (room_temperature(t) - room_temperature(0)), 1e-9);
 }
 
 TEST(Series, FeedsActByTheirAbsoluteValue) {
@@ -78,8 +79,8 @@ TEST(Series, AMeanOfColumnsDrives) {
   of.columns.push_back(record::series_channel("base_temperature_C"));
   const Series series(made.record);
   const double t = made.time[50];
-  EXPECT_NEAR((*series.input(of))[50], 0.5 * (6.0 * std::sin(t / 3000.0) + room_temperature(t) - room_temperature(0)),
-              1e-9);
+  EXPECT_NEAR((*series.input(of))[50],
+              0.5 * (6.0 * std::sin(t / 3000.0) + room_temperature(t) - room_temperature(0)), 1e-9);
 }
 
 TEST(Series, ALagThatDependsOnTheSpeedIsThatOfTheEquation) {

@@ -121,7 +121,7 @@ TEST(SeriesFile, AnEmptyDisplacementWasNotRead) {
 
 TEST(SeriesFile, TimeMustRiseWithinARun) {
   EXPECT_THAT([] { (void)series(header + "0,1,20,1\n60,1,20,1\n30,1,20,1\n"); },
-              refused("r.csv:4: time_s = \"30\": goes back"));
+              refused("r.csv:4: time_s = 30: goes back"));
   EXPECT_THAT([] { (void)series(header + "0,1,20,1\n60,1,20,1\n60,1,20,1\n"); },
               refused("stands twice"));
   const record::Record runs = series("run_id,time_s,displacement_z_um\na,0,1\na,60,2\nb,0,3\n");
