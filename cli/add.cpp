@@ -162,6 +162,7 @@ Run setup_add(CLI::App& command) {
   declare_displacement(command, flags->displacement);
   flags->per_record.declare(command);
   flags->reading.declare(command);
+  flags->reading.period.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--force", flags->force,
                    "add an effect that does not help, and replace the file if it exists");

@@ -152,6 +152,7 @@ Run setup_calibrate(CLI::App& command) {
   declare_displacement(command, flags->displacement);
   flags->per_record.declare(command);
   flags->reading.declare(command);
+  flags->reading.period.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

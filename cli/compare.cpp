@@ -426,6 +426,7 @@ Run setup_compare(CLI::App& command) {
       ->type_name("WHICH");
   flags->per_record.declare(command);
   flags->reading.declare(command);
+  flags->reading.period.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

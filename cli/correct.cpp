@@ -74,8 +74,8 @@ int run(const CorrectFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
   const io::CorrectionFile file = open_corrections(flags.model);
-  const record::Record record =
-      open_series(flags.data, file.models, flags.reading.options(file.columns));
+  const record::Record record = open_series(
+      flags.data, file.models, flags.reading.options(file.columns), flags.reading.period);
   std::vector<std::string> messages;
   std::vector<io::Corrected> list;
   for (const correction::Model& model : file.models) {
@@ -119,6 +119,7 @@ Run setup_correct(CLI::App& command) {
                   "residual_um; of several displacements predicted_COLUMN, residual_COLUMN")
       ->type_name("FILE");
   flags->reading.declare(command);
+  flags->reading.period.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer("Example:\n  raceway correct z.toml monday.csv -o corrected.csv");

@@ -27,7 +27,7 @@ io::CorrectionFile open_corrections(const std::string& path) {
 }
 
 record::Record open_series(const std::string& path, const std::vector<correction::Model>& models,
-                           const io::ReadOptions& options) {
+                           const io::ReadOptions& options, const PeriodFlag& period) {
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where a record over time (CSV) is expected",
                          {.file = path});
@@ -38,6 +38,7 @@ record::Record open_series(const std::string& path, const std::vector<correction
       if (std::find(needed.begin(), needed.end(), c) == needed.end()) needed.push_back(c);
   }
   record::Record record = io::read_series(path, wanted, needed, options);
+  period.apply(record, wanted);
   tell(record.notes);
   return record;
 }
@@ -73,7 +74,8 @@ CorrectionQuestion ask_correction(const std::string& model, const std::vector<st
         "with their run_id",
         {.key = "DATA"});
   asked.model = models[asked.index];
-  asked.data = open_series(data.front(), {asked.model}, reading.options(asked.file.columns));
+  asked.data =
+      open_series(data.front(), {asked.model}, reading.options(asked.file.columns), reading.period);
   if (!asked.data.has(*asked.model.displacement))
     throw io::InputError(
         fmt::format("{}: has no column {}", asked.data.source, asked.model.displacement->name),

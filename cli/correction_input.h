@@ -16,10 +16,12 @@ namespace raceway::cli {
 /// be known of it.
 [[nodiscard]] io::CorrectionFile open_corrections(const std::string& path);
 
-/// Reads a record over time for all of these models, and tells the notes on stderr.
+/// Reads a record over time for all of these models, of which only readings of that period count,
+/// and tells the notes on stderr.
 [[nodiscard]] record::Record open_series(const std::string& path,
                                          const std::vector<correction::Model>& models,
-                                         const io::ReadOptions& options);
+                                         const io::ReadOptions& options,
+                                         const PeriodFlag& period = {});
 
 /// `--displacement COLUMN` of a command that works on one displacement of a file.
 void declare_displacement(CLI::App& command, std::string& column);

@@ -1,5 +1,7 @@
 #include "cli/data_flag.h"
 
+#include "io/error.h"
+
 namespace raceway::cli {
 
 void DataFlag::declare(CLI::App& command) {
@@ -13,6 +15,10 @@ void DataFlag::declare(CLI::App& command) {
 }
 
 io::ReadOptions DataFlag::options(const io::ModelFile& model) const {
+  if (period.is_given())
+    throw io::InputError(
+        "--from, --until: belong to records over time, of a model with [correction]",
+        {.key = period.from.empty() ? "--until" : "--from"});
   io::ReadOptions result = options(model.columns);
   result.sensor = model.sensor;
   return result;

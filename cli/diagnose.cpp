@@ -347,6 +347,7 @@ Run setup_diagnose(CLI::App& command) {
   declare_displacement(command, flags->displacement);
   flags->per_record.declare(command);
   flags->reading.declare(command);
+  flags->reading.period.declare(command);
   flags->tolerance.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

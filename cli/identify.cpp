@@ -14,6 +14,7 @@
 #include "cli/progress.h"
 #include "cli/text_table.h"
 #include "correction/alignment.h"
+#include "correction/lag_bank.h"
 #include "io/correction_results.h"
 #include "io/error.h"
 #include "io/names.h"
@@ -26,7 +27,7 @@ namespace {
 
 struct IdentifyFlags {
   std::string model, data, validate, output, order = "1:3";
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs, lags;
   DataFlag reading;
   bool json = false, force = false;
 };
@@ -78,6 +79,63 @@ std::vector<const record::Channel*> offered(const std::vector<std::string>& name
   return list;
 }
 
+/// Time constants of a bank of lags [s], none for "auto".
+std::vector<double> lags_of(const IdentifyFlags& flags) {
+  std::vector<double> list;
+  if (flags.lags.size() == 1 && flags.lags.front() == "auto") return list;
+  for (const std::string& text : flags.lags) {
+    double value = -1.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    constexpr double longest = 1e7;
+    if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) ||
+        value > longest)
+      throw io::InputError(fmt::format("--lags {}: must be auto, or time constants from 0 (at "
+                                       "once) to 1e7 s by comma, as 0,1200,3600",
+                                       text),
+                           {.key = "--lags"});
+    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+  }
+  return list;
+}
+
+/// Gains of a bank of lags, an input in each line.
+void print_bank(const correction::Identification& found) {
+  std::vector<double> lags;
+  for (const correction::DrivenChannel& c : found.model.channels)
+    for (const correction::Section& s : c.sections)
+      if (std::find(lags.begin(), lags.end(), s.time_constant) == lags.end())
+        lags.push_back(s.time_constant);
+  std::vector<TextTable::Column> head{
+      {"input", "", true}, {"gain per", "", true}, {"at once", "um"}};
+  for (const double lag : lags) head.push_back({fmt::format("{:g} s", lag), "um"});
+  TextTable table(std::move(head));
+  for (const correction::DrivenChannel& c : found.model.channels) {
+    // Of a speed the gain of a thousand rpm reads better.
+    const bool of_speed = c.input.unit() == "rpm";
+    const double unit = c.input.factor() * (of_speed ? 1000.0 : 1.0);
+    std::vector<std::string> cells{c.name, of_speed ? "1000 rpm" : std::string(c.input.unit()),
+                                   number(c.feedthrough * unit / um, 3)};
+    for (const double lag : lags) {
+      const auto at =
+          std::find_if(c.sections.begin(), c.sections.end(),
+                       [&](const correction::Section& s) { return s.time_constant == lag; });
+      cells.push_back(at == c.sections.end() ? "" : number(at->gain * unit / um, 3));
+    }
+    table.add(std::move(cells));
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+/// What fits to the first part leave of the rest.
+void print_ahead(const correction::Identification& found) {
+  TextTable table({{"fitted to", "h"}, {"RMS of the rest", "um"}});
+  for (const correction::AheadError& e : found.ahead)
+    table.add({number(e.from / 3600.0, 3), number(e.rms / um, 3)});
+  fmt::print("{}", table.text(terminal_width()));
+  fmt::print("mean of {} strengths of the ridge, weighted by their error ahead\n\n",
+             found.strengths.size());
+}
+
 void print_sections(const correction::Identification& found) {
   TextTable table({{"parameter", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
   for (const record::Parameter& p : found.parameters)
@@ -99,6 +157,15 @@ void print_ladder(const correction::Identification& found) {
 }
 
 void print(const correction::Identification& found, const record::Record& record) {
+  if (found.is_bank()) {
+    fmt::print("{} of {}: every input through the same lags\n\n", found.model.displacement->name,
+               record.source);
+    print_ahead(found);
+    print_bank(found);
+    fmt::print("\nRMS {} um, ahead {} um, noise {} um\n", number(found.metrics.rms / um, 3),
+               number(found.rms_held_out / um, 3), number(found.noise / um, 2));
+    return;
+  }
   fmt::print("{} of {}: {} structures tried\n\n", found.model.displacement->name, record.source,
              found.tried.size());
   print_ladder(found);
@@ -125,6 +192,14 @@ correction::Identification identified(const correction::Model& model, const reco
     options.progress = [&bar](double share, std::string_view step) { bar->show(share, step); };
   }
   try {
+    if (!flags.lags.empty())
+      return correction::identify_lag_bank(
+          model, record,
+          {.inputs = offered(flags.inputs.empty() ? std::vector<std::string>{"all"} : flags.inputs,
+                             record),
+           .time_constants = lags_of(flags),
+           .progress = options.progress,
+           .cancelled = options.cancelled});
     return correction::identify(model, record, options);
   } catch (const std::invalid_argument& e) {
     throw io::InputError(fmt::format("{} with {}: {}", record.source, source, e.what()),
@@ -157,9 +232,10 @@ int run(const IdentifyFlags& flags) {
                          {.key = "--output"});
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
   (void)orders(flags.order);
+  (void)lags_of(flags);
   const io::CorrectionFile file = open_corrections(flags.model);
-  const record::Record record =
-      open_series(flags.data, file.models, flags.reading.options(file.columns));
+  const record::Record record = open_series(
+      flags.data, file.models, flags.reading.options(file.columns), flags.reading.period);
   std::vector<correction::Identification> found;
   std::vector<correction::Model> models;
   for (const correction::Model& model : file.models) {
@@ -202,6 +278,15 @@ Run setup_identify(CLI::App& command) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("COLUMNS");
+  command
+      .add_option("--lags", flags->lags,
+                  "every input through each of these lags (s, by comma, 0: at once; auto: by the\n"
+                  "length of the record), gains by ridge, its strength by the error ahead: for\n"
+                  "machines with many sensors; --inputs are all without more")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("S,...")
+      ->excludes("--order");
   command.add_option("--validate", flags->validate, "another record, to judge the model by")
       ->type_name("RECORD2");
   command
@@ -209,6 +294,7 @@ Run setup_identify(CLI::App& command) {
                   "model file to write: MODEL with the new sections, numbers and range")
       ->type_name("FILE");
   flags->reading.declare(command);
+  flags->reading.period.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

@@ -291,10 +291,14 @@ Identification identify(const Model& model, const record::Record& record,
 }
 
 std::vector<SeenRange> seen_range(const Model& model, const record::Record& record) {
+  const std::span<const double> read = record.values(*model.displacement);
+  std::size_t rows = record.rows();
+  while (rows > 1 && rows <= read.size() && std::isnan(read[rows - 1])) --rows;
   std::vector<SeenRange> list;
   const auto add = [&](const Channel* column, std::string name, std::span<const double> values) {
     if (values.empty()) return;
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const auto seen = values.first(std::min(rows, values.size()));
+    const auto [low, high] = std::minmax_element(seen.begin(), seen.end());
     list.push_back({.column = column, .name = std::move(name), .lower = *low, .upper = *high});
   };
   for (const Channel* c : inputs_of(model)) add(c, std::string(c->name), record.values(*c));

@@ -28,11 +28,27 @@ struct StructureTried {
   bool taken = false;
 };
 
+/// A fit to a record up to a time, judged by all that comes after.
+struct AheadError {
+  double from = unset;  ///< since the first row [s]
+  double rms = unset;   ///< [m]
+};
+
+/// A strength of ridge that was tried: see lag_bank.h.
+struct StrengthTried {
+  double strength = unset;      ///< [um² per square of a gain in um/K, um/(m/min), um/1000 rpm]
+  double speed_weight = unset;  ///< [1]
+  double rms_ahead = unset;     ///< mean of all cuts [m]
+  double share = unset;         ///< in the gains that were taken [1]
+};
+
 /// A model whose structure and numbers come from a record.
 struct Identification {
   Model model{};                                ///< with its numbers, range and covariance
   std::vector<StructureTried> tried{};          ///< in the order of the search
   std::vector<record::Parameter> parameters{};  ///< of the model, fitted, with standard errors
+  std::vector<StrengthTried> strengths{};       ///< of a bank of lags
+  std::vector<AheadError> ahead{};              ///< of a bank of lags
   Metrics metrics{};                            ///< on the record, one constant removed
   double rms_held_out = unset;                  ///< [m]
   double condition = unset;
@@ -43,6 +59,7 @@ struct Identification {
   std::vector<std::string> messages{};
 
   [[nodiscard]] bool converged() const { return !parameters.empty(); }
+  [[nodiscard]] bool is_bank() const { return !strengths.empty(); }
 };
 
 /// Finds order, inputs and numbers of a model from a record: gains and time constants by variable
@@ -54,7 +71,7 @@ struct Identification {
 [[nodiscard]] Identification identify(const Model& model, const record::Record& record,
                                       const IdentifyOptions& options = {});
 
-/// The range of every input of a model on a record.
+/// The range of every input of a model on a record, up to its last reading.
 [[nodiscard]] std::vector<SeenRange> seen_range(const Model& model, const record::Record& record);
 
 }  // namespace raceway::correction

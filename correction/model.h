@@ -26,6 +26,8 @@ struct Input {
   std::string name{};                     ///< as the file has it: "power_W", or the only column
   std::vector<const Channel*> columns{};  ///< of which the mean drives
   const Channel* reference = nullptr;     ///< of which the rise is taken off that of the input
+  /// Of a speed n, which then counts as n (n/1000 rpm)^(exponent - 1): heat rises faster than n.
+  double exponent = 1.0;
   std::shared_ptr<const FrictionTable> table{};  ///< power: its torque at the speed times the speed
   double axial_load = unset;                     ///< [N], of the power
   double temperature = unset;                    ///< [K], of the power, where no column has it

@@ -22,6 +22,13 @@ Hold hold_of(record::Course course) {
   return course == record::Course::straight ? Hold::straight : Hold::held;
 }
 
+/// Without its sign; of a speed as it counts.
+double size_of(double value, double exponent) {
+  const double size = std::abs(value);
+  return exponent == 1.0 || size == 0.0 ? size
+                                        : size * std::pow(size / (1000.0 * rpm), exponent - 1.0);
+}
+
 }  // namespace
 
 Series::Series(const record::Record& record) : record_(record) {
@@ -71,6 +78,7 @@ double Series::id_of(const Input& input) const {
   std::string text;
   for (const record::Channel* c : input.columns) text += std::string(c->name) + " ";
   if (input.reference) text += "- " + std::string(input.reference->name);
+  if (input.exponent != 1.0) text += fmt::format("^{}", input.exponent);
   if (input.is_power())
     text += fmt::format("power {} {} {} {}", static_cast<const void*>(input.table.get()),
                         input.axial_load, input.temperature,
@@ -129,7 +137,7 @@ Series::Values Series::input(const Input& input) const {
       double first = 0.0;
       for (std::size_t k = 0; k < rows(); ++k) {
         if (clock_.begins[k]) first = from_first ? values[k] : 0.0;
-        out[k] += weight * (from_first ? values[k] - first : std::abs(values[k]));
+        out[k] += weight * (from_first ? values[k] - first : size_of(values[k], input.exponent));
       }
     };
     for (const record::Channel* c : input.columns)

@@ -132,6 +132,7 @@ std::string by_verdict(const Diagnosis& d) {
   switch (d.verdict) {
     case Verdict::effect:
     case Verdict::several_effects:
+      if (d.sets.size() > 1) return one_of(d);
       if (!d.sets.empty()) return explained(d, d.sets.front());
       break;
     case Verdict::ambiguous:

@@ -47,10 +47,10 @@ struct ControlDrive {
     motor   ///< exp(-n/n0) while it turns, else 0
   } kind = Kind::size;
   std::vector<std::size_t> inputs{};  ///< of rise and size
-  std::size_t reference = nowhere;       ///< of rise
-  std::size_t temperature = nowhere;     ///< of power; without it `temperature_C` holds
+  std::size_t reference = nowhere;    ///< of rise
+  std::size_t temperature = nowhere;  ///< of power; without it `temperature_C` holds
   double temperature_C = unset;
-  std::size_t table = nowhere;                ///< of power
+  std::size_t table = nowhere;             ///< of power
   double decay_rpm = unset;                ///< of motor
   double lowest = unset, highest = unset;  ///< of power, as for an input
   std::string unit{};                      ///< "K"
@@ -113,7 +113,8 @@ struct ControlAxis {
 struct ControlPlan {
   std::string source{};  ///< name of the model file
   std::vector<ControlInput> inputs{};
-  std::size_t speed = nowhere, coolant = nowhere;  ///< those of the inputs that have a part of their own
+  std::size_t speed = nowhere,
+              coolant = nowhere;  ///< those of the inputs that have a part of their own
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};

@@ -132,9 +132,10 @@ std::string effect_text(const Effect& e, const Model& m) {
 }
 
 std::string channel_text(const DrivenChannel& c) {
-  std::string text =
-      fmt::format("[[correction.channel]]\nname = \"{}\"\ninput = {}\nsections = {}\n", c.name,
-                  columns_text(c.input.columns), sections_text(c));
+  std::string text = fmt::format("[[correction.channel]]\nname = \"{}\"\ninput = {}\n", c.name,
+                                 columns_text(c.input.columns));
+  if (c.input.exponent != 1.0) text += fmt::format("exponent = {}\n", float_text(c.input.exponent));
+  text += fmt::format("sections = {}\n", sections_text(c));
   if (c.feedthrough != 0.0)
     text += fmt::format("feedthrough_um_{} = {}\n", c.input.key_unit(),
                         float_text(c.feedthrough * c.input.factor() / um));

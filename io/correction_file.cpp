@@ -146,6 +146,9 @@ class CorrectionReader {
       for (const std::string_view key : {"friction_table", "axial_load_N", "temperature_C"})
         if (s.find(key)) s.fail(key, fmt::format("{}: belongs to input = \"power_W\"", key));
     }
+    in.exponent = s.number({"exponent", "1", 0.5, 3.0}).value_or(1.0);
+    if (s.find("exponent") && in.unit() != "rpm")
+      s.fail("exponent", "exponent: belongs to an input that is a speed");
     if (const auto name = s.text("reference")) {
       in.reference = input_column(s, "reference", *name);
       if (in.is_power() || !record::is_temperature(*in.reference) ||
@@ -188,9 +191,9 @@ class CorrectionReader {
     c.input = input(s);
     const std::string unit(c.input.key_unit());
     const std::string gain = "gain_um_" + unit, feedthrough = "feedthrough_um_" + unit;
-    s.allow_only({"name", "input", "reference", "friction_table", "axial_load_N", "temperature_C",
-                  "sections", feedthrough, "scale", "gain", "time_constant", "numerator",
-                  "denominator"});
+    s.allow_only({"name", "input", "reference", "exponent", "friction_table", "axial_load_N",
+                  "temperature_C", "sections", feedthrough, "scale", "gain", "time_constant",
+                  "numerator", "denominator"});
     c.name = s.text("name").value_or(
         std::string(c.input.is_power() ? "power" : c.input.columns.front()->variable));
     for (const DrivenChannel& other : m.channels)

@@ -1,0 +1,74 @@
+#include "cli/period_flag.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "io/csv.h"
+#include "io/error.h"
+#include "io/units.h"
+
+namespace raceway::cli {
+namespace {
+
+/// "22h" [s]
+double seconds_of(const std::string& text, const std::string& flag) {
+  double value = unset;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  const io::Unit* const unit =
+      error == std::errc() ? io::find_unit(std::string_view(end, last)) : nullptr;
+  if (!unit || unit->dimension != io::Dimension::time || !(value >= 0.0) || !std::isfinite(value))
+    throw io::InputError(fmt::format("{}: {}: write a time since the first row and its unit, as "
+                                     "22h, 90min or 3600s",
+                                     flag, io::quoted(text)),
+                         {.key = flag});
+  return value * unit->factor;
+}
+
+}  // namespace
+
+void PeriodFlag::declare(CLI::App& command) {
+  command
+      .add_option("--from", from,
+                  "of a record over time: only readings from then on count, as 22h; all rows\n"
+                  "drive the model")
+      ->type_name("TIME");
+  command.add_option("--until", until, "the same: only readings up to then")->type_name("TIME");
+}
+
+void PeriodFlag::apply(record::Record& record,
+                       const std::vector<const record::Channel*>& measured) const {
+  if (!is_given()) return;
+  const double lowest = from.empty() ? 0.0 : seconds_of(from, "--from");
+  const double highest =
+      until.empty() ? std::numeric_limits<double>::infinity() : seconds_of(until, "--until");
+  const std::span<const double> time = record.values(record::time);
+  std::size_t all = 0, left = 0;
+  for (const record::Channel* channel : measured) {
+    record::Column* const column = record.find(*channel);
+    if (!column) continue;
+    for (std::size_t k = 0; k < time.size(); ++k) {
+      double& reading = column->values[k];
+      if (std::isnan(reading)) continue;
+      ++all;
+      const double since = time[k] - time.front();
+      if (since >= lowest && since <= highest)
+        ++left;
+      else
+        reading = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  if (all > 0 && left == 0)
+    throw io::InputError(
+        fmt::format("{}: no reading {}{}{}{}: the record goes from 0 to {:.4g} h", record.source,
+                    from.empty() ? "" : "from " + from, !from.empty() && !until.empty() ? " " : "",
+                    until.empty() ? "" : "until " + until, " counts",
+                    (time.back() - time.front()) / 3600.0),
+        {.file = record.source, .key = from.empty() ? "--until" : "--from"});
+  record.notes.push_back(fmt::format("{} of {} readings count", left, all));
+}
+
+}  // namespace raceway::cli
