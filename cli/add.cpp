@@ -106,10 +106,9 @@ int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
       ask_correction(flags.names.front(), files, flags.displacement, flags.reading);
   flags.tolerance.set(asked.model, asked.file.source);
   const correction::CorrectionSubject subject(asked.model);
-  return finish(flags, asked.file.source, added(subject, ids, asked.data, asked.file.source),
-                asked.data, {}, [&](const fit::Calibration& c) {
-                  write_correction(asked, *c.subject, flags.output, flags.force);
-                });
+  return finish(
+      flags, asked.file.source, added(subject, ids, asked.data, asked.file.source), asked.data, {},
+      [&](const fit::Calibration& c) { write_correction(asked, c, flags.output, flags.force); });
 }
 
 int run(const AddFlags& flags) {

@@ -100,10 +100,9 @@ int run_correction(const CalibrateFlags& flags) {
   const CorrectionQuestion asked =
       ask_correction(flags.model, flags.data, flags.displacement, flags.reading);
   const correction::CorrectionSubject subject(asked.model);
-  return finish(flags, calibrated(subject, asked.data, asked.file.source), asked.data, flags.output,
-                [&](const fit::Calibration& c) {
-                  write_correction(asked, *c.subject, flags.output, flags.force);
-                });
+  return finish(
+      flags, calibrated(subject, asked.data, asked.file.source), asked.data, flags.output,
+      [&](const fit::Calibration& c) { write_correction(asked, c, flags.output, flags.force); });
 }
 
 int run(const CalibrateFlags& flags) {

@@ -295,9 +295,10 @@ void warn_of_other_sensors(const std::vector<io::ModelFile>& files) {
 }
 
 void show(const CompareFlags& flags, const std::vector<std::string>& models,
-          const std::vector<Comparisons>& comparisons, const record::Record& data) {
+          const std::vector<Comparisons>& comparisons, const record::Record& data,
+          const std::vector<correction::Beyond>& beyond = {}) {
   if (flags.json)
-    put_document(io::comparison_json(models, comparisons, data));
+    put_document(io::comparison_json(models, comparisons, data, beyond));
   else if (models.size() == 1)
     print(models[0], comparisons[0], data);
   else
@@ -329,6 +330,7 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
                          {.key = "--per-record"});
   std::vector<std::string> models;
   std::vector<Comparisons> comparisons;
+  std::vector<correction::Beyond> beyond;
   record::Record record;
   for (const std::string& path : paths) {
     if (!io::has_correction(path))
@@ -346,10 +348,12 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
     for (fit::Comparison& c : comparisons.back())
       fit::add_groups(c, correction::phase, correction::phases(asked.data, *c.channel));
     models.push_back(asked.file.source);
-    warn(beyond_range(asked.model, asked.data).notes);
+    const correction::Series series(asked.data);
+    beyond.push_back(correction::beyond_range(asked.model, series));
+    warn(range_notes(asked.model, series, beyond.back()));
     record = std::move(asked.data);
   }
-  show(flags, models, comparisons, record);
+  show(flags, models, comparisons, record, beyond);
   flags.report.write([&] { return io::comparison_report(models, {}, comparisons, record, {}); },
                      flags.force);
   return done;

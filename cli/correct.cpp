@@ -8,6 +8,8 @@
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "correction/alignment.h"
+#include "correction/band.h"
+#include "fit/noise.h"
 #include "io/correction_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
@@ -21,21 +23,44 @@ struct CorrectFlags {
   bool json = false, force = false;
 };
 
+/// Of the readings, which scatter about the displacement by `noise`; one constant taken off each
+/// run.
+double share_within(const std::vector<double>& band, double noise, std::span<const double> read,
+                    const std::vector<double>& predicted) {
+  constexpr double two_sided = 1.96;
+  std::size_t readings = 0, within = 0;
+  for (std::size_t k = 0; k < read.size(); ++k) {
+    if (!std::isfinite(read[k]) || !std::isfinite(predicted[k])) continue;
+    ++readings;
+    if (std::abs(read[k] - predicted[k]) <= std::hypot(band[k], two_sided * noise)) ++within;
+  }
+  return readings > 0 ? static_cast<double>(within) / static_cast<double>(readings) : unset;
+}
+
 io::Corrected corrected(const correction::Model& model, const record::Record& record,
                         std::vector<std::string>& messages) {
   const auto subject = correction::aligned(model, record, correction::Zero::none);
   io::Corrected result{.displacement = model.displacement,
                        .predicted = fit::predict(*subject, record)};
-  const correction::Series series(record);
-  result.parts = correction::contributions(subject->model(), series);
+  const auto series = std::make_shared<const correction::Series>(record);
+  result.parts = correction::contributions(subject->model(), *series);
+  result.beyond = correction::beyond_range(model, *series);
+  for (std::string& note : range_notes(model, *series, result.beyond))
+    messages.push_back(std::move(note));
+  if (model.left)
+    result.band = correction::band_of(*subject, model, series, result.beyond).half_width();
   if (record.has(*model.displacement)) {
     const auto zeroed = correction::aligned(model, record, correction::Zero::mean);
-    result.metrics =
-        correction::metrics(record.values(*model.displacement), fit::predict(*zeroed, record));
+    const std::span<const double> read = record.values(*model.displacement);
+    const std::vector<double> predicted = fit::predict(*zeroed, record);
+    result.metrics = correction::metrics(read, predicted);
+    result.noise = std::isfinite(model.measured_std)
+                       ? model.measured_std
+                       : fit::noise_of_neighbours(record, *model.displacement);
+    if (model.left)
+      result.readings_in_band = share_within(
+          result.band, std::isfinite(result.noise) ? result.noise : 0.0, read, predicted);
   }
-  const Beyond beyond = beyond_range(model, record);
-  result.rows_beyond_range = beyond.rows;
-  messages.insert(messages.end(), beyond.notes.begin(), beyond.notes.end());
   const auto bad = std::find_if(result.predicted.begin(), result.predicted.end(),
                                 [](double v) { return !std::isfinite(v); });
   if (bad != result.predicted.end())
@@ -44,6 +69,24 @@ io::Corrected corrected(const correction::Model& model, const record::Record& re
                     model.displacement->name,
                     record.place(static_cast<std::size_t>(bad - result.predicted.begin()))));
   return result;
+}
+
+/// How far off the predictions may be, and where more so.
+void print_band(const io::Corrected& c, const record::Record& record) {
+  if (c.band.empty()) return;
+  const auto widest = std::max_element(
+      c.band.begin(), c.band.end(), [](double a, double b) { return !(a >= b) && !std::isnan(b); });
+  const auto least = std::min_element(c.band.begin(), c.band.end(),
+                                      [](double a, double b) { return a < b && !std::isnan(a); });
+  fmt::print("95 % band of {}: +- {} um at its narrowest, +- {} um at {:.4g} s",
+             c.displacement->name, number(*least / um, 3), number(*widest / um, 3),
+             record.value(record::time, static_cast<std::size_t>(widest - c.band.begin())));
+  if (std::isfinite(c.readings_in_band))
+    fmt::print("; {:.1f} % of the readings lie in it{}", 100.0 * c.readings_in_band,
+               std::isfinite(c.noise)
+                   ? fmt::format(", their noise of {} um allowed for", number(c.noise / um, 2))
+                   : "");
+  fmt::print("\n");
 }
 
 void print(const std::vector<io::Corrected>& list, const record::Record& record) {
@@ -64,6 +107,7 @@ void print(const std::vector<io::Corrected>& list, const record::Record& record)
              (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
              table.text(terminal_width()));
   fmt::print("RMS and largest: what is left of the readings when one constant is taken off\n");
+  for (const io::Corrected& c : list) print_band(c, record);
 }
 
 int run(const CorrectFlags& flags) {
@@ -115,7 +159,8 @@ Run setup_correct(CLI::App& command) {
       ->type_name("");
   command
       .add_option("-o,--output", flags->output,
-                  "CSV file to write, - for stdout: time_s, predicted_um, what each channel adds,\n"
+                  "CSV file to write, - for stdout: time_s, predicted_um, band_low_um and\n"
+                  "band_high_um (95 %, of a model that was fitted), what each channel adds,\n"
                   "residual_um; of several displacements predicted_COLUMN, residual_COLUMN")
       ->type_name("FILE");
   flags->reading.declare(command);

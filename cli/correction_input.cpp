@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cli/messages.h"
-#include "correction/identify.h"
+#include "cli/text_table.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "io/error.h"
@@ -83,58 +83,62 @@ CorrectionQuestion ask_correction(const std::string& model, const std::vector<st
   return asked;
 }
 
-void write_correction(const CorrectionQuestion& asked, const fit::Subject& found,
+void write_correction(const CorrectionQuestion& asked, const fit::Calibration& found,
                       const std::string& path, bool replace) {
   if (path.empty()) return;
   std::vector<correction::Model> models = asked.file.models;
-  correction::Model& model = models[asked.index];
-  model = correction::model_of(found);
-  model.range = correction::seen_range(model, asked.data);
+  models[asked.index] = correction::trusted(found, asked.data);
   io::write_text(path, io::with_corrections(asked.file, models),
                  replace ? io::IfExists::replace : io::IfExists::refuse);
   say(path + " written");
 }
 
-Beyond beyond_range(const correction::Model& model, const record::Record& record) {
-  Beyond result;
-  std::vector<bool> beyond(record.rows(), false);
-  const correction::Series series(record);
-  for (const correction::SeenRange& r : model.range) {
-    std::size_t count = 0, first = 0;
-    const auto look = [&](std::span<const double> values) {
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        constexpr double rounding = 1e-9;
-        const double slack = rounding * std::max(std::abs(r.lower), std::abs(r.upper));
-        if (values[k] >= r.lower - slack && values[k] <= r.upper + slack) continue;
-        if (count++ == 0) first = k;
-        beyond[k] = true;
-      }
-    };
-    if (r.column) {
-      look(record.values(*r.column));
-    } else if (const auto* const of = correction::find_channel(model, r.name);
-               of && of->input.is_power()) {
-      look(*series.input(of->input));
-    }
-    if (count > 0)
-      result.notes.push_back(
-          fmt::format("{}: {} of {} rows lie beyond {:.4g} to {:.4g} {}, where the numbers of the "
-                      "model come from, "
-                      "the first at {} ({:.4g} s)",
-                      r.name, count, record.rows(), r.column ? r.column->in_unit(r.lower) : r.lower,
-                      r.column ? r.column->in_unit(r.upper) : r.upper,
-                      r.column ? std::string(r.column->unit) : "W", record.place(first),
-                      record.value(record::time, first)));
-  }
+namespace {
+
+std::string when(const record::Record& record, std::size_t row) {
+  return fmt::format("{} ({:.4g} s)", record.place(row), record.value(record::time, row));
+}
+
+std::string note_of(const correction::Beyond::Part& p, const record::Record& record) {
+  const std::string share =
+      p.rows == record.rows() - p.first
+          ? fmt::format("in all {} rows", p.rows)
+          : fmt::format("in {} of the {} rows", p.rows, record.rows() - p.first);
+  if (p.together())
+    return fmt::format(
+        "from {} on, {} from there, the inputs stand together as the model has never seen them: "
+        "{:.3g} from their mean there and {:.3g} at most, {:.3g} in the record of its numbers",
+        when(record, p.first), share, p.value, p.farthest, p.upper);
+  const auto shown = [&](double v) { return number(p.column ? p.column->in_unit(v) : v, 5); };
+  return fmt::format(
+      "{}: from {} on, {} from there, beyond {} to {} {}, which is all that the model has seen: {} "
+      "there and {} at the farthest",
+      p.column ? p.name : p.name + " power_W", when(record, p.first), share, shown(p.lower),
+      shown(p.upper), p.column ? std::string(p.column->unit) : "W", shown(p.value),
+      shown(p.farthest));
+}
+
+}  // namespace
+
+std::vector<std::string> range_notes(const correction::Model& model,
+                                     const correction::Series& series,
+                                     const correction::Beyond& beyond) {
+  const record::Record& record = series.record();
+  std::vector<std::string> notes;
+  for (const correction::Beyond::Part& p : beyond.parts) notes.push_back(note_of(p, record));
   for (const correction::DrivenChannel& c : model.channels)
     if (const std::size_t rows = series.rows_beyond_table(c.input); rows > 0)
-      result.notes.push_back(fmt::format(
+      notes.push_back(fmt::format(
           "channel {}: {:.1f} % of the rows lie outside of the axes of {}; there the "
           "value at the edge holds",
           c.name, 100.0 * static_cast<double>(rows) / static_cast<double>(record.rows()),
           c.input.table->file));
-  result.rows = static_cast<std::size_t>(std::count(beyond.begin(), beyond.end(), true));
-  return result;
+  return notes;
+}
+
+std::vector<std::string> range_notes(const correction::Model& model, const record::Record& record) {
+  const correction::Series series(record);
+  return range_notes(model, series, correction::beyond_range(model, series));
 }
 
 }  // namespace raceway::cli

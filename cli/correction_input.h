@@ -7,6 +7,8 @@
 
 #include "cli/data_flag.h"
 #include "correction/correction_subject.h"
+#include "correction/range.h"
+#include "fit/calibrate.h"
 #include "io/correction_file.h"
 #include "record/record.h"
 
@@ -41,18 +43,18 @@ struct CorrectionQuestion {
                                                 const std::string& displacement,
                                                 const DataFlag& reading);
 
-/// Writes the file with the numbers of a subject that grew out of its model, and their range; says
-/// so. Nothing for an empty path.
-void write_correction(const CorrectionQuestion& asked, const fit::Subject& found,
+/// Writes the file with the numbers of a calibration that grew out of its model, what its record
+/// showed them, and how sure they are; says so. Nothing for an empty path.
+void write_correction(const CorrectionQuestion& asked, const fit::Calibration& found,
                       const std::string& path, bool replace);
 
-/// Notes on what a record asks of a model that it was not asked when its numbers were found: inputs
-/// beyond the range, power beyond the friction table, with the first row of each; and the number of
-/// rows beyond the range.
-struct Beyond {
-  std::size_t rows = 0;
-  std::vector<std::string> notes{};
-};
-[[nodiscard]] Beyond beyond_range(const correction::Model& model, const record::Record& record);
+/// What a record asks of a model that it was not asked when its numbers were found, in words:
+/// inputs beyond their range, all of them where they never were together, power beyond the friction
+/// table, from when on, and how often.
+[[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
+                                                   const correction::Series& series,
+                                                   const correction::Beyond& beyond);
+[[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
+                                                   const record::Record& record);
 
 }  // namespace raceway::cli

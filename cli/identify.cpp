@@ -221,7 +221,7 @@ void validate(const std::vector<correction::Model>& models, const IdentifyFlags&
       fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
                  model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
                  number(m.fit_percent, 3));
-    warn(beyond_range(model, other).notes);
+    warn(range_notes(model, other));
   }
 }
 

@@ -59,6 +59,7 @@ bool is_of(const fit::Parameter& p, std::string_view kind) { return p.name.start
 std::shared_ptr<const CorrectionSubject> aligned(const Model& model, const record::Record& record,
                                                  Zero zero) {
   std::unique_ptr<fit::Subject> subject = CorrectionSubject(model).informed_by(record);
+  static_cast<CorrectionSubject&>(*subject).keep_range(model);
   const auto names = [&](bool states, bool zeros, bool offset) {
     std::vector<std::string> list;
     for (const fit::Parameter& p : subject->parameters())

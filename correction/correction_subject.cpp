@@ -9,6 +9,7 @@
 
 #include "correction/catalogue.h"
 #include "correction/quantum.h"
+#include "correction/range.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "record/median.h"
@@ -170,6 +171,7 @@ std::unique_ptr<fit::Predictor> CorrectionSubject::predictor(
 
 std::unique_ptr<fit::Subject> CorrectionSubject::informed_by(const fit::Record& record) const {
   auto result = std::make_unique<CorrectionSubject>(*this);
+  forget_what_was_seen(result->model_);
   const Series series(record);
   std::vector<double> steps;
   double longest = 0.0;
@@ -202,6 +204,8 @@ std::unique_ptr<fit::Subject> CorrectionSubject::informed_by(const fit::Record& 
   result->informed_ = true;
   return result;
 }
+
+void CorrectionSubject::keep_range(const Model& model) { model_.range = model.range; }
 
 std::vector<fit::Parameter> CorrectionSubject::parameters() const {
   std::vector<fit::Parameter> list = correction::parameters(model_, limits_);

@@ -26,8 +26,12 @@ class CorrectionSubject : public fit::Subject {
       const fit::Record& record, const std::vector<std::string>& names,
       const std::shared_ptr<const void>& prepared) const override;
   /// With the time constants that the record can tell, the columns that it has, and a zero for each
-  /// of its runs.
+  /// of its runs. Numbers that are found from a record have seen all of it: what the model said of
+  /// other records is gone.
   [[nodiscard]] std::unique_ptr<fit::Subject> informed_by(const fit::Record& record) const override;
+
+  /// The range of a model, where its numbers are held against another record.
+  void keep_range(const Model& model);
 
   [[nodiscard]] std::vector<fit::Parameter> parameters() const override;
   [[nodiscard]] std::vector<std::string> free() const override;

@@ -5,7 +5,7 @@
 namespace raceway::correction {
 
 void delay_response(const Clock& clock, std::span<const double> power, const DelayElement& element,
-                    std::span<double> displacement) {
+                    std::span<double> displacement, const Interval& seen) {
   const double limit = element.power_limit();
   for (std::size_t k = 0; k < clock.rows(); ++k) {
     if (clock.begins[k]) {
@@ -17,8 +17,9 @@ void delay_response(const Clock& clock, std::span<const double> power, const Del
       displacement[k] = unset;
       continue;
     }
-    const double rise = -std::expm1(-clock.steps[k] / element.time_constant(P));
-    displacement[k] = before + rise * (element.target(P) - before);
+    const double rise = -std::expm1(-clock.steps[k] / continued(element.time_constant, seen, P));
+    const double target = P > 0.0 ? continued(element.gain, seen, P) : 0.0;
+    displacement[k] = before + rise * (target - before);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "correction/beyond.h"
 #include "correction/characteristic.h"
 #include "correction/lag.h"
 
@@ -30,8 +31,9 @@ struct DelayElement {
 };
 
 /// Displacement at every row [m]; P of a row holds until the next. Runs begin from rest.
-/// NaN from the first P on that lies outside the domain, to the end of its run.
+/// NaN from the first P on that lies outside the domain, to the end of its run. Beyond the powers
+/// that were seen K and T are continued(); at P = 0 nothing heats, seen or not.
 void delay_response(const Clock& clock, std::span<const double> power, const DelayElement& element,
-                    std::span<double> displacement);
+                    std::span<double> displacement, const Interval& seen = {});
 
 }  // namespace raceway::correction

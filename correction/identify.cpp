@@ -11,7 +11,7 @@
 
 #include "correction/correction_subject.h"
 #include "correction/numbers.h"
-#include "correction/series.h"
+#include "correction/range.h"
 #include "correction/simulation.h"
 #include "fit/noise.h"
 #include "record/series_channel.h"
@@ -238,7 +238,10 @@ class Search {
       covariance.matrix = errors.covariance(sure, sure);
       result_.model.covariance = std::move(covariance);
     }
-    result_.model.range = seen_range(result_.model, *record_);
+    see(result_.model, *record_);
+    result_.model.left =
+        Left{.rms = std::isfinite(result_.rms_held_out) ? result_.rms_held_out : in_SI(last.rms),
+             .correlation_time = result_.correlation_time};
     std::vector<double> predicted = fit::predict(*fitted, *record_);
     result_.metrics = metrics(record_->values(*model_.displacement), predicted);
     result_.whiteness_p_value = whiteness(last.fit.residual);
@@ -288,24 +291,6 @@ class Search {
 Identification identify(const Model& model, const record::Record& record,
                         const IdentifyOptions& options) {
   return Search(model, record, options).run();
-}
-
-std::vector<SeenRange> seen_range(const Model& model, const record::Record& record) {
-  const std::span<const double> read = record.values(*model.displacement);
-  std::size_t rows = record.rows();
-  while (rows > 1 && rows <= read.size() && std::isnan(read[rows - 1])) --rows;
-  std::vector<SeenRange> list;
-  const auto add = [&](const Channel* column, std::string name, std::span<const double> values) {
-    if (values.empty()) return;
-    const auto seen = values.first(std::min(rows, values.size()));
-    const auto [low, high] = std::minmax_element(seen.begin(), seen.end());
-    list.push_back({.column = column, .name = std::move(name), .lower = *low, .upper = *high});
-  };
-  for (const Channel* c : inputs_of(model)) add(c, std::string(c->name), record.values(*c));
-  const Series series(record);
-  for (const DrivenChannel& c : model.channels)
-    if (c.input.is_power()) add(nullptr, c.name, *series.input(c.input));
-  return list;
 }
 
 }  // namespace raceway::correction

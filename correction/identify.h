@@ -71,7 +71,4 @@ struct Identification {
 [[nodiscard]] Identification identify(const Model& model, const record::Record& record,
                                       const IdentifyOptions& options = {});
 
-/// The range of every input of a model on a record, up to its last reading.
-[[nodiscard]] std::vector<SeenRange> seen_range(const Model& model, const record::Record& record);
-
 }  // namespace raceway::correction

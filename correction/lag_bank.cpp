@@ -11,6 +11,7 @@
 
 #include "correction/alignment.h"
 #include "correction/numbers.h"
+#include "correction/range.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "fit/noise.h"
@@ -238,7 +239,8 @@ class Bank {
       for (Section& s : c.sections)
         if (s.time_constant == shares_[j].time_constant) s.gain = gain;
     }
-    model_.range = seen_range(model_, record_);
+    see(model_, record_);
+    model_.left = Left{.rms = result_.rms_held_out};
     result_.model = model_;
     result_.parameters = parameters(model_);
     result_.noise = std::isfinite(model_.measured_std)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "correction/beyond.h"
 #include "correction/delay_element.h"
 #include "correction/friction_table.h"
 #include "correction/transfer_function.h"
@@ -28,10 +29,12 @@ struct Input {
   const Channel* reference = nullptr;     ///< of which the rise is taken off that of the input
   /// Of a speed n, which then counts as n (n/1000 rpm)^(exponent - 1): heat rises faster than n.
   double exponent = 1.0;
+  Interval seen{};  ///< of that speed [SI], beyond which the power is continued()
   std::shared_ptr<const FrictionTable> table{};  ///< power: its torque at the speed times the speed
   double axial_load = unset;                     ///< [N], of the power
   double temperature = unset;                    ///< [K], of the power, where no column has it
   const Channel* temperature_column = nullptr;
+  Interval within{};  ///< to which the power is held [W]
 
   [[nodiscard]] bool is_power() const { return table != nullptr; }
   /// What gains are per: "K", "W", "m/min" or "rpm" for people, "K", "W", "m_min", "rpm" in keys,
@@ -84,6 +87,21 @@ struct SeenRange {
   double lower = unset, upper = unset;  ///< SI; of temperatures as they stand, not their rise
 };
 
+/// The inputs at once, as a cloud of points: each may stand where it has stood before, and all of
+/// them where they never were together.
+struct SeenTogether {
+  std::vector<const Channel*> columns{};  ///< those that varied
+  Eigen::VectorXd mean{}, std{};          ///< SI; of all but temperatures of their amount
+  Eigen::MatrixXd correlation{};
+  double farthest = unset;  ///< distance of the farthest point from the mean [1]: see range.h
+};
+
+/// What the fitted model left of its readings.
+struct Left {
+  double rms = unset;               ///< on parts that no fit saw, where there are any [m]
+  double correlation_time = unset;  ///< how long it remembers itself [s]
+};
+
 struct Model {
   std::string name{};
   const Channel* displacement = nullptr;
@@ -98,7 +116,9 @@ struct Model {
   /// Names of parameters, and groups of them: see groups().
   std::vector<std::string> free{};
   std::vector<SeenRange> range{};
+  std::optional<SeenTogether> together{};
   std::optional<fit::Covariance> covariance{};
+  std::optional<Left> left{};
 };
 
 }  // namespace raceway::correction

@@ -78,11 +78,13 @@ double Series::id_of(const Input& input) const {
   std::string text;
   for (const record::Channel* c : input.columns) text += std::string(c->name) + " ";
   if (input.reference) text += "- " + std::string(input.reference->name);
-  if (input.exponent != 1.0) text += fmt::format("^{}", input.exponent);
+  if (input.exponent != 1.0)
+    text += fmt::format("^{} {} {}", input.exponent, input.seen.lower, input.seen.upper);
   if (input.is_power())
     text += fmt::format("power {} {} {} {}", static_cast<const void*>(input.table.get()),
                         input.axial_load, input.temperature,
-                        input.temperature_column ? input.temperature_column->name : "");
+                        input.temperature_column ? input.temperature_column->name : "") +
+            fmt::format("{} {}", input.within.lower, input.within.upper);
   const std::scoped_lock lock(mutex_);
   const auto found = std::find(inputs_.begin(), inputs_.end(), text);
   const auto id = static_cast<double>(found - inputs_.begin());
@@ -101,9 +103,12 @@ std::vector<double> Series::power(const Input& input) const {
   std::vector<double> list;
   for (std::size_t k = 0; k < rows(); ++k) {
     const double speed = speed_rpm_[k] * rpm;
-    list.push_back(speed *
-                   (*input.table)(speed, input.axial_load,
-                                  temperature.empty() ? input.temperature : temperature[k]));
+    const double power =
+        speed * (*input.table)(speed, input.axial_load,
+                               temperature.empty() ? input.temperature : temperature[k]);
+    list.push_back(power < input.within.lower   ? input.within.lower
+                   : power > input.within.upper ? input.within.upper
+                                                : power);
   }
   return list;
 }
@@ -129,6 +134,11 @@ Series::Values Series::input(const Input& input) const {
       return;
     }
     const bool from_first = input.course() == record::Course::straight;
+    const Interval from_rest{0.0, input.seen.upper};
+    const auto size = [&](double v) {
+      return continued([&](double n) { return size_of(n, input.exponent); }, from_rest,
+                       std::abs(v));
+    };
     const auto add = [&](const record::Channel& channel, double weight) {
       const std::span<const double> values = record_.values(channel);
       if (values.empty())
@@ -137,7 +147,7 @@ Series::Values Series::input(const Input& input) const {
       double first = 0.0;
       for (std::size_t k = 0; k < rows(); ++k) {
         if (clock_.begins[k]) first = from_first ? values[k] : 0.0;
-        out[k] += weight * (from_first ? values[k] - first : size_of(values[k], input.exponent));
+        out[k] += weight * (from_first ? values[k] - first : size(values[k]));
       }
     };
     for (const record::Channel* c : input.columns)
@@ -151,6 +161,8 @@ void Series::answer(const std::vector<double>& input, record::Course course, dou
                     const Answer& by, std::vector<double>& state) const {
   const Hold hold = hold_of(course);
   const double from_sensor = by.sensor_time_constant / time_constant;
+  const auto factor = [&](double n) { return 1.0 / (1.0 + by.speed_factor * n / 10000.0); };
+  double speed = unset, f = 1.0, gain_factor = 1.0;
   std::vector<double>& x = state;
   for (std::size_t k = 0; k < rows(); ++k) {
     if (clock_.begins[k]) {
@@ -158,12 +170,14 @@ void Series::answer(const std::vector<double>& input, record::Course course, dou
       continue;
     }
     // What holds from the row before to this one.
-    const double f = by.speed_factor == 0.0 || speed_rpm_.empty()
-                         ? 1.0
-                         : 1.0 / (1.0 + by.speed_factor * speed_rpm_[k - 1] / 10000.0);
+    if (!speed_rpm_.empty() && speed_rpm_[k - 1] != speed) {
+      speed = speed_rpm_[k - 1];
+      f = continued(factor, by.speed, speed);
+      gain_factor =
+          continued([&](double n) { return std::pow(factor(n), by.gain_power); }, by.speed, speed);
+    }
     const bool off = !coolant_.empty() && coolant_[k - 1] < 0.5;
-    const double gain =
-        (by.speed_factor == 0.0 ? 1.0 : std::pow(f, by.gain_power)) * (off ? by.off_gain : 1.0);
+    const double gain = gain_factor * (off ? by.off_gain : 1.0);
     const double before = gain * input[k - 1];
     const double after = hold == Hold::straight ? gain * input[k] : before;
     double tau = time_constant * f * (off ? by.off_time_constant : 1.0);
@@ -176,40 +190,47 @@ void Series::answer(const std::vector<double>& input, record::Course course, dou
 }
 
 Series::Values Series::lag(const Input& of, double time_constant, const Answer& by) const {
-  return kept({of_lag, id_of(of), time_constant, by.sensor_time_constant, by.off_gain,
-               by.off_time_constant, by.speed_factor, by.gain_power, by.falling},
-              [&](std::vector<double>& out) {
-                const Values driving = input(of);
-                if (by.is_plain())
-                  lag_response(clock_, *driving, hold_of(of.course()), time_constant, 0.0, out);
-                else
-                  answer(*driving, of.course(), time_constant, by, out);
-              });
+  return kept(
+      {of_lag, id_of(of), time_constant, by.sensor_time_constant, by.off_gain, by.off_time_constant,
+       by.speed_factor, by.gain_power, by.falling, by.speed.lower, by.speed.upper},
+      [&](std::vector<double>& out) {
+        const Values driving = input(of);
+        if (by.is_plain())
+          lag_response(clock_, *driving, hold_of(of.course()), time_constant, 0.0, out);
+        else
+          answer(*driving, of.course(), time_constant, by, out);
+      });
 }
 
-Series::Values Series::kinematic(double B, double C) const {
-  return kept({of_law, B, C}, [&](std::vector<double>& out) {
+Series::Values Series::kinematic(double B, double C, const Interval& seen) const {
+  const auto law = [&](double n) { return shaft::kinematic_displacement_um(n, 1.0, B, C); };
+  const Interval from_rest{0.0, seen.upper};
+  return kept({of_law, B, C, seen.upper}, [&](std::vector<double>& out) {
     if (speed_rpm_.empty())
       throw std::invalid_argument("the kinematic displacement needs a column speed_rpm");
     double last = -1.0, value = 0.0;
     for (std::size_t k = 0; k < rows(); ++k) {
       if (speed_rpm_[k] != last) {
         last = speed_rpm_[k];
-        value = shaft::kinematic_displacement_um(last, 1.0, B, C);
+        value = continued(law, from_rest, last);
       }
       out[k] = value;
     }
   });
 }
 
-Series::Values Series::motor(double decay_speed_rpm, double time_constant) const {
-  return kept({of_motor, decay_speed_rpm, time_constant}, [&](std::vector<double>& out) {
-    if (speed_rpm_.empty()) throw std::invalid_argument("motor-heat needs a column speed_rpm");
-    std::vector<double> heat;
-    for (const double n : speed_rpm_)
-      heat.push_back(n > 0.0 ? std::exp(-n / decay_speed_rpm) : 0.0);
-    lag_response(clock_, heat, Hold::held, time_constant, 0.0, out);
-  });
+Series::Values Series::motor(double decay_speed_rpm, double time_constant,
+                             const Interval& seen) const {
+  const auto law = [&](double n) { return std::exp(-n / decay_speed_rpm); };
+  return kept({of_motor, decay_speed_rpm, time_constant, seen.lower, seen.upper},
+              [&](std::vector<double>& out) {
+                if (speed_rpm_.empty())
+                  throw std::invalid_argument("motor-heat needs a column speed_rpm");
+                std::vector<double> heat;
+                for (const double n : speed_rpm_)
+                  heat.push_back(n > 0.0 ? continued(law, seen, n) : 0.0);
+                lag_response(clock_, heat, Hold::held, time_constant, 0.0, out);
+              });
 }
 
 Series::Values Series::decay(double time_constant) const {

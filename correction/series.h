@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "correction/beyond.h"
 #include "correction/lag.h"
 #include "correction/model.h"
 #include "record/record.h"
@@ -19,6 +20,7 @@ struct Answer {
   double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios where coolant_on is 0
   double speed_factor = 0.0, gain_power = 1.0;     ///< s and g of the card
   double falling = 1.0;                            ///< ratio where the input is below the state
+  Interval speed{};                                ///< that was seen [rpm]: s and g go on beyond it
 
   [[nodiscard]] bool is_plain() const {
     return sensor_time_constant == 0.0 && off_gain == 1.0 && off_time_constant == 1.0 &&
@@ -55,10 +57,12 @@ class Series {
 
   /// State of a lag of that input, in its unit.
   [[nodiscard]] Values lag(const Input& input, double time_constant, const Answer& answer) const;
-  /// n^(1 - B exp(-C n)), of speed in rpm.
-  [[nodiscard]] Values kinematic(double B, double C) const;
-  /// Lag of exp(-n/n0) where it turns, else of 0.
-  [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant) const;
+  /// n^(1 - B exp(-C n)), of speed in rpm. Above the speeds that were seen it is continued(); below
+  /// them it ends at rest, where it is known to be 0.
+  [[nodiscard]] Values kinematic(double B, double C, const Interval& seen = {}) const;
+  /// Lag of exp(-n/n0) where it turns, else of 0; beyond the speeds that were seen continued().
+  [[nodiscard]] Values motor(double decay_speed_rpm, double time_constant,
+                             const Interval& seen = {}) const;
   /// exp(-t/tau) from the first row of the first run; 0 in later ones.
   [[nodiscard]] Values decay(double time_constant) const;
   /// 1 - exp(-t/tau) from the first row of the record on, through all runs.

@@ -9,6 +9,7 @@
 
 #include "correction/catalogue.h"
 #include "correction/numbers.h"
+#include "correction/range.h"
 #include "record/series_channel.h"
 
 namespace raceway::correction {
@@ -44,17 +45,19 @@ std::vector<double> run_printed(const TransferFunction& function, const Series& 
   return all;
 }
 
-void add_channel(const Model& model, const DrivenChannel& c, const Series& series,
+void add_channel(const Model& model, const DrivenChannel& channel, const Series& series,
                  const Sink& sink) {
+  DrivenChannel c = channel;
+  if (c.input.exponent != 1.0) c.input.seen = seen_of(model, *c.input.columns.front());
   const Series::Values input = series.input(c.input);
   if (c.element) {
     std::vector<double> u(series.rows());
-    delay_response(series.clock(), *input, *c.element, u);
+    delay_response(series.clock(), *input, *c.element, u, seen_power(model, c));
     sink(c.scale, u);
   }
   if (c.printed) sink(c.scale, run_printed(*c.printed, series, *input, c.name));
   if (c.feedthrough != 0.0) sink(c.scale * c.feedthrough, *input);
-  const Answer answer = answer_of(model, c);
+  const Answer answer = answer_of(model, channel);
   for (const Section& s : c.sections)
     if (s.gain != 0.0) sink(c.scale * s.gain, *series.lag(c.input, s.time_constant, answer));
 }
@@ -66,7 +69,7 @@ void add_effect(const Model& model, const Effect& e, const Series& series, const
   if (card.of_channel || (e.values.front() == 0.0 && !of_jumps)) return;
   const double size = e.values.front() * um;
   if (e.id == "kinematic-displacement") {
-    sink(size, *series.kinematic(e.values[1], e.values[2]));
+    sink(size, *series.kinematic(e.values[1], e.values[2], seen_speed(model)));
   } else if (of_jumps) {
     const std::span<const double> time = series.record().values(record::time);
     std::vector<double> step(series.rows());
@@ -79,7 +82,7 @@ void add_effect(const Model& model, const Effect& e, const Series& series, const
   } else if (e.id == "slow-drift") {
     sink(size, *series.settling(e.values[1]));
   } else if (e.id == "motor-heat" && e.columns.empty()) {
-    sink(size, *series.motor(e.values[2], e.values[1]));
+    sink(size, *series.motor(e.values[2], e.values[1], seen_speed(model)));
   } else {
     const Input input = input_of(e, model);
     sink(size / input.factor(), *series.lag(input, e.values[1], {}));
@@ -106,6 +109,7 @@ Answer answer_of(const Model& model, const DrivenChannel& channel) {
     } else if (e.id == "speed-dependent-time-constant") {
       answer.speed_factor = e.values[0];
       answer.gain_power = e.values[1];
+      answer.speed = seen_speed(model);
     } else {
       answer.falling = e.values[0];
     }
@@ -118,7 +122,7 @@ void simulate(const Model& model, const Series& series, std::span<double> displa
   const Sink sink = add_to(displacement);
   for (const DrivenChannel& c : model.channels) add_channel(model, c, series, sink);
   if (const auto& law = model.kinematic; law && law->A != 0.0)
-    sink(law->A * um, *series.kinematic(law->B, law->C));
+    sink(law->A * um, *series.kinematic(law->B, law->C, seen_speed(model)));
   for (const Effect& e : model.effects) add_effect(model, e, series, sink);
 }
 
@@ -130,7 +134,7 @@ std::vector<Contribution> contributions(const Model& model, const Series& series
   };
   for (const DrivenChannel& c : model.channels) add_channel(model, c, series, part(c.name));
   if (const auto& law = model.kinematic)
-    part("kinematic")(law->A * um, *series.kinematic(law->B, law->C));
+    part("kinematic")(law->A * um, *series.kinematic(law->B, law->C, seen_speed(model)));
   for (const Effect& e : model.effects)
     if (!find_card(e.id)->of_channel) add_effect(model, e, series, part(full_id(e)));
   return list;

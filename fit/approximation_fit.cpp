@@ -69,10 +69,11 @@ Calibration calibration_of(const Subject& before, const Approximation& on_means,
                       .rmse_after = rms_about_mean(*result.subject, record)}};
   result.iterations = fit.fit.iterations;
   result.status = fit.fit.values.allFinite() ? FitStatus::converged : FitStatus::failed;
-  if (std::isfinite(fit.rms_held_out))
-    result.messages.push_back(
-        fmt::format("on parts of the record that no fit saw it errs by {}",
-                    reading_text(*of.channel, fit.rms_held_out / rows.means.list.front().weight)));
+  result.correlation_time = errors.correlation_time;
+  result.rms_held_out = fit.rms_held_out / rows.means.list.front().weight;
+  if (std::isfinite(result.rms_held_out))
+    result.messages.push_back(fmt::format("on parts of the record that no fit saw it errs by {}",
+                                          reading_text(*of.channel, result.rms_held_out)));
   return result;
 }
 

@@ -31,6 +31,9 @@ struct Calibration {
   int iterations = 0;
   FitStatus status = FitStatus::not_run;
   std::vector<std::string> messages{};  ///< what the user should know, one line each
+  /// Of a subject that only approximates: error on parts that no fit saw [SI], and how long what is
+  /// left remembers itself [s]; NaN where that is not known.
+  double rms_held_out = unset, correlation_time = unset;
 
   [[nodiscard]] bool converged() const { return status == FitStatus::converged; }
 };

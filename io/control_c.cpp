@@ -57,7 +57,8 @@ typedef enum {
   @P@_beyond_table = 4,   /* a friction table: its edge holds */
   @P@_beyond_element = 8, /* a power that a delay element cannot take: it stands still */
   @P@_clock = 16,         /* dt is not above 0: nothing moves */
-  @P@_not_started = 32    /* no call yet in which all inputs had a value: displacements are 0 */
+  @P@_not_started = 32,   /* no call yet in which all inputs had a value: displacements are 0 */
+  @P@_beyond_together = 64 /* the inputs stand together as the model has never seen them */
 } @P@_flag;
 
 enum {
@@ -67,6 +68,7 @@ enum {
   @P@_drives_count = @DRIVES_COUNT@,
   @P@_feedthroughs_count = @FEEDTHROUGHS_COUNT@,
   @P@_kinematics_count = @KINEMATICS_COUNT@,
+  @P@_together_count = @TOGETHER_COUNT@,
   @P@_speed = @SPEED@,    /* of the inputs; -1: none */
   @P@_coolant = @COOLANT@,
   /* Numbers of a saved state. */
@@ -90,6 +92,17 @@ typedef struct {
 static const @P@_real @P@_lowest[] = {@LOWEST@};
 static const @P@_real @P@_highest[] = {@HIGHEST@};
 static const int @P@_is_temperature[] = {@TEMPERATURES@};
+
+/* What the models have seen of inputs at once: |weights (x - mean)| was at most `farthest`. */
+static const int @P@_together_inputs[] = {@TOGETHER_INPUTS@};
+static const @P@_real @P@_together_mean[] = {@TOGETHER_MEAN@};
+static const @P@_real @P@_together_weights[] = {@TOGETHER_WEIGHTS@}; /* lower triangles, row by row */
+typedef struct {
+  int from, count, weights;
+  @P@_real farthest;
+} @P@_together;
+static const @P@_together @P@_clouds[] = {
+@TOGETHER@};
 
 #if @U@_POWER
 /* Points of tables. */
@@ -204,7 +217,10 @@ static inline @P@_real @P@_drive_at(const @P@_state *s, const @P@_drive *d, cons
     return d->reference < 0 ? u : u - (in[d->reference] - s->first[d->reference]);
   }
   u = in[@P@_speed < 0 ? 0 : @P@_speed];
-  if (d->kind == @P@_motor) return u > 0 ? @P@_exp(-u / d->decay_rpm) : @P@_R(0);
+  if (d->kind == @P@_motor) {
+    k = @P@_speed < 0 ? 0 : @P@_speed;
+    return u > 0 ? @P@_exp(-@P@_within(u, @P@_lowest[k], @P@_highest[k]) / d->decay_rpm) : @P@_R(0);
+  }
 #if @U@_POWER
   k = 1;
   u *= @P@_torque(d, u, d->temperature < 0 ? d->at_temperature : in[d->temperature], &k) *
@@ -216,23 +232,41 @@ static inline @P@_real @P@_drive_at(const @P@_state *s, const @P@_drive *d, cons
   return u;
 }
 
-/* What drives, as it is and as it is for instant parts: within the range of what was seen. */
+static inline int @P@_is_together(const @P@_real *in) {
+  int c, k, j, w;
+  for (c = 0; c < @P@_together_count; ++c) {
+    const @P@_together *t = &@P@_clouds[c];
+    @P@_real square = 0;
+    for (k = 0, w = t->weights; k < t->count; ++k) {
+      @P@_real z = 0;
+      for (j = t->from; j <= t->from + k; ++j, ++w)
+        z += @P@_together_weights[w] * (in[@P@_together_inputs[j]] - @P@_together_mean[j]);
+      square += z * z;
+    }
+    if (square > t->farthest * t->farthest * @P@_R(1.0002)) return 0;
+  }
+  return 1;
+}
+
+/* What drives, as it is and as it is for instant parts: within the range of what was seen. Rest is
+   known: what acts by its size is held at its highest alone. */
 static inline void @P@_drive_all(const @P@_state *s, const @P@_real *in, @P@_real *within, @P@_real *u,
                                 @P@_real *held, unsigned *flags, unsigned long *out_of_range) {
   int k;
   for (k = 0; k < @P@_inputs; ++k) {
-    within[k] = @P@_within(in[k], @P@_lowest[k], @P@_highest[k]);
-    if (within[k] == in[k]) continue;
+    within[k] = @P@_within(in[k], @P@_is_temperature[k] ? @P@_lowest[k] : @P@_R(-1e30), @P@_highest[k]);
+    if (in[k] >= @P@_lowest[k] && in[k] <= @P@_highest[k]) continue;
     *flags |= @P@_beyond_range;
     if (k < 32) *out_of_range |= 1UL << k;
   }
+  if (!@P@_is_together(in)) *flags |= @P@_beyond_together;
   for (k = 0; k < @P@_drives_count; ++k) {
     const @P@_drive *d = &@P@_drives[k];
     u[k] = @P@_drive_at(s, d, in, flags);
     held[k] = @P@_drive_at(s, d, within, flags);
     if (d->kind != @P@_power) continue;
     if (u[k] < d->low || u[k] > d->high) *flags |= @P@_beyond_range;
-    held[k] = @P@_within(held[k], d->low, d->high);
+    held[k] = @P@_within(held[k], @P@_R(-1e30), d->high);
   }
 }
 
@@ -402,6 +436,7 @@ static inline int @P@_restore(@P@_state *s, const double *saved) {
 class Numbers {
  public:
   Numbers(const ControlPlan& plan, std::string_view name) : plan_(plan), name_(name) {
+    for (const ControlTogether& t : plan.together) add(t);
     for (const ControlDrive& d : plan.drives) add(d);
     for (std::size_t k = 0; k < plan.axes.size(); ++k) add(plan.axes[k], k);
   }
@@ -445,6 +480,11 @@ class Numbers {
             {"DRIVE_INPUTS", listed_or_zero(drive_inputs_)},
             {"DRIVES_COUNT", std::to_string(plan_.drives.size())},
             {"DRIVES", rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}")},
+            {"TOGETHER_COUNT", std::to_string(plan_.together.size())},
+            {"TOGETHER_INPUTS", listed_or_zero(together_inputs_)},
+            {"TOGETHER_MEAN", listed_or_zero(together_mean_)},
+            {"TOGETHER_WEIGHTS", listed_or_zero(together_weights_)},
+            {"TOGETHER", rows(together_, "{0, 0, 0, 0}")},
             {"SECTIONS_COUNT", std::to_string(section_count_)},
             {"SECTIONS", rows(sections_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}")},
             {"ELEMENTS_COUNT", std::to_string(element_count_)},
@@ -477,6 +517,16 @@ class Numbers {
     const std::size_t first = point_count_;
     point_count_ += values.size();
     return first;
+  }
+
+  void add(const ControlTogether& t) {
+    together_ += fmt::format("  {{{}, {}, {}, {}}},\n", together_input_count_, t.inputs.size(),
+                             together_weight_count_, real(t.farthest));
+    for (const std::size_t k : t.inputs) together_inputs_ += fmt::format("{}, ", k);
+    for (const double v : t.mean) together_mean_ += real(v) + ", ";
+    for (const double v : t.weights) together_weights_ += real(v) + ", ";
+    together_input_count_ += t.inputs.size();
+    together_weight_count_ += t.weights.size();
   }
 
   void add(const ControlDrive& d) {
@@ -539,6 +589,8 @@ class Numbers {
 
   const ControlPlan& plan_;
   std::string name_;
+  std::string together_, together_inputs_, together_mean_, together_weights_;
+  std::size_t together_input_count_ = 0, together_weight_count_ = 0;
   std::string points_, drive_inputs_, drives_, sections_, elements_, feedthroughs_, kinematics_;
   std::size_t point_count_ = 0, drive_input_count_ = 0, section_count_ = 0, element_count_ = 0,
               feedthrough_count_ = 0, kinematic_count_ = 0;

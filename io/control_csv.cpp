@@ -24,7 +24,13 @@ constexpr std::string_view formulas =
 # feedthrough  gain * u now
 # kinematic    A * n^(1 - B*exp(-C*n)), n = speed without its sign [rpm], 0 at n = 0
 # displacement = offset + sum of all of its sections, elements, feedthroughs and kinematics
-# Beyond lowest and highest of an input: raise a flag; feedthrough and kinematic take the input at its limit.
+# Beyond lowest and highest of an input: raise a flag; feedthrough and kinematic take the input at its limit,
+#              what acts by its size (speeds, feeds, power) at its highest alone; motor takes the speed within both.
+)";
+
+constexpr std::string_view together_formulas =
+    R"(# together     raise a flag where sqrt(sum of the squares of z) is above farthest; z of each of its inputs the sum of
+#              weight * (input now - mean) over the inputs whose weights it has, sizes without their sign
 )";
 
 constexpr std::string_view answer_formulas =
@@ -50,6 +56,8 @@ class Table {
       row(in.column, "", "input", "highest", in.highest, in.unit);
       if (std::isnan(in.lowest)) word(in.column, "", "input", "range", "not known");
     }
+    for (std::size_t k = 0; k < plan_.together.size(); ++k)
+      add(plan_.together[k], fmt::format("together {}", k + 1));
     for (const ControlAxis& a : plan_.axes) add(a);
     return fmt::to_string(out_);
   }
@@ -69,6 +77,16 @@ class Table {
   void row(std::string_view of, std::string_view channel, std::string_view part,
            std::string_view name, double value, std::string_view unit) {
     if (!std::isnan(value)) put(of, channel, part, name, control_number(value, "none"), unit);
+  }
+
+  void add(const ControlTogether& t, const std::string& part) {
+    for (std::size_t k = 0, at = 0; k < t.inputs.size(); ++k) {
+      const std::string& of = plan_.inputs[t.inputs[k]].column;
+      row(of, "", part, "mean", t.mean[k], plan_.inputs[t.inputs[k]].unit);
+      for (std::size_t j = 0; j <= k; ++j, ++at)
+        row(of, "", part, "weight of " + plan_.inputs[t.inputs[j]].column, t.weights[at], "");
+    }
+    row("", "", part, "farthest", t.farthest, "1");
   }
 
   void add_drive(const ControlAxis& a, const std::string& channel, const std::string& part,
@@ -179,6 +197,7 @@ std::string control_csv(const ControlPlan& plan) {
   }
   std::string text = control_heading(plan, "# ");
   text += formulas;
+  if (!plan.together.empty()) text += together_formulas;
   if (answers) text += answer_formulas;
   if (elements) text += element_formulas;
   return text + "of,channel,part,name,value,unit\n" + Table(plan).text();

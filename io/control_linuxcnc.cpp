@@ -23,7 +23,7 @@ counts of their own scale.
 pin in bit reset "true: begins anew from rest, with the temperatures of then";
 pin in bit zero "while true displacements count from where they are, as after a touch-off";
 pin in float interval = 1.0 "between two calls [s], 0.01 to 60";
-pin out unsigned status_bits "bits: 1 input beyond its range, 2 no number, 4 beyond the friction table, 8 power beyond a delay element, 16 clock, 32 not started";
+pin out unsigned status_bits "bits: 1 input beyond its range, 2 no number, 4 beyond the friction table, 8 power beyond a delay element, 16 clock, 32 not started, 64 inputs together as never seen";
 pin out unsigned beyond_bits "bits: which of the inputs, in the order of these pins, is beyond its range";
 option userspace yes;
 option singleton yes;

@@ -9,6 +9,7 @@
 
 #include "correction/catalogue.h"
 #include "correction/numbers.h"
+#include "correction/range.h"
 #include "correction/simulation.h"
 #include "io/error.h"
 #include "io/number_text.h"
@@ -37,7 +38,10 @@ class Planner {
       for (const Channel* c : correction::inputs_of(m)) (void)input(*c);
     plan_.speed = number_of("speed_rpm");
     plan_.coolant = number_of("coolant_on");
-    for (const Model& m : models_) add(m);
+    for (const Model& m : models_) {
+      add(m);
+      if (m.together) add(*m.together);
+    }
     note_unknown_ranges();
     return std::move(plan_);
   }
@@ -86,6 +90,21 @@ class Planner {
         }
     plan_.inputs.push_back(std::move(in));
     return plan_.inputs.size() - 1;
+  }
+
+  void add(const correction::SeenTogether& seen) {
+    ControlTogether made{.farthest = seen.farthest};
+    const Eigen::MatrixXd weights = correction::Distance(seen).weights();
+    for (Eigen::Index k = 0; k < weights.rows(); ++k) {
+      const Channel& c = *seen.columns[static_cast<std::size_t>(k)];
+      made.inputs.push_back(input(c));
+      made.mean.push_back(shown(value_in_unit(c, seen.mean[k])));
+      for (Eigen::Index j = 0; j <= k; ++j) {
+        const Channel& of = *seen.columns[static_cast<std::size_t>(j)];
+        made.weights.push_back(shown(weights(k, j) / seen.std[j] * of.factor));
+      }
+    }
+    plan_.together.push_back(std::move(made));
   }
 
   void note_unknown_ranges() {

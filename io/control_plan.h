@@ -30,6 +30,15 @@ struct ControlInput {
   double lowest = unset, highest = unset;
 };
 
+/// What a model has seen of its inputs at once: |weights (x - mean)| is no larger than `farthest`.
+/// All but temperatures by their amount.
+struct ControlTogether {
+  std::vector<std::size_t> inputs{};
+  std::vector<double> mean{};
+  std::vector<double> weights{};  ///< lower triangle, row by row [1 over the unit of the input]
+  double farthest = unset;
+};
+
 /// Friction torque of a spindle at one load, straight between its points, held beyond them.
 struct ControlTable {
   std::string file{};
@@ -114,7 +123,8 @@ struct ControlPlan {
   std::string source{};  ///< name of the model file
   std::vector<ControlInput> inputs{};
   std::size_t speed = nowhere,
-              coolant = nowhere;  ///< those of the inputs that have a part of their own
+              coolant = nowhere;            ///< those of the inputs that have a part of their own
+  std::vector<ControlTogether> together{};  ///< one for each model that says it
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};

@@ -36,6 +36,10 @@ STAMP = @STAMP@  # of the numbers below; a state of other numbers is refused
 # column, unit, lowest and highest value that the numbers were found in (None: not known)
 INPUTS = [
 @INPUTS@]
+# What the models have seen of inputs at once: places in INPUTS, their mean, rows of weights (one number
+# more in each), and how large |weights (x - mean)| was at most.
+TOGETHER = [
+@TOGETHER@]
 # Columns by their place in INPUTS. Of a power: friction torque [N mm] over temperature, then speed.
 DRIVES = [
 @DRIVES@]
@@ -52,6 +56,7 @@ BEYOND_TABLE = 4     # a friction table: its edge holds
 BEYOND_ELEMENT = 8   # a power that a delay element cannot take: it stands still
 CLOCK = 16           # time did not go on: nothing moves until it does
 NOT_STARTED = 32     # no call yet in which all inputs had a value: displacements are 0
+BEYOND_TOGETHER = 64 # the inputs stand together as the model has never seen them
 
 
 def is_number(value):
@@ -214,10 +219,18 @@ class Correction(object):
         return values
 
     def _within_range(self, values):
-        seen = [within(v, low, high) for v, (_, _, low, high) in zip(values, INPUTS)]
-        self.beyond = [i[0] for i, v, s in zip(INPUTS, values, seen) if v != s]
+        # Rest is known: what acts by its size is held at its highest alone.
+        seen = [within(v, low if unit == "C" else None, high)
+                for v, (_, unit, low, high) in zip(values, INPUTS)]
+        self.beyond = [i[0] for i, v in zip(INPUTS, values) if v != within(v, i[2], i[3])]
         if self.beyond:
             self.status |= BEYOND_RANGE
+        for places, mean, weights, farthest in TOGETHER:
+            apart = [values[k] - m for k, m in zip(places, mean)]
+            distance = math.sqrt(sum(
+                sum(w * x for w, x in zip(row, apart)) ** 2 for row in weights))
+            if distance > farthest * 1.0001:
+                self.status |= BEYOND_TOGETHER
         return seen
 
     def _drive(self, drive, values):
@@ -231,7 +244,8 @@ class Correction(object):
             return sum(values[k] for k in drive["inputs"]) / len(drive["inputs"])
         speed = values[SPEED]
         if kind == "motor":
-            return math.exp(-speed / drive["decay_rpm"]) if speed > 0.0 else 0.0
+            turning = within(speed, INPUTS[SPEED][2], INPUTS[SPEED][3])
+            return math.exp(-turning / drive["decay_rpm"]) if speed > 0.0 else 0.0
         temperature = drive["temperature_C"] if drive["temperature"] is None \
             else values[drive["temperature"]]
         torque, on_table = torque_Nmm(drive["table"], speed, temperature)
@@ -245,7 +259,7 @@ class Correction(object):
         for d in DRIVES:
             u = self._drive(d, seen)
             if d["kind"] == "power":
-                u = within(u, d["lowest"], d["highest"])
+                u = within(u, None, d["highest"])
             held.append(u)
         return held
 
@@ -343,8 +357,21 @@ if __name__ == "__main__":
 )py";
 
 std::string number(double value) { return control_number(value, "None"); }
-std::string place(std::size_t index) { return index == nowhere ? "None" : fmt::format("{}", index); }
+std::string place(std::size_t index) {
+  return index == nowhere ? "None" : fmt::format("{}", index);
+}
 std::string list(const std::vector<double>& values) { return "[" + control_numbers(values) + "]"; }
+
+std::string together_text(const ControlTogether& t) {
+  std::string rows;
+  for (std::size_t k = 0, at = 0; k < t.inputs.size(); at += ++k) {
+    const auto from = t.weights.begin() + static_cast<std::ptrdiff_t>(at);
+    rows += fmt::format("      {},\n",
+                        list(std::vector(from, from + static_cast<std::ptrdiff_t>(k + 1))));
+  }
+  return fmt::format("    ([{}], {}, [\n{}     ], {}),\n", fmt::join(t.inputs, ", "), list(t.mean),
+                     rows, number(t.farthest));
+}
 
 std::string drive_text(const ControlDrive& d, const ControlPlan& plan) {
   switch (d.kind) {
@@ -426,15 +453,17 @@ std::string axis_text(const ControlAxis& a) {
 }  // namespace
 
 std::string control_python(const ControlPlan& plan) {
-  std::string inputs, drives, axes;
+  std::string inputs, together, drives, axes;
   for (const ControlInput& in : plan.inputs)
     inputs += fmt::format("    (\"{}\", \"{}\", {}, {}),\n", in.column, in.unit, number(in.lowest),
                           number(in.highest));
+  for (const ControlTogether& t : plan.together) together += together_text(t);
   for (const ControlDrive& d : plan.drives) drives += "    " + drive_text(d, plan) + ",\n";
   for (const ControlAxis& a : plan.axes) axes += axis_text(a);
   return filled(program, {{"HEADING", control_heading(plan, "# ")},
                           {"STAMP", fmt::format("{}", stamp(plan))},
                           {"INPUTS", inputs},
+                          {"TOGETHER", together},
                           {"DRIVES", drives},
                           {"AXES", axes},
                           {"SPEED", place(plan.speed)},

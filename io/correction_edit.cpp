@@ -9,6 +9,7 @@
 #include "io/number_text.h"
 
 // Last: see io/toml_text.h.
+#include "io/correction_trust.h"
 #include "io/model_tables.h"
 
 // Changes a correction file and leaves all else as the user wrote it.
@@ -19,15 +20,10 @@ using correction::DrivenChannel;
 using correction::Effect;
 using correction::Model;
 
-std::string float_text(double value) {
-  std::string text = fmt::format("{}", with_15_digits(value));
-  if (text.find_first_of(".e") == text.npos) text += ".0";
-  return text;
-}
-
 std::string section_text(const DrivenChannel& c, const correction::Section& s) {
   return fmt::format("{{ gain_um_{} = {}, time_constant_s = {} }}", c.input.key_unit(),
-                     float_text(s.gain * c.input.factor() / um), float_text(s.time_constant));
+                     toml_float(with_15_digits(s.gain * c.input.factor() / um)),
+                     toml_float(with_15_digits(s.time_constant)));
 }
 
 std::string sections_text(const DrivenChannel& c) {
@@ -67,35 +63,47 @@ class Editor {
     text_.replace(begin, end - begin, by);
   }
 
-  /// A block of lines at the end of the file.
-  void append(const std::string& block) {
-    if (!text_.empty() && text_.back() != '\n') text_ += line_end_;
-    text_ += line_end_;
-    for (const char c : block) {
-      if (c == '\n')
-        text_ += line_end_;
-      else
-        text_ += c;
+  /// A block of lines behind all of the model of that index: at the end of the file, or before the
+  /// next model and the comment above it.
+  void append(std::size_t index, const std::string& block) {
+    std::size_t at = text_.size();
+    const toml::table root = parsed();
+    const toml::array* const list = root.get("correction")->as_array();
+    if (list && index + 1 < list->size()) {
+      at = table_begin(*list->get(index + 1)->as_table());
+      while (at > 0) {
+        const std::size_t before = text_.rfind('\n', at - 2) + 1;
+        const std::size_t first = text_.find_first_not_of(" \t", before);
+        if (text_[first] != '#') break;
+        at = before;
+      }
     }
+    std::string lines;
+    if (at > 0 && text_[at - 1] != '\n') lines += line_end_;
+    if (at == text_.size()) lines += line_end_;
+    for (const char c : block) lines += c == '\n' ? line_end_ : std::string(1, c);
+    if (at < text_.size()) lines += line_end_;
+    text_.insert(at, lines);
   }
 
   [[nodiscard]] std::size_t table_begin(const toml::table& table) const {
     return line_start(table.source().begin.line);
   }
 
-  /// Takes out a table with brackets: from its line to that of the next header.
-  void remove(const toml::table& table) {
-    std::size_t begin = line_start(table.source().begin.line);
-    // With the blank line before it.
+  /// Takes out a table of a model, in brackets or in braces, with the blank line before it.
+  void remove(const toml::table& owner, std::string_view key) {
+    const auto entry = owner.find(key);
+    const toml::table& table = *entry->second.as_table();
+    std::size_t begin = line_start(table.is_inline() ? entry->first.source().begin.line
+                                                     : table.source().begin.line);
+    auto last = table.source().begin.line;
+    if (table.is_inline()) last = std::max(last, table.source().end.line);
+    for (const auto& [_, node] : table) last = std::max(last, node.source().end.line);
+    std::size_t end = text_.find('\n', line_start(last));
+    end = end == text_.npos ? text_.size() : end + 1;
     if (std::string_view(text_).substr(0, begin).ends_with(line_end_ + line_end_))
       begin -= line_end_.size();
-    std::size_t end = text_.find('\n', table_begin(table));
-    while (end != text_.npos) {
-      const std::size_t first = text_.find_first_not_of(" \t", end + 1);
-      if (first == text_.npos || text_[first] == '[') break;
-      end = text_.find('\n', end + 1);
-    }
-    text_.erase(begin, end == text_.npos ? text_.npos : end + 1 - begin);
+    text_.erase(begin, end - begin);
   }
 
  private:
@@ -126,7 +134,8 @@ std::string effect_text(const Effect& e, const Model& m) {
   for (std::size_t k = 0; k < e.values.size(); ++k) {
     const record::NumberCard& n = card.numbers[k];
     if (n.name.starts_with("size_") && e.values[k] == 0.0) break;  // jumps that are not needed
-    text += fmt::format("{} = {}\n", correction::key_of(e, n, m), float_text(e.values[k]));
+    text += fmt::format("{} = {}\n", correction::key_of(e, n, m),
+                        toml_float(with_15_digits(e.values[k])));
   }
   return text;
 }
@@ -134,23 +143,12 @@ std::string effect_text(const Effect& e, const Model& m) {
 std::string channel_text(const DrivenChannel& c) {
   std::string text = fmt::format("[[correction.channel]]\nname = \"{}\"\ninput = {}\n", c.name,
                                  columns_text(c.input.columns));
-  if (c.input.exponent != 1.0) text += fmt::format("exponent = {}\n", float_text(c.input.exponent));
+  if (c.input.exponent != 1.0)
+    text += fmt::format("exponent = {}\n", toml_float(with_15_digits(c.input.exponent)));
   text += fmt::format("sections = {}\n", sections_text(c));
   if (c.feedthrough != 0.0)
     text += fmt::format("feedthrough_um_{} = {}\n", c.input.key_unit(),
-                        float_text(c.feedthrough * c.input.factor() / um));
-  return text;
-}
-
-std::string range_text(const Model& m) {
-  std::string text = "[correction.range]  # of the record that the numbers come from\n";
-  for (const correction::SeenRange& r : m.range) {
-    const auto shown = [&](double v) {
-      return float_text(with_digits(r.column ? r.column->in_unit(v) : v, 6));
-    };
-    const std::string key = r.column ? r.name : fmt::format("\"{} power_W\"", r.name);
-    text += fmt::format("{} = [{}, {}]\n", key, shown(r.lower), shown(r.upper));
-  }
+                        toml_float(with_15_digits(c.feedthrough * c.input.factor() / um)));
   return text;
 }
 
@@ -188,15 +186,11 @@ void write_numbers(std::string& text, std::size_t index, bool listed, const Mode
   text = with_values(text, changes);
 }
 
-void remove_range(Editor& editor, std::size_t index) {
-  bool has = false;
-  editor.with_table(index, [&](const toml::table& table) { has = table.contains("range"); });
-  if (!has) return;
-  editor.with_table(index, [&](const toml::table& table) {
-    const toml::table& range = *table.get("range")->as_table();
-    if (!range.is_inline()) return editor.remove(range);
-    editor.replace(range, "{}");
-  });
+void remove_trust(Editor& editor, std::size_t index) {
+  for (const std::string_view key : {"residual", "covariance", "together", "range"})
+    editor.with_table(index, [&](const toml::table& table) {
+      if (table.contains(key)) editor.remove(table, key);
+    });
 }
 
 }  // namespace
@@ -209,23 +203,17 @@ std::string with_corrections(const CorrectionFile& file, const std::vector<Model
   for (std::size_t index = 0; index < models.size(); ++index) {
     const Model& old = file.models[index];
     const Model& now = models[index];
-    const bool grows = now.channels.size() > old.channels.size() ||
-                       now.effects.size() > old.effects.size() || !now.range.empty();
-    if (grows && index + 1 < models.size())
-      throw InputError(
-          fmt::format("{}: has several tables [[correction]], and only the last can get new "
-                      "channels, effects or a range: "
-                      "put each into a file of its own",
-                      file.source));
     write_numbers(text, index, listed, old, now);
     Editor editor(std::move(text));
     write_sections(editor, index, old, now);
-    if (!now.range.empty()) remove_range(editor, index);
+    const std::string trust = trust_text(now);
+    const bool is_new = trust != trust_text(old);
+    if (is_new) remove_trust(editor, index);
     for (std::size_t c = old.channels.size(); c < now.channels.size(); ++c)
-      editor.append(channel_text(now.channels[c]));
+      editor.append(index, channel_text(now.channels[c]));
     for (std::size_t e = old.effects.size(); e < now.effects.size(); ++e)
-      editor.append(effect_text(now.effects[e], now));
-    if (!now.range.empty()) editor.append(range_text(now));
+      editor.append(index, effect_text(now.effects[e], now));
+    if (is_new && !trust.empty()) editor.append(index, trust);
     text = editor.take();
   }
   (void)parse_correction(text, file.source);  // it reads back

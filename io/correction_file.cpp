@@ -12,6 +12,7 @@
 
 // Last: see io/toml_text.h.
 #include "io/column_section.h"
+#include "io/correction_trust.h"
 #include "io/model_tables.h"
 
 namespace raceway::io {
@@ -52,7 +53,8 @@ class CorrectionReader {
 
   Model model(const Section& s) {
     s.allow_only({"name", "displacement", "tolerance_um", "measurement_std_um", "initial_state",
-                  "sampling_s", "offset_um", "channel", "kinematic", "effect", "range"});
+                  "sampling_s", "offset_um", "channel", "kinematic", "effect", "range", "together",
+                  "covariance", "residual"});
     Model m;
     m.displacement = displacement(s);
     m.name = s.text("name").value_or(std::string(m.displacement->variable));
@@ -76,6 +78,7 @@ class CorrectionReader {
         m.effects.push_back(effect(part_of(s, "correction.effect", node), m));
     if (const toml::node* const range = s.find("range"))
       read_range(part_of(s, "correction.range", *range), m);
+    read_trust(s, m, notes_);
     return m;
   }
 
@@ -352,17 +355,27 @@ class CorrectionReader {
   }
 
   void read_range(const Section& s, Model& m) const {
+    constexpr std::string_view of_power = " power_W";
     for (const auto& [key, node] : *s.table()) {
       const std::string name(key.str());
       const toml::array* const pair = node.as_array();
       if (!pair || pair->size() != 2 || !pair->get(0)->is_number() || !pair->get(1)->is_number())
         s.fail(name, fmt::format("{} = {}: must be [lowest, highest]", name, shown(node)));
-      const Channel* const c = record::series_channel(name);
       const double low = *pair->get(0)->value<double>(), high = *pair->get(1)->value<double>();
-      m.range.push_back({.column = c,
-                         .name = name,
-                         .lower = c ? c->to_SI(low) : low,
-                         .upper = c ? c->to_SI(high) : high});
+      if (!(low <= high))
+        s.fail(name, fmt::format("{} = {}: the lowest is above the highest", name, shown(node)));
+      if (name.ends_with(of_power)) {
+        const std::string channel = name.substr(0, name.size() - of_power.size());
+        const DrivenChannel* const c = correction::find_channel(m, channel);
+        if (channel.empty() || !c || !c->input.is_power())
+          s.fail(name, fmt::format("{}: the model has no channel {} that the power drives", name,
+                                   channel));
+        m.range.push_back({.name = channel, .lower = low, .upper = high});
+        continue;
+      }
+      const Channel* const c = input_column(s, name, name);
+      m.range.push_back(
+          {.column = c, .name = name, .lower = c->to_SI(low), .upper = c->to_SI(high)});
     }
   }
 

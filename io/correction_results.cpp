@@ -74,13 +74,56 @@ json identified_object(const Identification& found) {
   return result;
 }
 
-json corrected_object(const Corrected& c) {
-  const auto [low, high] = std::minmax_element(c.predicted.begin(), c.predicted.end());
-  return {{"displacement", c.displacement->name},
-          {"predicted_range_um", {*low / um, *high / um}},
-          {"rows_beyond_range", c.rows_beyond_range},
-          {"metrics", metrics_object(c.metrics)}};
+json beyond_part(const correction::Beyond::Part& p, const record::Record& record) {
+  const auto shown = [&](double v) { return p.column ? value_in_unit(*p.column, v) : v; };
+  json result = {{"first_line", lines_of(record, {p.first}).at(0)},
+                 {"first_time_s", record.value(record::time, p.first)},
+                 {"rows", p.rows},
+                 {"value", shown(p.value)},
+                 {"farthest", shown(p.farthest)},
+                 {"seen", {shown(p.lower), shown(p.upper)}}};
+  if (!p.together()) {
+    result["input"] = p.column ? p.name : p.name + " power_W";
+    result["unit"] = p.column ? std::string(p.column->unit) : "W";
+  } else {
+    result["input"] = "together";
+    result["unit"] = "1";
+  }
+  return result;
 }
+
+json band_object(const Corrected& c) {
+  if (c.band.empty()) return nullptr;
+  double narrowest = unset, widest = unset;
+  for (const double b : c.band) {
+    narrowest = std::fmin(narrowest, b);
+    widest = std::fmax(widest, b);
+  }
+  return {{"level", 0.95},
+          {"half_width_um", {narrowest / um, widest / um}},
+          {"readings_within_percent", 100.0 * c.readings_in_band}};
+}
+
+json corrected_object(const Corrected& c, const record::Record& record) {
+  const auto [low, high] = std::minmax_element(c.predicted.begin(), c.predicted.end());
+  json result = {{"displacement", c.displacement->name},
+                 {"predicted_range_um", {*low / um, *high / um}},
+                 {"band", band_object(c)},
+                 {"metrics", metrics_object(c.metrics)}};
+  result.update(beyond_object(c.beyond, record));
+  return result;
+}
+
+}  // namespace
+
+json beyond_object(const correction::Beyond& beyond, const record::Record& record) {
+  json parts = json::array();
+  for (const correction::Beyond::Part& p : beyond.parts) parts.push_back(beyond_part(p, record));
+  return {{"rows_beyond_range", beyond.known ? json(beyond.rows()) : json(nullptr)},
+          {"beyond_range", std::move(parts)}};
+}
+
+namespace {
 
 /// The first of a list at the top of a document, all of them in `axes` where there are several.
 void add_axes(json& document, json axes) {
@@ -108,6 +151,7 @@ std::string corrected_text(const record::Record& record, const std::vector<Corre
   };
   for (const Corrected& c : corrected) {
     result += of(c, "predicted");
+    if (!c.band.empty()) result += of(c, "band_low") + of(c, "band_high");
     if (!several)
       for (const correction::Contribution& part : c.parts) {
         std::string name = part.name;
@@ -126,6 +170,10 @@ std::string corrected_text(const record::Record& record, const std::vector<Corre
     result += fmt::format("{}", with_15_digits(time[row]));
     for (const Corrected& c : corrected) {
       cell(c.predicted[row]);
+      if (!c.band.empty()) {
+        cell(c.predicted[row] - c.band[row]);
+        cell(c.predicted[row] + c.band[row]);
+      }
       if (!several)
         for (const correction::Contribution& part : c.parts) cell(part.displacement[row]);
       cell(record.value(*c.displacement, row) - c.predicted[row]);
@@ -140,7 +188,7 @@ std::string corrected_json(const std::string& model_file, const record::Record& 
                            const std::vector<std::string>& messages) {
   json document = {{"model", model_file}, {"data", data_of(record)}, {"rows", record.rows()}};
   json axes = json::array();
-  for (const Corrected& c : corrected) axes.push_back(corrected_object(c));
+  for (const Corrected& c : corrected) axes.push_back(corrected_object(c, record));
   add_axes(document, std::move(axes));
   document["messages"] = messages;
   return text(document);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "correction/identify.h"
+#include "correction/range.h"
 #include "correction/simulation.h"
 #include "record/record.h"
 
@@ -20,11 +21,16 @@ struct Corrected {
   std::vector<double> predicted{};  ///< [m]
   std::vector<correction::Contribution> parts{};
   correction::Metrics metrics{};  ///< one constant removed; empty where nothing was read
-  std::size_t rows_beyond_range = 0;
+  correction::Beyond beyond{};
+  std::vector<double> band{};  ///< half its width [m]; empty where none is known
+  double noise = unset;        ///< of a single reading [m]
+  /// Share of the readings that lie within it and their noise, one constant removed as in the
+  /// metrics.
+  double readings_in_band = unset;
 };
 
-/// time_s, predicted_um (of several displacements predicted_COLUMN), what each channel adds, and
-/// where it was read the residual_um.
+/// time_s, predicted_um (of several displacements predicted_COLUMN), band_low_um and band_high_um
+/// where a band is known, what each channel adds, and where it was read the residual_um.
 [[nodiscard]] std::string corrected_text(const record::Record& record,
                                          const std::vector<Corrected>& corrected);
 [[nodiscard]] std::string corrected_json(const std::string& model_file,

@@ -102,14 +102,14 @@ std::pair<double, double> range_of_values(std::span<const double> values) {
   return {lower, upper};
 }
 
-bool is_temperature(const Channel& channel) { return channel.offset != 0.0; }
+bool is_of_temperature(const Channel& channel) { return channel.offset != 0.0; }
 
 /// Temperatures that cannot be, or loads far above what the bearing carries.
 bool has_impossible_input(const model::ModelSubject& subject, const Record& data) {
   const double rating = subject.model().bearing.geometry().static_load_rating;
   for (const record::Column& column : data.columns) {
     const auto [lower, upper] = range_of_values(column.values);
-    if (is_temperature(*column.channel) && (lower < coldest || upper > hottest)) return true;
+    if (is_of_temperature(*column.channel) && (lower < coldest || upper > hottest)) return true;
     if (column.channel->kind == "load" && upper > 2.0 * rating) return true;
     if (column.channel->is_input() && lower < column.channel->to_SI(column.channel->lower) &&
         column.channel->kind != "load")
@@ -285,7 +285,7 @@ std::vector<std::string> doubts(const model::ModelSubject& subject, const Record
   // With an unknown inertia the readings have any factor.
   const Ratio ratio = data.up_to_a_factor ? Ratio{} : ratio_of(subject, data);
   for (const record::Column& column : data.columns)
-    if (is_temperature(*column.channel))
+    if (is_of_temperature(*column.channel))
       add(unit_of_temperature(subject, data, *column.channel, ratio));
   if (found.empty() && !data.up_to_a_factor) add(swapped_columns(subject, data, ratio));
   if (found.empty()) add(unit_of_load(subject, data));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "correction/range.h"
 #include "fit/add.h"
 #include "fit/compare.h"
 #include "io/json_text.h"
@@ -35,5 +36,8 @@ void add_channels(json& document, json channels);
 
 [[nodiscard]] json hold_out_object(const std::vector<fit::HoldOut>& hold_out,
                                    const std::vector<const record::Channel*>& channels);
+
+/// rows_beyond_range (null where the model does not say what it has seen) and beyond_range.
+[[nodiscard]] json beyond_object(const correction::Beyond& beyond, const record::Record& record);
 
 }  // namespace raceway::io

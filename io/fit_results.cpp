@@ -201,12 +201,14 @@ std::string calibration_json(const fit::Calibration& calibration, const record::
 
 std::string comparison_json(const std::vector<std::string>& model_files,
                             const std::vector<std::vector<fit::Comparison>>& comparisons,
-                            const record::Record& record) {
+                            const record::Record& record,
+                            const std::vector<correction::Beyond>& beyond) {
   json documents = json::array();
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     std::vector<const fit::Comparison*> channels;
     for (const fit::Comparison& c : comparisons[i]) channels.push_back(&c);
     documents.push_back(comparison_object(model_files.at(i), channels, record));
+    if (i < beyond.size()) documents.back().update(beyond_object(beyond[i], record));
   }
   json document = documents.size() == 1 ? documents[0] : json{{"models", documents}};
   document["notes"] = record.notes;

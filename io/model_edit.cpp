@@ -77,13 +77,6 @@ std::size_t byte_of(std::string_view text, const toml::source_position& place) {
   return at;
 }
 
-/// A double as TOML: the shortest text that reads back the same, always a float.
-std::string toml_float(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == text.npos) text += ".0";
-  return text;
-}
-
 std::string_view line_end_of(std::string_view text) {
   return text.find("\r\n") != text.npos ? "\r\n" : "\n";
 }

@@ -15,6 +15,12 @@ double with_digits(double value, int digits) {
 
 double with_15_digits(double value) { return with_digits(value, 15); }
 
+std::string toml_float(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".en") == text.npos) text += ".0";
+  return text;
+}
+
 double value_in_unit(const record::Channel& channel, double si) {
   const double value = channel.in_unit(si);
   constexpr double digits = 1e9;

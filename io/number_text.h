@@ -15,6 +15,9 @@ namespace raceway::io {
 /// The same of any number of digits.
 [[nodiscard]] double with_digits(double value, int digits);
 
+/// A double as TOML: the shortest text that reads back the same, always a float.
+[[nodiscard]] std::string toml_float(double value);
+
 /// A value of a channel in its unit, without the rounding of an offset that is larger than the
 /// value: 60 C are not 59.9999999999999.
 [[nodiscard]] double value_in_unit(const record::Channel& channel, double si);

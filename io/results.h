@@ -7,6 +7,7 @@
 #include "bearing/bearing_equilibrium.h"
 #include "bearing/operating_point.h"
 #include "correction/catalogue.h"
+#include "correction/range.h"
 #include "correction/record_check.h"
 #include "effects/effect.h"
 #include "fit/calibrate.h"
@@ -45,10 +46,12 @@ namespace raceway::io {
                                            const record::Record& record);
 
 /// One document for one model; for several `{"models": [...]}` in the order given. Of each model
-/// the comparisons of its measured channels.
+/// the comparisons of its measured channels, and of corrections where the record leaves what they
+/// have seen.
 [[nodiscard]] std::string comparison_json(
     const std::vector<std::string>& model_files,
-    const std::vector<std::vector<fit::Comparison>>& comparisons, const record::Record& record);
+    const std::vector<std::vector<fit::Comparison>>& comparisons, const record::Record& record,
+    const std::vector<correction::Beyond>& beyond = {});
 
 /// `defaults` of the model and `notes` on the data, as people read them.
 [[nodiscard]] std::string check_json(const std::string& model_name, const fit::Check& check,

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <functional>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/cli/sample.h"
 
@@ -81,8 +84,83 @@ TEST_F(Correction, CorrectSaysWhereTheModelHasNeverBeen) {
   EXPECT_THAT(file_text(found), HasSubstr("[correction.range]"));
   const Result r = run("correct " + found + " " + data + "exact/train.csv -o " + path("c.csv"));
   EXPECT_EQ(r.status, 0);
-  EXPECT_THAT(r.err, HasSubstr("rows lie beyond"));
-  EXPECT_THAT(file_text(path("c.csv")), testing::StartsWith("time_s,predicted_um,"));
+  EXPECT_THAT(r.err, HasSubstr("all that the model has seen"));
+  EXPECT_THAT(file_text(path("c.csv")),
+              testing::StartsWith("time_s,predicted_um,band_low_um,band_high_um,"));
+}
+
+/// The rows of a record from a time on with another value in one of its columns.
+std::string with_column(const std::string& csv, const std::string& name, double from,
+                        const std::function<double(double)>& value) {
+  std::istringstream in(csv);
+  std::string line, out, cell;
+  std::getline(in, line);
+  out = line + "\n";
+  std::vector<std::string> names;
+  for (std::istringstream cells(line); std::getline(cells, cell, ',');) names.push_back(cell);
+  while (std::getline(in, line)) {
+    std::vector<std::string> row;
+    for (std::istringstream cells(line); std::getline(cells, cell, ',');) row.push_back(cell);
+    row.resize(names.size());
+    const double t = std::stod(row[0]);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (names[k] == name && t >= from) row[k] = std::to_string(value(t - from));
+      out += (k > 0 ? "," : "") + row[k];
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+/// The model is exact in its range; beyond it nobody knows, and it says so, from when on and by how
+/// much.
+TEST_F(Correction, ARoomColderThanEverBeforeIsNeverSilent) {
+  const std::string model = path("found.toml");
+  ASSERT_EQ(
+      run("identify " + data + "exact/correction.toml " + data + "exact/train.csv -o " + model)
+          .status,
+      0);
+  const json inside = parsed(run("correct " + model + " " + data + "exact/train.csv --json"));
+  EXPECT_EQ(inside["rows_beyond_range"], 0);
+  EXPECT_GT(inside["band"]["readings_within_percent"], 90.0);
+  EXPECT_LT(inside["band"]["half_width_um"][1], 0.5);
+  const std::string cold = scratch_.write(
+      "cold.csv", with_column(file_text(data + "exact/test.csv"), "ambient_temperature_C", 30000,
+                              [](double t) { return 22.0 - 12.0 * t / 27600; }));
+  const Result r = run("correct " + model + " " + cold + " -o " + path("cold_corrected.csv"));
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.err, HasSubstr("warning: ambient_temperature_C: from line "));
+  EXPECT_THAT(r.err, HasSubstr("beyond 19.137 to 24.900 C, which is all that the model has seen"));
+  EXPECT_THAT(r.out, HasSubstr("95 % band of displacement_z_um: +- "));
+  for (const std::string command : {"correct ", "compare "}) {
+    const json d = parsed(run(command + model + " " + cold + " --json"));
+    EXPECT_GT(d["rows_beyond_range"], 500) << command;
+    ASSERT_FALSE(d["beyond_range"].empty()) << command;
+    const json& first = d["beyond_range"][0];
+    EXPECT_EQ(first["input"], "ambient_temperature_C") << command;
+    // 22 C falls to 19.14 C.
+    EXPECT_NEAR(first["first_time_s"].get<double>(), 30000 + 2.863 * 27600 / 12, 60) << command;
+    EXPECT_LT(first["farthest"], 10.1) << command;
+    if (d.contains("band")) EXPECT_GT(d["band"]["half_width_um"][1], 5.0);
+  }
+}
+
+/// A model that was changed by hand is another model.
+TEST_F(Correction, ABandEndsWithTheNumbersThatItIsOf) {
+  const std::string model = path("found.toml");
+  ASSERT_EQ(
+      run("identify " + data + "exact/correction.toml " + data + "exact/train.csv -o " + model)
+          .status,
+      0);
+  std::string text = file_text(model);
+  const std::size_t at = text.find("offset_um = ");
+  ASSERT_NE(at, text.npos);
+  text.insert(at + std::string("offset_um = ").size(), "1");
+  const Result r =
+      run("correct " + scratch_.write("edited.toml", text) + " " + data + "exact/test.csv --json");
+  EXPECT_THAT(r.err, HasSubstr("offset = "));
+  EXPECT_THAT(r.err, HasSubstr("no band"));
+  EXPECT_EQ(parsed(r)["band"], nullptr);
 }
 
 TEST_F(Correction, ReadingsThatAreMissingArePredicted) {

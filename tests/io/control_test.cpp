@@ -397,6 +397,44 @@ TEST_P(Control, SaysThatAnInputIsBeyondItsRangeAndHoldsInstantParts) {
   }
 }
 
+/// At rest nothing is moved by speed, though the model was found while it turned.
+TEST_P(Control, RestIsNoEdgeOfARange) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[correction.kinematic]\n"
+      "A = 1.28e-3\nB = 0.697\nC = 5.3e-4\n[correction.range]\nspeed_rpm = [2000, 6000]\n",
+      "time_s,speed_rpm\n0,0\n100,6000\n");
+  const auto got = run(c, "u 0 0\nu 10 1000\nu 20 2000\n");
+  ASSERT_EQ(got.size(), 3u);
+  const auto law = [](double n) {
+    return n > 0 ? 1.28e-3 * std::pow(n, 1 - 0.697 * std::exp(-5.3e-4 * n)) : 0.0;
+  };
+  const double speeds[] = {0, 1000, 2000};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(got[k].displacements[0], law(speeds[k]), 1e-5) << k;
+    EXPECT_EQ(got[k].flags, k < 2 ? beyond_range : 0) << k;
+  }
+}
+
+/// Each input where it has stood before, and both where they never were together.
+TEST_P(Control, SaysThatInputsStandTogetherAsNeverBefore) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n[[correction.channel]]\n"
+      "name = \"room\"\ninput = \"room_temperature_C\"\n"
+      "sections = [{ gain_um_K = 2.0, time_constant_s = 900 }]\n[correction.range]\n"
+      "front_temperature_C = [20, 40]\nroom_temperature_C = [18, 26]\n[correction.together]\n"
+      "columns = [\"front_temperature_C\", \"room_temperature_C\"]\nmean = [30, 22]\n"
+      "std = [5, 2]\ncorrelation = [[1.0], [0.9, 1.0]]\nfarthest = 2.5\n",
+      "time_s,front_temperature_C,room_temperature_C\n0,20,18\n100,40,26\n");
+  ASSERT_EQ(c.plan.inputs[0].column, "front_temperature_C");
+  // d² = zᵀ (R + 0.01 I)^-1 z: 2.05 along the diagonal, 6 across it.
+  const auto got = run(c, "u 0 20 18\nu 10 40 26\nu 20 22 25\nu 30 38 19\nu 40 30 22\n");
+  ASSERT_EQ(got.size(), 5u);
+  const int flags[] = {0, 0, 64, 64, 0};
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(got[k].flags, flags[k]) << k;
+}
+
 TEST_P(Control, KeepsTheLastValueOfAnInputThatIsNoNumber) {
   const std::string model =
       "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"

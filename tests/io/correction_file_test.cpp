@@ -105,6 +105,104 @@ TEST(CorrectionFile, NumbersAreChangedWhereTheyStand) {
   EXPECT_EQ(with_corrections(parse_correction(now, "z.toml"), models), now);
 }
 
+/// A model with all that says how far it may be trusted.
+correction::Model trusted_model(const correction::Model& from) {
+  correction::Model m = from;
+  const record::Channel* const front = record::series_channel("front_temperature_C");
+  const record::Channel* const room = record::series_channel("room_temperature_C");
+  m.range = {{.column = front,
+              .name = "front_temperature_C",
+              .lower = kelvin(20.1234567),
+              .upper = kelvin(35.7654321)}};
+  m.together = correction::SeenTogether{.columns = {front, room},
+                                        .mean = Eigen::Vector2d(kelvin(25), kelvin(21)),
+                                        .std = Eigen::Vector2d(4.0, 0.5),
+                                        .correlation = Eigen::Matrix2d::Identity(),
+                                        .farthest = 2.7182818};
+  m.together->correlation(0, 1) = m.together->correlation(1, 0) = 0.75;
+  const std::vector<record::Parameter> p = correction::parameters(m);
+  m.covariance = fit::Covariance{.names = {p[1].name, p[2].name},
+                                 .values = Eigen::Vector2d(p[1].value, p[2].value),
+                                 .matrix = (Eigen::Matrix2d() << 0.04, -3, -3, 400).finished()};
+  m.left = correction::Left{.rms = 1.25e-6, .correlation_time = 1800};
+  return m;
+}
+
+TEST(CorrectionFile, CarriesHowFarItMayBeTrusted) {
+  const CorrectionFile file = parse_correction(head + channel, "z.toml");
+  const correction::Model given = trusted_model(file.models[0]);
+  const std::string text = with_corrections(file, {given});
+  const CorrectionFile again = parse_correction(text, "z.toml");
+  const correction::Model& back = again.models[0];
+  ASSERT_TRUE(back.covariance && back.together && back.left) << text;
+  EXPECT_EQ(back.covariance->names, given.covariance->names);
+  EXPECT_NEAR((back.covariance->matrix - given.covariance->matrix).norm(), 0.0, 1e-3);
+  EXPECT_NEAR(back.together->mean[1], kelvin(21), 1e-9);
+  EXPECT_NEAR(back.together->correlation(0, 1), 0.75, 1e-12);
+  EXPECT_NEAR(back.together->std[0], 4.0, 1e-12);
+  EXPECT_NEAR(back.left->rms, 1.25e-6, 1e-15);
+  EXPECT_NEAR(back.left->correlation_time, 1800, 1e-9);
+  // Six digits, and never narrower than what was seen.
+  EXPECT_LE(back.range[0].lower, given.range[0].lower);
+  EXPECT_GE(back.range[0].upper, given.range[0].upper);
+  EXPECT_NEAR(back.range[0].upper, given.range[0].upper, 2e-4);
+  EXPECT_GE(back.together->farthest, 2.7182818);
+  // Once more: tables are replaced, not doubled.
+  EXPECT_EQ(with_corrections(again, again.models), text);
+  correction::Model other = back;
+  other.left->rms = 2e-6;
+  const std::string changed = with_corrections(again, {other});
+  EXPECT_EQ(changed.size(), text.size() - 1) << changed;  // 1.25 became 2.0
+}
+
+TEST(CorrectionFile, ACovarianceOfOtherNumbersIsLeftOutWithANote) {
+  const CorrectionFile file = parse_correction(head + channel, "z.toml");
+  std::string text = with_corrections(file, {trusted_model(file.models[0])});
+  const std::size_t at = text.find("time_constant_s = ");
+  ASSERT_NE(at, text.npos);
+  text.insert(at + std::string("time_constant_s = ").size(), "1");  // by hand
+  const CorrectionFile edited = parse_correction(text, "z.toml");
+  EXPECT_FALSE(edited.models[0].covariance);
+  EXPECT_FALSE(edited.models[0].left);
+  EXPECT_EQ(edited.models[0].range.size(), 1U);
+  EXPECT_THAT(edited.notes, testing::Contains(testing::AllOf(HasSubstr("time_constant_1 = "),
+                                                             HasSubstr("no band"))));
+}
+
+/// Each of several displacements has tables of its own, before the next one.
+TEST(CorrectionFile, SeveralCorrectionsAreEachWrittenInTheirPlace) {
+  const auto one = [](const std::string& axis) {
+    return "# of " + axis + "\n[[correction]]\ndisplacement = \"displacement_" + axis +
+           "_um\"\n[[correction.channel]]\nname = \"a\"\ninput = \"front_temperature_C\"\n"
+           "sections = [{ gain_um_K = 2.0, time_constant_s = 1000 }]\n\n";
+  };
+  const CorrectionFile file = parse_correction(one("x") + one("y"), "xy.toml");
+  std::vector<correction::Model> models;
+  for (const correction::Model& m : file.models) models.push_back(trusted_model(m));
+  models[0].left->rms = 3e-6;
+  models[0].effects.push_back({.id = "slow-drift", .values = {3.0, 20000}});
+  const std::string text = with_corrections(file, models);
+  const CorrectionFile back = parse_correction(text, "xy.toml");
+  EXPECT_NEAR(back.models[0].left->rms, 3e-6, 1e-15);
+  EXPECT_NEAR(back.models[1].left->rms, 1.25e-6, 1e-15);
+  EXPECT_EQ(back.models[0].effects.size(), 1U);
+  EXPECT_TRUE(back.models[1].effects.empty());
+  EXPECT_TRUE(back.models[0].covariance && back.models[1].covariance);
+  EXPECT_THAT(text, HasSubstr("\n# of y\n[[correction]]\n"));
+  EXPECT_EQ(with_corrections(back, back.models), text);
+}
+
+TEST(CorrectionFile, ARangeIsOfAnInputOrOfThePowerOfAChannel) {
+  const std::string text = head + channel;
+  const auto reading = [&](const std::string& range) {
+    return
+        [text = text + "[correction.range]\n" + range] { (void)parse_correction(text, "z.toml"); };
+  };
+  EXPECT_THAT(reading("nonsense = [1, 2]\n"), refused("nonsense"));
+  EXPECT_THAT(reading("front_temperature_C = [30, 20]\n"), refused("lowest is above the highest"));
+  EXPECT_THAT(reading("\"other power_W\" = [0, 20]\n"), refused("no channel other"));
+}
+
 const std::string header = "time_s,speed_rpm,front_temperature_C,displacement_z_um\n";
 
 record::Record series(const std::string& text) {
