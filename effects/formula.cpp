@@ -1,12 +1,9 @@
 #include "effects/formula.h"
 
-#include <muParser.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 namespace raceway::effects {
 namespace {
@@ -83,101 +80,38 @@ double Formula::Variable::value(const MomentInputs& inputs) const {
 
 namespace {
 
-/// What muParser takes and nobody means: several expressions, of which the last would count, and
-/// values given to names. Operators of other languages get a hint.
-void refuse_what_is_no_formula(const std::string& text) {
-  const auto refuse = [](const std::string& what, std::size_t where) {
-    throw FormulaError(what, where, "");
-  };
-  if (const std::size_t at = text.find("**"); at != text.npos)
-    refuse("** is no operator here; a power is written x^2", at);
-  for (std::size_t at = text.find('='); at != text.npos; at = text.find('=', at + 1)) {
-    const char before = at > 0 ? text[at - 1] : ' ';
-    if (at + 1 < text.size() && text[at + 1] == '=')
-      ++at;
-    else if (before != '<' && before != '>' && before != '!')
-      refuse("= gives a value to a name, which a formula cannot; == compares", at);
-  }
-  int depth = 0;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    depth += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
-    if (text[at] == ',' && depth <= 0)
-      refuse("a comma stands between the arguments of a function only; decimals have a point, 1.5",
-             at);
-    if (text[at] == ';') refuse("a formula is one expression, without ;", at);
-  }
+/// Of variables, then of the parameters.
+std::vector<std::string> names_with(std::vector<std::string> parameters) {
+  std::vector<std::string> names;
+  for (const Variable& v : variable_list) names.emplace_back(v.name);
+  for (std::string& name : parameters) names.push_back(std::move(name));
+  return names;
 }
 
 }  // namespace
 
-/// A parser and the numbers it looks at; muParser keeps them by address.
-struct Formula::Instance {
-  mu::Parser parser;
-  std::vector<double> numbers;
-  std::vector<std::size_t> used;  ///< of the variables
-
-  Instance(const std::string& text, const std::vector<std::string>& parameters)
-      : numbers(variable_list.size() + parameters.size(), 1.0) {
-    std::size_t k = 0;
-    for (const Variable& v : variable_list) parser.DefineVar(std::string(v.name), &numbers[k++]);
-    for (const std::string& name : parameters) parser.DefineVar(name, &numbers[k++]);
-    parser.SetExpr(text);
-    (void)parser.Eval();
-    for (const auto& [name, address] : parser.GetUsedVar()) {
-      const auto index = static_cast<std::size_t>(address - numbers.data());
-      if (index < variable_list.size()) used.push_back(index);
-    }
-  }
-};
-
-/// Parsers at rest. A thread takes one and puts it back, so that none is shared.
-struct Formula::Pool {
-  std::mutex lock;
-  std::vector<std::unique_ptr<Instance>> at_rest;
-};
-
 Formula::Formula(std::string text, std::vector<std::string> parameters)
-    : text_(std::move(text)), parameters_(std::move(parameters)), pool_(new Pool) {
-  refuse_what_is_no_formula(text_);
-  try {
-    pool_->at_rest.push_back(std::make_unique<Instance>(text_, parameters_));
-  } catch (const mu::Parser::exception_type& error) {
-    const bool unknown = error.GetCode() == mu::ecUNASSIGNABLE_TOKEN;
-    const int position = error.GetPos();
-    const std::string token = error.GetToken();
-    std::string message = error.GetMsg();
-    if (unknown) message = "\"" + token + "\" is not known";
-    throw FormulaError(
-        message,
-        position < 0 ? text_.size() : std::min(static_cast<std::size_t>(position), text_.size()),
-        unknown ? token : "");
-  }
-}
-
-Formula::~Formula() = default;
+    : expression_(std::move(text), names_with(std::move(parameters))) {}
 
 bool Formula::uses(std::string_view variable) const {
-  const std::lock_guard hold(pool_->lock);
-  const std::vector<std::size_t>& used = pool_->at_rest.front()->used;
-  return std::any_of(used.begin(), used.end(),
-                     [&](std::size_t k) { return variable_list[k].name == variable; });
+  return std::any_of(expression_.used().begin(), expression_.used().end(), [&](std::size_t k) {
+    return k < variable_list.size() && variable_list[k].name == variable;
+  });
 }
 
 bool Formula::is_size(std::size_t parameter, std::span<const double> values) const {
-  Instance mine(text_, parameters_);
   const auto moments = [&](double size) {
-    std::vector<double> result;
+    std::vector<double> result, of_used;
     for (const double input : {0.3, 2.0, 70.0, 5000.0}) {
-      for (std::size_t k = 0; k < variable_list.size(); ++k)
-        mine.numbers[k] = input * (1.0 + 0.1 * static_cast<double>(k));
-      for (std::size_t k = 0; k < values.size(); ++k)
-        mine.numbers[variable_list.size() + k] =
-            k == parameter ? size : (values[k] == 0.0 ? 1.0 : values[k]);
-      try {
-        result.push_back(mine.parser.Eval());
-      } catch (const mu::Parser::exception_type&) {
-        result.push_back(unset);
+      of_used.clear();
+      for (const std::size_t k : expression_.used()) {
+        const std::size_t p = k - variable_list.size();
+        of_used.push_back(k < variable_list.size() ? input * (1.0 + 0.1 * static_cast<double>(k))
+                          : p == parameter         ? size
+                          : values[p] == 0.0       ? 1.0
+                                                   : values[p]);
       }
+      result.push_back(expression_(of_used));
     }
     return result;
   };
@@ -188,28 +122,12 @@ bool Formula::is_size(std::size_t parameter, std::span<const double> values) con
 }
 
 double Formula::moment(const MomentInputs& inputs, std::span<const double> values) const {
-  std::unique_ptr<Instance> mine;
-  {
-    const std::lock_guard hold(pool_->lock);
-    // The first stays, as the one that uses() looks at.
-    if (pool_->at_rest.size() > 1) {
-      mine = std::move(pool_->at_rest.back());
-      pool_->at_rest.pop_back();
-    }
-  }
-  if (!mine) mine = std::make_unique<Instance>(text_, parameters_);
-  for (const std::size_t k : mine->used) mine->numbers[k] = variable_list[k].value(inputs);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    mine->numbers[variable_list.size() + k] = values[k];
-  double result = unset;
-  try {
-    result = mine->parser.Eval() * N_mm;
-  } catch (const mu::Parser::exception_type&) {
-    // No number at this point, as where an argument is out of range: NaN says so.
-  }
-  const std::lock_guard hold(pool_->lock);
-  pool_->at_rest.push_back(std::move(mine));
-  return result;
+  std::vector<double> of_used;
+  of_used.reserve(expression_.used().size());
+  for (const std::size_t k : expression_.used())
+    of_used.push_back(k < variable_list.size() ? variable_list[k].value(inputs)
+                                               : values[k - variable_list.size()]);
+  return expression_(of_used) * N_mm;
 }
 
 namespace {

@@ -2,22 +2,16 @@
 
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "effects/effect.h"
+#include "record/expression.h"
 
 namespace raceway::effects {
 
-/// What is wrong with a formula, and where.
-struct FormulaError : std::invalid_argument {
-  FormulaError(const std::string& what, std::size_t where, std::string which)
-      : std::invalid_argument(what), position(where), unknown_name(std::move(which)) {}
-  std::size_t position;      ///< byte in the formula
-  std::string unknown_name;  ///< empty unless a name is not known
-};
+using record::FormulaError;
 
 /// A friction moment that a user wrote as a formula, in the units of the files:
 /// "c * (speed_rpm/1000)^2" in N mm. Names are those of variables() and of its own parameters;
@@ -26,7 +20,6 @@ class Formula {
  public:
   /// Throws FormulaError: no formula, or a name that is neither variable nor parameter.
   Formula(std::string text, std::vector<std::string> parameters);
-  ~Formula();
 
   /// [N m]
   [[nodiscard]] double moment(const MomentInputs& inputs, std::span<const double> values) const;
@@ -47,11 +40,7 @@ class Formula {
   [[nodiscard]] static std::span<const Variable> variables();
 
  private:
-  struct Instance;
-  struct Pool;
-  std::string text_;
-  std::vector<std::string> parameters_;
-  std::unique_ptr<Pool> pool_;
+  record::Expression expression_;
 };
 
 /// What a model file says of an effect of the user's own.

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "effects/catalogue.h"
 #include "effects/formula.h"
@@ -8,6 +6,7 @@
 
 // Last: see io/toml_text.h.
 #include "io/effect_section.h"
+#include "io/formula_section.h"
 
 namespace raceway::io {
 namespace {
@@ -16,93 +15,21 @@ using effects::Description;
 using effects::Effect;
 using effects::UserMadeEffect;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A name that muParser takes for a variable.
-bool valid_name(std::string_view name) {
-  const auto letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !name.empty() && letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
-    return letter(c) || (c >= '0' && c <= '9');
-  });
+/// What a formula may use beside its parameters.
+Names variables() {
+  Names names;
+  for (const auto& v : effects::Formula::variables()) names.emplace_back(v.name);
+  return names;
 }
 
-/// File, line and column of what is wrong with a formula, and the formula with a mark under it.
-[[noreturn]] void wrong_formula(const Section& s, const UserMadeEffect& effect,
-                                const effects::FormulaError& error) {
-  std::string hint;
-  if (!error.unknown_name.empty()) {
-    Names known;
-    for (const auto& v : effects::Formula::variables()) known.emplace_back(v.name);
-    for (const auto& p : effect.parameters) known.push_back(p.name);
-    hint = suggestion(error.unknown_name, known);
-    if (hint.empty()) {
-      if (valid_name(error.unknown_name))
-        hint = fmt::format("; if it is a parameter, give {} = {{value = 1.0, unit = \"N mm\"}}",
-                           error.unknown_name);
-      hint += "; a formula knows " + listed(known);
-    }
-  }
-  const toml::source_position at = s.find("torque_Nmm")->source().begin;
-  // Exact for a formula in plain quotes, which has no escapes.
-  throw InputError(fmt::format("{}:{}:{}: effect {}: torque_Nmm: {}{}\n  {}\n  {:>{}}", s.source(),
-                               at.line, at.column + 1 + error.position, effect.id, error.what(),
-                               hint, effect.torque_Nmm, "^", error.position + 1),
-                   s.at("torque_Nmm"));
+Names known_to(const UserMadeEffect& effect) {
+  Names known = variables();
+  for (const auto& p : effect.parameters) known.push_back(p.name);
+  return known;
 }
 
-/// A part of a unit that is another one than that of the files, as m or kN; empty where there is
-/// none. A unit of a formula's parameter is a label: nothing is converted by it.
-std::string unit_of_no_file(std::string_view unit) {
-  static const Names others{"Nm", "mNm", "kNm", "Ncm",  "uNm", "kN",  "MN", "m",
-                            "cm", "rad", "Hz",  "krpm", "F",   "lbf", "in", "inch"};
-  std::string word;
-  for (std::size_t at = 0; at <= unit.size(); ++at) {
-    const char c = at < unit.size() ? unit[at] : ' ';
-    if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) {
-      word += c;
-      continue;
-    }
-    if (std::find(others.begin(), others.end(), word) != others.end()) return word;
-    word.clear();
-  }
-  return {};
-}
-
-/// `c = { value = 0.0, unit = "N mm", lower = 0.0 }` or short `c = 0.0`.
-UserMadeEffect::Number read_number(const Section& s, const std::string& id, const std::string& name,
-                                   const toml::node& node) {
-  const auto variables = effects::Formula::variables();
-  if (std::any_of(variables.begin(), variables.end(),
-                  [&](const effects::Formula::Variable& v) { return v.name == name; }))
-    s.fail(name, fmt::format("{}: a variable has this name; take another", name));
-  if (!valid_name(name))
-    s.fail(name, fmt::format("{}: must be letters, digits and _, not a digit first", name));
-  UserMadeEffect::Number number{.name = name, .unit = "1"};
-  if (!node.is_table()) {
-    number.value = *s.number({name, "", -infinity, infinity});
-    return number;
-  }
-  const Section t(s.source(), fmt::format("effect {}, {}", id, name), node.as_table());
-  t.allow_only({"value", "unit", "lower", "upper"});
-  number.unit = t.text("unit").value_or("1");
-  if (const std::string other = unit_of_no_file(number.unit); !other.empty())
-    t.fail("unit",
-           fmt::format("{}: unit = \"{}\": a formula is in the units of the files, N mm, N, "
-                       "rpm, C, mm2/s, mm, s; {} is none of them, and no value is "
-                       "converted: give it in these",
-                       name, number.unit, other));
-  if (const auto lower = t.number({"lower", number.unit, -infinity, infinity}))
-    number.lower = *lower;
-  if (const auto upper = t.number({"upper", number.unit, -infinity, infinity}))
-    number.upper = *upper;
-  const double from = std::isnan(number.lower) ? -infinity : number.lower;
-  const double to = std::isnan(number.upper) ? infinity : number.upper;
-  if (!(from < to))
-    t.fail("upper", fmt::format("{}: upper = {} must be above lower = {}", name, to, from));
-  number.value = t.required({"value", number.unit, from, to});
-  return number;
+UserMadeEffect::Number number_of(FormulaNumber n) {
+  return {std::move(n.name), std::move(n.unit), n.value, n.lower, n.upper};
 }
 
 /// An effect of the user's own: a formula and its parameters.
@@ -120,12 +47,12 @@ Effect read_user_made(const Section& s, const std::string& id) {
   for (const auto& [key, node] : *s.table()) {
     const std::string name(key.str());
     if (name != "id" && name != "title" && name != "torque_Nmm")
-      effect.parameters.push_back(read_number(s, id, name, node));
+      effect.parameters.push_back(number_of(read_formula_number(s, id, name, node, variables())));
   }
   try {
     return effects::make_effect(effect);
   } catch (const effects::FormulaError& error) {
-    wrong_formula(s, effect, error);
+    fail_formula(s, "torque_Nmm", id, effect.torque_Nmm, error, known_to(effect));
   }
 }
 
