@@ -33,17 +33,17 @@ Check check(const Subject& subject, const Record& record) {
   Check result;
   result.rows = static_cast<int>(record.rows());
   result.runs = static_cast<int>(record.runs.size());
+  const std::vector<Measured> predicted = subject.measured();
   for (const record::Column& column : record.columns) {
     if (column.channel->role != record::Role::measured) continue;
     const auto read = std::count_if(column.values.begin(), column.values.end(),
                                     [](double v) { return std::isfinite(v); });
+    const auto p = std::find_if(predicted.begin(), predicted.end(),
+                                [&](const Measured& m) { return *m.channel == *column.channel; });
     result.measured.push_back(
-        {column.channel, static_cast<int>(read), estimate_noise(record, *column.channel)});
+        {column.channel, static_cast<int>(read),
+         p != predicted.end() ? noise_of(record, *p) : estimate_noise(record, *column.channel)});
   }
-  const std::vector<Measured> predicted = subject.measured();
-  for (const Measured& p : predicted)
-    for (Check::MeasuredChannel& m : result.measured)
-      if (*m.channel == *p.channel) m.noise = noise_of(record, p);
   std::stable_partition(result.measured.begin(), result.measured.end(), [&](const auto& m) {
     return std::any_of(predicted.begin(), predicted.end(),
                        [&](const Measured& p) { return *p.channel == *m.channel; });
