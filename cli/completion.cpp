@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/describe.h"
+#include "correction/catalogue.h"
 #include "effects/catalogue.h"
 
 namespace raceway::cli {
@@ -39,12 +40,22 @@ Takes arguments_of(const CLI::App& command) {
   return Takes::nothing;
 }
 
-std::string ids() {
+std::string ids_on_bearings() {
   std::string all;
   for (const effects::Description& d : effects::catalogue())
     all += (all.empty() ? "" : " ") + std::string(d.id);
   return all;
 }
+
+/// Of models with [correction].
+std::string ids_over_time() {
+  std::string all;
+  for (const correction::EffectCard& card : correction::catalogue())
+    all += (all.empty() ? "" : " ") + std::string(card.id);
+  return all;
+}
+
+std::string ids() { return ids_on_bearings() + " " + ids_over_time(); }
 
 std::string command_names(const CLI::App& app) {
   std::string all;
@@ -109,14 +120,29 @@ std::string bash_completion(const CLI::App& app) {
     const Takes arguments = arguments_of(*command);
     const bool files = arguments == Takes::file || arguments == Takes::file_or_effect;
     const bool effects = arguments == Takes::effect || arguments == Takes::file_or_effect;
-    cases += fmt::format("    {}) flags='{}' of_file='{}' of_value='{}' files={} words='{}' ;;\n",
+    cases += fmt::format("    {}) flags='{}' of_file='{}' of_value='{}' files={} words={} ;;\n",
                          command->get_name(), flags, of_file, of_value, files ? 1 : 0,
-                         effects ? ids() : "");
+                         !effects                     ? "''"
+                         : arguments == Takes::effect ? "$on_bearings' '$over_time"
+                                                      : "$(_raceway_effects)");
   }
   return fmt::format(R"(# bash completion of raceway; made by: raceway describe bash
+# Effects for the model that is named first; all where it cannot be read.
+_raceway_effects() {{
+  local model=${{COMP_WORDS[2]}}
+  if [[ -f $model ]] && grep -q '^ *\[*correction' -- "$model"; then
+    printf '%s' "$over_time"
+  elif [[ -f $model ]]; then
+    printf '%s' "$on_bearings"
+  else
+    printf '%s' "$on_bearings $over_time"
+  fi
+}}
 _raceway() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}}
   local flags='' of_file='' of_value='' files=0 words=''
+  local on_bearings='{2}'
+  local over_time='{3}'
   COMPREPLY=()
   if ((COMP_CWORD == 1)); then
     mapfile -t COMPREPLY < <(compgen -W '{0} help --help --version' -- "$word")
@@ -136,7 +162,7 @@ _raceway() {{
 }}
 complete -o filenames -F _raceway raceway
 )",
-                     command_names(app), cases);
+                     command_names(app), cases, ids_on_bearings(), ids_over_time());
 }
 
 std::string zsh_completion(const CLI::App& app) {
@@ -149,12 +175,19 @@ std::string zsh_completion(const CLI::App& app) {
   }
   return fmt::format(R"(#compdef raceway
 # zsh completion of raceway; made by: raceway describe zsh
+# Effects for the model that is named first; all where it cannot be read.
 _raceway_files_and_effects() {{
-  _alternative 'files:file:_files' 'effects:effect:({})'
+  local on_bearings='{0}'
+  local over_time='{1}'
+  local effects="$on_bearings $over_time"
+  if [[ -f $words[2] ]]; then
+    grep -q '^ *\[*correction' -- $words[2] && effects=$over_time || effects=$on_bearings
+  fi
+  _alternative 'files:file:_files' 'effects:effect:('$effects')'
 }}
 _raceway() {{
   local -a commands=(
-{}    'help:The flags of a command'
+{2}    'help:The flags of a command'
   )
   if ((CURRENT == 2)); then
     _describe command commands
@@ -163,12 +196,12 @@ _raceway() {{
   shift words
   ((CURRENT--))
   case $words[1] in
-{}    help) _describe command commands ;;
+{3}    help) _describe command commands ;;
   esac
 }}
 _raceway "$@"
 )",
-                     ids(), list, cases);
+                     ids_on_bearings(), ids_over_time(), list, cases);
 }
 
 }  // namespace raceway::cli

@@ -196,15 +196,20 @@ std::vector<Description> forms_of(std::string_view id) {
                        {.key = "ID"});
 }
 
-int explain(const std::vector<Description>& forms, bool json) {
+/// `card`: of records over time, or null.
+int explain(const std::vector<Description>& forms, const correction::EffectCard* card, bool json) {
   if (json) {
-    put_document(forms.size() == 1 ? io::effect_json(forms[0]) : io::effects_json(forms, {}));
+    put_document(forms.size() == 1 && !card
+                     ? io::effect_json(forms[0])
+                     : io::effects_json(forms, std::span(card, card ? 1 : 0)));
     return done;
   }
   for (const Description& d : forms) {
     if (&d != &forms.front()) fmt::print("\n");
     print_page(d);
   }
+  if (card && !forms.empty()) fmt::print("\n");
+  if (card) print_page(*card);
   return done;
 }
 
@@ -232,15 +237,10 @@ int list(std::span<const Description> found, std::span<const correction::EffectC
 int show(const std::string& id, bool json) {
   if (id.empty())
     return list(json ? effects::all_forms() : effects::catalogue(), correction::catalogue(), json);
-  if (const std::vector<Description> forms = forms_of(id); !forms.empty())
-    return explain(forms, json);
-  if (const correction::EffectCard* const card = correction::find_card(id)) {
-    if (json)
-      put_document(io::effects_json({}, std::span(card, 1)));
-    else
-      print_page(*card);
-    return done;
-  }
+  // Ids are unique for each subject: one may stand for a rig, a shaft and a record over time.
+  const std::vector<Description> forms = forms_of(id);
+  const correction::EffectCard* const card = correction::find_card(id.substr(0, id.find(':')));
+  if (!forms.empty() || card) return explain(forms, card, json);
   if (const std::string own = model::own_datum_explained(id); !own.empty() && !json) {
     fmt::print("{}\n", own);
     return done;
@@ -248,7 +248,7 @@ int show(const std::string& id, bool json) {
   const std::vector<Description> found = matching(id);
   const std::vector<correction::EffectCard> cards = matching_cards(id);
   if (found.empty() && cards.empty()) refuse_unknown(id);
-  if (found.size() == 1 && cards.empty()) return explain(forms_of(found[0].id), json);
+  if (found.size() == 1 && cards.empty()) return explain(forms_of(found[0].id), nullptr, json);
   return list(found, cards, json);
 }
 

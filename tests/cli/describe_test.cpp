@@ -116,6 +116,32 @@ TEST(Describe, BashOffersFilesAndEffectsWhereTheyBelong) {
   EXPECT_EQ(offered({"raceway", "add", "x", "wind"}), std::set<std::string>{"windage"});
 }
 
+const std::string over_time_text = "[correction]\ndisplacement = \"displacement_z_um\"\n";
+
+TEST(Describe, BashOffersTheEffectsOfTheModelThatIsNamed) {
+  const ScratchFolder scratch;
+  const std::string bearing = scratch.write("my.toml", model_text),
+                    machine = scratch.write("z.toml", over_time_text);
+  EXPECT_EQ(offered({"raceway", "effects", "ambient"}), std::set<std::string>{"ambient-drift"});
+  EXPECT_EQ(offered({"raceway", "add", machine, "ambient"}),
+            std::set<std::string>{"ambient-drift"});
+  EXPECT_EQ(offered({"raceway", "add", machine, "wind"}), std::set<std::string>{});
+  EXPECT_EQ(offered({"raceway", "add", bearing, "ambient"}), std::set<std::string>{});
+  EXPECT_EQ(offered({"raceway", "add", bearing, "wind"}), std::set<std::string>{"windage"});
+}
+
+TEST(Describe, ZshOffersTheEffectsOfTheModelThatIsNamed) {
+  const ScratchFolder scratch;
+  const std::string bearing = scratch.write("my.toml", model_text),
+                    machine = scratch.write("z.toml", over_time_text);
+  const std::set<std::string> drift{"ambient-drift"}, windage{"windage"}, none;
+  EXPECT_THAT(offered_by_zsh({"raceway effects ambient", "raceway add " + machine + " ambient",
+                              "raceway add " + machine + " wind",
+                              "raceway add " + bearing + " ambient",
+                              "raceway add " + bearing + " wind"}),
+              testing::ElementsAre(drift, drift, none, none, windage));
+}
+
 TEST(Describe, EveryCommandAndFlagIsOfferedByZsh) {
   const std::vector<std::string> every = all_commands();
   std::vector<std::string> begun{"raceway ", "raceway dia"};
