@@ -8,8 +8,10 @@ namespace raceway::fit {
 namespace {
 
 constexpr std::size_t most_intervals = 5;
-constexpr double far_off = 1.5;     // times the rms: an interval that is shown
-constexpr double comes_back = 0.3;  // correlation after a period that is one
+constexpr double far_off = 1.5;       // times the rms: an interval that is shown, or
+constexpr double near_the_top = 0.9;  // of the largest, as a swing is nowhere 1.5 times its rms
+constexpr double as_good = 0.85;      // of the best correlation: the period is the shortest such
+constexpr double comes_back = 0.3;    // correlation after a period that is one
 constexpr int grid = 512;
 
 /// On an even grid over the record; straight between means.
@@ -39,6 +41,22 @@ double correlation_after(const std::vector<double>& r, std::size_t lag) {
   return first > 0.0 && second > 0.0 ? product / std::sqrt(first * second) : 0.0;
 }
 
+/// The lag of the first maximum behind the first minimum that is as good as the best, where it
+/// comes back often enough to be a period: multiples of a period are as good as it. NaN where none
+/// is.
+double period_of(const std::vector<double>& correlation) {
+  const std::size_t end = correlation.size() * 2 / 3;
+  std::size_t k = 0;
+  while (k < end && correlation[k] >= 0.0) ++k;
+  double best = comes_back;
+  for (std::size_t i = k; i < end; ++i) best = std::max(best, correlation[i]);
+  for (std::size_t i = k + 1; i + 1 < end; ++i)
+    if (correlation[i] > comes_back && correlation[i] >= as_good * best &&
+        correlation[i] >= correlation[i - 1] && correlation[i] >= correlation[i + 1])
+      return static_cast<double>(i);
+  return unset;
+}
+
 }  // namespace
 
 Course course_of(const Means& means, const Eigen::VectorXd& left) {
@@ -61,20 +79,17 @@ Course course_of(const Means& means, const Eigen::VectorXd& left) {
                                   [](double c) { return c < std::exp(-1.0); });
   if (falls != correlation.end())
     course.time_constant = static_cast<double>(falls - correlation.begin()) * step;
-  // The first maximum behind the first minimum, where it comes back often enough to be a period.
-  const auto zero =
-      std::find_if(correlation.begin(), correlation.end(), [](double c) { return c < 0.0; });
-  const auto most = std::max_element(
-      zero, correlation.begin() + static_cast<std::ptrdiff_t>(correlation.size() * 2 / 3));
-  if (zero < most && most != correlation.end() && *most > comes_back)
-    course.period = static_cast<double>(most - correlation.begin()) * step;
+  course.period = period_of(correlation) * step;
   struct Stretch {
     double from, to, square;
   };
   std::vector<Stretch> stretches;
   const double begin = means.list.front().time;
+  double largest = 0.0;
+  for (const double v : r) largest = std::max(largest, std::abs(v));
+  const double far = std::min(far_off * rms, near_the_top * largest);
   for (std::size_t i = 0; i < r.size();) {
-    if (std::abs(r[i]) < far_off * rms) {
+    if (std::abs(r[i]) < far) {
       ++i;
       continue;
     }
