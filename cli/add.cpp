@@ -100,14 +100,31 @@ int finish(const AddFlags& flags, const std::string& source, fit::AddResult resu
   return done;
 }
 
+/// The effects that a person means by these names.
+std::vector<std::string> meant(const correction::CorrectionSubject& subject,
+                               const std::vector<std::string>& ids,
+                               const CorrectionQuestion& asked) {
+  std::vector<std::string> list;
+  try {
+    const auto informed = subject.informed_by(asked.data);
+    const auto& on_this_record = dynamic_cast<const correction::CorrectionSubject&>(*informed);
+    for (const std::string& id : ids) list.push_back(on_this_record.meant_by(id));
+  } catch (const std::invalid_argument& e) {
+    refuse_data(asked.file.source, asked.data, e);
+  }
+  return list;
+}
+
 int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
                    const std::vector<std::string>& files) {
   CorrectionQuestion asked =
       ask_correction(flags.names.front(), files, flags.displacement, flags.reading);
   flags.tolerance.set(asked.model, asked.file.source);
+  prepare_fit(asked.model, asked.file.source, asked.data);
   const correction::CorrectionSubject subject(asked.model);
   return finish(
-      flags, asked.file.source, added(subject, ids, asked.data, asked.file.source), asked.data, {},
+      flags, asked.file.source,
+      added(subject, meant(subject, ids, asked), asked.data, asked.file.source), asked.data, {},
       [&](const fit::Calibration& c) { write_correction(asked, c, flags.output, flags.force); });
 }
 
@@ -124,7 +141,7 @@ int run(const AddFlags& flags) {
     throw io::InputError(
         "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
         {.key = "EFFECT"});
-  if (io::has_correction(path)) return run_correction(flags, ids, files);
+  if (io::takes_correction(path, files)) return run_correction(flags, ids, files);
   io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
   const record::Record data =

@@ -97,8 +97,9 @@ int finish(const CalibrateFlags& flags, fit::Calibration c, const record::Record
 }
 
 int run_correction(const CalibrateFlags& flags) {
-  const CorrectionQuestion asked =
+  CorrectionQuestion asked =
       ask_correction(flags.model, flags.data, flags.displacement, flags.reading);
+  prepare_fit(asked.model, asked.file.source, asked.data);
   const correction::CorrectionSubject subject(asked.model);
   return finish(
       flags, calibrated(subject, asked.data, asked.file.source), asked.data, flags.output,
@@ -118,7 +119,7 @@ int run(const CalibrateFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty() && flags.per_record.names.empty())
     io::require_writable(flags.output, if_exists);
-  if (io::has_correction(flags.model)) return run_correction(flags);
+  if (io::takes_correction(flags.model, flags.data)) return run_correction(flags);
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   const record::Record data = open_records(flags.data, flags.model, *io::make_subject(file.model),
                                            flags.reading.options(file));

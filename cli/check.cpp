@@ -9,6 +9,7 @@
 #include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/open_input.h"
+#include "cli/run_files.h"
 #include "cli/text_table.h"
 #include "correction/record_check.h"
 #include "io/error.h"
@@ -122,6 +123,7 @@ void print(const correction::RecordCheck& c) {
 int check_corrections(const CheckFlags& flags, io::IfExists if_exists) {
   if (flags.data.empty()) {
     const io::CorrectionFile file = io::read_correction(flags.model);
+    for (const std::string& table : file.tables) add_input(table);
     std::vector<std::string> names;
     for (const correction::Model& m : file.models) names.push_back(m.name);
     if (flags.json) {
@@ -168,7 +170,9 @@ int run(const CheckFlags& flags) {
     throw io::InputError("raceway check: --output -: stdout shows what was read; name a file",
                          {.key = "--output"});
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
-  if (io::has_correction(flags.model)) return check_corrections(flags, if_exists);
+  std::vector<std::string> data_files;
+  if (!flags.data.empty()) data_files.push_back(flags.data);
+  if (io::takes_correction(flags.model, data_files)) return check_corrections(flags, if_exists);
   const std::string& model = flags.model;
   const io::ModelFile file = open_model(model, Accepts::rig_or_shaft, Defaults::keep);
   if (flags.data.empty()) return run_model(file, flags.json);

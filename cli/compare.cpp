@@ -17,6 +17,7 @@
 #include "cli/tolerance_flag.h"
 #include "correction/alignment.h"
 #include "correction/phases.h"
+#include "correction/record_check.h"
 #include "fit/calibrate.h"
 #include "fit/several_records.h"
 #include "io/error.h"
@@ -345,6 +346,10 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
     } catch (const std::invalid_argument& e) {
       refuse_data(asked.file.source, asked.data, e);
     }
+    if (const std::string beyond = correction::power_beyond_element(asked.model, asked.data);
+        !beyond.empty())
+      warn({fmt::format("{}: {}: rows from there on have no prediction and are left out",
+                        asked.file.source, beyond)});
     for (fit::Comparison& c : comparisons.back())
       fit::add_groups(c, correction::phase, correction::phases(asked.data, *c.channel));
     models.push_back(asked.file.source);
@@ -368,8 +373,9 @@ int run(const CompareFlags& flags) {
       flags.files.begin() + static_cast<std::ptrdiff_t>(first_data(flags.files));
   const std::vector<std::string> paths(flags.files.begin(), data_begin);
   flags.report.check(flags.force);
-  if (io::has_correction(paths.front()))
-    return compare_corrections(flags, paths, {data_begin, flags.files.end()});
+  if (const std::vector<std::string> data(data_begin, flags.files.end());
+      io::takes_correction(paths.front(), data))
+    return compare_corrections(flags, paths, data);
   const std::vector<io::ModelFile> files = open_models(paths, flags.tolerance);
   std::vector<std::string> models;
   for (const io::ModelFile& file : files) models.push_back(file.source);

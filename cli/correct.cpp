@@ -41,6 +41,7 @@ io::Corrected corrected(const correction::Model& model, const record::Record& re
                         std::vector<std::string>& messages) {
   const auto subject = correction::aligned(model, record, correction::Zero::none);
   io::Corrected result{.displacement = model.displacement,
+                       .initial_state = model.initial_state,
                        .predicted = fit::predict(*subject, record)};
   const auto series = std::make_shared<const correction::Series>(record);
   result.parts = correction::contributions(subject->model(), *series);

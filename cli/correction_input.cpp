@@ -7,6 +7,10 @@
 
 #include "cli/messages.h"
 #include "cli/text_table.h"
+#include "cli/run_files.h"
+#include "correction/baseline.h"
+#include "correction/identify.h"
+#include "correction/record_check.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "io/error.h"
@@ -18,6 +22,7 @@ namespace raceway::cli {
 
 io::CorrectionFile open_corrections(const std::string& path) {
   io::CorrectionFile file = io::read_correction(path);
+  for (const std::string& table : file.tables) add_input(table);
   const std::size_t count = file.defaults.size();
   if (count > 0)
     tell({fmt::format("{} default{}: raceway check {} lists {}", count, count == 1 ? "" : "s", path,
@@ -83,6 +88,16 @@ CorrectionQuestion ask_correction(const std::string& model, const std::vector<st
   return asked;
 }
 
+void prepare_fit(const correction::Model& model, const std::string& source,
+                 record::Record& record) {
+  if (const std::string beyond = correction::power_beyond_element(model, record); !beyond.empty())
+    throw io::InputError(fmt::format("{} with {}: {}", record.source, source, beyond),
+                         {.file = record.source});
+  const std::vector<std::string> faults = correction::check_record(model, record).of_its_inputs;
+  warn(faults);
+  record.notes.insert(record.notes.end(), faults.begin(), faults.end());
+}
+
 void write_correction(const CorrectionQuestion& asked, const fit::Calibration& found,
                       const std::string& path, bool replace) {
   if (path.empty()) return;
@@ -126,6 +141,14 @@ std::vector<std::string> range_notes(const correction::Model& model,
   const record::Record& record = series.record();
   std::vector<std::string> notes;
   for (const correction::Beyond::Part& p : beyond.parts) notes.push_back(note_of(p, record));
+  if (!beyond.parts.empty() && correction::is_regression(model)) {
+    const std::vector<double> share = correction::extrapolated(model, series, beyond);
+    const auto most = std::max_element(share.begin(), share.end());
+    notes.push_back(
+        fmt::format("a regression goes on in straight lines there: {:.3g} um of what it predicts "
+                    "in {} come from where nobody measured",
+                    *most / um, when(record, static_cast<std::size_t>(most - share.begin()))));
+  }
   for (const correction::DrivenChannel& c : model.channels)
     if (const std::size_t rows = series.rows_beyond_table(c.input); rows > 0)
       notes.push_back(fmt::format(

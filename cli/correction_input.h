@@ -43,6 +43,11 @@ struct CorrectionQuestion {
                                                 const std::string& displacement,
                                                 const DataFlag& reading);
 
+/// Looks at a record before a model is fitted to it. Warns of sensors on which the model rests and
+/// that stick, leap or never vary; into the notes of the record, too, for who reads results as
+/// JSON. Throws io::InputError where a power leaves the range of a delay element.
+void prepare_fit(const correction::Model& model, const std::string& source, record::Record& record);
+
 /// Writes the file with the numbers of a calibration that grew out of its model, what its record
 /// showed them, and how sure they are; says so. Nothing for an empty path.
 void write_correction(const CorrectionQuestion& asked, const fit::Calibration& found,

@@ -285,10 +285,11 @@ struct Question {
 };
 
 Question ask(const DiagnoseFlags& flags) {
-  if (io::has_correction(flags.model)) {
+  if (io::takes_correction(flags.model, flags.data)) {
     CorrectionQuestion asked =
         ask_correction(flags.model, flags.data, flags.displacement, flags.reading);
     flags.tolerance.set(asked.model, asked.file.source);
+    prepare_fit(asked.model, asked.file.source, asked.data);
     const auto subject = std::make_shared<const correction::CorrectionSubject>(asked.model);
     return {asked.file.source, subject, subject, std::move(asked.data), {}};
   }

@@ -10,10 +10,12 @@
 #include "cli/commands.h"
 #include "cli/correction_input.h"
 #include "cli/messages.h"
+#include "cli/open_input.h"
 #include "cli/process.h"
 #include "cli/progress.h"
 #include "cli/text_table.h"
 #include "correction/alignment.h"
+#include "correction/baseline.h"
 #include "correction/lag_bank.h"
 #include "io/correction_results.h"
 #include "io/error.h"
@@ -26,7 +28,7 @@ namespace raceway::cli {
 namespace {
 
 struct IdentifyFlags {
-  std::string model, data, validate, output, order = "1:3";
+  std::string model, data, validate, output, order = "1:3", baseline;
   std::vector<std::string> inputs, lags;
   DataFlag reading;
   bool json = false, force = false;
@@ -166,10 +168,15 @@ void print(const correction::Identification& found, const record::Record& record
                number(found.rms_held_out / um, 3), number(found.noise / um, 2));
     return;
   }
-  fmt::print("{} of {}: {} structures tried\n\n", found.model.displacement->name, record.source,
-             found.tried.size());
-  print_ladder(found);
-  fmt::print("\n");
+  if (correction::is_regression(found.model)) {
+    fmt::print("{} of {}: multiple linear regression\n\n", found.model.displacement->name,
+               record.source);
+  } else {
+    fmt::print("{} of {}: {} structures tried\n\n", found.model.displacement->name, record.source,
+               found.tried.size());
+    print_ladder(found);
+    fmt::print("\n");
+  }
   print_sections(found);
   fmt::print(
       "\nRMS {} um, held out {} um, noise {} um; condition {:.2g}; what is left forgets itself "
@@ -178,9 +185,23 @@ void print(const correction::Identification& found, const record::Record& record
       number(found.noise / um, 2), found.condition, found.correlation_time / 60.0);
 }
 
+void require_readings(const correction::Model& model, const record::Record& record) {
+  if (!record.has(*model.displacement))
+    throw io::InputError(
+        fmt::format("{}: has no column {}", record.source, model.displacement->name),
+        {.file = record.source, .key = std::string(model.displacement->name)});
+}
+
 correction::Identification identified(const correction::Model& model, const record::Record& record,
                                       const IdentifyFlags& flags, const std::string& source) {
   const auto [lowest, highest] = orders(flags.order);
+  if (flags.baseline == "regression") {
+    try {
+      return correction::regression_baseline(model, offered(flags.inputs, record), record);
+    } catch (const std::invalid_argument& e) {
+      refuse_data(source, record, e);
+    }
+  }
   correction::IdentifyOptions options{
       .lowest_order = lowest, .highest_order = highest, .offered = offered(flags.inputs, record)};
   constexpr double an_hour = 3600.0;
@@ -207,25 +228,100 @@ correction::Identification identified(const correction::Model& model, const reco
   }
 }
 
-/// What the found model is worth on a record that it did not see.
-void validate(const std::vector<correction::Model>& models, const IdentifyFlags& flags,
-              const io::CorrectionFile& file) {
-  if (flags.validate.empty()) return;
+/// What the found models are worth on a record that they did not see.
+std::vector<io::Validation> validated(const std::vector<correction::Model>& models,
+                                      const IdentifyFlags& flags, const io::CorrectionFile& file) {
+  std::vector<io::Validation> list;
+  if (flags.validate.empty()) return list;
   const record::Record other =
       open_series(flags.validate, models, flags.reading.options(file.columns));
   for (const correction::Model& model : models) {
+    require_readings(model, other);
     const auto subject = correction::aligned(model, other, correction::Zero::mean);
-    const correction::Metrics m =
-        correction::metrics(other.values(*model.displacement), fit::predict(*subject, other));
+    const correction::Series series(other);
+    const correction::Beyond beyond = correction::beyond_range(model, series);
+    list.push_back({.data = other.source,
+                    .metrics = correction::metrics(other.values(*model.displacement),
+                                                   fit::predict(*subject, other)),
+                    .rows_beyond_range = beyond.rows()});
+    const correction::Metrics& m = list.back().metrics;
     if (!flags.json)
       fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
                  model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
                  number(m.fit_percent, 3));
-    warn(range_notes(model, other));
+    warn(range_notes(model, series, beyond));
   }
+  return list;
+}
+
+void print(const record::Channel& displacement, const correction::ArxBaseline& a,
+           const record::Record& record) {
+  fmt::print("{} of {}: ARX from {} on {} points every {:.4g} s\n\n", displacement.name,
+             record.source, io::listed(a.inputs), a.rows, a.sampling);
+  TextTable table({{"order", ""},
+                   {"one step", "um"},
+                   {"fit", "%"},
+                   {"simulated", "um"},
+                   {"fit", "%"},
+                   {"second half", "um"},
+                   {"poles", "time constants, s", true, true}});
+  for (const correction::ArxFit& f : a.fits) {
+    std::vector<std::string> lags;
+    for (std::size_t k = 0; k < f.poles.size(); ++k) {
+      const std::complex<double>& z = f.poles[k];
+      lags.push_back(std::isfinite(f.time_constants[k]) ? number(f.time_constants[k], 3)
+                     : std::abs(z) >= 1.0               ? "unstable"
+                     : z.imag() != 0.0                  ? "oscillates"
+                                                        : "negative");
+    }
+    table.add({fmt::format("{}", f.order), number(f.one_step.rms / um, 3),
+               number(f.one_step.fit_percent, 4), number(f.simulated.rms / um, 3),
+               number(f.simulated.fit_percent, 4), number(f.second_half.rms / um, 3),
+               fmt::format("{}", fmt::join(lags, ", "))});
+  }
+  fmt::print("{}", table.text(terminal_width()));
+  fmt::print(
+      "one step: each point from the readings before it. simulated: from the inputs alone, as a\n"
+      "control runs it. second half: simulated, by what the first half gave.\n");
+}
+
+/// Shows what it is worth; a control is not given it.
+int run_arx(const IdentifyFlags& flags) {
+  if (!flags.output.empty())
+    throw io::InputError(
+        "--output: an ARX model is fitted one step ahead and is not written; sections are, without "
+        "--baseline",
+        {.key = "--output"});
+  const auto [lowest, highest] = orders(flags.order);
+  const io::CorrectionFile file = open_corrections(flags.model);
+  const record::Record record = open_series(
+      flags.data, file.models, flags.reading.options(file.columns), flags.reading.period);
+  std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
+  for (const correction::Model& model : file.models) {
+    require_readings(model, record);
+    try {
+      found.emplace_back(
+          model.displacement,
+          correction::arx_baseline(model, offered(flags.inputs, record), record, lowest, highest));
+    } catch (const std::invalid_argument& e) {
+      refuse_data(file.source, record, e);
+    }
+    if (!flags.json) print(*model.displacement, found.back().second, record);
+    warn(found.back().second.messages);
+  }
+  if (flags.json) put_document(io::arx_json(file.source, record, found));
+  return done;
+}
+
+std::string output_text(const IdentifyFlags& flags, const io::CorrectionFile& file,
+                        const std::vector<correction::Model>& models,
+                        const record::Record& record) {
+  if (flags.baseline.empty()) return io::with_corrections(file, models);
+  return io::new_corrections(models, "Multiple linear regression on " + record.source);
 }
 
 int run(const IdentifyFlags& flags) {
+  if (flags.baseline == "arx") return run_arx(flags);
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (flags.output == "-")
     throw io::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
@@ -234,11 +330,13 @@ int run(const IdentifyFlags& flags) {
   (void)orders(flags.order);
   (void)lags_of(flags);
   const io::CorrectionFile file = open_corrections(flags.model);
-  const record::Record record = open_series(
-      flags.data, file.models, flags.reading.options(file.columns), flags.reading.period);
+  record::Record record = open_series(flags.data, file.models, flags.reading.options(file.columns),
+                                      flags.reading.period);
   std::vector<correction::Identification> found;
   std::vector<correction::Model> models;
   for (const correction::Model& model : file.models) {
+    require_readings(model, record);
+    prepare_fit(model, file.source, record);
     found.push_back(identified(model, record, flags, file.source));
     models.push_back(found.back().model);
     if (!flags.json) {
@@ -247,10 +345,10 @@ int run(const IdentifyFlags& flags) {
     }
     warn(found.back().messages);
   }
-  validate(models, flags, file);
-  if (flags.json) put_document(io::identification_json(file.source, record, found));
+  const std::vector<io::Validation> validations = validated(models, flags, file);
+  if (flags.json) put_document(io::identification_json(file.source, record, found, validations));
   if (!flags.output.empty()) {
-    io::write_text(flags.output, io::with_corrections(file, models), if_exists);
+    io::write_text(flags.output, output_text(flags, file, models, record), if_exists);
     say(flags.output + " written");
   }
   return done;
@@ -287,6 +385,13 @@ Run setup_identify(CLI::App& command) {
       ->allow_extra_args(false)
       ->type_name("S,...")
       ->excludes("--order");
+  command
+      .add_option("--baseline", flags->baseline,
+                  "instead of sections: regression, on the inputs as they are; arx, by least\n"
+                  "squares of one step, to see why it is not used")
+      ->check(CLI::IsMember({"regression", "arx"}))
+      ->excludes("--lags")
+      ->type_name("WHICH");
   command.add_option("--validate", flags->validate, "another record, to judge the model by")
       ->type_name("RECORD2");
   command
@@ -298,7 +403,8 @@ Run setup_identify(CLI::App& command) {
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
-      "Example:\n  raceway identify z.toml monday.csv --validate friday.csv -o found.toml");
+      "Example:\n  raceway identify z.toml monday.csv --validate friday.csv -o found.toml\n"
+      "  raceway identify z.toml monday.csv --baseline regression -o regression.toml");
   return [flags] { return run(*flags); };
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <limits>
 
+#include "correction/own_effect.h"
+
 namespace raceway::correction {
 namespace {
 
@@ -133,9 +135,9 @@ const EffectCard* find_card(std::string_view id) {
 }
 
 double value_of(const Effect& effect, std::string_view name) {
-  const EffectCard* const card = find_card(effect.id);
+  const EffectCard& card = card_of(effect);
   for (std::size_t k = 0; k < effect.values.size(); ++k)
-    if (card->numbers[k].name == name) return effect.values[k];
+    if (card.numbers[k].name == name) return effect.values[k];
   return unset;
 }
 

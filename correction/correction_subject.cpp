@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "correction/catalogue.h"
+#include "correction/own_effect.h"
 #include "correction/quantum.h"
 #include "correction/range.h"
 #include "correction/series.h"
@@ -142,6 +143,7 @@ CorrectionSubject::CorrectionSubject(Model model) : model_(std::move(model)) {}
 std::vector<fit::Measured> CorrectionSubject::measured() const {
   return {{.channel = model_.displacement,
            .std = model_.measured_std,
+           .begins = name(model_.initial_state),
            .approximate = true,
            .tolerance = model_.tolerance}};
 }
@@ -153,6 +155,16 @@ void CorrectionSubject::require(const fit::Record& record) const {
     if (!record.has(*c))
       throw std::invalid_argument(
           fmt::format("column {} is missing, which the model needs", c->name));
+  for (const Effect& e : model_.effects) {
+    if (!e.own || e.off) continue;
+    const Series::Values driving = Series(record).input(input_of(e, model_));
+    const auto bad = std::find_if(driving->begin(), driving->end(),
+                                  [](double value) { return !std::isfinite(value); });
+    if (bad != driving->end())
+      throw std::invalid_argument(
+          fmt::format("the formula of effect {} has no number in {}", e.id,
+                      record.place(static_cast<std::size_t>(bad - driving->begin()))));
+  }
 }
 
 std::shared_ptr<const void> CorrectionSubject::prepare(const fit::Record& record) const {
@@ -254,6 +266,12 @@ std::vector<Effect> CorrectionSubject::possible() const {
         e.values.push_back(id == "offset-jump" && n.unit == "s" ? end_ : n.initial);
     list.push_back(std::move(e));
   };
+  for (const Effect& e : model_.effects)
+    if (e.off &&
+        std::any_of(e.own->columns().begin(), e.own->columns().end(), [&](const Channel* c) {
+          return std::find(columns_.begin(), columns_.end(), c) != columns_.end();
+        }))
+      list.push_back(e);
   std::vector<const Channel*> ambient, base, motor;
   bool coolant = false, speed = false;
   for (const Channel* c : columns_) {
@@ -295,10 +313,17 @@ std::vector<Effect> CorrectionSubject::possible() const {
 std::vector<fit::Candidate> CorrectionSubject::candidates() const {
   std::vector<fit::Candidate> list;
   for (Effect& e : possible()) {
-    const EffectCard& card = *find_card(e.id);
-    fit::Candidate candidate{.id = full_id(e), .size = card.size, .of_reading = card.of_reading};
+    const EffectCard& card = card_of(e);
+    fit::Candidate candidate{.id = full_id(e),
+                             .size = card.size,
+                             .of_the_user = e.own != nullptr,
+                             .of_reading = card.of_reading};
     Model with = model_;
-    with.effects.push_back(e);
+    if (!e.own) with.effects.push_back(e);
+    if (card.of_channel || e.id == "second-time-constant")
+      candidate.acts_on = {{"channel", find_channel(model_, e.where)->name}};
+    else if (!e.where.empty())
+      candidate.acts_on = {{"axis", e.where}};
     const std::string prefix = candidate.id + ".";
     for (const fit::Parameter& p : correction::parameters(with, limits_))
       if (p.name.starts_with(prefix)) candidate.parameters.push_back(p);
@@ -315,9 +340,26 @@ std::vector<fit::Candidate> CorrectionSubject::candidates() const {
 std::vector<std::string> CorrectionSubject::catalogue() const {
   std::vector<std::string> ids;
   for (const EffectCard& card : correction::catalogue()) ids.emplace_back(card.id);
-  for (const Effect& e : possible())
-    if (!e.where.empty()) ids.push_back(full_id(e));
+  for (const Effect& e : model_.effects)
+    if (e.off) ids.push_back(e.id);
   return ids;
+}
+
+std::string CorrectionSubject::meant_by(const std::string& id) const {
+  std::vector<std::string> of_its_kind;
+  for (const Effect& e : possible()) {
+    const std::string full = full_id(e);
+    if (full == id) return full;
+    // The main channel by its name.
+    if (e.where.empty() && !model_.channels.empty() &&
+        id == fmt::format("{}:{}", e.id, model_.channels.front().name))
+      return full;
+    if (e.id == id) of_its_kind.push_back(full);
+  }
+  if (of_its_kind.size() > 1)
+    throw std::invalid_argument(
+        fmt::format("{}: which one? {}", id, fmt::join(of_its_kind, " or ")));
+  return of_its_kind.empty() ? id : of_its_kind.front();
 }
 
 Effect CorrectionSubject::as_switched_on(const std::string& id) const {
@@ -328,7 +370,8 @@ Effect CorrectionSubject::as_switched_on(const std::string& id) const {
   }
   for (const Effect& e : model_.effects)
     if (full_id(e) == id)
-      throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
+      throw std::invalid_argument(e.off ? fmt::format("{}: needs {}", id, e.own->card().needs)
+                                        : fmt::format("{}: the model has this effect already", id));
   if (const EffectCard* const card = find_card(id))
     throw std::invalid_argument(card->evidence
                                     ? fmt::format("{}: is told by the record and has no number", id)
@@ -343,7 +386,15 @@ std::unique_ptr<fit::Subject> CorrectionSubject::with_candidates(
   for (auto id = ids.begin(); id != ids.end(); ++id) {
     if (std::find(ids.begin(), id, *id) != id)
       throw std::invalid_argument(fmt::format("{} is listed twice", *id));
-    result->model_.effects.push_back(as_switched_on(*id));
+    Effect on = as_switched_on(*id);
+    on.off = false;
+    std::vector<Effect>& all = result->model_.effects;
+    const auto own =
+        std::find_if(all.begin(), all.end(), [&](const Effect& e) { return e.off && e.id == *id; });
+    if (own != all.end())
+      own->off = false;
+    else
+      all.push_back(std::move(on));
   }
   if (!model_.free.empty() && !ids.empty())
     if (std::find(model_.free.begin(), model_.free.end(), "effects") == model_.free.end())
@@ -353,7 +404,9 @@ std::unique_ptr<fit::Subject> CorrectionSubject::with_candidates(
 
 std::string CorrectionSubject::lacks(const std::string& id, const fit::Record&) const {
   for (const Effect& e : possible())
-    if (full_id(e) == id) return {};
+    if (full_id(e) == id || e.id == id) return {};
+  for (const Effect& e : model_.effects)
+    if (e.off && e.id == id) return std::string(e.own->card().needs);
   const EffectCard* const card = find_card(id);
   return card ? std::string(card->needs) : std::string();
 }

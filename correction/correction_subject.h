@@ -43,6 +43,10 @@ class CorrectionSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
+  /// The candidate that a person means: "second-time-constant:ambient", or without what it acts on
+  /// where that is the main channel or the only axis. What is none stays as it is. Throws
+  /// std::invalid_argument where several are meant. Asked of a subject that a record informed.
+  [[nodiscard]] std::string meant_by(const std::string& id) const;
   /// Sensors of which the last digit shows: it moves the displacement at once, and what is left
   /// steps back with it and is no larger than that makes it. Asked of a model that was fitted.
   [[nodiscard]] std::vector<fit::Fault> faults(const fit::Record& record) const override;

@@ -13,7 +13,8 @@
 #include "correction/numbers.h"
 #include "correction/range.h"
 #include "correction/simulation.h"
-#include "fit/noise.h"
+#include "fit/compare.h"
+#include "fit/thinned_record.h"
 #include "record/series_channel.h"
 
 namespace raceway::correction {
@@ -80,7 +81,7 @@ class Search {
     const auto subject = subject_of(model);
     if (!recorded_)
       recorded_ = std::make_unique<fit::Recorded>(
-          fit::recorded(*subject, record_, fit::usual_width(*record_)));
+          fit::recorded(*subject, fit::for_search(record_), fit::usual_width(*record_)));
     if (recorded_->means.list.size() < 3 * subject->free().size())
       throw std::invalid_argument(fmt::format("{} readings of {} for {} numbers: too few",
                                               recorded_->means.list.size(),
@@ -182,8 +183,9 @@ class Search {
 
   Identification finish(const Approximation& best) {
     if (options_.progress) options_.progress(0.95, "fitting single rows");
-    fit::Recorded rows;
-    const Approximation last = fit::refined(slowest_first(best), *recorded_, rows);
+    fit::Recorded rows, whole = *recorded_;
+    whole.record = record_;
+    const Approximation last = fit::refined(slowest_first(best), whole, rows);
     describe(last, best, rows);
     return std::move(result_);
   }
@@ -213,9 +215,9 @@ class Search {
     result_.rms_held_out = in_SI(best.rms_held_out);
     result_.condition = errors.condition;
     result_.correlation_time = errors.correlation_time;
-    result_.noise = std::isfinite(model_.measured_std)
-                        ? model_.measured_std
-                        : fit::noise_of_neighbours(*record_, *model_.displacement);
+    const fit::Noise noise = fit::noise_of(*record_, CorrectionSubject(model_).measured().front());
+    result_.noise = noise.rms;
+    result_.noise_source = noise.source;
     const auto fitted = fit::fitted(last);
     result_.model = model_of(*fitted);
     result_.model.free = {};

@@ -7,6 +7,7 @@
 #include "correction/metrics.h"
 #include "correction/model.h"
 #include "fit/approximation.h"
+#include "fit/noise.h"
 
 namespace raceway::correction {
 
@@ -55,6 +56,7 @@ struct Identification {
   double correlation_time = unset;   ///< of what is left [s]
   double whiteness_p_value = unset;  ///< that what is left does not follow the rows before it
   double noise = unset;              ///< of a single reading [m]
+  fit::NoiseSource noise_source = fit::NoiseSource::none;
   std::vector<std::string> at_bound{};
   std::vector<std::string> messages{};
 

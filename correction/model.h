@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "correction/beyond.h"
@@ -20,6 +21,8 @@ namespace raceway::correction {
 
 using record::Channel;
 
+class OwnEffect;
+
 /// What drives a channel.
 ///
 /// Temperatures count from the first row of a run. Feeds and speeds act by their absolute value.
@@ -35,6 +38,9 @@ struct Input {
   double temperature = unset;                    ///< [K], of the power, where no column has it
   const Channel* temperature_column = nullptr;
   Interval within{};  ///< to which the power is held [W]
+  std::shared_ptr<const OwnEffect>
+      formula{};  ///< of columns, and of these values of its parameters
+  std::vector<double> formula_values{};
 
   [[nodiscard]] bool is_power() const { return table != nullptr; }
   /// What gains are per: "K", "W", "m/min" or "rpm" for people, "K", "W", "m_min", "rpm" in keys,
@@ -72,13 +78,19 @@ struct Kinematic {
 /// An effect of the catalogue, as it is switched on.
 struct Effect {
   std::string id{};
-  std::string where{};                    ///< channel or axis that it acts on; empty without
-  std::vector<const Channel*> columns{};  ///< of which the mean drives it
-  std::vector<double> values{};           ///< of its numbers, in the units of its card
+  std::string where{};                     ///< channel or axis that it acts on; empty without
+  std::vector<const Channel*> columns{};   ///< of which the mean drives it
+  std::vector<double> values{};            ///< of its numbers, in the units of its card
+  std::shared_ptr<const OwnEffect> own{};  ///< one that the user wrote; null for the catalogue's
+  bool off = false;  ///< one of the user's own that waits to be added: a candidate
 };
 
 /// Where a machine stood when its record began.
 enum class InitialState { rest, free };
+/// "rest" or "free"
+[[nodiscard]] constexpr std::string_view name(InitialState state) {
+  return state == InitialState::free ? "free" : "rest";
+}
 
 /// What was seen when the numbers were found: outside of it nobody knows.
 struct SeenRange {

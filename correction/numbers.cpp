@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "correction/catalogue.h"
+#include "correction/own_effect.h"
 #include "record/nearest_names.h"
 #include "record/series_channel.h"
 
@@ -95,19 +96,19 @@ class List {
 
   void add_effect(std::size_t index) {
     Effect& e = model_.effects[index];
-    const EffectCard& card = *find_card(e.id);
+    const EffectCard& card = card_of(e);
     for (std::size_t k = 0; k < e.values.size(); ++k) {
       const record::NumberCard& n = card.numbers[k];
-      const bool is_gain = n.unit == "um/u";
-      record::Parameter& p =
-          add(full_id(e) + "." + std::string(n.name),
-              is_gain ? gain_unit(e, model_) : std::string(n.unit),
-              fmt::format("correction.effect.{}.{}", index, key_of(e, n, model_)), "effects",
-              e.values[k], 1.0);
+      const bool is_gain = n.unit == "um/u", is_size = e.own ? k == 0 : n.unit == "um";
+      record::Parameter& p = add(full_id(e) + "." + std::string(n.name),
+                                 is_gain ? gain_unit(e, model_) : std::string(n.unit),
+                                 fmt::format("correction.effect.{}.{}", index,
+                                             e.own ? e.own->key(k) : key_of(e, n, model_)),
+                                 "effects", e.values[k], 1.0);
       p.initial = n.initial;
       p.neutral = n.neutral;
-      p.proportional = is_gain || n.unit == "um";
-      const bool lag = n.name == "time_constant_s";
+      p.proportional = is_gain || is_size;
+      const bool lag = e.own ? e.own->given().lags && k == 1 : n.name == "time_constant_s";
       if (e.id == "slow-drift" && lag && !std::isnan(limits_.record))
         bound(p, slowest.first * limits_.record, slowest.second * limits_.record);
       else
@@ -125,11 +126,13 @@ class List {
 }  // namespace
 
 std::string_view Input::unit() const {
+  if (formula) return "1";
   if (is_power()) return "W";
   return columns.empty() || record::is_temperature(*columns.front()) ? "K" : columns.front()->unit;
 }
 
 std::string_view Input::key_unit() const {
+  if (formula) return "";
   if (is_power()) return "W";
   return columns.empty() || record::is_temperature(*columns.front()) ? "K"
                                                                      : columns.front()->key_unit();
@@ -140,6 +143,8 @@ double Input::factor() const {
 }
 
 record::Course Input::course() const {
+  if (formula)
+    return formula->follows_a_temperature() ? record::Course::straight : record::Course::held;
   return is_power() || columns.empty() ? record::Course::held : record::course_of(*columns.front());
 }
 
@@ -166,12 +171,25 @@ std::vector<std::string> free_names(const Model& model) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw std::invalid_argument(fmt::format("no parameter and no group is called {}; nearest: {}",
                                               name, record::nearest_names(name, known, 3)));
+  std::vector<std::string> waiting;  // parameters of effects that are off
+  for (const Effect& e : model.effects)
+    if (e.off) waiting.push_back(full_id(e) + ".");
+  const auto waits = [&](const std::string& name) {
+    return std::any_of(waiting.begin(), waiting.end(),
+                       [&](const std::string& of) { return name.starts_with(of); });
+  };
   std::vector<std::string> free;
   for (const Number& n : all)
-    if (std::find(wanted.begin(), wanted.end(), n.parameter.name) != wanted.end() ||
-        std::find(wanted.begin(), wanted.end(), n.group) != wanted.end())
+    if (waits(n.parameter.name))
+      continue;
+    else if (std::find(wanted.begin(), wanted.end(), n.parameter.name) != wanted.end() ||
+             std::find(wanted.begin(), wanted.end(), n.group) != wanted.end())
       free.push_back(n.parameter.name);
   return free;
+}
+
+bool is_group(std::string_view name) {
+  return name == "effects" || std::find(groups.begin(), groups.end(), name) != groups.end();
 }
 
 const DrivenChannel* find_channel(const Model& model, std::string_view name) {
@@ -181,6 +199,13 @@ const DrivenChannel* find_channel(const Model& model, std::string_view name) {
 }
 
 Input input_of(const Effect& effect, const Model& model) {
+  if (effect.own) {
+    Input input{.name = effect.id, .formula = effect.own};
+    input.formula_values.assign(
+        effect.values.begin() + static_cast<std::ptrdiff_t>(effect.own->first_parameter()),
+        effect.values.end());
+    return input;
+  }
   if (effect.columns.empty()) {
     const DrivenChannel* const of = find_channel(model, effect.where);
     return effect.id == "motor-heat" || !of ? Input{} : of->input;
@@ -190,7 +215,7 @@ Input input_of(const Effect& effect, const Model& model) {
 
 std::string gain_unit(const Effect& effect, const Model& model) {
   // exp(-n/n0) has no unit.
-  if (effect.id == "motor-heat" && effect.columns.empty()) return "um";
+  if (effect.own || (effect.id == "motor-heat" && effect.columns.empty())) return "um";
   return "um/" + std::string(input_of(effect, model).unit());
 }
 

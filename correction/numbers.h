@@ -36,6 +36,9 @@ struct Number {
 /// std::invalid_argument for a name that is none.
 [[nodiscard]] std::vector<std::string> free_names(const Model& model);
 
+/// Whether that is the name of a group of parameters, "gains".
+[[nodiscard]] bool is_group(std::string_view name);
+
 /// The unit of the gain of an effect: "um/K".
 [[nodiscard]] std::string gain_unit(const Effect& effect, const Model& model);
 /// "um_K"

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double samplings = 3.0;     // that the fastest lag must last
 constexpr double stuck_for = 1800.0;  // [s]
+constexpr double a_gap = 20.0;        // times the usual step of time
 constexpr double a_jump = 20.0;       // times the usual step, and
 constexpr double a_leap = 0.25;       // of the range, in one row
 
@@ -40,6 +41,13 @@ class Checking {
  private:
   void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
 
+  void warn_of(const Channel& channel, std::string text) {
+    const std::vector<const Channel*> inputs = inputs_of(model_);
+    if (std::any_of(inputs.begin(), inputs.end(), [&](const Channel* c) { return *c == channel; }))
+      result_.of_its_inputs.push_back(text);
+    warn(std::move(text));
+  }
+
   void look_at_time() {
     std::vector<double> steps;
     double longest = 0.0;
@@ -59,7 +67,8 @@ class Checking {
       result_.quanta.push_back({&channel, q});
     const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
     if (*low == *high)
-      return warn(fmt::format("{} never varies: nothing can be learnt from it", channel.name));
+      return warn_of(channel,
+                     fmt::format("{} never varies: nothing can be learnt from it", channel.name));
     if (record::is_temperature(channel)) look_for_faults(c);
   }
 
@@ -79,19 +88,21 @@ class Checking {
     for (std::size_t k = 1; k < c.values.size(); ++k) {
       if (series_.clock().begins[k] || c.values[k] != c.values[k - 1]) since = k;
       if (time[k] - time[since] > longest) longest = time[k] - time[since], at = time[since];
-      if (!series_.clock().begins[k] && std::abs(c.values[k] - c.values[k - 1]) > leap) {
+      const bool gap = series_.clock().steps[k] > a_gap * result_.sampling;
+      if (!series_.clock().begins[k] && !gap && std::abs(c.values[k] - c.values[k - 1]) > leap) {
         if (jumps++ == 0) first_jump = k;
       }
     }
     if (longest > stuck_for && others_move(c, at, at + longest))
-      warn(fmt::format(
-          "{} stands still for {:.3g} min from {:.4g} s on, while others move: does the "
-          "sensor stick?",
-          channel.name, longest / 60.0, at));
+      warn_of(channel,
+              fmt::format(
+                  "{} stands still for {:.3g} min from {:.4g} s on, while others move: does the "
+                  "sensor stick?",
+                  channel.name, longest / 60.0, at));
     if (jumps > 0)
-      warn(fmt::format("{} leaps by more than {} {} time{}, first before {}", channel.name,
-                       amount(channel, leap), jumps, jumps == 1 ? "" : "s",
-                       record_.place(first_jump)));
+      warn_of(channel, fmt::format("{} leaps by more than {} {} time{}, first before {}",
+                                   channel.name, amount(channel, leap), jumps,
+                                   jumps == 1 ? "" : "s", record_.place(first_jump)));
   }
 
   /// Whether another temperature goes over a good part of its range between two times.
@@ -99,7 +110,10 @@ class Checking {
     constexpr double good_part = 0.25;
     const std::span<const double> time = record_.values(record::time);
     for (const record::Column& c : record_.columns) {
-      if (c.channel == than.channel || !record::is_temperature(*c.channel)) continue;
+      // A room may stand still whatever the spindle does.
+      const bool mover = record::is_temperature(*c.channel) ||
+                         (*c.channel == record::speed && !record::is_ambient(*than.channel));
+      if (c.channel == than.channel || !mover) continue;
       const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
       double least = unset, most = unset;
       for (std::size_t k = 0; k < c.values.size(); ++k)
@@ -144,10 +158,10 @@ class Checking {
               "of {:.4g} s, which cannot tell it",
               c.name, tau, result_.duration));
       if (c.printed) {
-        double quantum = 0.1;
+        double quantum = 0.1 * c.input.factor();
         for (const Channel* column : c.input.columns)
           if (const double q = quantum_of_column(*column); std::isfinite(q)) quantum = q;
-        result_.printed.push_back({c.name, check(*c.printed, quantum)});
+        result_.printed.push_back({c.name, c.input.factor(), quantum, check(*c.printed, quantum)});
         for (const std::string& text : result_.printed.back().check.warnings)
           warn(fmt::format("channel {}: {}", c.name, text));
       }
@@ -168,6 +182,22 @@ class Checking {
 };
 
 }  // namespace
+
+std::string power_beyond_element(const Model& model, const record::Record& record) {
+  const Series series(record);
+  for (const DrivenChannel& c : model.channels) {
+    if (!c.element) continue;
+    const double limit = c.element->power_limit();
+    const Series::Values power = series.input(c.input);
+    for (std::size_t k = 0; k + 1 < power->size(); ++k)
+      if (!series.clock().begins[k + 1] && !((*power)[k] >= 0.0 && (*power)[k] < limit))
+        return fmt::format(
+            "channel {}: {:.4g} W in {}: the power leaves the range of a delay element, of which "
+            "the time constant is positive below {:.4g} W only",
+            c.name, (*power)[k], record.place(k), limit);
+  }
+  return {};
+}
 
 RecordCheck check_record(const Model& model, const record::Record& record) {
   return Checking(model, record).run();

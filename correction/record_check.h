@@ -17,6 +17,8 @@ struct RecordCheck {
   };
   struct Printed {
     std::string channel;
+    double factor = 1.0;     ///< SI over the unit of the input's column
+    double quantum = unset;  ///< of the input, as the record shows it, or 0.1 of its unit [SI]
     TransferFunctionCheck check;
   };
   double sampling = unset;                   ///< median time between rows [s]
@@ -27,7 +29,12 @@ struct RecordCheck {
   std::vector<Quantum> quanta{};
   std::vector<Printed> printed{};       ///< polynomials of the model
   std::vector<std::string> warnings{};  ///< for people, a sentence each
+  /// Those of them that are of sensors on which the model itself rests.
+  std::vector<std::string> of_its_inputs{};
 };
+
+/// Where a power lies beyond what its delay element can take, in a sentence; empty where none does.
+[[nodiscard]] std::string power_beyond_element(const Model& model, const record::Record& record);
 
 [[nodiscard]] RecordCheck check_record(const Model& model, const record::Record& record);
 

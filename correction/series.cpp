@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "correction/own_effect.h"
 #include "record/series_channel.h"
 #include "shaft/kinematic_law.h"
 
@@ -16,20 +17,20 @@ namespace {
 constexpr std::size_t most_kept = std::size_t{96} << 20U;  // bytes
 
 /// Kinds of what is kept, the first number of a key.
-constexpr double of_input = 0, of_lag = 1, of_law = 2, of_motor = 3, of_decay = 4, of_settling = 5;
+constexpr double of_input = 0, of_lag = 1, of_law = 2, of_motor = 3, of_decay = 4, of_settling = 5,
+                 of_formula = 6;
 
 Hold hold_of(record::Course course) {
   return course == record::Course::straight ? Hold::straight : Hold::held;
 }
 
-/// Without its sign; of a speed as it counts.
-double size_of(double value, double exponent) {
+}  // namespace
+
+double driving_size(double value, double exponent) {
   const double size = std::abs(value);
   return exponent == 1.0 || size == 0.0 ? size
                                         : size * std::pow(size / (1000.0 * rpm), exponent - 1.0);
 }
-
-}  // namespace
 
 Series::Series(const record::Record& record) : record_(record) {
   const std::span<const double> time = record.values(record::time);
@@ -77,6 +78,7 @@ Series::Values Series::kept(Key key, const Make& make) const {
 double Series::id_of(const Input& input) const {
   std::string text;
   for (const record::Channel* c : input.columns) text += std::string(c->name) + " ";
+  if (input.formula) text += "formula " + input.name;
   if (input.reference) text += "- " + std::string(input.reference->name);
   if (input.exponent != 1.0)
     text += fmt::format("^{} {} {}", input.exponent, input.seen.lower, input.seen.upper);
@@ -113,6 +115,34 @@ std::vector<double> Series::power(const Input& input) const {
   return list;
 }
 
+std::vector<double> Series::formula(const Input& input) const {
+  const OwnEffect& effect = *input.formula;
+  std::vector<std::span<const double>> columns;
+  for (const record::Channel* c : effect.columns()) {
+    columns.push_back(record_.values(*c));
+    if (columns.back().empty())
+      throw std::invalid_argument(
+          fmt::format("column {} is missing, which the formula of {} needs", c->name, input.name));
+  }
+  const bool from_first = effect.follows_a_temperature();
+  std::vector<double> list, row(columns.size()), scratch;
+  double first = 0.0;
+  for (std::size_t k = 0; k < rows(); ++k) {
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      row[c] = effect.columns()[c]->in_unit(columns[c][k]);
+    const double value = effect.value(row, input.formula_values, scratch);
+    if (clock_.begins[k] && from_first) first = value;
+    list.push_back(value - first);
+  }
+  return list;
+}
+
+Series::Key Series::key_of(const Input& input) const {
+  Key key{input.formula ? of_formula : of_input, id_of(input)};
+  key.insert(key.end(), input.formula_values.begin(), input.formula_values.end());
+  return key;
+}
+
 std::size_t Series::rows_beyond_table(const Input& input) const {
   if (!input.is_power()) return 0;
   const std::span<const double> temperature = input.temperature_column
@@ -128,7 +158,11 @@ std::size_t Series::rows_beyond_table(const Input& input) const {
 }
 
 Series::Values Series::input(const Input& input) const {
-  return kept({of_input, id_of(input)}, [&](std::vector<double>& out) {
+  return kept(key_of(input), [&](std::vector<double>& out) {
+    if (input.formula) {
+      out = formula(input);
+      return;
+    }
     if (input.is_power()) {
       out = power(input);
       return;
@@ -136,7 +170,7 @@ Series::Values Series::input(const Input& input) const {
     const bool from_first = input.course() == record::Course::straight;
     const Interval from_rest{0.0, input.seen.upper};
     const auto size = [&](double v) {
-      return continued([&](double n) { return size_of(n, input.exponent); }, from_rest,
+      return continued([&](double n) { return driving_size(n, input.exponent); }, from_rest,
                        std::abs(v));
     };
     const auto add = [&](const record::Channel& channel, double weight) {
@@ -190,16 +224,20 @@ void Series::answer(const std::vector<double>& input, record::Course course, dou
 }
 
 Series::Values Series::lag(const Input& of, double time_constant, const Answer& by) const {
-  return kept(
-      {of_lag, id_of(of), time_constant, by.sensor_time_constant, by.off_gain, by.off_time_constant,
-       by.speed_factor, by.gain_power, by.falling, by.speed.lower, by.speed.upper},
-      [&](std::vector<double>& out) {
-        const Values driving = input(of);
-        if (by.is_plain())
-          lag_response(clock_, *driving, hold_of(of.course()), time_constant, 0.0, out);
-        else
-          answer(*driving, of.course(), time_constant, by, out);
-      });
+  Key key{of_lag,          id_of(of),
+          time_constant,   by.sensor_time_constant,
+          by.off_gain,     by.off_time_constant,
+          by.speed_factor, by.gain_power,
+          by.falling,      by.speed.lower,
+          by.speed.upper};
+  key.insert(key.end(), of.formula_values.begin(), of.formula_values.end());
+  return kept(std::move(key), [&](std::vector<double>& out) {
+    const Values driving = input(of);
+    if (by.is_plain())
+      lag_response(clock_, *driving, hold_of(of.course()), time_constant, 0.0, out);
+    else
+      answer(*driving, of.course(), time_constant, by, out);
+  });
 }
 
 Series::Values Series::kinematic(double B, double C, const Interval& seen) const {

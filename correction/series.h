@@ -28,6 +28,9 @@ struct Answer {
   }
 };
 
+/// What a speed or feed counts as that drives a channel, without its sign: see Input::exponent.
+[[nodiscard]] double driving_size(double value, double exponent);
+
 /// A record over time as the models of this folder need it: the time between its rows, inputs
 /// counted from the first row of each run, and the answers of lags to them, kept as they are asked
 /// for. One may be shared by several threads.
@@ -74,6 +77,9 @@ class Series {
   [[nodiscard]] Values kept(Key key, const Make& make) const;
   [[nodiscard]] double id_of(const Input& input) const;
   [[nodiscard]] std::vector<double> power(const Input& input) const;
+  [[nodiscard]] std::vector<double> formula(const Input& input) const;
+  /// Under which what `input` drives is kept.
+  [[nodiscard]] Key key_of(const Input& input) const;
   void answer(const std::vector<double>& input, record::Course course, double time_constant,
               const Answer& answer, std::vector<double>& state) const;
 

@@ -9,6 +9,7 @@
 
 #include "correction/catalogue.h"
 #include "correction/numbers.h"
+#include "correction/own_effect.h"
 #include "correction/range.h"
 #include "record/series_channel.h"
 
@@ -64,7 +65,7 @@ void add_channel(const Model& model, const DrivenChannel& channel, const Series&
 
 /// A share of its own.
 void add_effect(const Model& model, const Effect& e, const Series& series, const Sink& sink) {
-  const EffectCard& card = *find_card(e.id);
+  const EffectCard& card = card_of(e);
   const bool of_jumps = e.id == "offset-jump";
   if (card.of_channel || (e.values.front() == 0.0 && !of_jumps)) return;
   const double size = e.values.front() * um;
@@ -81,6 +82,9 @@ void add_effect(const Model& model, const Effect& e, const Series& series, const
     }
   } else if (e.id == "slow-drift") {
     sink(size, *series.settling(e.values[1]));
+  } else if (e.own) {
+    const Input input = input_of(e, model);
+    sink(size, e.own->given().lags ? *series.lag(input, e.values[1], {}) : *series.input(input));
   } else if (e.id == "motor-heat" && e.columns.empty()) {
     sink(size, *series.motor(e.values[2], e.values[1], seen_speed(model)));
   } else {
@@ -100,7 +104,7 @@ Sink add_to(std::span<double> sum) {
 Answer answer_of(const Model& model, const DrivenChannel& channel) {
   Answer answer;
   for (const Effect& e : model.effects) {
-    if (!find_card(e.id)->of_channel || find_channel(model, e.where) != &channel) continue;
+    if (!card_of(e).of_channel || find_channel(model, e.where) != &channel) continue;
     if (e.id == "cooling-switch") {
       answer.off_gain = e.values[0];
       answer.off_time_constant = e.values[1];
@@ -136,18 +140,21 @@ std::vector<Contribution> contributions(const Model& model, const Series& series
   if (const auto& law = model.kinematic)
     part("kinematic")(law->A * um, *series.kinematic(law->B, law->C, seen_speed(model)));
   for (const Effect& e : model.effects)
-    if (!find_card(e.id)->of_channel) add_effect(model, e, series, part(full_id(e)));
+    if (!card_of(e).of_channel) add_effect(model, e, series, part(full_id(e)));
   return list;
 }
 
 std::vector<const Channel*> inputs_of(const Model& model) {
   std::vector<const Channel*> list;
   const auto add = [&](const Channel* c) {
-    if (c && std::find(list.begin(), list.end(), c) == list.end()) list.push_back(c);
+    if (c && c->is_input() && std::find(list.begin(), list.end(), c) == list.end())
+      list.push_back(c);
   };
   const auto add_input = [&](const Input& input) {
     for (const Channel* c : input.columns) add(c);
     add(input.reference);
+    if (input.formula)
+      for (const Channel* c : input.formula->columns()) add(c);
     if (!input.is_power()) return;
     add(&record::speed);
     add(input.temperature_column);
@@ -155,6 +162,7 @@ std::vector<const Channel*> inputs_of(const Model& model) {
   for (const DrivenChannel& c : model.channels) add_input(c.input);
   if (model.kinematic) add(&record::speed);
   for (const Effect& e : model.effects) {
+    if (e.off) continue;
     add_input(input_of(e, model));
     if (e.id == "kinematic-displacement" || e.id == "speed-dependent-time-constant" ||
         (e.id == "motor-heat" && e.columns.empty()))

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
 namespace raceway::fit {
 namespace {
@@ -169,6 +170,11 @@ Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded
   }
   SeparableFit fit = best_of(problem, std::move(begun), options.polished, {}, options);
   return approximation_of(std::move(subject), names, problem, std::move(fit), recorded.means);
+}
+
+void require_fit(const Approximation& approximation) {
+  if (approximation.fit.values.size() == 0)
+    throw std::invalid_argument("no start of the fit has a prediction for every reading");
 }
 
 namespace {

@@ -49,6 +49,9 @@ struct ApproximationOptions {
                                         const std::vector<std::string>& names,
                                         const ApproximationOptions& options = {});
 
+/// Throws std::invalid_argument where no start has a prediction for every reading.
+void require_fit(const Approximation& approximation);
+
 /// The same with candidates switched on, begun where the fit without them ended.
 [[nodiscard]] Approximation approximate_with(const Approximation& base, const Recorded& recorded,
                                              const std::vector<const Candidate*>& candidates,

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "fit/approximation_loop.h"
+#include "fit/thinned_record.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
@@ -18,7 +19,7 @@ std::shared_ptr<const Subject> informed(const Subject& subject, const Record& re
 }
 
 Recorded means_of_record(const Subject& subject, const Record& record) {
-  return recorded(subject, std::make_shared<const Record>(record), usual_width(record));
+  return recorded(subject, for_search(std::make_shared<const Record>(record)), usual_width(record));
 }
 
 void require_readings(const Approximation& a, const Recorded& on, const Record& record) {
@@ -44,8 +45,9 @@ double rms_about_mean(const Subject& subject, const Record& record) {
 
 Calibration calibration_of(const Subject& before, const Approximation& on_means,
                            const Recorded& means, const Record& record) {
-  Recorded rows;
-  const Approximation fit = refined(on_means, means, rows);
+  Recorded rows, whole = means;
+  whole.record = std::make_shared<const Record>(record);
+  const Approximation fit = refined(on_means, whole, rows);
   const ApproximationErrors errors = errors_of(fit, rows);
   const Measured of = before.measured().front();
   Calibration result{.subject = fitted(fit), .parameters = fit.parameters};
@@ -85,6 +87,7 @@ Calibration calibrate_approximation(const Subject& subject, const Record& record
   if (on.means.size() == 0)
     throw std::invalid_argument(record.source + ": nothing was read that the model predicts");
   Approximation fit = approximate(of, on, of->free());
+  require_fit(fit);
   require_readings(fit, on, record);
   hold_out(fit, on);
   return calibration_of(*of, fit, on, record);
@@ -102,6 +105,7 @@ AddResult add_approximation(const Subject& subject, std::span<const std::string>
     for (const Candidate& c : all)
       if (c.id == id) chosen.push_back(&c);
   Approximation base = approximate(of, on, of->free());
+  require_fit(base);
   require_readings(base, on, record);
   hold_out(base, on);
   Approximation with = approximate_with(base, on, chosen);

@@ -9,6 +9,7 @@
 
 #include "fit/headline.h"
 #include "fit/residual_course.h"
+#include "fit/thinned_record.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
@@ -55,7 +56,8 @@ class Inquiry {
           fmt::format("a model of {} only comes near: whether something is missing depends on what "
                       "matters; say it by tolerance_{} (or --tolerance)",
                       channel().channel->words, channel().channel->key_unit()));
-    recorded_ = recorded(*subject_, std::make_shared<const Record>(record), usual_width(record));
+    recorded_ = recorded(*subject_, for_search(std::make_shared<const Record>(record)),
+                         usual_width(record));
     require_readings();
     candidates_ = subject_->candidates();
     if (!options.candidates.empty())
@@ -68,6 +70,7 @@ class Inquiry {
   Diagnosis run() {
     step(0.05, "refitting the model");
     base_ = approximate(subject_, recorded_, subject_->free(), search());
+    require_fit(base_);
     hold_out(base_, recorded_);
     describe();
     step(0.15, "refitting with each effect");
@@ -174,7 +177,7 @@ class Inquiry {
     faults_ = fitted(base_)->faults(record_);
     for (const Fault& e : faults_) {
       if (!asked(e.id)) continue;
-      const Recorded without = recorded(*subject_, e.without, usual_width(record_));
+      const Recorded without = recorded(*subject_, for_search(e.without), usual_width(record_));
       Tried t{.shown = &e};
       t.fit = approximate(subject_, without, subject_->free(), search());
       if (t.fit.fit.values.size() == 0) continue;
@@ -298,6 +301,8 @@ class Inquiry {
       effect.datum = t.shown->datum;
       effect.correction = t.shown->correction;
     }
+    for (const Candidate* c : t.on)
+      if (c->id == effect.id) effect.acts_on = c->acts_on;
     effect.rmse = {in_SI(t.fit.rms)};
     effect.rmse_held_out = {in_SI(t.error())};
     const ApproximationErrors errors = errors_of(t.fit, recorded_);

@@ -334,6 +334,37 @@ std::string statement_beside(const Comparison& c) {
   return text + ".";
 }
 
+/// As approximations have it: a sum over the correlation until it is lost, of means of what is left
+/// over equal times.
+double correlation_time(const Record& record, const std::vector<RowError>& errors) {
+  constexpr std::size_t pieces = 2000;
+  constexpr double lost = 0.05;
+  const std::span<const double> time = record.values(record::time);
+  if (time.empty() || errors.size() < 8) return unset;
+  const std::size_t count = std::min(pieces, errors.size());
+  std::vector<double> left;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t begin = k * errors.size() / count, end = (k + 1) * errors.size() / count;
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) sum += errors[i].residual;
+    left.push_back(sum / static_cast<double>(end - begin));
+  }
+  const auto product = [&](std::size_t lag) {
+    double sum = 0.0;
+    for (std::size_t i = lag; i < left.size(); ++i) sum += left[i] * left[i - lag];
+    return sum;
+  };
+  const double square = product(0);
+  double sum = 0.0;
+  for (std::size_t lag = 1; lag < left.size() / 2 && square > 0.0; ++lag) {
+    const double rho = product(lag) / square;
+    if (rho < lost) break;
+    sum += rho;
+  }
+  return sum * (time[errors.back().row] - time[errors.front().row]) /
+         static_cast<double>(count - 1);
+}
+
 }  // namespace
 
 Noise noise_of(const Record& record, const Measured& measured) {
@@ -356,6 +387,7 @@ Comparison compare(std::span<const double> predicted, const Record& record,
   if (record.rows() == 0) throw std::invalid_argument(record.source + ": no rows to compare with");
   Comparison result{.channel = measured.channel};
   result.tolerance = measured.tolerance;
+  result.begins = measured.begins;
   result.noise = noise_of(record, measured);
   find_errors(predicted, record, result);
   if (result.errors.empty())
@@ -366,6 +398,7 @@ Comparison compare(std::span<const double> predicted, const Record& record,
     result.pattern = find_pattern(record, result.errors);
   } else {
     result.judgement = judged_by_tolerance(result);
+    result.correlation_time = correlation_time(record, result.errors);
   }
   if (std::isfinite(result.lack_of_fit.p_value))
     result.judgement =

@@ -76,6 +76,9 @@ struct Comparison {
   double estimated_noise = unset;
   LackOfFit lack_of_fit{};
   Pattern pattern{};
+  /// In which what is left forgets itself [s]; NaN but for what only comes near, over time.
+  double correlation_time = unset;
+  std::string_view begins{};  ///< Measured::begins
   Judgement judgement = Judgement::unknown;
   double tolerance = unset;         ///< error below which it does not matter [SI]; NaN: nobody said
   std::vector<ErrorRange> where{};  ///< worst first; only of what varies

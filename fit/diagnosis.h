@@ -43,6 +43,9 @@ struct RankedEffect {
   std::string id;
   std::string datum{};       ///< Candidate::datum: what is wrong, rather than missing
   std::string correction{};  ///< what that datum would be, in words
+  /// Candidate::acts_on; the id then ends in ":" and the name of it, unless that goes without
+  /// saying.
+  std::vector<std::pair<std::string, std::string>> acts_on{};
   bool in_verdict = false;
   /// Fall of -2 ln L against the model without it, less ln N for each free shape; of the whole set
   /// where the verdict is `several_effects` and this effect is in it.
@@ -54,6 +57,11 @@ struct RankedEffect {
   std::vector<Parameter> base{};
   std::vector<std::string> indistinguishable_from{};  ///< ids; names of base parameters
   double remaining_p_value = unset;  ///< of the gate with this effect on; NaN where not asked
+
+  /// The id of its kind, wherever it acts.
+  [[nodiscard]] std::string plain_id() const {
+    return acts_on.empty() ? id : id.substr(0, id.find(':'));
+  }
 };
 
 /// What one effect adds to the readings [SI], in the order of the channels and of their

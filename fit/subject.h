@@ -34,6 +34,8 @@ struct Measured {
   double model_error = 0.0;
   /// Scatter of a single reading, where the model declares it [SI].
   double std = unset;
+  /// In which state its simulation begins, in the words of results ("rest"); empty without one.
+  std::string_view begins = {};
   /// What a model leaves of it follows the rows before it, whatever is added (see
   /// Subject::approximates()): no test against noise says anything.
   bool approximate = false;
@@ -68,6 +70,8 @@ struct Candidate {
   /// What is wrong where this explains a misfit: a datum rather than what may be missing, in words
   /// ("the oil card"); empty for all else.
   std::string datum{};
+  /// Where one of its kind acts, of a subject that has several: {"channel", "ambient"}.
+  std::vector<std::pair<std::string, std::string>> acts_on{};
 
   /// The name of a parameter without the id.
   [[nodiscard]] std::string short_name(std::size_t parameter) const {
@@ -130,9 +134,9 @@ struct Axis {
 
 /// A fault that a record shows of itself: no number of a model mends it.
 struct Fault {
-  std::string id;          ///< of Subject::catalogue()
-  std::string datum;       ///< what is wrong, in words: "the sensor of ..."
-  std::string correction;  ///< how, in words
+  std::string id;                           ///< of Subject::catalogue()
+  std::string datum;                        ///< what is wrong, in words: "the sensor of ..."
+  std::string correction;                   ///< how, in words
   std::shared_ptr<const Record> without{};  ///< the record without it, as far as it can be told
 };
 

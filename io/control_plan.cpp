@@ -234,6 +234,14 @@ class Planner {
   }
 
   void add(const Effect& e, const Model& m, ControlAxis& axis) {
+    if (e.own) {
+      if (e.values.front() == 0.0) return;  // it waits to be added
+      throw InputError(
+          fmt::format("{}: effect {} is a formula of your own, which no control can be given: take "
+                      "it out, or put what it follows into a column that drives a channel",
+                      plan_.source, e.id),
+          {.file = plan_.source, .key = e.id});
+    }
     const correction::EffectCard& card = *correction::find_card(e.id);
     if (card.of_reading) {
       note(fmt::format("{}: is of the readings of one record, and is left out", full_id(e)));

@@ -4,6 +4,7 @@
 
 #include "correction/catalogue.h"
 #include "correction/numbers.h"
+#include "correction/own_effect.h"
 #include "io/correction_file.h"
 #include "io/model_file.h"
 #include "io/number_text.h"
@@ -126,7 +127,7 @@ class Editor {
 
 std::string effect_text(const Effect& e, const Model& m) {
   std::string text = fmt::format("[[correction.effect]]\nid = \"{}\"\n", e.id);
-  const correction::EffectCard& card = *correction::find_card(e.id);
+  const correction::EffectCard& card = correction::card_of(e);
   if (!e.where.empty())
     text += fmt::format("{} = \"{}\"\n", correction::find_channel(m, e.where) ? "channel" : "axis",
                         e.where);
@@ -145,7 +146,8 @@ std::string channel_text(const DrivenChannel& c) {
                                  columns_text(c.input.columns));
   if (c.input.exponent != 1.0)
     text += fmt::format("exponent = {}\n", toml_float(with_15_digits(c.input.exponent)));
-  text += fmt::format("sections = {}\n", sections_text(c));
+  if (c.input.reference) text += fmt::format("reference = \"{}\"\n", c.input.reference->name);
+  if (!c.sections.empty()) text += fmt::format("sections = {}\n", sections_text(c));
   if (c.feedthrough != 0.0)
     text += fmt::format("feedthrough_um_{} = {}\n", c.input.key_unit(),
                         toml_float(with_15_digits(c.feedthrough * c.input.factor() / um)));
@@ -193,7 +195,31 @@ void remove_trust(Editor& editor, std::size_t index) {
     });
 }
 
+/// The keys of [correction] itself.
+std::string head_text(const Model& m) {
+  std::string text = fmt::format("displacement = \"{}\"\n", m.displacement->name);
+  const auto add = [&](std::string_view key, double value) {
+    if (std::isfinite(value)) text += fmt::format("{} = {}\n", key, float_text(value / um));
+  };
+  add("tolerance_um", m.tolerance);
+  add("measurement_std_um", m.measured_std);
+  add("offset_um", m.offset);
+  return text;
+}
+
 }  // namespace
+
+std::string new_corrections(const std::vector<Model>& models, const std::string& comment) {
+  std::string text = "# " + comment + "\n";
+  for (const Model& m : models) {
+    text += models.size() > 1 ? "\n[[correction]]\n" : "[correction]\n";
+    text += head_text(m);
+    for (const DrivenChannel& c : m.channels) text += "\n" + channel_text(c);
+    if (!m.range.empty()) text += "\n" + range_text(m);
+  }
+  (void)parse_correction(text, "model");  // it reads back
+  return text;
+}
 
 std::string with_corrections(const CorrectionFile& file, const std::vector<Model>& models) {
   std::string text = file.text;

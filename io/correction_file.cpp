@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "correction/catalogue.h"
 #include "correction/numbers.h"
+#include "correction/own_effect.h"
+#include "io/csv.h"
 #include "io/friction_table.h"
 #include "io/input_file.h"
 #include "record/series_channel.h"
@@ -13,6 +16,7 @@
 // Last: see io/toml_text.h.
 #include "io/column_section.h"
 #include "io/correction_trust.h"
+#include "io/formula_section.h"
 #include "io/model_tables.h"
 
 namespace raceway::io {
@@ -46,10 +50,11 @@ const toml::array* list_of_tables(const Section& s, std::string_view key) {
 
 class CorrectionReader {
  public:
-  CorrectionReader(ModelTables& tables, std::vector<std::string>& notes)
+  CorrectionReader(ModelTables& tables, CorrectionFile& file)
       : tables_(tables),
         folder_(std::filesystem::path(tables.source()).parent_path()),
-        notes_(notes) {}
+        notes_(file.notes),
+        read_(file.tables) {}
 
   Model model(const Section& s) {
     s.allow_only({"name", "displacement", "tolerance_um", "measurement_std_um", "initial_state",
@@ -126,7 +131,8 @@ class CorrectionReader {
 
   std::string beside(const std::string& file) const {
     const std::filesystem::path path(file);
-    return path.is_absolute() ? file : (folder_ / path).string();
+    read_.push_back(path.is_absolute() ? file : (folder_ / path).string());
+    return read_.back();
   }
 
   Input input(const Section& s) {
@@ -328,9 +334,17 @@ class CorrectionReader {
     for (const correction::EffectCard& card : correction::catalogue()) known.emplace_back(card.id);
     if (!id) s.fail_missing({"id", "", 0, 0}, ", the name of an effect of raceway effects");
     const correction::EffectCard* const card = correction::find_card(*id);
+    if (s.find("formula")) {
+      if (card)
+        s.fail(
+            "formula",
+            fmt::format("formula: {} is an effect of the catalogue; give yours another id", *id));
+      return own_effect(s, *id, m);
+    }
     if (!card || card->evidence)
-      s.fail("id", fmt::format("id = \"{}\": no effect on a displacement over time{}", *id,
-                               suggestion(*id, known)));
+      s.fail("id", fmt::format("id = \"{}\": no effect on a displacement over time{}; one of your "
+                               "own has a formula",
+                               *id, suggestion(*id, known)));
     Effect e{.id = *id};
     e.columns = columns(s, "input");
     e.where = s.text("channel").value_or(s.text("axis").value_or(""));
@@ -351,6 +365,50 @@ class CorrectionReader {
                       std::max(-most, n.lower), std::min(most, n.upper)}));
     }
     s.allow_only(keys);
+    return e;
+  }
+
+  /// A formula of columns, with a gain, and a time constant where it lags.
+  Effect own_effect(const Section& s, const std::string& id, const Model& m) const {
+    if (id.empty() || id.find_first_of(" .:\t\n,;\"'") != id.npos ||
+        std::string_view("=+-@").find(id.front()) != std::string_view::npos)
+      s.fail("id", fmt::format("id = {}: must be a name without blanks, dots, colons, commas, "
+                               "semicolons and quotes, and not begin with =, +, - or @",
+                               io::quoted(id)));
+    for (const Effect& before : m.effects)
+      if (before.id == id) s.fail("id", fmt::format("id = \"{}\": two effects have it", id));
+    correction::OwnEffect::Given given{.id = id,
+                                       .title = s.text("title").value_or(""),
+                                       .formula = s.text("formula").value_or(""),
+                                       .lags = s.find("time_constant_s") != nullptr};
+    const Names keys{"id", "title", "formula", "gain_um", "time_constant_s"};
+    for (const auto& [key, node] : *s.table()) {
+      const std::string name(key.str());
+      if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
+      if (correction::column_of_formula(name))
+        s.fail(name, fmt::format("{}: a column has this name; take another", name));
+      const FormulaNumber n = read_formula_number(s, id, name, node, keys);
+      given.parameters.push_back({n.name, n.unit, n.value, n.lower, n.upper, n.in_braces});
+    }
+    Effect e{.id = id};
+    e.values.push_back(s.required({"gain_um", "um", -most, most}));
+    if (given.lags) e.values.push_back(s.required({"time_constant_s", "s", 1.0, 1e7}));
+    Names known{"speed_rpm",      "NAME_temperature_C", "NAME_feed_m_min",
+                "NAME_speed_rpm", "coolant_on",         "time_s"};
+    for (const correction::OwnEffect::Number& n : given.parameters) {
+      e.values.push_back(n.value);
+      known.push_back(n.name);
+    }
+    try {
+      e.own = std::make_shared<const correction::OwnEffect>(given);
+    } catch (const record::FormulaError& error) {
+      fail_formula(s, "formula", id, given.formula, error, known);
+    }
+    if (e.own->columns().empty())
+      s.fail("formula", fmt::format("formula = \"{}\": has no column of a record in it, such as "
+                                    "speed_rpm or front_temperature_C",
+                                    given.formula));
+    e.off = e.values.front() == 0.0;
     return e;
   }
 
@@ -382,6 +440,7 @@ class CorrectionReader {
   ModelTables& tables_;
   std::filesystem::path folder_;
   std::vector<std::string>& notes_;
+  std::vector<std::string>& read_;  // paths of tables
 };
 
 void check_tables(const ModelTables& tables) {
@@ -403,7 +462,12 @@ Names read_free(const ModelTables& tables, const Model& model) {
   if (!node->is_array()) s.fail("free", "free: must be a list of names or groups");
   for (const toml::node& one : *node->as_array()) {
     if (!one.is_string()) s.fail("free", "free: must be names in quotes");
-    free.push_back(*one.value<std::string>());
+    const std::string name = *one.value<std::string>();
+    // Beside a [bearing] the list is of both, and f0 is for the other commands.
+    if (tables.root().contains("bearing") && name.find('.') == name.npos &&
+        !correction::is_group(name))
+      continue;
+    free.push_back(name);
   }
   Model with = model;
   with.free = free;
@@ -426,13 +490,53 @@ void read_tolerance(const ModelTables& tables, Model& model) {
 
 }  // namespace
 
-bool has_correction(const std::string& path) {
+namespace {
+
+/// Null for what cannot be read: the reader then says why.
+std::optional<toml::table> tables_of(const std::string& path) {
   try {
-    const std::string text = read_text(path);
-    return parse_toml(text, path).contains("correction");
+    return parse_toml(peek_text(path), path);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether the first lines of a file of measurements name the displacement of a correction, as we
+/// call it or as [columns] does.
+bool names_displacement(const toml::table& root, const std::string& data) {
+  constexpr std::size_t first_lines = 65536;
+  std::string head;
+  try {
+    head = peek_text(data).substr(0, first_lines);
   } catch (const InputError&) {
     return false;
   }
+  const auto names = [&](const toml::table& correction) {
+    const std::string column = correction["displacement"].value_or(std::string());
+    const std::string theirs = root["columns"][column].value_or(std::string());
+    const std::string quantity = column.substr(0, column.rfind('_'));
+    return (!quantity.empty() && head.find(quantity) != head.npos) ||
+           (!theirs.empty() && head.find(theirs) != head.npos);
+  };
+  const toml::node& node = *root.get("correction");
+  if (node.is_table()) return names(*node.as_table());
+  if (!node.is_array_of_tables()) return false;
+  return std::any_of(node.as_array()->begin(), node.as_array()->end(),
+                     [&](const toml::node& one) { return names(*one.as_table()); });
+}
+
+}  // namespace
+
+bool has_correction(const std::string& path) {
+  const auto root = tables_of(path);
+  return root && root->contains("correction");
+}
+
+bool takes_correction(const std::string& model, const std::vector<std::string>& data) {
+  const auto root = tables_of(model);
+  if (!root || !root->contains("correction")) return false;
+  if (!root->contains("bearing")) return true;
+  return !data.empty() && names_displacement(*root, data.front());
 }
 
 CorrectionFile parse_correction(std::string text, const std::string& source) {
@@ -440,7 +544,7 @@ CorrectionFile parse_correction(std::string text, const std::string& source) {
   check_tables(tables);
   CorrectionFile file;
   file.source = source;
-  CorrectionReader reader(tables, file.notes);
+  CorrectionReader reader(tables, file);
   const toml::node* const node = tables.root().get("correction");
   if (!node)
     throw InputError(fmt::format("{}: table [correction] is missing", source),

@@ -16,11 +16,16 @@ struct CorrectionFile {
   std::vector<std::string> defaults{};  ///< every default that was used
   std::vector<std::string> notes{};     ///< what else the user should know
   ColumnMap columns{};                  ///< how its measurements are written
+  std::vector<std::string> tables{};    ///< paths of the files that it names
 };
 
 /// Whether a model file has a table [correction], or a list of them. False for what cannot be read:
 /// the reader then says why.
 [[nodiscard]] bool has_correction(const std::string& path);
+
+/// Whether a command takes the correction of a model for this record: the file has one, and no
+/// [bearing], or the record has a column of its displacement.
+[[nodiscard]] bool takes_correction(const std::string& model, const std::vector<std::string>& data);
 
 /// Reads [correction] (keys with their units: docs/files.md) into SI. Files that it names are
 /// looked for beside it.
@@ -30,6 +35,11 @@ struct CorrectionFile {
 
 /// The same from text; `source` stands in messages, and names of files are relative to it.
 [[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source);
+
+/// A file of these models alone: channels of columns, offsets, tolerances and ranges. `comment`:
+/// its first line.
+[[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
+                                          const std::string& comment);
 
 /// The text with the numbers, sections, channels, effects and ranges of these models, which are
 /// those of the file or grew out of them; comments and all else are kept.

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "correction/numbers.h"
+#include "fit/noise.h"
+#include "io/correction_objects.h"
 #include "io/fit_objects.h"
 #include "io/json_text.h"
 #include "io/number_text.h"
@@ -16,21 +18,12 @@ namespace {
 using correction::Identification;
 using correction::Metrics;
 
-json metrics_object(const Metrics& m) {
-  return {{"readings", m.readings},
-          {"rmse_um", m.rms / um},
-          {"mae_um", m.mean_abs / um},
-          {"max_abs_um", m.max_abs / um},
-          {"residue_min_um", m.residue_min / um},
-          {"residue_max_um", m.residue_max / um},
-          {"peak_to_peak_um", m.peak_to_peak / um},
-          {"fit_percent", m.fit_percent},
-          {"reduction_of_max_percent", m.reduction_of_max_percent}};
-}
-
 json value_object(const Identification& found, const std::string& name) {
   for (const record::Parameter& p : found.parameters)
     if (p.name == name) return {{"value", p.value}, {"std", p.std}, {"unit", p.unit}};
+  // What was not fitted stands in the model.
+  for (const record::Parameter& p : correction::parameters(found.model))
+    if (p.name == name) return {{"value", p.value}, {"std", nullptr}, {"unit", p.unit}};
   return nullptr;
 }
 
@@ -40,9 +33,15 @@ json channel_of(const Identification& found, const correction::DrivenChannel& c)
     sections.push_back({{"gain", value_object(found, fmt::format("{}.gain_{}", c.name, s + 1))},
                         {"time_constant_s",
                          value_object(found, fmt::format("{}.time_constant_{}", c.name, s + 1))}});
-  json result = {{"name", c.name}, {"input", c.input.name}, {"sections", std::move(sections)}};
-  if (c.feedthrough != 0.0) result["feedthrough"] = value_object(found, c.name + ".feedthrough");
-  return result;
+  json through = value_object(found, c.name + ".feedthrough");
+  if (through.is_null())  // not fitted: as the file has it
+    through = {{"value", c.feedthrough * c.input.factor() / um},
+               {"std", nullptr},
+               {"unit", "um/" + std::string(c.input.unit())}};
+  return {{"name", c.name},
+          {"input", c.input.name},
+          {"sections", std::move(sections)},
+          {"feedthrough", std::move(through)}};
 }
 
 json identified_object(const Identification& found) {
@@ -67,7 +66,9 @@ json identified_object(const Identification& found) {
                  {"condition", found.condition},
                  {"at_bound", found.at_bound},
                  {"metrics", metrics_object(found.metrics)},
-                 {"noise_um", found.noise / um},
+                 {"noise", {{"rms", found.noise / um}, {"source", fit::name(found.noise_source)}}},
+                 {"tolerance_um", found.model.tolerance / um},
+                 {"initial_state", name(found.model.initial_state)},
                  {"correlation_time_s", found.correlation_time},
                  {"whiteness_p_value", found.whiteness_p_value},
                  {"warnings", found.messages}});
@@ -92,6 +93,34 @@ json beyond_part(const correction::Beyond::Part& p, const record::Record& record
   return result;
 }
 
+json validation_object(const Validation& v) {
+  json result = {{"data", v.data}};
+  result.update(metrics_object(v.metrics));
+  result["rows_beyond_range"] = v.rows_beyond_range;
+  return result;
+}
+
+json arx_object(const record::Channel& displacement, const correction::ArxBaseline& a) {
+  json fits = json::array();
+  for (const correction::ArxFit& f : a.fits) {
+    json poles = json::array();
+    for (const std::complex<double>& pole : f.poles) poles.push_back({pole.real(), pole.imag()});
+    fits.push_back({{"order", f.order},
+                    {"one_step", metrics_object(f.one_step)},
+                    {"simulated", metrics_object(f.simulated)},
+                    {"simulated_second_half", metrics_object(f.second_half)},
+                    {"poles", std::move(poles)},
+                    {"time_constants_s", f.time_constants},
+                    {"stable", f.stable}});
+  }
+  return {{"displacement", displacement.name},
+          {"sampling_s", a.sampling},
+          {"points", a.rows},
+          {"inputs", a.inputs},
+          {"fits", std::move(fits)},
+          {"warnings", a.messages}};
+}
+
 json band_object(const Corrected& c) {
   if (c.band.empty()) return nullptr;
   double narrowest = unset, widest = unset;
@@ -107,6 +136,7 @@ json band_object(const Corrected& c) {
 json corrected_object(const Corrected& c, const record::Record& record) {
   const auto [low, high] = std::minmax_element(c.predicted.begin(), c.predicted.end());
   json result = {{"displacement", c.displacement->name},
+                 {"initial_state", name(c.initial_state)},
                  {"predicted_range_um", {*low / um, *high / um}},
                  {"band", band_object(c)},
                  {"metrics", metrics_object(c.metrics)}};
@@ -133,11 +163,40 @@ void add_axes(json& document, json axes) {
 
 }  // namespace
 
+json metrics_object(const Metrics& m) {
+  return {{"readings", m.readings},
+          {"rmse_um", m.rms / um},
+          {"mae_um", m.mean_abs / um},
+          {"max_abs_um", m.max_abs / um},
+          {"residue_min_um", m.residue_min / um},
+          {"residue_max_um", m.residue_max / um},
+          {"peak_to_peak_um", m.peak_to_peak / um},
+          {"fit_percent", m.fit_percent},
+          {"reduction_of_max_percent", m.reduction_of_max_percent}};
+}
+
 std::string identification_json(const std::string& model_file, const record::Record& record,
-                                const std::vector<Identification>& found) {
+                                const std::vector<Identification>& found,
+                                const std::vector<Validation>& validations) {
   json document = {{"model", model_file}, {"data", data_of(record)}, {"rows", record.rows()}};
   json axes = json::array();
-  for (const Identification& one : found) axes.push_back(identified_object(one));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    axes.push_back(identified_object(found[k]));
+    axes.back()["validation"] = k < validations.size() ? validation_object(validations[k]) : json();
+  }
+  add_axes(document, std::move(axes));
+  return text(document);
+}
+
+std::string arx_json(
+    const std::string& model_file, const record::Record& record,
+    const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found) {
+  json document = {{"model", model_file},
+                   {"data", data_of(record)},
+                   {"rows", record.rows()},
+                   {"baseline", "arx"}};
+  json axes = json::array();
+  for (const auto& [displacement, one] : found) axes.push_back(arx_object(*displacement, one));
   add_axes(document, std::move(axes));
   return text(document);
 }

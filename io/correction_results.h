@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "correction/baseline.h"
 #include "correction/identify.h"
 #include "correction/range.h"
 #include "correction/simulation.h"
@@ -10,14 +11,29 @@
 
 namespace raceway::io {
 
-/// The document of `raceway identify --json`, of one displacement or several.
+/// What a model is worth on a record that it did not see.
+struct Validation {
+  std::string data{};             ///< file of the record
+  correction::Metrics metrics{};  ///< one constant removed
+  std::size_t rows_beyond_range = 0;
+};
+
+/// The document of `raceway identify --json`, of one displacement or several. `validations`: of
+/// each of them, or empty.
 [[nodiscard]] std::string identification_json(const std::string& model_file,
                                               const record::Record& record,
-                                              const std::vector<correction::Identification>& found);
+                                              const std::vector<correction::Identification>& found,
+                                              const std::vector<Validation>& validations);
+
+/// The document of `raceway identify --baseline arx --json`, of one displacement or several.
+[[nodiscard]] std::string arx_json(
+    const std::string& model_file, const record::Record& record,
+    const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
 
 /// What a model makes of a record.
 struct Corrected {
   const record::Channel* displacement = nullptr;
+  correction::InitialState initial_state = correction::InitialState::rest;
   std::vector<double> predicted{};  ///< [m]
   std::vector<correction::Contribution> parts{};
   correction::Metrics metrics{};  ///< one constant removed; empty where nothing was read

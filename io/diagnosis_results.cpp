@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "io/fit_objects.h"
 #include "io/number_text.h"
@@ -48,8 +49,30 @@ double in_unit(const std::vector<double>& errors, std::size_t c, const record::C
   return c < errors.size() ? errors[c] / channel.factor : unset;
 }
 
+/// Ids as documents have them: where an effect acts is a field of its own.
+class PlainIds {
+ public:
+  explicit PlainIds(const fit::Diagnosis& d) {
+    for (const fit::RankedEffect& e : d.effects) plain_[e.id] = e.plain_id();
+  }
+  /// Each once.
+  [[nodiscard]] std::vector<std::string> of(const std::vector<std::string>& ids) const {
+    std::vector<std::string> list;
+    for (const std::string& id : ids) {
+      const auto found = plain_.find(id);
+      const std::string& one = found == plain_.end() ? id : found->second;
+      if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(one);
+    }
+    return list;
+  }
+
+ private:
+  std::map<std::string, std::string> plain_;
+};
+
 /// `limited`: a tolerance decides.
-json effect_object(const fit::RankedEffect& e, const Channels& channels, bool limited) {
+json effect_object(const fit::RankedEffect& e, const Channels& channels, const PlainIds& plain,
+                   bool limited) {
   json errors = json::array();
   for (std::size_t c = 0; c < channels.size(); ++c) {
     json error = channel_object(*channels[c]);
@@ -57,16 +80,17 @@ json effect_object(const fit::RankedEffect& e, const Channels& channels, bool li
     error["rmse_cross_validated"] = in_unit(e.rmse_held_out, c, *channels[c]);
     errors.push_back(std::move(error));
   }
-  json effect = {{"id", e.id},
-                 {"kind", e.datum.empty() ? "physics" : "data"},
+  json effect = {{"id", e.plain_id()}};
+  for (const auto& [what, name] : e.acts_on) effect[what] = name;
+  effect.update({{"kind", e.datum.empty() ? "physics" : "data"},
                  {"in_verdict", e.in_verdict},
                  {"gain", e.gain},
                  {"rmse", errors[0]["rmse"]},
-                 {"rmse_cross_validated", errors[0]["rmse_cross_validated"]}};
+                 {"rmse_cross_validated", errors[0]["rmse_cross_validated"]}});
   if (limited) effect[held_out_key(*channels[0])] = errors[0]["rmse_cross_validated"];
   effect.update({{"parameters", size_objects(e.parameters)},
                  {"base_parameters", base_objects(e.base)},
-                 {"indistinguishable_from", e.indistinguishable_from}});
+                 {"indistinguishable_from", plain.of(e.indistinguishable_from)}});
   add_channels(effect, std::move(errors));
   return effect;
 }
@@ -122,6 +146,14 @@ json shape_object(const fit::Shape& shape) {
           {"explained_share", shape.explained_share}};
 }
 
+json course_object(const fit::Course& course) {
+  json when = json::array();
+  for (const auto& [from, to] : course.when) when.push_back({from, to});
+  return {{"when", std::move(when)},
+          {"period_s", course.period},
+          {"time_constant_s", course.time_constant}};
+}
+
 json outlier_lines(const record::Record& record, std::vector<std::size_t> rows) {
   std::sort(rows.begin(), rows.end());
   return lines_of(record, rows);
@@ -137,14 +169,14 @@ json list_of(const std::vector<Result>& results, const Make& make) {
 
 /// What stands beneath the verdict: errors and noise of the channels, first the leading one.
 void add_errors(json& document, const std::string& model_file, const record::Record& record,
-                const fit::Diagnosis& d) {
+                const fit::Diagnosis& d, const PlainIds& plain) {
   const json channels = list_of(d.channels, diagnosed_channel);
   json first = channels.at(0);
   first.erase("quantity");
   document.update(first);
   if (d.tolerance_limited()) {
     document["within_tolerance"] = d.within_tolerance;
-    document["significant_but_immaterial"] = d.significant_but_immaterial;
+    document["significant_but_immaterial"] = plain.of(d.significant_but_immaterial);
   }
   std::vector<const fit::Comparison*> baselines;
   for (const fit::ChannelDiagnosis& c : d.channels) baselines.push_back(&c.baseline);
@@ -168,6 +200,7 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
                            const fit::Diagnosis& d) {
   const Channels channels = channels_of(d);
   const bool limited = d.tolerance_limited();
+  const PlainIds plain(d);
   json document = {{"model", model_file},
                    {"data", data_of(record)},
                    {"verdict", fit::name(d.verdict)},
@@ -178,11 +211,12 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
                    {"needed_gain", d.needed_gain},
                    {"candidates_tried", d.candidates_tried},
                    {"rows", d.rows}};
-  add_errors(document, model_file, record, d);
+  add_errors(document, model_file, record, d, plain);
   document.update(
       {{"effects",
-        list_of(d.effects, [&](const auto& e) { return effect_object(e, channels, limited); })},
-       {"explanations", d.sets},
+        list_of(d.effects,
+                [&](const auto& e) { return effect_object(e, channels, plain, limited); })},
+       {"explanations", list_of(d.sets, [&](const auto& set) { return plain.of(set); })},
        {"base_parameters", base_objects(d.base)},
        {"hold_out", hold_out_object(d.hold_out, channels)},
        {"aliases", d.aliases},
@@ -199,6 +233,7 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
        {"messages", d.messages},
        {"notes", record.notes}});
   if (d.shape) document["shape"] = shape_object(*d.shape);
+  if (d.course) document["shape"] = course_object(*d.course);
   return text(std::move(document));
 }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "correction/metrics.h"
+#include "io/correction_objects.h"
 #include "io/fit_objects.h"
 #include "io/number_text.h"
 #include "io/results.h"
@@ -49,6 +51,15 @@ json records_of(const fit::Comparison& c, const record::Record& record) {
   return list;
 }
 
+correction::Metrics metrics_of(const fit::Comparison& c) {
+  std::vector<double> measured, predicted;
+  for (const fit::RowError& e : c.errors) {
+    measured.push_back(e.measured);
+    predicted.push_back(e.predicted);
+  }
+  return correction::metrics(measured, predicted);
+}
+
 /// What a comparison says of one channel.
 json compared_channel(const fit::Comparison& c, const record::Record& record) {
   const double factor = c.channel->factor;
@@ -67,6 +78,14 @@ json compared_channel(const fit::Comparison& c, const record::Record& record) {
                  {"noise", noise},
                  {"lack_of_fit",
                   {{"statistic", c.lack_of_fit.statistic}, {"p_value", c.lack_of_fit.p_value}}}});
+  // Of a record over time.
+  if (record::find_channel(c.channel->name) == nullptr) {
+    result.update(metrics_object(metrics_of(c)));
+    result["initial_state"] = c.begins;
+    result["correlation_time_s"] = c.correlation_time;
+    result["tolerance_um"] = c.tolerance / factor;
+    result["within_tolerance"] = std::isnan(c.tolerance) ? json() : json(c.rmse <= c.tolerance);
+  }
   if (!std::isnan(c.tolerance)) {
     result[tolerance_key(*c.channel)] = c.tolerance / factor;
     result["within_tolerance"] = c.rmse <= c.tolerance;
@@ -221,14 +240,16 @@ json printed_object(const correction::RecordCheck::Printed& p) {
   json poles = json::array();
   for (const std::complex<double>& pole : p.check.poles)
     poles.push_back({pole.real(), pole.imag()});
-  // One step of 1 K at the input, by the last digit that the sensor shows.
+  const double per_unit = um / p.factor;
   return {{"channel", p.channel},
           {"poles", std::move(poles)},
           {"time_constants_s", p.check.time_constants},
-          {"dc_gain", p.check.dc_gain / um},
-          {"dc_gain_5_95_percent", {p.check.dc_gain_lower / um, p.check.dc_gain_upper / um}},
+          {"dc_gain", p.check.dc_gain / per_unit},
+          {"dc_gain_5_95_percent",
+           {p.check.dc_gain_lower / per_unit, p.check.dc_gain_upper / per_unit}},
           {"unstable_percent", 100.0 * p.check.unstable_share},
-          {"feedthrough", p.check.feedthrough / um},
+          {"feedthrough", p.check.feedthrough / per_unit},
+          {"step_per_quantum_um", std::abs(p.check.feedthrough * p.quantum) / um},
           {"warnings", p.check.warnings}};
 }
 
@@ -237,14 +258,20 @@ json over_time_object(const correction::RecordCheck& c) {
   for (const correction::RecordCheck::Quantum& q : c.quanta)
     quanta[std::string(q.column->name)] = q.step / q.column->factor;
   for (const correction::RecordCheck::Printed& p : c.printed) printed.push_back(printed_object(p));
-  return {{"sampling_s", c.sampling},
-          {"duration_s", c.duration},
-          {"readings", c.readings},
-          {"reading_interval_s", c.reading_interval},
-          {"time_constants_visible_s", {c.shortest, c.longest}},
-          {"quanta", std::move(quanta)},
-          {"polynomials", std::move(printed)},
-          {"warnings", c.warnings}};
+  json document = {{"sampling_s", c.sampling},
+                   {"duration_s", c.duration},
+                   {"readings", c.readings},
+                   {"reading_interval_s", c.reading_interval},
+                   {"time_constants_visible_s", {c.shortest, c.longest}},
+                   {"quanta", std::move(quanta)},
+                   {"warnings", c.warnings}};
+  // The first at the top, as with channels.
+  if (printed.empty()) return document;
+  json first = printed.front();
+  first.erase("warnings");
+  document.update(first);
+  document["polynomials"] = std::move(printed);
+  return document;
 }
 
 }  // namespace

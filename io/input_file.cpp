@@ -8,7 +8,9 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "io/error.h"
 #include "io/text_encoding.h"
@@ -53,7 +55,9 @@ std::FILE* open(const std::string& path) {
 
 std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
-std::string read_text(const std::string& path, bool* byte_order_mark) {
+namespace {
+
+std::string read_now(const std::string& path, bool* byte_order_mark) {
   const auto close = [](std::FILE* opened) {
     if (opened != stdin) std::fclose(opened);
   };
@@ -93,6 +97,36 @@ std::string read_text(const std::string& path, bool* byte_order_mark) {
   if (marked) text.erase(0, 3);
   if (byte_order_mark) *byte_order_mark = marked;
   return text;
+}
+
+/// Of standard input, which cannot be read again.
+struct Peeked {
+  std::string text;
+  bool marked = false;
+};
+std::optional<Peeked>& peeked() {
+  static std::optional<Peeked> of_standard_input;
+  return of_standard_input;
+}
+
+}  // namespace
+
+std::string read_text(const std::string& path, bool* byte_order_mark) {
+  if (path != "-" || !peeked()) return read_now(path, byte_order_mark);
+  const Peeked kept = std::move(*peeked());
+  peeked().reset();
+  if (byte_order_mark) *byte_order_mark = kept.marked;
+  return kept.text;
+}
+
+std::string peek_text(const std::string& path) {
+  if (path != "-") return read_now(path, nullptr);
+  if (!peeked()) {
+    Peeked now;
+    now.text = read_now(path, &now.marked);
+    peeked() = std::move(now);
+  }
+  return peeked()->text;
 }
 
 }  // namespace raceway::io

@@ -13,4 +13,7 @@ namespace raceway::io {
 /// 4 GB.
 [[nodiscard]] std::string read_text(const std::string& path, bool* byte_order_mark = nullptr);
 
+/// The same ahead of read_text(), which then finds standard input as if nobody had read it.
+[[nodiscard]] std::string peek_text(const std::string& path);
+
 }  // namespace raceway::io

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
 
+#include "correction/numbers.h"
 #include "io/number_text.h"
 #include "io/subject.h"
 #include "model/parameters.h"
@@ -41,9 +43,10 @@ Names words_of(const std::vector<fit::Measured>& measured) {
   return words;
 }
 
-/// A list of parameters, by full name.
+/// A list of parameters, by full name. `of_others`: names that are for another reader.
 Names names_in(const Section& s, std::string_view key, const toml::node& node,
-               const model::Model& model) {
+               const model::Model& model,
+               const std::function<bool(const std::string&)>& of_others = {}) {
   const auto wrong = [&](const toml::node& at, const std::string& problem) {
     throw InputError(fmt::format("{}: {} = {}: {}", s.place(&at), key, shown(at), problem),
                      s.at(key, &at));
@@ -55,6 +58,7 @@ Names names_in(const Section& s, std::string_view key, const toml::node& node,
   for (const toml::node& entry : *node.as_array()) {
     const auto name = entry.is_string() ? entry.value<std::string>() : std::nullopt;
     if (!name) wrong(entry, "must be the name of a parameter in quotes");
+    if (of_others && of_others(*name)) continue;
     const auto [first, last] = known.equal_range(*name);
     if (first == last) {
       Names all;
@@ -115,7 +119,18 @@ Names read_free(ModelTables& tables, const model::Model& model) {
   const Section s = tables.section("calibration");
   s.allow_only({"free", "covariance"});
   const toml::node* const node = s.find("free");
-  return node ? names_in(s, "free", *node, model) : default_names(tables, model);
+  if (!node) return default_names(tables, model);
+  if (!tables.root().contains("correction") || !node->is_array())
+    return names_in(s, "free", *node, model);
+  // The list is of the correction as well.
+  std::vector<std::string> known;
+  for (const record::Parameter& p : model::parameters(model)) known.push_back(p.name);
+  Names names = names_in(s, "free", *node, model, [&](const std::string& name) {
+    return correction::is_group(name) ||
+           (name.find('.') != name.npos &&
+            std::find(known.begin(), known.end(), name) == known.end());
+  });
+  return names.empty() ? default_names(tables, model) : names;
 }
 
 std::optional<fit::Covariance> read_covariance(const ModelTables& tables,

@@ -24,9 +24,9 @@ namespace raceway::io {
 namespace {
 
 void check_tables(const ModelTables& tables) {
-  const Names known{"bearing", "lubricant", "friction", "arrangement",
-                    "rig",     "solver",    "material", "calibration",
-                    "loop",    "effect",    "columns",  "torque_sensor"};
+  const Names known{"bearing", "lubricant",     "friction",    "arrangement", "rig",
+                    "solver",  "material",      "calibration", "loop",        "effect",
+                    "columns", "torque_sensor", "correction"};
   for (const auto& [key, node] : tables.root()) {
     const std::string name(key.str());
     const std::string place = tables.place(key);
@@ -41,6 +41,7 @@ void check_tables(const ModelTables& tables) {
                                    near.empty() ? "; a model has " + listed(known) : near),
                        tables.at(key));
     }
+    if (name == "correction") continue;  // of the same machine, over time: io/correction_file.h
     if (name == "effect") {
       if (!node.is_array() || !(node.as_array()->empty() || node.is_array_of_tables()))
         throw InputError(place + ": effects are written as [[effect]] with two brackets",

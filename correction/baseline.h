@@ -1,0 +1,70 @@
+#pragma once
+
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "correction/identify.h"
+#include "correction/metrics.h"
+#include "correction/model.h"
+#include "record/record.h"
+
+/// Models that others have to beat, or that show why they are not used.
+namespace raceway::correction {
+
+/// Multiple linear regression on the inputs of the channels of a model and on further columns: a
+/// channel each with a feedthrough alone, so that it runs wherever models run. It has no memory and
+/// goes on in straight lines where nobody measured. Power is left out, with a message; what never
+/// varies or follows from the others, too.
+///
+/// Source:   least squares by QR, see regression.h; standard errors are widened for what is left
+///           following the rows before it. Held out: eight parts, each by the coefficients of the
+///           others.
+/// Throws std::invalid_argument: no input, too few readings.
+[[nodiscard]] Identification regression_baseline(const Model& model,
+                                                 const std::vector<const Channel*>& offered,
+                                                 const record::Record& record);
+
+/// True for a model that is nothing but a regression.
+[[nodiscard]] bool is_regression(const Model& model);
+
+/// The channels of a model that such baselines can have, without sections, and one for each further
+/// column. Throws std::invalid_argument where there is none.
+[[nodiscard]] std::vector<DrivenChannel> bare_channels(const Model& model,
+                                                       const std::vector<const Channel*>& offered,
+                                                       std::vector<std::string>& messages);
+
+/// An ARX model: a reading from the readings and inputs before it.
+///
+///   y(k) = sum_i a_i y(k-i) + sum_ij b_ij u_j(k-i) + c,   i = 1..n of y, 0..n of u
+///
+/// Source:   least squares of the one-step prediction [Ljung1999, sec. 4.2].
+/// Traps:    each step begins at readings, so that the fit is good whatever the poles are: with
+///           readings that are close to each other or coarse it says little more than that the
+///           next one is like the last. What a control gets is the simulation, which never sees a
+///           reading. Noise of a reading pulls the poles towards 0.
+struct ArxFit {
+  int order = 0;
+  Metrics one_step{}, simulated{};
+  /// Simulated over the second half by what the first half gave.
+  Metrics second_half{};
+  std::vector<std::complex<double>> poles{};  ///< of z, the largest first
+  std::vector<double> time_constants{};       ///< of each [s]; NaN for one that is no decay
+  bool stable = false;
+};
+
+struct ArxBaseline {
+  double sampling = unset;  ///< [s], of an even grid over the record
+  std::size_t rows = 0;
+  std::vector<std::string> inputs{};
+  std::vector<ArxFit> fits{};  ///< by order
+  std::vector<std::string> messages{};
+};
+
+/// On an even grid as fine as the readings come. Throws std::invalid_argument: no input, too few
+/// readings.
+[[nodiscard]] ArxBaseline arx_baseline(const Model& model,
+                                       const std::vector<const Channel*>& offered,
+                                       const record::Record& record, int lowest, int highest);
+
+}  // namespace raceway::correction

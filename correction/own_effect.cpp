@@ -1,0 +1,96 @@
+#include "correction/own_effect.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// Names of a formula, each once; numbers such as 1e-3 have none.
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < text.size();) {
+    const bool digit = text[at] >= '0' && text[at] <= '9';
+    if (!is_letter(text[at]) && !digit) {
+      ++at;
+      continue;
+    }
+    const std::size_t first = at;
+    while (at < text.size() && (is_letter(text[at]) || (text[at] >= '0' && text[at] <= '9'))) ++at;
+    std::string word = text.substr(first, at - first);
+    if (!digit && std::find(words.begin(), words.end(), word) == words.end())
+      words.push_back(std::move(word));
+  }
+  return words;
+}
+
+record::NumberCard card_of_number(const OwnEffect::Number& n) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const double lower = std::isnan(n.lower) ? -endless : n.lower;
+  const double upper = std::isnan(n.upper) ? endless : n.upper;
+  return {n.name, n.unit, n.value, lower, upper, lower, upper, unset};
+}
+
+}  // namespace
+
+const Channel* column_of_formula(std::string_view name) {
+  const Channel* const c = record::series_channel(name);
+  return c && (c->is_input() || *c == record::time) ? c : nullptr;
+}
+
+OwnEffect::OwnEffect(Given given) : given_(std::move(given)) {
+  std::vector<std::string> names;
+  for (const std::string& word : words_of(given_.formula))
+    if (const Channel* const c = column_of_formula(word)) {
+      columns_.push_back(c);
+      names.push_back(word);
+    }
+  for (const Number& n : given_.parameters) names.push_back(n.name);
+  expression_ = std::make_unique<record::Expression>(given_.formula, std::move(names));
+  for (const std::size_t k : expression_->used())
+    terms_.push_back(k < columns_.size() ? Term{true, k} : Term{false, k - columns_.size()});
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  numbers_.push_back({"gain", "um", 0.0, -endless, endless});
+  if (given_.lags) numbers_.push_back({"time_constant_s", "s", 3600, 1.0, 1e7, 1.0, 1e7, unset});
+  for (const Number& n : given_.parameters) numbers_.push_back(card_of_number(n));
+  if (given_.title.empty()) given_.title = "formula of the model file";
+  card_ = {.id = given_.id,
+           .title = given_.title,
+           .form = given_.formula,
+           .needs = "the columns of its formula, of which one varies",
+           .confused = "",
+           .numbers = numbers_};
+}
+
+std::string OwnEffect::key(std::size_t number) const {
+  if (number == 0) return "gain_um";
+  if (number < first_parameter()) return "time_constant_s";
+  const Number& n = given_.parameters[number - first_parameter()];
+  return n.in_braces ? n.name + ".value" : n.name;
+}
+
+bool OwnEffect::follows_a_temperature() const {
+  return std::any_of(columns_.begin(), columns_.end(),
+                     [](const Channel* c) { return record::is_temperature(*c); });
+}
+
+double OwnEffect::value(std::span<const double> columns, std::span<const double> parameters,
+                        std::vector<double>& scratch) const {
+  scratch.clear();
+  for (const Term& t : terms_)
+    scratch.push_back(t.of_column ? columns[t.index] : parameters[t.index]);
+  return (*expression_)(scratch);
+}
+
+const EffectCard& card_of(const Effect& effect) {
+  return effect.own ? effect.own->card() : *find_card(effect.id);
+}
+
+}  // namespace raceway::correction

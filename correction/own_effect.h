@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "correction/catalogue.h"
+#include "record/expression.h"
+
+namespace raceway::correction {
+
+/// An effect that a user wrote as a formula of the columns of a record, in the units of the files:
+/// y + K/(1 + tau s) f(columns, parameters), without a time constant at once.
+///
+/// It counts from the first row of a run where a temperature is in it, as temperatures do; columns
+/// themselves stand in it as they were recorded, speeds and feeds with their sign as read.
+class OwnEffect {
+ public:
+  struct Number {
+    std::string name{}, unit{};
+    double value = 0.0;
+    double lower = unset, upper = unset;  ///< NaN: no bound
+    bool in_braces = false;               ///< the file has value, unit and bounds of it
+  };
+  struct Given {
+    std::string id{}, title{}, formula{};
+    bool lags = false;  ///< has a time constant
+    std::vector<Number> parameters{};
+  };
+
+  /// Throws record::FormulaError.
+  explicit OwnEffect(Given given);
+  OwnEffect(const OwnEffect&) = delete;
+  OwnEffect& operator=(const OwnEffect&) = delete;
+
+  [[nodiscard]] const Given& given() const { return given_; }
+  /// Its numbers: the gain [um], the time constant where it lags, its parameters.
+  [[nodiscard]] const EffectCard& card() const { return card_; }
+  [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
+  /// Where the parameters begin among the numbers.
+  [[nodiscard]] std::size_t first_parameter() const { return given_.lags ? 2 : 1; }
+  /// Under which key of the effect a number stands: "gain_um", "p.value".
+  [[nodiscard]] std::string key(std::size_t number) const;
+  [[nodiscard]] bool follows_a_temperature() const;
+
+  /// Of one row: the columns in the order of columns(), in their units; the parameters.
+  [[nodiscard]] double value(std::span<const double> columns, std::span<const double> parameters,
+                             std::vector<double>& scratch) const;
+
+ private:
+  struct Term {
+    bool of_column = false;
+    std::size_t index = 0;
+  };
+
+  Given given_;
+  std::vector<const Channel*> columns_;
+  std::unique_ptr<record::Expression> expression_;
+  std::vector<Term> terms_;  // what the expression uses, in its order
+  std::vector<record::NumberCard> numbers_;
+  EffectCard card_;
+};
+
+/// The column of a record that a formula calls so; null for a name that is none.
+[[nodiscard]] const Channel* column_of_formula(std::string_view name);
+
+/// The card of an effect, of the catalogue or the user's own.
+[[nodiscard]] const EffectCard& card_of(const Effect& effect);
+
+}  // namespace raceway::correction

@@ -1,0 +1,92 @@
+// Baselines: what others have to beat, and what is not used.
+#include <string>
+
+#include "tests/cli/correction_record.h"
+#include "tests/cli/sample.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+
+class CorrectionBaseline : public testing::Test {
+ protected:
+  ScratchFolder scratch_;
+  const std::string model_ = scratch_.write("z.toml", z_model());
+  const std::string record_ = scratch_.write("r.csv", RecordOfADay{}.csv());
+};
+
+TEST_F(CorrectionBaseline, ARegressionIsComparedBesideTheOthers) {
+  const std::string regression = scratch_.file("regression.toml"), lags = scratch_.file("l.toml");
+  const json found = parsed(
+      run("identify " + model_ + " " + record_ + " --baseline regression --json -o " + regression));
+  EXPECT_EQ(found["channels"][0]["sections"], json::array());
+  EXPECT_EQ(found["channels"][0]["feedthrough"]["unit"], "um/K");
+  EXPECT_GT(found["channels"][0]["feedthrough"]["value"], 1.0);
+  EXPECT_GT(found["channels"][0]["feedthrough"]["std"], 0.0);
+  EXPECT_THAT(file_text(regression), HasSubstr("# Multiple linear regression on "));
+  EXPECT_THAT(file_text(regression), HasSubstr("feedthrough_um_K = "));
+  EXPECT_THAT(file_text(regression), HasSubstr("[correction.range]"));
+  ASSERT_EQ(run("identify " + model_ + " " + record_ + " -o " + lags).status, 0);
+  const json c = parsed(run("compare " + regression + " " + lags + " " + record_ + " --json"));
+  // Without memory it cannot follow a lag of half an hour.
+  EXPECT_GT(c["models"][0]["rmse"], 5.0);
+  EXPECT_LT(c["models"][1]["rmse"], 0.01);
+  EXPECT_NEAR(c["models"][0]["rmse"].get<double>(), found["metrics"]["rmse_um"].get<double>(),
+              1e-4);
+}
+
+TEST_F(CorrectionBaseline, ARegressionSaysHowMuchItExtrapolates) {
+  const std::string regression = scratch_.file("regression.toml");
+  ASSERT_EQ(
+      run("identify " + model_ + " " + record_ + " --baseline regression -o " + regression).status,
+      0);
+  // The temperature of one row is far below all others.
+  const std::string colder =
+      scratch_.write("colder.csv", RecordOfADay{.line = [](int k, std::string text) {
+                                     return k == 700 ? "42000,8000,5,1\n" : text;
+                                   }}.csv());
+  const Result told = run("compare " + regression + " " + colder);
+  EXPECT_EQ(told.status, 0);
+  EXPECT_THAT(told.err, HasSubstr("rows lie beyond"));
+  EXPECT_THAT(told.err, HasSubstr("a regression goes on in straight lines there"));
+  EXPECT_THAT(told.err, HasSubstr("come from where nobody measured"));
+  EXPECT_THAT(run("correct " + regression + " " + colder).err,
+              HasSubstr("a regression goes on in straight lines there"));
+  // Sections do not run away as far, and are not told so.
+  EXPECT_THAT(run("compare " + model_ + " " + colder).err,
+              testing::Not(HasSubstr("straight lines there")));
+}
+
+TEST_F(CorrectionBaseline, ArxShowsWhyItIsNotUsed) {
+  const std::string coarse = scratch_.write("coarse.csv", RecordOfADay{.moves = [](int k, double) {
+                                                            return 0.8 * ((k * 7919) % 5 - 2);
+                                                          }}.csv());
+  const std::string command = "identify " + model_ + " " + coarse + " --baseline arx --order 1:2";
+  const Result text = run(command);
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("ARX from front on 1440 points every 60 s"));
+  EXPECT_THAT(text.out, HasSubstr("one step: each point from the readings before it"));
+  const json d = parsed(run(command + " --json"));
+  EXPECT_EQ(d["baseline"], "arx");
+  EXPECT_EQ(d["sampling_s"], 60.0);
+  ASSERT_EQ(d["fits"].size(), 2U);
+  for (const json& f : d["fits"]) {
+    EXPECT_LT(f["one_step"]["rmse_um"], f["simulated"]["rmse_um"]);
+    EXPECT_EQ(f["poles"].size(), f["order"]);
+    EXPECT_TRUE(f.contains("stable"));
+  }
+  expect_refused(run(command + " -o " + scratch_.file("arx.toml")), "is not written");
+}
+
+TEST_F(CorrectionBaseline, WrongUseIsRefused) {
+  const std::string power =
+      scratch_.write("empty.toml", "[correction]\ndisplacement = \"displacement_z_um\"\n");
+  expect_refused(run("identify " + power + " " + record_ + " --baseline regression"), "--inputs");
+  EXPECT_EQ(run("identify " + power + " " + record_ + " --baseline regression --inputs all").status,
+            0);
+  EXPECT_NE(run("identify " + model_ + " " + record_ + " --baseline lasso").status, 0);
+}
+
+}  // namespace
+}  // namespace raceway::tests

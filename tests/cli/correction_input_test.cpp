@@ -1,0 +1,207 @@
+// Records and files that are wrong: a clear message each, nothing half written.
+#include <string>
+
+#include "tests/cli/correction_record.h"
+#include "tests/cli/sample.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string cell(const std::string& line, std::size_t column, const std::string& value) {
+  std::size_t begin = 0;
+  for (; column > 0; --column) begin = line.find(',', begin) + 1;
+  return line.substr(0, begin) + value + line.substr(line.find_first_of(",\n", begin));
+}
+
+class CorrectionInput : public testing::Test {
+ protected:
+  /// The record of a day with a fault in its lines.
+  std::string record(const std::function<std::string(int, std::string)>& line, int rows = 1440) {
+    return scratch_.write("r.csv", RecordOfADay{.line = line, .rows = rows}.csv());
+  }
+  ScratchFolder scratch_;
+  const std::string model_ = scratch_.write("z.toml", z_model());
+};
+
+TEST_F(CorrectionInput, TimeThatIsUnsortedOrRepeatedIsRefused) {
+  const std::string back =
+      record([](int k, std::string text) { return k == 9 ? cell(text, 0, "300") : text; });
+  const std::string twice =
+      scratch_.write("twice.csv", RecordOfADay{.line = [](int k, std::string text) {
+                                    return k == 9 ? cell(text, 0, "480") : text;
+                                  }}.csv());
+  for (const char* command : {"check ", "identify ", "correct ", "compare ", "diagnose "}) {
+    expect_refused(run(command + model_ + " " + back), "r.csv:11: time_s = 300: goes back within");
+    expect_refused(run(command + model_ + " " + twice), "twice.csv:11: time_s = 480: stands twice");
+  }
+}
+
+TEST_F(CorrectionInput, AGapIsNamedAndIsNoLeap) {
+  const std::string gap =
+      record([](int k, std::string text) { return k > 300 && k < 500 ? std::string() : text; });
+  const Result r = run("identify " + model_ + " " + gap);
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.err, HasSubstr("1 gap in time, the first before line 303, the longest 1.2e+04 s"));
+  EXPECT_THAT(r.err, Not(HasSubstr("leaps")));
+}
+
+TEST_F(CorrectionInput, ASensorThatSticksIsNamedBeforeAnyVerdict) {
+  const std::string stuck = record(
+      [](int k, std::string text) { return k >= 300 && k < 500 ? cell(text, 2, "28.5") : text; });
+  for (const char* command : {"identify ", "diagnose --no-pairs ", "calibrate ", "check "})
+    EXPECT_THAT(run(command + model_ + " " + stuck).err,
+                HasSubstr("front_temperature_C stands still for 199 min from 1.8e+04 s on, while "
+                          "others move: does the sensor stick?"))
+        << command;
+  const json d = parsed(run("diagnose --no-pairs " + model_ + " " + stuck + " --json"));
+  EXPECT_THAT(d["notes"].dump(), HasSubstr("does the sensor stick?"));
+}
+
+TEST_F(CorrectionInput, ASensorThatLeapsIsNamedBeforeAnyVerdict) {
+  const std::string leap = record([](int k, std::string text) {
+    return k >= 700 ? cell(text, 2, std::to_string(60.0 + 0.01 * (k % 7))) : text;
+  });
+  for (const char* command : {"identify ", "diagnose --no-pairs ", "calibrate ", "check "})
+    EXPECT_THAT(run(command + model_ + " " + leap).err,
+                HasSubstr("front_temperature_C leaps by more than"))
+        << command;
+}
+
+TEST_F(CorrectionInput, AColumnThatNeverVariesIsNamed) {
+  const std::string still = record([](int, std::string text) { return cell(text, 2, "20"); });
+  for (const char* command : {"identify ", "diagnose --no-pairs ", "calibrate ", "check "})
+    EXPECT_THAT(run(command + model_ + " " + still).err,
+                HasSubstr("front_temperature_C never varies: nothing can be learnt from it"))
+        << command;
+}
+
+TEST_F(CorrectionInput, ARecordShorterThanTheSlowTimeConstantIsSaid) {
+  const std::string brief = record([](int, std::string text) { return text; }, 60);
+  EXPECT_THAT(run("check " + model_ + " " + brief).err,
+              HasSubstr("channel front: the time constant of 1800 s is more than a third of the "
+                        "record of 3540 s, which cannot tell it"));
+  EXPECT_THAT(run("identify " + model_ + " " + brief).err,
+              HasSubstr("the record of 3.54e+03 s is shorter than three of them"));
+}
+
+TEST_F(CorrectionInput, PowerNeedsAFrictionTable) {
+  const std::string power = scratch_.write(
+      "p.toml",
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "input = \"power_W\"\nsections = [{ gain_um_W = 0.2, time_constant_s = 4000 }]\n");
+  expect_refused(run("correct " + power + " " + record([](int, std::string t) { return t; })),
+                 "p.toml:4: [correction.channel] input = \"power_W\": needs friction_table");
+}
+
+/// K and T of a published spindle end at 214.7 W, where T is 0.
+TEST_F(CorrectionInput, PowerBeyondTheDelayElementIsSaid) {
+  scratch_.write("friction.csv",
+                 "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n"
+                 "0,500,40,300\n10000,500,40,300\n");
+  const std::string element =
+      scratch_.write("e.toml",
+                     "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+                     "input = \"power_W\"\nfriction_table = \"friction.csv\"\naxial_load_N = 500\n"
+                     "gain = { slope_um_W = 0.4817, offset_um = 10.3617 }\n"
+                     "time_constant = { slope_min_W = -0.6298, offset_min = 135.245 }\n");
+  const std::string data = record([](int, std::string text) { return text; });
+  const Result r = run("correct " + element + " " + data);
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.err, HasSubstr("no displacement from line 123 on: the power leaves the range of a "
+                               "delay element"));
+  const std::string beyond =
+      "channel power: 282.7 W in line 122: the power leaves the range of a delay element, of which "
+      "the time constant is positive below 214.7 W only";
+  EXPECT_THAT(run("compare " + element + " " + data).err, HasSubstr(beyond));
+  // Nothing is fitted that rests on it: calibrate and diagnose once ended without a word.
+  for (const char* command : {"identify ", "calibrate ", "diagnose --tolerance 1um "})
+    expect_refused(run(command + element + " " + data), beyond);
+}
+
+TEST_F(CorrectionInput, APolynomialAtAnotherSamplingIsRefused) {
+  const std::string printed = scratch_.write(
+      "p.toml",
+      "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = 1\n"
+      "[[correction.channel]]\nname = \"published\"\ninput = \"front_temperature_C\"\n"
+      "numerator = [16.0005, -15.9975]\ndenominator = [1, -0.99983]\n");
+  const std::string data = record([](int, std::string text) { return text; });
+  for (const char* command : {"correct ", "compare ", "identify ", "diagnose --tolerance 1um "})
+    expect_refused(run(command + printed + " " + data),
+                   "the coefficients of channel published are for a sampling of 1 s, and line 3 "
+                   "comes 60 s after the row before: they hold for no other rate");
+}
+
+TEST_F(CorrectionInput, TablesThatAModelNamesAreNeverWrittenOver) {
+  const std::string friction = scratch_.write(
+      "friction.csv",
+      "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n0,500,40,1\n20000,500,40,1\n");
+  const std::string gains = scratch_.write("K.csv", "power_W,gain_um\n0,0\n50,20\n");
+  const std::string constants =
+      scratch_.write("T.csv", "power_W,time_constant_min\n0,100\n50,60\n");
+  const std::string element =
+      scratch_.write("e.toml",
+                     "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+                     "input = \"power_W\"\nfriction_table = \"friction.csv\"\naxial_load_N = 500\n"
+                     "gain = { table = \"K.csv\" }\ntime_constant = { table = \"T.csv\" }\n");
+  const std::string data = record([](int, std::string text) { return text; });
+  for (const std::string& table : {friction, gains, constants}) {
+    const std::string before = file_text(table);
+    for (const std::string& command :
+         {"correct " + element + " " + data, "identify " + element + " " + data,
+          "calibrate " + element + " " + data, "export " + element + " --format csv"}) {
+      const Result r = run(command + " --force -o " + table);
+      EXPECT_EQ(r.status, 1) << command;
+      EXPECT_THAT(r.err, HasSubstr("is read by this run, so it cannot be what it writes"));
+      EXPECT_EQ(file_text(table), before) << command;
+    }
+  }
+}
+
+TEST_F(CorrectionInput, AModelFromStandardInputIsReadOnce) {
+  const std::string data = record([](int, std::string text) { return text; });
+  for (const char* command : {"compare - ", "diagnose --no-pairs - ", "calibrate - ", "check - "}) {
+    const Result r = run_shell("$raceway " + std::string(command) + data + " < " + model_);
+    EXPECT_EQ(r.status, 0) << command << r.err;
+  }
+  const Result bearing = run_shell("$raceway check - < " + scratch_.write("b.toml", model_text));
+  EXPECT_EQ(bearing.status, 0) << bearing.err;
+}
+
+/// One file of a machine: its bearing on a rig, and its displacement over hours.
+class BesideABearing : public CorrectionInput {
+ protected:
+  const std::string both_ = scratch_.write(
+      "both.toml", std::string(model_text) + "\n" + z_model() +
+                       "\n[calibration]\nfree = [\"f0\", \"gains\", \"time_constants\"]\n");
+  const std::string rig_ = scratch_.write("rig.csv", data_text);
+  const std::string day_ = record([](int, std::string text) { return text; });
+};
+
+TEST_F(BesideABearing, TheRecordSaysWhichOfThemIsMeant) {
+  EXPECT_EQ(parsed(run("compare " + both_ + " " + rig_ + " --json"))["unit"], "Nmm");
+  EXPECT_EQ(parsed(run("compare " + both_ + " " + day_ + " --json"))["unit"], "um");
+  const json torque = parsed(run("calibrate " + both_ + " " + rig_ + " --json"));
+  EXPECT_EQ(keys(torque["parameters"]), std::set<std::string>{"f0"});
+  const json over_time = parsed(run("calibrate " + both_ + " " + day_ + " --json"));
+  EXPECT_EQ(keys(over_time["parameters"]),
+            (std::set<std::string>{"front.gain_1", "front.time_constant_1"}));
+  EXPECT_EQ(parsed(run("diagnose " + both_ + " " + day_ + " --no-pairs --json"))["unit"], "um");
+  EXPECT_EQ(parsed(run("diagnose " + both_ + " " + rig_ + " --no-pairs --json"))["unit"], "Nmm");
+  EXPECT_EQ(parsed(run("check " + both_ + " " + day_ + " --json"))["sampling_s"], 60.0);
+  EXPECT_EQ(run("solve " + both_ + " --speed 1000 --axial-load 100").status, 0);
+  EXPECT_EQ(run("correct " + both_ + " " + day_).status, 0);
+  EXPECT_EQ(run_shell("$raceway compare - " + day_ + " < " + both_).status, 0);
+}
+
+TEST_F(BesideABearing, ANameThatNeitherKnowsIsRefused) {
+  const std::string wrong =
+      scratch_.write("wrong.toml", std::string(model_text) + "\n" + z_model() +
+                                       "\n[calibration]\nfree = [\"f0\", \"front.gian_1\"]\n");
+  expect_refused(run("calibrate " + wrong + " " + day_), "front.gain_1");
+}
+
+}  // namespace
+}  // namespace raceway::tests
