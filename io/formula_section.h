@@ -4,6 +4,7 @@
 
 #include "io/model_section.h"
 #include "record/expression.h"
+#include "record/units.h"
 
 /// What sections with a formula of the user's own have in common; not for other code.
 namespace raceway::io {

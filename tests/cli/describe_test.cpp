@@ -135,11 +135,11 @@ TEST(Describe, ZshOffersTheEffectsOfTheModelThatIsNamed) {
   const std::string bearing = scratch.write("my.toml", model_text),
                     machine = scratch.write("z.toml", over_time_text);
   const std::set<std::string> drift{"ambient-drift"}, windage{"windage"}, none;
-  EXPECT_THAT(offered_by_zsh({"raceway effects ambient", "raceway add " + machine + " ambient",
-                              "raceway add " + machine + " wind",
-                              "raceway add " + bearing + " ambient",
-                              "raceway add " + bearing + " wind"}),
-              testing::ElementsAre(drift, drift, none, none, windage));
+  EXPECT_THAT(
+      offered_by_zsh({"raceway effects ambient", "raceway add " + machine + " ambient",
+                      "raceway add " + machine + " wind", "raceway add " + bearing + " ambient",
+                      "raceway add " + bearing + " wind"}),
+      testing::ElementsAre(drift, drift, none, none, windage));
 }
 
 TEST(Describe, EveryCommandAndFlagIsOfferedByZsh) {
