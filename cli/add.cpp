@@ -18,6 +18,7 @@
 #include "io/diagnosis_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "io/record_report.h"
 #include "io/report.h"
 #include "io/subject.h"
 
@@ -78,7 +79,8 @@ fit::AddResult added(const fit::Subject& subject, const std::vector<std::string>
 
 /// What the effects bought, and `write` where they are kept.
 int finish(const AddFlags& flags, const std::string& source, fit::AddResult result,
-           const record::Record& data, const std::vector<io::ModelOfPage>& facts,
+           const record::Record& data,
+           const std::function<std::string(const fit::AddResult&)>& page,
            const std::function<void(const fit::Calibration&)>& write) {
   tell_of_scale(data, result.messages);
   if (flags.json) {
@@ -87,7 +89,7 @@ int finish(const AddFlags& flags, const std::string& source, fit::AddResult resu
     print(result);
   }
   warn(result.messages);
-  flags.report.write([&] { return io::add_report(source, data, result, facts); }, flags.force);
+  flags.report.write([&] { return page(result); }, flags.force);
   if (!result.calibration.converged()) {
     complain("raceway add: the fit did not converge; nothing is written");
     return not_converged;
@@ -122,9 +124,12 @@ int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
   flags.tolerance.set(asked.model, asked.file.source);
   prepare_fit(asked.model, asked.file.source, asked.data);
   const correction::CorrectionSubject subject(asked.model);
+  const auto page = [&](const fit::AddResult& r) {
+    return io::record_add_report(asked.file.source, asked.data, r, asked.file.defaults);
+  };
   return finish(
       flags, asked.file.source,
-      added(subject, meant(subject, ids, asked), asked.data, asked.file.source), asked.data, {},
+      added(subject, meant(subject, ids, asked), asked.data, asked.file.source), asked.data, page,
       [&](const fit::Calibration& c) { write_correction(asked, c, flags.output, flags.force); });
 }
 
@@ -151,7 +156,10 @@ int run(const AddFlags& flags) {
   output.require_writable(*subject);
   fit::AddResult result = added(*subject, ids, data, path);
   const std::vector<io::ModelOfPage> facts{of_page(file, output.model(result.calibration))};
-  return finish(flags, file.source, std::move(result), data, facts,
+  const auto page = [&](const fit::AddResult& r) {
+    return io::add_report(file.source, data, r, facts);
+  };
+  return finish(flags, file.source, std::move(result), data, page,
                 [&](const fit::Calibration& c) { output.write(file, c); });
 }
 

@@ -21,6 +21,7 @@
 #include "fit/calibrate.h"
 #include "fit/several_records.h"
 #include "io/error.h"
+#include "io/record_report.h"
 #include "io/report.h"
 #include "io/results.h"
 #include "io/subject.h"
@@ -332,6 +333,7 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
   std::vector<std::string> models;
   std::vector<Comparisons> comparisons;
   std::vector<correction::Beyond> beyond;
+  std::vector<io::DrawnModel> drawn;
   record::Record record;
   for (const std::string& path : paths) {
     if (!io::has_correction(path))
@@ -343,6 +345,10 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
     try {
       const Compared one = aligned(asked.model, flags, asked.data);
       comparisons.push_back(fit::compare(*one.subject, asked.data, one.fitted));
+      drawn.push_back({.name = asked.file.source,
+                       .subject = one.subject,
+                       .held_out = {},
+                       .defaults = asked.file.defaults});
     } catch (const std::invalid_argument& e) {
       refuse_data(asked.file.source, asked.data, e);
     }
@@ -359,8 +365,13 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
     record = std::move(asked.data);
   }
   show(flags, models, comparisons, record, beyond);
-  flags.report.write([&] { return io::comparison_report(models, {}, comparisons, record, {}); },
-                     flags.force);
+  flags.report.write(
+      [&] {
+        return io::record_report("compare",
+                                 io::comparison_json(models, comparisons, record, beyond), record,
+                                 drawn);
+      },
+      flags.force);
   return done;
 }
 

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/correction_input.h"
 #include "cli/messages.h"
+#include "cli/report_flag.h"
 #include "cli/text_table.h"
 #include "correction/alignment.h"
 #include "correction/band.h"
@@ -13,6 +14,7 @@
 #include "io/correction_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "io/record_report.h"
 
 namespace raceway::cli {
 namespace {
@@ -21,6 +23,7 @@ struct CorrectFlags {
   std::string model, data, output;
   DataFlag reading;
   bool json = false, force = false;
+  ReportFlag report;
 };
 
 /// Of the readings, which scatter about the displacement by `noise`; one constant taken off each
@@ -111,6 +114,20 @@ void print(const std::vector<io::Corrected>& list, const record::Record& record)
   for (const io::Corrected& c : list) print_band(c, record);
 }
 
+/// As they were compared: with the constant that leaves least, where something was read.
+std::vector<io::DrawnModel> drawn(const io::CorrectionFile& file, const record::Record& record) {
+  std::vector<io::DrawnModel> list;
+  for (const correction::Model& model : file.models)
+    list.push_back(
+        {.name = std::string(model.displacement->words),
+         .subject = correction::aligned(
+             model, record,
+             record.has(*model.displacement) ? correction::Zero::mean : correction::Zero::none),
+         .held_out = {},
+         .defaults = file.defaults});
+  return list;
+}
+
 int run(const CorrectFlags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError("raceway correct: --json and --output - both write to stdout; take one",
@@ -118,6 +135,7 @@ int run(const CorrectFlags& flags) {
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
+  flags.report.check(flags.force);
   const io::CorrectionFile file = open_corrections(flags.model);
   const record::Record record = open_series(
       flags.data, file.models, flags.reading.options(file.columns), flags.reading.period);
@@ -145,6 +163,12 @@ int run(const CorrectFlags& flags) {
   else if (flags.output != "-")
     print(list, record);
   warn(messages);
+  flags.report.write(
+      [&] {
+        return io::record_report("correct", io::corrected_json(file.source, record, list, messages),
+                                 record, drawn(file, record));
+      },
+      flags.force);
   return done;
 }
 
@@ -166,7 +190,8 @@ Run setup_correct(CLI::App& command) {
       ->type_name("FILE");
   flags->reading.declare(command);
   flags->reading.period.declare(command);
-  command.add_flag("--force", flags->force, "replace the file if it exists");
+  flags->report.declare(command);
+  command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer("Example:\n  raceway correct z.toml monday.csv -o corrected.csv");
   return [flags] { return run(*flags); };

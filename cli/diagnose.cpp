@@ -20,6 +20,7 @@
 #include "cli/text_table.h"
 #include "cli/tolerance_flag.h"
 #include "io/diagnosis_results.h"
+#include "io/record_report.h"
 #include "io/report.h"
 #include "io/subject.h"
 
@@ -282,6 +283,7 @@ struct Question {
   std::shared_ptr<const fit::Subject> subject{};  // as it is diagnosed
   record::Record data{};
   std::vector<io::ModelOfPage> facts{};
+  std::vector<std::string> defaults{};  // of a correction
 };
 
 Question ask(const DiagnoseFlags& flags) {
@@ -291,7 +293,7 @@ Question ask(const DiagnoseFlags& flags) {
     flags.tolerance.set(asked.model, asked.file.source);
     prepare_fit(asked.model, asked.file.source, asked.data);
     const auto subject = std::make_shared<const correction::CorrectionSubject>(asked.model);
-    return {asked.file.source, subject, subject, std::move(asked.data), {}};
+    return {asked.file.source, subject, subject, std::move(asked.data), {}, asked.file.defaults};
   }
   io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   flags.tolerance.set(file);
@@ -323,6 +325,8 @@ int run(const DiagnoseFlags& flags) {
   warn(diagnosis.messages);
   flags.report.write(
       [&] {
+        if (asked.subject->approximates())
+          return io::record_diagnosis_report(asked.source, asked.data, diagnosis, asked.defaults);
         return io::diagnosis_report(asked.source, *asked.model, asked.data, diagnosis, asked.facts);
       },
       flags.force);

@@ -7,6 +7,7 @@
 #include "fit/calibrate.h"
 #include "fit/compare.h"
 #include "fit/hold_out.h"
+#include "fit/refit.h"
 
 namespace raceway::fit {
 
@@ -26,6 +27,7 @@ struct AddResult {
   Calibration calibration;  ///< `calibration.subject` is the new one, all free parameters fitted
   std::vector<ChannelGain> channels{};
   std::vector<HoldOut> hold_out{};  ///< blocks of rows that neither fit saw
+  std::vector<Refit> refits{};      ///< of a subject that only approximates: before, after
   bool refused = false;  ///< no better on rows it did not see, or the fit did not converge
   std::string reason{};  ///< why, in a sentence; empty where accepted
   std::vector<std::string> messages{};

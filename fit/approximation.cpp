@@ -471,6 +471,18 @@ ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) 
   return result;
 }
 
+Refit refit_of(const Approximation& a, const Recorded& recorded) {
+  Refit refit{.subject = fitted(a)};
+  for (std::size_t i = 0; i < a.held_out.size(); ++i) {
+    const Means::Mean& mean = recorded.means.list[i];
+    if (std::isnan(a.held_out[i])) continue;
+    // Of its only channel: a place is a row.
+    const auto row = static_cast<std::size_t>(mean.places[mean.places.size() / 2]);
+    refit.held_out.push_back({row, mean.block, -a.held_out[i]});
+  }
+  return refit;
+}
+
 std::shared_ptr<const Subject> fitted(const Approximation& a) {
   std::vector<NamedValue> values;
   for (std::size_t k = 0; k < a.names.size(); ++k)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/refit.h"
 #include "fit/separable.h"
 #include "fit/subject.h"
 
@@ -78,5 +79,8 @@ struct ApproximationErrors {
 
 /// The subject with its fitted values.
 [[nodiscard]] std::shared_ptr<const Subject> fitted(const Approximation& approximation);
+
+/// The same with the errors on parts held out.
+[[nodiscard]] Refit refit_of(const Approximation& approximation, const Recorded& recorded);
 
 }  // namespace raceway::fit

@@ -118,6 +118,8 @@ AddResult add_approximation(const Subject& subject, std::span<const std::string>
       compare(predict(*fitted(base), record), record, channel, static_cast<int>(base.names.size()));
   gain.after = compare(predict(*result.calibration.subject, record), record, channel,
                        static_cast<int>(with.names.size()));
+  result.refits = {refit_of(base, on), refit_of(with, on)};
+  result.refits.back().subject = result.calibration.subject;
   gain.noise.rms = gain.before.noise.rms;
   gain.tolerance = channel.tolerance;
   gain.rmse_held_out_before = base.rms_held_out / weight;

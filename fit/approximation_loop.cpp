@@ -131,6 +131,7 @@ class Inquiry {
     d.tolerance = of.tolerance;
     d.rmse_before = d.rmse_after = in_SI(base_.rms);
     d.rmse_held_out_before = in_SI(base_.rms_held_out);
+    result_.refits.push_back(refit_of(base_, recorded_));
     d.noise.rms = std::isfinite(of.std) ? of.std : noise_of_neighbours(record_, *of.channel);
     result_.rows = d.baseline.rows;
     result_.rows_not_predicted = d.baseline.rows_not_predicted;
@@ -385,6 +386,7 @@ class Inquiry {
       readings.effects.push_back(std::move(share));
     }
     result_.explained.push_back(std::move(readings));
+    result_.refits.push_back(refit_of(best.fit, recorded_));
     result_.verdict_is_explained = true;
   }
 

@@ -9,6 +9,7 @@
 #include "fit/compare.h"
 #include "fit/hold_out.h"
 #include "fit/noise_model.h"
+#include "fit/refit.h"
 
 namespace raceway::fit {
 
@@ -134,6 +135,8 @@ struct Diagnosis {
   /// The verdict's best set first, where there is one; then every single effect that is ranked.
   std::vector<ExplainedReadings> explained;
   bool verdict_is_explained = false;  ///< `explained` begins with the verdict's best set
+  /// Of a subject that only approximates: itself, then with the verdict's best set.
+  std::vector<Refit> refits;
   std::vector<DetectableSize> would_have_been_found;
   std::vector<NotTestable> not_testable;
   std::vector<std::vector<std::string>> aliases;  ///< effects alike on these data (|cos| > 0.98)

@@ -51,6 +51,24 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(file_text(old), "old");
 }
 
+TEST_F(Report, OfARecordOverTimeIsWrittenByEveryCommandThatTakesACorrection) {
+  const std::string folder = std::string(RACEWAY_SOURCE_DIR) + "/data/corrections/ambient/";
+  const std::string model = folder + "correction.toml ", record = folder + "train.csv ";
+  for (const std::string& command :
+       {"compare " + model + record, "diagnose --no-pairs " + model + record,
+        "add " + model + "ambient-drift --data " + record, "correct " + model + record}) {
+    const Result r = run(command + "--report " + page_);
+    EXPECT_EQ(r.status, 0) << r.err;
+    EXPECT_THAT(r.err, HasSubstr("page.html written"));
+    EXPECT_NE(file_text(page_).find("\"kind\":\"record\""), std::string::npos) << command;
+    expect_refused(run(command + "--report " + page_), "exists already; --force replaces it");
+    EXPECT_EQ(run(command + "--force --report " + page_).status, 0);
+    EXPECT_EQ(run("compare " + model + record + "--json").out,
+              run("compare " + model + record + "--json --force --report " + page_).out);
+    std::remove(page_.c_str());
+  }
+}
+
 TEST_F(Report, OfADisplacementIsWrittenAndReplacedByForceAlone) {
   const std::string command =
       "compare " + shaft_ + " " + scratch_.write("u.csv", moved) + " --report " + page_;

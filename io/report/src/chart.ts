@@ -121,6 +121,33 @@ export function band(name: string, points: [number, number, number][], colour: s
   };
 }
 
+/// Filled between two lines over x, stretch by stretch; points are [x, low, high] by rising x.
+export function areas(name: string, stretches: [number, number, number][][], colour: string): Option {
+  const all = stretches.flat();
+  return {
+    type: 'custom',
+    name,
+    silent: true,
+    z: 2,
+    clip: true,
+    itemStyle: { color: colour },
+    encode: { x: 0, y: [1, 2] },
+    // Nothing to fill is nothing to draw.
+    data: all.some(([, low, high]) => high > low) ? all : [],
+    renderItem: (context: { dataIndexInside: number }, api: CustomApi) => {
+      if (context.dataIndexInside > 0) return undefined;
+      return {
+        type: 'group',
+        children: stretches.map((points) => ({
+          type: 'polygon',
+          shape: { points: [...points.map(([x, , high]) => api.coord([x, high])), ...points.map(([x, low]) => api.coord([x, low])).reverse()] },
+          style: { fill: colour, opacity: 0.75 },
+        })),
+      };
+    },
+  };
+}
+
 /// Vertical error bars; `points` are [x, low, high].
 export function errorBars(name: string, points: [number, number, number][], colour: string): Option {
   return {

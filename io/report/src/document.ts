@@ -295,7 +295,65 @@ export interface DisplacementReport extends Common {
   law_curve?: [number, number][];
 }
 
-export type Report = CompareReport | DiagnoseReport | AddReport | TableReport | DisplacementReport;
+/// What a step of an input does: lags, each gain (1 − exp(−t/T)).
+export interface StepResponse {
+  name: string;
+  input: string; // for people
+  step: number;
+  unit: string;
+  parts: { name: string; gain_um: number; time_constant_s: number }[];
+  at_once_um: number;
+  sensor_time_constant_s: number;
+  sampled_um: number[]; // of printed coefficients instead of parts
+  sampling_s: number | null;
+  changed_by: string[];
+}
+
+/// A correction over a record: names of columns, and what else is drawn of it.
+export interface ModelOverTime {
+  name: string;
+  displacement: string;
+  in_words: string;
+  predicted: string;
+  measured?: string;
+  tolerance_um: number | null;
+  initial_state: string;
+  defaults: string[];
+  parts: { name: string; column: string; inputs: string[] }[];
+  responses: StepResponse[];
+  held_out_parts?: { part: number; from_h: number; to_h: number }[];
+  /// Errors of a fit to the other parts, at means of readings.
+  held_out?: { hours: number[]; piece: number[]; part: number[]; residual_um: number[] };
+}
+
+/// What `correct` says of one displacement.
+export interface CorrectedAxis {
+  displacement: string;
+  predicted_range_um: [number | null, number | null];
+  rows_beyond_range: number;
+  metrics: { readings: number; rmse_um: number | null; max_abs_um: number | null; fit_percent: number | null; reduction_of_max_percent: number | null };
+}
+
+export interface Corrected extends CorrectedAxis {
+  model: string;
+  data: string;
+  rows: number;
+  axes?: CorrectedAxis[];
+  messages: string[];
+}
+
+interface RecordPage extends Common {
+  kind: 'record';
+  models: ModelOverTime[];
+  inputs: string[];
+  runs: string[];
+  runs_in_sequence: boolean; // their clocks begin anew: drawn one after the other
+}
+
+export type RecordReport = RecordPage &
+  ({ command: 'compare'; results: CompareReport['results'] } | { command: 'diagnose'; results: Diagnosis } | { command: 'add'; results: Added } | { command: 'correct'; results: Corrected });
+
+export type Report = CompareReport | DiagnoseReport | AddReport | TableReport | DisplacementReport | RecordReport;
 export type ReportOfRows = CompareReport | DiagnoseReport | AddReport;
 
 export function readDocument(): Report {

@@ -3,55 +3,18 @@ import { detectable, effectNodes, plan, ranking } from './diagnosis';
 import { readDocument, Rows } from './document';
 import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, Diagnosis, DisplacementReport, Report, TableReport } from './document';
 import { drawAll } from './figure';
-import type { Figure } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
 import { overSpeed } from './over_speed';
 import { beforeAfter, changes, ladder, noiseSources } from './ladder';
 import type { Floor } from './ladder';
+import { grid, header, notes, section } from './page';
+import { record } from './record';
 import { drawnSpeeds, lawFigures, shaftFigures } from './shaft';
 import { tableFigures } from './stribeck';
-import { dash, el, number, plain, probability, shortPaths, signed, unitText, valueList, withUnit } from './text';
+import { capital, dash, el, number, plain, probability, shortPaths, signed, unitText, valueList, withUnit } from './text';
+import { verdicts } from './verdicts';
 
 const page = document.getElementById('page') as HTMLElement;
-
-function header(words: { command: string; files: string[]; badge?: [string, string]; sentence: string; more?: string }, facts: [string, string][]): HTMLElement {
-  document.title = `${words.command}: ${words.files.join(', ')}`;
-  const head = el('header', {}, el('p', { class: 'eyebrow' }, `raceway\u00a0${words.command}`));
-  for (const file of words.files) (head.firstChild as HTMLElement).append(el('code', {}, file));
-  if (words.badge) head.append(el('span', { class: `badge ${words.badge[1]}`, id: 'verdict' }, words.badge[0]));
-  head.append(el('h1', { id: 'sentence' }, words.sentence));
-  if (words.more) head.append(el('p', { class: 'more' }, words.more));
-  const list = el('dl', { class: 'facts' });
-  for (const [name, value] of facts) list.append(el('div', {}, el('dt', {}, name), el('dd', {}, value)));
-  head.append(list);
-  return head;
-}
-
-function section(title: string, ...content: (Node | undefined)[]): HTMLElement {
-  const nodes = content.filter((node): node is Node => node !== undefined);
-  return el('section', {}, el('h2', {}, title), ...nodes);
-}
-
-function grid(...figures: (HTMLElement | Figure | undefined)[]): HTMLElement {
-  const box = el('div', { class: 'grid' });
-  const elements = figures.flatMap((f) => (f ? [f instanceof HTMLElement ? f : f.element] : []));
-  // Two side by side; one that is left over takes the whole width.
-  let open: HTMLElement | undefined;
-  for (const element of elements) {
-    if (element.classList.contains('wide')) {
-      open?.classList.add('wide');
-      open = undefined;
-    } else open = open ? undefined : element;
-  }
-  open?.classList.add('wide');
-  box.append(...elements);
-  return box;
-}
-
-function notes(messages: string[]): HTMLElement | undefined {
-  if (messages.length === 0) return undefined;
-  return section('Notes', el('ul', { class: 'notes' }, ...messages.map((m) => el('li', {}, m))));
-}
 
 /// The pictures of rows, with the choices that they share.
 function fitSection(view: FitView): HTMLElement {
@@ -130,7 +93,7 @@ function compare(report: CompareReport): (Node | undefined)[] {
         ...lackOfFit(last),
       ],
     ),
-    comparedOverSpeed ? section(`${view.report.quantity.in_words[0]?.toUpperCase()}${view.report.quantity.in_words.slice(1)} over speed`, grid(comparedOverSpeed)) : undefined,
+    comparedOverSpeed ? section(`${capital(view.report.quantity.in_words)} over speed`, grid(comparedOverSpeed)) : undefined,
     section(
       several ? 'The ladder' : 'The error',
       grid(ladder(files.slice(0, -1), comparisons.map((c) => c.rmse), comparisons.map((c) => c.bias), comparisons.map((c) => c.fit_percent), floorOf(view, noise, source))),
@@ -142,15 +105,6 @@ function compare(report: CompareReport): (Node | undefined)[] {
     notes(report.results.notes),
   ];
 }
-
-const verdicts: Record<string, [string, string]> = {
-  'nothing-missing': ['nothing missing', 'good'],
-  effect: ['one effect', 'found'],
-  ambiguous: ['ambiguous', 'open'],
-  'several-effects': ['several effects', 'found'],
-  'effect-like': ['like an effect', 'open'],
-  'not-in-catalogue': ['not in the catalogue', 'open'],
-};
 
 function diagnose(report: DiagnoseReport): (Node | undefined)[] {
   const d = report.results;
@@ -305,6 +259,8 @@ function build(report: Report): (Node | undefined)[] {
       return table(report);
     case 'displacement':
       return displacement(report);
+    case 'record':
+      return record(report);
   }
 }
 

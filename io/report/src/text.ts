@@ -14,6 +14,10 @@ export function el<K extends keyof HTMLElementTagNameMap>(
 
 export const dash = '–';
 
+export function capital(text: string): string {
+  return `${text.slice(0, 1).toUpperCase()}${text.slice(1)}`;
+}
+
 /// So many significant digits, without exponent where people would write none.
 export function number(value: number | null | undefined, digits = 4): string {
   if (value === null || value === undefined || Number.isNaN(value)) return dash;
@@ -54,6 +58,7 @@ const units: [string, string][] = [
   ['_N_um', 'N/µm'],
   ['_rpm', 'rpm'],
   ['_MPa', 'MPa'],
+  ['_m_min', 'm/min'],
   ['_deg', '°'],
   ['_um', 'µm'],
   ['_N', 'N'],

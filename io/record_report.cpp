@@ -1,0 +1,313 @@
+#include "io/record_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "correction/correction_subject.h"
+#include "correction/series.h"
+#include "correction/simulation.h"
+#include "correction/step_response.h"
+#include "io/diagnosis_results.h"
+#include "io/number_text.h"
+#include "io/report.h"
+#include "io/report_columns.h"
+#include "io/report_document.h"
+#include "record/median.h"
+#include "record/series_channel.h"
+
+namespace raceway::io {
+namespace {
+
+constexpr double an_hour = 3600.0;
+constexpr double far_apart = 10.0;       // of the usual time between rows: a gap
+constexpr double between_runs = 0.02;    // of all time, where runs are drawn one after the other
+constexpr std::size_t extremes = 20000;  // rows kept for them, of more rows than a page holds
+
+/// When rows are drawn [s]. Runs whose clocks begin anew stand one after the other.
+struct Axis {
+  std::vector<double> time;
+  std::vector<double> piece;  // number of the stretch without a gap that a row is in
+  bool in_sequence = false;
+};
+
+Axis axis_of(const record::Record& record) {
+  const correction::Series series(record);
+  const std::span<const double> time = record.values(record::time);
+  const std::vector<double>& steps = series.clock().steps;
+  const std::vector<bool>& begins = series.clock().begins;
+  Axis axis;
+  std::vector<double> usual;
+  double total = 0.0;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    if (!begins[k]) usual.push_back(steps[k]);
+    total += steps[k];
+    axis.in_sequence = axis.in_sequence || (k > 0 && time[k] < time[k - 1]);
+  }
+  const double gap = usual.empty() ? 0.0 : far_apart * record::median(usual);
+  double now = 0.0, piece = 0.0;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    const double step = k == 0                          ? 0.0
+                        : begins[k] && axis.in_sequence ? between_runs * total
+                                                        : time[k] - time[k - 1];
+    now += step;
+    if (k > 0 && (begins[k] || step > gap)) piece += 1.0;
+    axis.time.push_back(now);
+    axis.piece.push_back(piece);
+  }
+  return axis;
+}
+
+/// The columns of a page, and what stands in which of them.
+class Page {
+ public:
+  Page(Document& document, const record::Record& record)
+      : document_(document), record_(record), axis_(axis_of(record)), columns_(record.rows()) {
+    std::vector<double> lines, hours;
+    for (std::size_t k = 0; k < record.rows(); ++k) {
+      lines.push_back(record.line(k));
+      hours.push_back(axis_.time[k] / an_hour);
+    }
+    columns_.add("line", std::move(lines));
+    columns_.add("hours", std::move(hours));
+    columns_.add("time_s", vector_of(record.values(record::time)));
+    columns_.add("piece", axis_.piece);
+    if (record.has(record::run)) columns_.add("run", vector_of(record.values(record::run)));
+    add_inputs();
+  }
+
+  void add(const DrawnModel& drawn) {
+    const correction::Model& model = correction::model_of(*drawn.subject);
+    const std::string number = std::to_string(models_.size());
+    const record::Channel& channel = *model.displacement;
+    const std::vector<double> predicted = fit::predict(*drawn.subject, record_);
+    json one = {
+        {"name", drawn.name},
+        {"displacement", channel.name},
+        {"in_words", channel.words},
+        {"predicted", add_um("predicted_" + number, predicted)},
+        {"tolerance_um", model.tolerance / um},
+        {"initial_state", model.initial_state == correction::InitialState::free ? "free" : "rest"},
+        {"defaults", drawn.defaults},
+        {"parts", parts(model, number)},
+        {"responses", responses(model)}};
+    if (record_.has(channel)) {
+      one["measured"] = measured(channel);
+      keep_extremes(residual(channel, predicted));
+      one["held_out_parts"] = held_out_parts(*drawn.subject);
+    }
+    if (!drawn.held_out.empty()) one["held_out"] = held_out(drawn);
+    models_.push_back(std::move(one));
+  }
+
+  void finish() {
+    document_.add("models", models_);
+    document_.add("inputs", inputs_);
+    document_.add("runs", record_.runs);
+    document_.add("runs_in_sequence", axis_.in_sequence);
+    document_.add_text("rows", columns_.json());
+  }
+
+ private:
+  static std::vector<double> vector_of(std::span<const double> values) {
+    return {values.begin(), values.end()};
+  }
+
+  /// A column, and where it is highest and lowest in each stretch of the record.
+  void add_column(const std::string& name, std::vector<double> values) {
+    keep_extremes(values);
+    columns_.add(name, std::move(values));
+  }
+
+  std::string add_um(const std::string& name, std::vector<double> values) {
+    for (double& v : values) v /= um;
+    add_column(name + "_um", std::move(values));
+    return name + "_um";
+  }
+
+  void keep_extremes(const std::vector<double>& values) {
+    constexpr std::size_t columns = 20;
+    const std::size_t stretches = extremes / 2 / columns;
+    for (std::size_t s = 0; s < stretches; ++s) {
+      std::size_t low = values.size(), high = low;
+      for (std::size_t k = s * values.size() / stretches; k < (s + 1) * values.size() / stretches;
+           ++k) {
+        if (std::isnan(values[k])) continue;
+        if (low == values.size() || values[k] < values[low]) low = k;
+        if (high == values.size() || values[k] > values[high]) high = k;
+      }
+      if (low == values.size()) continue;
+      columns_.keep(low);
+      columns_.keep(high);
+    }
+  }
+
+  void add_inputs() {
+    for (const record::Column& c : record_.columns) {
+      if (!c.channel->is_input()) continue;
+      std::vector<double> values = c.values;
+      for (double& v : values) v = value_in_unit(*c.channel, v);
+      add_column(std::string(c.channel->name), std::move(values));
+      inputs_.emplace_back(c.channel->name);
+    }
+  }
+
+  std::string measured(const record::Channel& channel) {
+    const std::string name = "measured_" + std::string(channel.name);
+    if (std::find(measured_.begin(), measured_.end(), name) != measured_.end()) return name;
+    measured_.push_back(name);
+    std::vector<double> values = vector_of(record_.values(channel));
+    for (double& v : values) v /= um;
+    add_column(name, std::move(values));
+    return name;
+  }
+
+  [[nodiscard]] std::vector<double> residual(const record::Channel& channel,
+                                             std::vector<double> predicted) const {
+    for (std::size_t k = 0; k < predicted.size(); ++k) predicted[k] -= record_.value(channel, k);
+    return predicted;
+  }
+
+  /// What drives a part, by its columns; the power of a friction table becomes one.
+  json inputs_of_part(const correction::Input& input) {
+    json names = json::array();
+    for (const record::Channel* c : input.columns) names.push_back(c->name);
+    if (input.reference) names.push_back(input.reference->name);
+    return names;
+  }
+
+  json parts(const correction::Model& model, const std::string& number) {
+    const correction::Series series(record_);
+    json list = json::array();
+    for (correction::Contribution& part : correction::contributions(model, series)) {
+      json inputs = json::array();
+      if (const auto* const c = correction::find_channel(model, part.name);
+          c && !part.name.empty() && c->name == part.name)
+        inputs = c->input.is_power() ? json::array({power(*c, series)}) : inputs_of_part(c->input);
+      for (const correction::Effect& e : model.effects)
+        if (correction::full_id(e) == part.name)
+          inputs = inputs_of_part(correction::input_of(e, model));
+      if (part.name == "kinematic" && inputs.empty()) inputs = {record::speed.name};
+      const std::string column = fmt::format("part_{}_{}", number, list.size());
+      list.push_back({{"name", part.name},
+                      {"column", add_um(column, std::move(part.displacement))},
+                      {"inputs", std::move(inputs)}});
+    }
+    return list;
+  }
+
+  std::string power(const correction::DrivenChannel& c, const correction::Series& series) {
+    const std::string name = "power_of_" + c.name + "_W";
+    const bool known = std::find(inputs_.begin(), inputs_.end(), name) != inputs_.end();
+    if (known) return name;
+    add_column(name, *series.input(c.input));
+    inputs_.push_back(name);
+    return name;
+  }
+
+  [[nodiscard]] json responses(const correction::Model& model) const {
+    json list = json::array();
+    for (const correction::StepResponse& r : correction::step_responses(model, record_)) {
+      json parts = json::array(), sampled = json::array();
+      for (const correction::StepResponse::Part& p : r.parts)
+        parts.push_back(
+            {{"name", p.name}, {"gain_um", p.gain / um}, {"time_constant_s", p.time_constant}});
+      for (const double v : r.sampled) sampled.push_back(v / um);
+      list.push_back({{"name", r.name},
+                      {"input", r.input},
+                      {"step", r.step},
+                      {"unit", r.unit},
+                      {"parts", std::move(parts)},
+                      {"at_once_um", r.at_once / um},
+                      {"sensor_time_constant_s", r.sensor_time_constant},
+                      {"sampled_um", std::move(sampled)},
+                      {"sampling_s", r.sampling},
+                      {"changed_by", r.changed_by}});
+    }
+    return list;
+  }
+
+  /// From when to when, in hours of the axis.
+  [[nodiscard]] json held_out_parts(const fit::Subject& subject) const {
+    json list = json::array();
+    const std::vector<fit::Blocking> blockings = subject.blockings(record_);
+    if (blockings.empty()) return list;
+    const fit::Blocking& of = blockings.front();
+    for (int part = 0; part < of.blocks; ++part) {
+      double from = unset, to = unset;
+      for (std::size_t k = 0; k < of.block.size(); ++k)
+        if (of.block[k] == part) {
+          from = std::fmin(from, axis_.time[k]);
+          to = std::fmax(to, axis_.time[k]);
+        }
+      if (std::isfinite(from))
+        list.push_back({{"part", part + 1}, {"from_h", from / an_hour}, {"to_h", to / an_hour}});
+    }
+    return list;
+  }
+
+  [[nodiscard]] json held_out(const DrawnModel& drawn) const {
+    json hours = json::array(), parts = json::array(), errors = json::array(),
+         pieces = json::array();
+    for (const fit::HeldOutReading& r : drawn.held_out) {
+      hours.push_back(axis_.time[r.row] / an_hour);
+      pieces.push_back(axis_.piece[r.row]);
+      parts.push_back(r.part + 1);
+      errors.push_back(with_digits(r.residual / um, 7));
+    }
+    return {{"hours", hours}, {"piece", pieces}, {"part", parts}, {"residual_um", errors}};
+  }
+
+  Document& document_;
+  const record::Record& record_;
+  Axis axis_;
+  ReportColumns columns_;
+  std::vector<std::string> inputs_, measured_;
+  json models_ = json::array();
+};
+
+std::string joined_ids(const std::vector<std::string>& ids) {
+  return fmt::format("{}", fmt::join(ids, " and "));
+}
+
+}  // namespace
+
+std::string record_report(const std::string& command, const std::string& results,
+                          const record::Record& record, const std::vector<DrawnModel>& models) {
+  Document document("record");
+  document.add("command", command);
+  document.add("assumed", json::array());
+  document.add_text("results", results);
+  Page page(document, record);
+  for (const DrawnModel& one : models) page.add(one);
+  page.finish();
+  return report_page(document.text());
+}
+
+std::string record_diagnosis_report(const std::string& model_file, const record::Record& record,
+                                    const fit::Diagnosis& d,
+                                    const std::vector<std::string>& defaults) {
+  std::vector<DrawnModel> models;
+  for (const fit::Refit& refit : d.refits)
+    models.push_back(
+        {.name = models.empty() ? "refitted, nothing added" : "with " + joined_ids(d.sets.front()),
+         .subject = refit.subject,
+         .held_out = refit.held_out,
+         .defaults = defaults});
+  return record_report("diagnose", diagnosis_json(model_file, record, d), record, models);
+}
+
+std::string record_add_report(const std::string& model_file, const record::Record& record,
+                              const fit::AddResult& r, const std::vector<std::string>& defaults) {
+  std::vector<DrawnModel> models;
+  for (const fit::Refit& refit : r.refits)
+    models.push_back({.name = models.empty() ? "before, refitted" : "after",
+                      .subject = refit.subject,
+                      .held_out = refit.held_out,
+                      .defaults = defaults});
+  return record_report("add", add_json(model_file, record, r), record, models);
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fit/add.h"
+#include "fit/compare.h"
+#include "fit/diagnosis.h"
+#include "fit/subject.h"
+#include "io/correction_results.h"
+#include "record/record.h"
+
+/// The page of a record over time: what was measured and predicted with the inputs below, what each
+/// channel adds, what is left, what a step of an input does, and how much each model or effect
+/// leaves.
+namespace raceway::io {
+
+/// A correction as it is drawn.
+struct DrawnModel {
+  std::string name{};                             ///< as people read it
+  std::shared_ptr<const fit::Subject> subject{};  ///< aligned with the record
+  std::vector<fit::HeldOutReading> held_out{};    ///< where a fit left parts of the record out
+  std::vector<std::string> defaults{};            ///< that its file used
+};
+
+/// The page around the document that `command` prints with `--json`. Models of one displacement
+/// share what was measured; eight parts are those of the first of each.
+[[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
+                                        const record::Record& record,
+                                        const std::vector<DrawnModel>& models);
+
+[[nodiscard]] std::string record_diagnosis_report(const std::string& model_file,
+                                                  const record::Record& record,
+                                                  const fit::Diagnosis& diagnosis,
+                                                  const std::vector<std::string>& defaults);
+
+[[nodiscard]] std::string record_add_report(const std::string& model_file,
+                                            const record::Record& record,
+                                            const fit::AddResult& result,
+                                            const std::vector<std::string>& defaults);
+
+}  // namespace raceway::io

@@ -1,0 +1,339 @@
+// A record over time: measured and predicted above the inputs, what is added by what, what is left.
+import { areas, band, legend, valueAxis } from './chart';
+import type { Option } from './chart';
+import type { Table } from './figure';
+import { Figure, tooltip } from './figure';
+import type { Look } from './look';
+import { dashes, look } from './look';
+import type { RecordView } from './record_view';
+import { stretches, thinnedCourse } from './thin';
+import { capital, quantity } from './text';
+
+const left = 56;
+const right = 18;
+const mostColoured = 6; // inputs of one kind
+const mostRuns = 12; // that are named
+const paper = 0.68; // of the height of a panel
+
+function table(view: RecordView, columns: [string, ArrayLike<number>][]): Table {
+  const known = (v: number | undefined) => (v === undefined || !Number.isFinite(v) ? null : v);
+  return {
+    columns: ['line', 'time [s]', ...columns.map(([name]) => name)],
+    rows: Array.from({ length: view.rows.count }, (_, k) => k)
+      .filter((k) => (view.hours[k] as number) >= view.span[0] && (view.hours[k] as number) <= view.span[1])
+      .map((k) => [view.rows.at('line', k), known(view.rows.at('time_s', k)), ...columns.map(([, values]) => known(values[k]))]),
+  };
+}
+
+/// The tooltip of the row under the pointer, wherever in the picture that is.
+function rowTooltip(view: RecordView, l: Look, lines: (row: number) => (string | [string, string])[]): Option {
+  const base = tooltip(l, (hit) => {
+    const first = (Array.isArray(hit) ? hit[0] : hit) as { axisValue?: number | string } | undefined;
+    return first?.axisValue === undefined ? null : lines(view.nearest(Number(first.axisValue)));
+  });
+  return { ...base, trigger: 'axis', axisPointer: { type: 'line', animation: false, lineStyle: { color: l.muted } } };
+}
+
+function timeAxis(view: RecordView, l: Look, more: Option = {}): Option {
+  return valueAxis(`${view.axisName} [h]`, l, 'x', { scale: true, min: view.span[0], max: view.span[1], splitLine: { show: false }, ...more, axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMinLabel: view.span[0] === 0, showMaxLabel: false, ...(more.axisLabel as object) } });
+}
+
+/// The rows at which a held value changes, and the ends: a step between near points would be drawn askew.
+function turns(rows: number[], values: Float64Array): number[] {
+  return rows.filter((row, k) => k === 0 || k === rows.length - 1 || values[row] !== values[rows[k - 1] as number]);
+}
+
+/// Runs with their names, shaded in turn.
+function runMarks(view: RecordView, l: Look): Option {
+  const { runs } = view.report;
+  if (runs.length < 2 || runs.length > mostRuns) return {};
+  const of = view.rows.get('run');
+  const data = runs.flatMap((name, run) => {
+    const [first, last] = [of.indexOf(run), of.lastIndexOf(run)];
+    if (first < 0) return [];
+    const [from, to] = [Math.max(view.hours[first] as number, view.span[0]), Math.min(view.hours[last] as number, view.span[1])];
+    return from <= to ? [[{ name, xAxis: from, itemStyle: { color: run % 2 ? 'transparent' : l.band, opacity: 0.5 } }, { xAxis: to }]] : [];
+  });
+  return { markArea: { silent: true, animation: false, label: { color: l.muted, fontSize: 11, position: 'insideTopLeft' }, data } };
+}
+
+/// A line with its single points, which no line would show.
+function lines(view: RecordView, name: string, values: Float64Array, width: number, colour: string, more: Option = {}, readings = false): Option[] {
+  const list = view.course(values, width, readings).map((rows) => (more.step ? turns(rows, values) : rows));
+  const single = list.filter((rows) => rows.length === 1).map((rows) => rows[0] as number);
+  const { xAxisIndex = 0, yAxisIndex = 0 } = more;
+  return [
+    { type: 'line', name, symbol: 'none', silent: true, itemStyle: { color: colour }, lineStyle: { color: colour, width: 1.8 }, data: view.line(values, list), ...more },
+    ...(single.length ? [{ type: 'scatter', name, silent: true, symbolSize: 4, itemStyle: { color: colour }, xAxisIndex, yAxisIndex, z: 5, data: single.map((k) => [view.hours[k], values[k]]) }] : []),
+  ];
+}
+
+/// Readings as points: nothing is drawn where nothing was read.
+function dots(view: RecordView, values: Float64Array, width: number, l: Look, less: (row: number) => number = () => 0): Option {
+  return {
+    type: 'scatter',
+    name: 'measured',
+    silent: true,
+    symbolSize: view.rows.count > 800 ? 2.5 : 4,
+    z: 4,
+    itemStyle: { color: l.ink, opacity: 0.75 },
+    data: view.course(values, width).flat().map((k) => [view.hours[k], (values[k] as number) - less(k)]),
+  };
+}
+
+interface Line {
+  label: string;
+  column: string;
+  colour: string;
+  dash: (typeof dashes)[number];
+}
+
+/// Inputs of one unit, below each other on the axis of time.
+interface Panel {
+  title: string;
+  lines: Line[];
+  stepped: boolean;
+  onOff: boolean;
+  height: number;
+}
+
+const kinds: [string, string, number][] = [
+  ['°C', 'temperatures [°C]', 170],
+  ['W', 'power [W]', 90],
+  ['rpm', 'speed [rpm]', 80],
+  ['m/min', 'feed [m/min]', 80],
+  ['', 'on or off', 46],
+];
+
+function panels(view: RecordView, l: Look): Panel[] {
+  const drivers = view.drivers();
+  return kinds.flatMap(([unit, title, height]): Panel[] => {
+    const names = view.report.inputs.filter((name) => quantity(name).unit === unit && (view.rows.varies(name) || drivers.includes(name)));
+    if (names.length === 0) return [];
+    const place = (name: string) => (drivers.includes(name) ? drivers.indexOf(name) : drivers.length);
+    const ordered = names.slice().sort((a, b) => place(a) - place(b));
+    const coloured = ordered.slice(0, Math.max(1, Math.min(mostColoured, drivers.length ? ordered.filter((n) => drivers.includes(n)).length : mostColoured)));
+    const others = ordered.length - coloured.length;
+    const line = (column: string): Line => {
+      const k = coloured.indexOf(column);
+      return k < 0
+        ? { label: `${others} other${others > 1 ? 's' : ''}${drivers.length ? ', not drawn apart' : ''}`, column, colour: l.muted, dash: 'solid' }
+        : { label: quantity(column).label, column, colour: l.kinds[k % l.kinds.length] as string, dash: dashes[k % dashes.length] as (typeof dashes)[number] };
+    };
+    // What is drawn in grey lies below.
+    const only = ordered.length === 1 ? quantity(ordered[0] as string).label + (unit ? ` [${unit}]` : '') : title;
+    return [{ title: only, lines: [...ordered.slice(coloured.length), ...coloured].map(line), stepped: unit !== '°C', onOff: unit === '', height }];
+  });
+}
+
+/// Where the panels of a picture stand, one below the other.
+interface Place {
+  legend: Option;
+  top: number;
+  height: number;
+}
+
+function places(all: { names: string[]; icons?: (string | undefined)[]; height: number }[], width: number, l: Look): { list: Place[]; height: number } {
+  let at = 0;
+  const list = all.map(({ names, icons, height }) => {
+    const own = legend(names, width, l, icons);
+    const place = { legend: { ...own.option, top: at }, top: at + own.height + 24, height };
+    at = place.top + height + 14;
+    return place;
+  });
+  return { list, height: at + 28 };
+}
+
+function mainNames(view: RecordView): { names: string[]; icons: (string | undefined)[] } {
+  const models = view.together().map((m) => view.label(m));
+  const read = view.hasReadings();
+  return { names: [...(read ? ['measured'] : []), ...models], icons: [...(read ? ['circle'] : []), ...models.map(() => undefined)] };
+}
+
+export function overTime(view: RecordView): HTMLElement {
+  const layout = (l: Look, width: number) => {
+    const below = panels(view, l);
+    // As they are ranked, the others last.
+    const names = (p: Panel) => p.lines.length === 1 ? [] : [...new Set([...p.lines.filter((line) => line.colour !== l.muted), ...p.lines].map((line) => line.label))];
+    return { below, ...places([{ ...mainNames(view), height: width < 480 ? 220 : 260 }, ...below.map((p) => ({ names: names(p), height: p.height }))].map((p) => ({ ...p, height: l.print ? paper * p.height : p.height })), width, l) };
+  };
+  return view.add(
+    new Figure({
+      id: 'over-time',
+      title: `${capital(view.chosen.in_words)}, measured and predicted, and what drives it`,
+      note: () => `Points: measured. Lines: predicted, broken where no row is. Below, on the same axis, the inputs: in colour those that drive ${view.together().length > 1 ? `“${view.chosen.name}”` : 'the model'}${view.drivers().length > mostColoured ? ' most' : ''}.`,
+      wide: true,
+      marks: 1e4,
+      onPaper: 1,
+      height: (width) => layout(look(), width).height,
+      option: (l, width) => {
+        const { below, list } = layout(l, width);
+        const together = view.together();
+        const inner = width - left - right;
+        const main: Option[] = [
+          ...(view.hasReadings() ? [dots(view, view.measured(), inner / 2, l)] : []),
+          ...together.flatMap((m, k) => lines(view, view.label(m), view.predicted(m), inner, l.kinds[k % l.kinds.length] as string, { z: 5, lineStyle: { color: l.kinds[k % l.kinds.length], width: 1.8, type: dashes[k % dashes.length] } })),
+        ];
+        Object.assign(main[0] as Option, runMarks(view, l));
+        const inputs = below.flatMap((p, k) =>
+          p.lines.flatMap((line) =>
+            lines(view, line.label, view.rows.get(line.column), inner, line.colour, {
+              xAxisIndex: k + 1,
+              yAxisIndex: k + 1,
+              ...(p.stepped ? { step: 'end' } : {}),
+              lineStyle: { color: line.colour, width: line.colour === l.muted ? 0.8 : 1.4, opacity: line.colour === l.muted ? 0.7 : 1, type: line.dash },
+              z: line.colour === l.muted ? 2 : 3,
+            }),
+          ),
+        );
+        const lowest = list.length - 1;
+        return {
+          legend: list.map((p) => p.legend),
+          grid: list.map((p) => ({ left, right, top: p.top, height: p.height })),
+          axisPointer: { link: [{ xAxisIndex: 'all' }] },
+          tooltip: rowTooltip(view, l, (row) => [...view.tell(row), ...view.tellInputs(row)]),
+          xAxis: list.map((_, k) => timeAxis(view, l, { gridIndex: k, ...(k < lowest ? { name: '', axisLabel: { show: false } } : {}) })),
+          yAxis: [
+            valueAxis('displacement [µm]', l, 'y', { gridIndex: 0 }),
+            ...below.map((p, k) => valueAxis(p.title, l, 'y', { gridIndex: k + 1, splitNumber: p.height < 60 ? 1 : 3, ...(p.onOff ? { min: 0, max: 1, interval: 1 } : {}) })),
+          ],
+          series: [...main, ...inputs],
+        };
+      },
+      table: () => table(view, [...(view.chosen.measured ? ([['measured [µm]', view.measured()]] as [string, Float64Array][]) : []), ...view.together().map((m): [string, Float64Array] => [`${m.name} [µm]`, view.predicted(m)]), ...view.report.inputs.map((name): [string, Float64Array] => [name, view.rows.get(name)])]),
+    }),
+  );
+}
+
+/// Shares above zero stand on each other, those below hang from each other.
+function stacked(view: RecordView, width: number): { name: string; up: [number, number, number][][]; down: [number, number, number][][] }[] {
+  const shares = view.shares();
+  const total = view.predicted();
+  const list = thinnedCourse(stretches(view.hours, total, view.piece, view.span), view.hours, [total, ...shares.map((s) => s.values)], view.span, Math.max(100, Math.round(width / 3)));
+  const result = shares.map(({ name }) => ({ name, up: list.map((): [number, number, number][] => []), down: list.map((): [number, number, number][] => []) }));
+  list.forEach((rows, p) => {
+    for (const k of rows) {
+      let above = 0;
+      let under = 0;
+      const x = view.hours[k] as number;
+      shares.forEach(({ values }, s) => {
+        const v = values[k] as number;
+        const of = result[s] as (typeof result)[number];
+        (of.up[p] as [number, number, number][]).push([x, above, (above += Math.max(v, 0))]);
+        (of.down[p] as [number, number, number][]).push([x, (under += Math.min(v, 0)), under - Math.min(v, 0)]);
+      });
+    }
+  });
+  return result;
+}
+
+export function contributions(view: RecordView): HTMLElement {
+  const sum = (k: number) => view.chosen.parts.reduce((s, p) => s + view.rows.at(p.column, k), 0);
+  return view.add(
+    new Figure({
+      id: 'contributions',
+      title: 'What adds up to it',
+      note: () => view.about(`what each channel and effect adds${view.chosen.parts.length > view.shares().length ? ', the largest apart' : ''}. Line: their sum. Points: measured, both less what the model takes for the zero of the reading.`),
+      wide: true,
+      marks: 1e4,
+      height: (width) => (width < 480 ? 320 : 360),
+      option: (l, width) => {
+        const inner = width - left - right;
+        // What is left of many channels is no kind of its own.
+        const colours = (k: number) => (k < mostColoured ? (l.kinds[k % l.kinds.length] as string) : l.muted);
+        const parts = stacked(view, inner);
+        const total = view.predicted().map((_, k) => sum(k));
+        const read = view.hasReadings();
+        const names = [...parts.map((p) => p.name), 'sum', ...(read ? ['measured'] : [])];
+        const top = legend(names, width, l, [...parts.map(() => 'rect'), undefined, 'circle']);
+        return {
+          legend: top.option,
+          grid: { left, right, top: top.height + 26, bottom: 46 },
+          tooltip: rowTooltip(view, l, (row) => [...view.tell(row).slice(0, 2), ...view.shares().map((s): [string, string] => [s.name, `${(s.values[row] as number).toPrecision(4).replace('-', '−')} µm`])]),
+          xAxis: timeAxis(view, l),
+          yAxis: valueAxis('displacement [µm]', l, 'y', { scale: false }),
+          series: [
+            ...parts.flatMap((p, k) => [areas(p.name, p.up, colours(k)), areas(p.name, p.down, colours(k))]),
+            ...lines(view, 'sum', total, inner, l.ink, { z: 6, lineStyle: { color: l.ink, width: 1.6 } }),
+            ...(read ? [dots(view, view.measured(), inner / 2, l, (k) => (view.predicted()[k] as number) - sum(k))] : []),
+          ],
+        };
+      },
+      table: () => table(view, view.chosen.parts.map((p): [string, Float64Array] => [`${p.name} [µm]`, view.rows.get(p.column)])),
+    }),
+  );
+}
+
+/// Rows of each part that is held out, with what is left there.
+function partRows(view: RecordView): { part: number; from: number; to: number; rms: number; mean: number; most: number; held: number }[] {
+  const residual = view.residual();
+  const { held_out: held, held_out_parts: parts = [] } = view.chosen;
+  return parts.map(({ part, from_h: from, to_h: to }) => {
+    const errors = Array.from(residual.filter((r, k) => Number.isFinite(r) && (view.hours[k] as number) >= from && (view.hours[k] as number) <= to));
+    const unseen = held ? held.residual_um.filter((_, k) => held.part[k] === part) : [];
+    const rms = (list: number[]) => Math.sqrt(list.reduce((s, e) => s + e * e, 0) / list.length);
+    return { part, from, to, rms: rms(errors), mean: errors.reduce((s, e) => s + e, 0) / errors.length, most: errors.reduce((m, e) => Math.max(m, Math.abs(e)), 0), held: rms(unseen) };
+  });
+}
+
+export function residualOverTime(view: RecordView): HTMLElement | undefined {
+  if (!view.report.models.some((m) => view.hasReadings(m))) return undefined;
+  const held = view.report.models.some((m) => m.held_out);
+  const seen = held ? 'fitted to all readings' : 'predicted − measured';
+  const unseen = 'from a fit to the other parts';
+  return view.add(
+    new Figure({
+      id: 'residual',
+      title: 'What is left',
+      note: () =>
+        view.about(`predicted − measured. Shaded in turn: the eight parts of the record${held ? ', each predicted once more by a fit that did not see it, the simulation running through' : ' that a fit holds out; the table has the error on each'}.${view.chosen.tolerance_um === null ? '' : ` Band: the tolerance of ±${view.chosen.tolerance_um} µm, which is for the RMS.`}`),
+      wide: true,
+      marks: 1e4,
+      height: (width) => (width < 480 ? 320 : 340),
+      option: (l, width) => {
+        const inner = width - left - right;
+        const tolerance = view.chosen.tolerance_um;
+        const names = [seen, ...(view.chosen.held_out ? [unseen] : []), ...(tolerance === null ? [] : ['tolerance'])];
+        const top = legend(names, width, l, [undefined, ...(view.chosen.held_out ? [undefined] : []), 'rect']);
+        const parts = (view.chosen.held_out_parts ?? []).filter((p) => p.to_h > view.span[0] && p.from_h < view.span[1]);
+        const series = lines(view, seen, view.residual(), inner, l.kinds[0] as string, { z: 4, lineStyle: { color: l.kinds[0], width: 1.2 } }, true);
+        Object.assign(series[0] as Option, {
+          markArea: {
+            silent: true,
+            animation: false,
+            label: { color: l.muted, fontSize: 11, position: 'insideTop', distance: 3 },
+            data: parts.map((p, k) => [{ name: `${p.part}`, xAxis: Math.max(p.from_h, view.span[0]), itemStyle: { color: k % 2 ? 'transparent' : l.band, opacity: 0.6 } }, { xAxis: Math.min(p.to_h, view.span[1]) }]),
+          },
+        });
+        if (view.chosen.held_out) {
+          const { hours, piece, residual_um: errors } = view.chosen.held_out;
+          const own = stretches(hours, errors, piece, view.span);
+          series.push({
+            type: 'line',
+            name: unseen,
+            symbol: 'none',
+            silent: true,
+            z: 5,
+            itemStyle: { color: l.kinds[1] },
+            lineStyle: { color: l.kinds[1], width: 1.6, type: 'dashed' },
+            data: own.flatMap((of): [number, number | null][] => [...of.map((k): [number, number] => [hours[k] as number, errors[k] as number]), [hours[of[of.length - 1] as number] as number, null]]),
+          });
+        }
+        if (tolerance !== null) series.push(band('tolerance', view.span.map((x): [number, number, number] => [x, -tolerance, tolerance]), l.dark ? 'rgba(0,158,115,0.25)' : 'rgba(0,158,115,0.14)', l.kinds[2] as string));
+        return {
+          legend: top.option,
+          grid: { left, right, top: top.height + 26, bottom: 46 },
+          tooltip: rowTooltip(view, l, (row) => view.tell(row)),
+          xAxis: timeAxis(view, l),
+          yAxis: valueAxis('predicted − measured [µm]', l, 'y'),
+          series,
+        };
+      },
+      table: () => ({
+        columns: ['part', 'from [h]', 'to [h]', 'RMS [µm]', 'mean [µm]', 'largest [µm]', ...(held ? ['RMS, fit to the others [µm]'] : [])],
+        rows: partRows(view).map((p) => [p.part, p.from, p.to, p.rms, p.mean, p.most, ...(held ? [Number.isFinite(p.held) ? p.held : null] : [])]),
+      }),
+      csv: () => table(view, view.report.models.filter((m) => m.measured).map((m): [string, Float64Array] => [`${m.name} [µm]`, view.residual(m)])),
+    }),
+  );
+}

@@ -1,0 +1,42 @@
+// What the pages of all commands are built of: the head with its facts, sections, grids of pictures, notes.
+import type { Figure } from './figure';
+import { el } from './text';
+
+export function header(words: { command: string; files: string[]; badge?: [string, string]; sentence: string; more?: string }, facts: [string, string][]): HTMLElement {
+  document.title = `${words.command}: ${words.files.join(', ')}`;
+  const head = el('header', {}, el('p', { class: 'eyebrow' }, `raceway\u00a0${words.command}`));
+  for (const file of words.files) (head.firstChild as HTMLElement).append(el('code', {}, file));
+  if (words.badge) head.append(el('span', { class: `badge ${words.badge[1]}`, id: 'verdict' }, words.badge[0]));
+  head.append(el('h1', { id: 'sentence' }, words.sentence));
+  if (words.more) head.append(el('p', { class: 'more' }, words.more));
+  const list = el('dl', { class: 'facts' });
+  for (const [name, value] of facts) list.append(el('div', {}, el('dt', {}, name), el('dd', {}, value)));
+  head.append(list);
+  return head;
+}
+
+export function section(title: string, ...content: (Node | undefined)[]): HTMLElement {
+  const nodes = content.filter((node): node is Node => node !== undefined);
+  return el('section', {}, el('h2', {}, title), ...nodes);
+}
+
+export function grid(...figures: (HTMLElement | Figure | undefined)[]): HTMLElement {
+  const box = el('div', { class: 'grid' });
+  const elements = figures.flatMap((f) => (f ? [f instanceof HTMLElement ? f : f.element] : []));
+  // Two side by side; one that is left over takes the whole width.
+  let open: HTMLElement | undefined;
+  for (const element of elements) {
+    if (element.classList.contains('wide')) {
+      open?.classList.add('wide');
+      open = undefined;
+    } else open = open ? undefined : element;
+  }
+  open?.classList.add('wide');
+  box.append(...elements);
+  return box;
+}
+
+export function notes(messages: string[]): HTMLElement | undefined {
+  if (messages.length === 0) return undefined;
+  return section('Notes', el('ul', { class: 'notes' }, ...messages.map((m) => el('li', {}, m))));
+}
