@@ -367,9 +367,8 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
   show(flags, models, comparisons, record, beyond);
   flags.report.write(
       [&] {
-        return io::record_report("compare",
-                                 io::comparison_json(models, comparisons, record, beyond), record,
-                                 drawn);
+        return io::record_report(
+            "compare", io::comparison_json(models, comparisons, record, beyond), record, drawn);
       },
       flags.force);
   return done;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/correct_learn.h"
 #include "cli/correction_input.h"
 #include "cli/messages.h"
 #include "cli/report_flag.h"
@@ -22,6 +23,7 @@ namespace {
 struct CorrectFlags {
   std::string model, data, output;
   DataFlag reading;
+  LearnFlags learning;
   bool json = false, force = false;
   ReportFlag report;
 };
@@ -136,9 +138,14 @@ int run(const CorrectFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
+  flags.learning.check(if_exists);
   const io::CorrectionFile file = open_corrections(flags.model);
   const record::Record record = open_series(
       flags.data, file.models, flags.reading.options(file.columns), flags.reading.period);
+  if (flags.learning.learn) {
+    run_learning(file, record, flags.learning, {flags.output, flags.json, if_exists});
+    return done;
+  }
   std::vector<std::string> messages;
   std::vector<io::Corrected> list;
   for (const correction::Model& model : file.models) {
@@ -188,12 +195,15 @@ Run setup_correct(CLI::App& command) {
                   "band_high_um (95 %, of a model that was fitted), what each channel adds,\n"
                   "residual_um; of several displacements predicted_COLUMN, residual_COLUMN")
       ->type_name("FILE");
+  flags->learning.declare(command);
   flags->reading.declare(command);
   flags->reading.period.declare(command);
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway correct z.toml monday.csv -o corrected.csv");
+  command.footer(
+      "Examples:\n  raceway correct z.toml monday.csv -o corrected.csv\n"
+      "  raceway correct z.toml monday.csv --learn --every 4h --save tuesday.toml");
   return [flags] { return run(*flags); };
 }
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "cli/messages.h"
-#include "cli/text_table.h"
 #include "cli/run_files.h"
+#include "cli/text_table.h"
 #include "correction/baseline.h"
 #include "correction/identify.h"
 #include "correction/record_check.h"

@@ -33,8 +33,8 @@ double seconds_of(const std::string& text, const std::string& flag) {
 void PeriodFlag::declare(CLI::App& command) {
   command
       .add_option("--from", from,
-                  "of a record over time: only readings from then on count, as 22h; all rows\n"
-                  "drive the model")
+                  "of a record over time: only readings from then on count, as 22h;\n"
+                  "all rows drive the model")
       ->type_name("TIME");
   command.add_option("--until", until, "the same: only readings up to then")->type_name("TIME");
 }

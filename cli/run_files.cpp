@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 3> written_flags{"output", "report", "plot"};
+constexpr std::array<std::string_view, 4> written_flags{"output", "report", "plot", "save"};
 constexpr std::array<std::string_view, 2> improve_their_model{"calibrate", "add"};
 
 struct Files {

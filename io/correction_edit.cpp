@@ -199,7 +199,7 @@ void remove_trust(Editor& editor, std::size_t index) {
 std::string head_text(const Model& m) {
   std::string text = fmt::format("displacement = \"{}\"\n", m.displacement->name);
   const auto add = [&](std::string_view key, double value) {
-    if (std::isfinite(value)) text += fmt::format("{} = {}\n", key, float_text(value / um));
+    if (std::isfinite(value)) text += fmt::format("{} = {}\n", key, toml_float(with_15_digits(value / um)));
   };
   add("tolerance_um", m.tolerance);
   add("measurement_std_um", m.measured_std);
@@ -215,7 +215,7 @@ std::string new_corrections(const std::vector<Model>& models, const std::string&
     text += models.size() > 1 ? "\n[[correction]]\n" : "[correction]\n";
     text += head_text(m);
     for (const DrivenChannel& c : m.channels) text += "\n" + channel_text(c);
-    if (!m.range.empty()) text += "\n" + range_text(m);
+    if (const std::string trust = trust_text(m); !trust.empty()) text += "\n" + trust;
   }
   (void)parse_correction(text, "model");  // it reads back
   return text;

@@ -1,10 +1,10 @@
 #include "correction/baseline.h"
-#include "correction/range.h"
 
 #include <gmock/gmock.h>
 
 #include <random>
 
+#include "correction/range.h"
 #include "tests/correction/made_record.h"
 
 namespace raceway::correction {

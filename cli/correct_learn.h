@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "io/correction_file.h"
+#include "io/output_file.h"
+#include "record/record.h"
+
+namespace raceway::cli {
+
+/// `--learn`, `--every`, `--forget` and `--save` of `correct`.
+struct LearnFlags {
+  bool learn = false;
+  std::string every, forget, save;
+
+  /// Declares the flags.
+  void declare(CLI::App& command);
+  /// Before anything is read. Throws io::InputError: a flag without --learn, a duration that is
+  /// none, a file that cannot be written.
+  void check(io::IfExists if_exists) const;
+};
+
+/// Where the results of `correct` go.
+struct CorrectOutput {
+  std::string csv{};  ///< file, "-" for stdout, empty for none
+  bool json = false;
+  io::IfExists if_exists = io::IfExists::refuse;
+};
+
+/// All of `correct --learn` behind reading its files.
+void run_learning(const io::CorrectionFile& file, const record::Record& record,
+                  const LearnFlags& flags, const CorrectOutput& output);
+
+}  // namespace raceway::cli
