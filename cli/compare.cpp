@@ -441,7 +441,7 @@ Run setup_compare(CLI::App& command) {
   command
       .add_option("--zero", flags->zero,
                   "of a correction: the constant taken off before it is compared: mean\n"
-                  "(which leaves least, default), first (the first reading of a run), none")
+                  "(which leaves least; default), first (reading of a run), none")
       ->check(CLI::IsMember({"mean", "first", "none"}))
       ->type_name("WHICH");
   flags->per_record.declare(command);

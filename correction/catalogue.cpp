@@ -77,7 +77,7 @@ constexpr std::array cards{
     EffectCard{.id = "offset-jump",
                .title = "the reading jumps: a collet, a probe, a cable",
                .form = "+ sum of c H(t - t1), three at most",
-               .needs = "dense readings",
+               .needs = "dense readings, of which one leaps",
                .confused = "kinematic-displacement, a hidden heat that is switched on",
                .numbers = jump,
                .of_reading = true},

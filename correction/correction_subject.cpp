@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "correction/catalogue.h"
+#include "correction/leaps.h"
 #include "correction/own_effect.h"
 #include "correction/quantum.h"
 #include "correction/range.h"
@@ -81,26 +82,6 @@ fit::Parameter beginning_parameter(std::string name) {
   p.upper = p.plausible_upper = std::numeric_limits<double>::infinity();
   p.proportional = true;
   return p;
-}
-
-/// Times at which a reading may have jumped: between two readings, away from changes of the speed.
-std::vector<double> times_between_readings(const fit::Record& record, const Channel& displacement) {
-  constexpr double after_a_change = 600.0;  // [s]
-  const std::span<const double> time = record.values(record::time),
-                                speed = record.values(record::speed),
-                                read = record.values(displacement);
-  std::vector<double> changes, times;
-  for (std::size_t k = 1; k < speed.size(); ++k)
-    if (speed[k] != speed[k - 1]) changes.push_back(time[k]);
-  double last = unset;
-  for (std::size_t k = 0; k < read.size(); ++k) {
-    if (std::isnan(read[k])) continue;
-    const auto next = std::lower_bound(changes.begin(), changes.end(), time[k] - after_a_change);
-    if (!std::isnan(last) && (next == changes.end() || *next > time[k] + after_a_change))
-      times.push_back(0.5 * (last + time[k]));
-    last = time[k];
-  }
-  return times;
 }
 
 /// Whether an error of this size is much of what is left. A feedthrough of an input in steps is
@@ -200,7 +181,7 @@ std::unique_ptr<fit::Subject> CorrectionSubject::informed_by(const fit::Record& 
       result->columns_.push_back(c.channel);
   const std::span<const double> time = record.values(record::time);
   result->end_ = *std::max_element(time.begin(), time.end()) + 1.0;
-  result->jump_times_ = times_between_readings(record, *model_.displacement);
+  result->jump_times_ = leaps(record, *model_.displacement);
   result->beginnings_.clear();
   for (int z = 1; z < series.zeros(); ++z)
     result->beginnings_.push_back(

@@ -15,15 +15,15 @@ using testing::ElementsAre;
 
 constexpr double at = 3000.0;  // of the step [s]
 
-const Channel* column(const std::string& name) { return record::series_channel(name); }
+const Channel* drive_column(const std::string& name) { return record::series_channel(name); }
 
 /// A channel of a temperature with two sections and a feedthrough.
 Model two_sections() {
   Model model;
-  model.displacement = column("displacement_z_um");
+  model.displacement = drive_column("displacement_z_um");
   model.channels = {
       {.name = "spindle",
-       .input = {.name = "nose_temperature_C", .columns = {column("nose_temperature_C")}},
+       .input = {.name = "nose_temperature_C", .columns = {drive_column("nose_temperature_C")}},
        .sections = {{.gain = 5 * um, .time_constant = 5400},
                     {.gain = -2 * um, .time_constant = 700}},
        .feedthrough = 0.7 * um,
@@ -74,7 +74,7 @@ TEST(StepResponse, HasTheSectionThatAnEffectAddsAndTheLagOfASensor) {
 
 TEST(StepResponse, OfASpeedIsThatOfAThousandRevolutions) {
   Model model = two_sections();
-  model.channels[0].input = {.name = "speed_rpm", .columns = {column("speed_rpm")}};
+  model.channels[0].input = {.name = "speed_rpm", .columns = {drive_column("speed_rpm")}};
   model.channels[0].sections = {{.gain = 3e-3 * um / rpm, .time_constant = 900}};
   const StepResponse r = step_responses(model, step_of_temperature().record).front();
   EXPECT_EQ(r.step, 1000.0);
@@ -85,7 +85,7 @@ TEST(StepResponse, OfASpeedIsThatOfAThousandRevolutions) {
 TEST(StepResponse, OfASpeedToAPowerIsThatOfAThousandRevolutionsAsWell) {
   Model model = two_sections();
   model.channels[0].input = {
-      .name = "speed_rpm", .columns = {column("speed_rpm")}, .exponent = 1.5};
+      .name = "speed_rpm", .columns = {drive_column("speed_rpm")}, .exponent = 1.5};
   model.channels[0].sections = {{.gain = 3e-3 * um / rpm, .time_constant = 900}};
   model.channels[0].feedthrough = 0.0;
   MadeRecord made = step_of_temperature();
@@ -101,7 +101,7 @@ TEST(StepResponse, NamesEffectsWithWhichTheChannelAnswersOtherwise) {
   Model model = two_sections();
   model.effects = {
       {.id = "thermal-asymmetry", .values = {1.4}},
-      {.id = "ambient-drift", .columns = {column("room_temperature_C")}, .values = {-2.5, 14000}},
+      {.id = "ambient-drift", .columns = {drive_column("room_temperature_C")}, .values = {-2.5, 14000}},
       {.id = "offset-jump", .values = {4, 100}}};
   const std::vector<StepResponse> list = step_responses(model, step_of_temperature().record);
   ASSERT_EQ(list.size(), 2U);
