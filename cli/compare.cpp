@@ -352,10 +352,10 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
     } catch (const std::invalid_argument& e) {
       refuse_data(asked.file.source, asked.data, e);
     }
-    if (const std::string beyond = correction::power_beyond_element(asked.model, asked.data);
-        !beyond.empty())
+    if (const std::string leaves = correction::power_beyond_element(asked.model, asked.data);
+        !leaves.empty())
       warn({fmt::format("{}: {}: rows from there on have no prediction and are left out",
-                        asked.file.source, beyond)});
+                        asked.file.source, leaves)});
     for (fit::Comparison& c : comparisons.back())
       fit::add_groups(c, correction::phase, correction::phases(asked.data, *c.channel));
     models.push_back(asked.file.source);

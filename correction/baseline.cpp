@@ -80,7 +80,7 @@ class Design {
   /// Some rows are enough to see that.
   [[nodiscard]] bool is_new(const Eigen::MatrixXd& with) const {
     constexpr std::size_t enough = 5000;
-    constexpr double nothing = 1e-6;  // of its length
+    constexpr double too_little = 1e-6;  // of its length
     std::vector<std::size_t> all(rows_.size());
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
     const std::vector<std::size_t> some = fit::thinned(std::move(all), enough);
@@ -90,7 +90,7 @@ class Design {
     const Eigen::VectorXd last = part.col(part.cols() - 1);
     const Eigen::MatrixXd others = part.leftCols(part.cols() - 1);
     const Eigen::VectorXd left = last - others * others.colPivHouseholderQr().solve(last).eval();
-    return left.norm() > nothing * last.norm();
+    return left.norm() > too_little * last.norm();
   }
 
   const Series& series_;

@@ -241,6 +241,8 @@ class Bank {
     }
     see(model_, record_);
     model_.left = Left{.rms = result_.rms_held_out};
+    // A loop over seventy gains that belong together would find anything.
+    if (model_.free.empty()) model_.free = {"offset"};
     result_.model = model_;
     result_.parameters = parameters(model_);
     result_.noise = std::isfinite(model_.measured_std)

@@ -34,7 +34,8 @@ struct LagBankOptions {
 ///
 /// Where many sensors tell of bodies that nobody knows, this predicts better than a few sections
 /// with time constants of their own, which fit as well and go astray; it explains nothing. Gains
-/// have no standard error: ridge draws them to 0.
+/// have no standard error: ridge draws them to 0. Where the model does not say what is free, the
+/// offset alone is from then on.
 /// Source: ridge regression [HoerlKennard1970]; the bank of lags and its weights are ours, chosen
 /// on the record of docs/spindle-record.md.
 ///

@@ -13,18 +13,18 @@
 namespace raceway::correction {
 namespace {
 
-constexpr double an_hour = 3600.0;
-constexpr double shortest_memory = 0.5 * an_hour;
-constexpr double longest_memory = 24.0 * an_hour;
+constexpr double one_hour = 3600.0;
+constexpr double shortest_memory = 0.5 * one_hour;
+constexpr double longest_memory = 24.0 * one_hour;
 constexpr double one_memory = 1.5;       // ratio below which two time constants are one
 constexpr double size_of_misfits = 0.2;  // of all of them together, over the misfit
 constexpr double size_of_drift = 0.5;    // in an hour, over the misfit
-constexpr double memory_of_drift = 12.0 * an_hour;
+constexpr double memory_of_drift = 12.0 * one_hour;
 constexpr double unknown_zero = 1000.0 * um;
 constexpr double unknown_start = 30.0 * um;  // of sections of a machine that began warm
 /// Lags that a model may lack, and what all of them may add at half the range of their inputs,
 /// over the misfit.
-constexpr std::array lacking{0.5 * an_hour, 2.0 * an_hour, 8.0 * an_hour};
+constexpr std::array lacking{0.5 * one_hour, 2.0 * one_hour, 8.0 * one_hour};
 constexpr double size_of_lacking = 2.0;
 constexpr double bound_of_lacking = 5.0;  // standard deviations
 constexpr double worth_saving = 0.01;     // of the misfit
@@ -87,7 +87,7 @@ std::vector<LearntPart> learnt_parts(const Model& model, const Series& series,
     if (c.sections.empty() || std::isnan(half)) continue;
     for (const double time_constant : lacking) {
       LearntPart part{
-          .unknown = {.name = fmt::format("{}, lag of {:g} h", c.name, time_constant / an_hour),
+          .unknown = {.name = fmt::format("{}, lag of {:g} h", c.name, time_constant / one_hour),
                       .memory = options.forgetting},
           .weights = *series.lag(c.input, time_constant, answer_of(model, c)),
           .name = c.name,
@@ -116,9 +116,9 @@ std::vector<Unknown> zero_and_misfits(const Model& model, double misfit) {
   for (const double t : slow)
     if (t > one_memory * memories.back()) memories.push_back(t);
   std::vector<Unknown> list{
-      {.name = "zero", .std = unknown_zero, .walk = misfit / std::sqrt(an_hour)},
+      {.name = "zero", .std = unknown_zero, .walk = misfit / std::sqrt(one_hour)},
       {.name = "drift",
-       .std = size_of_drift * misfit / an_hour,
+       .std = size_of_drift * misfit / one_hour,
        .memory = memory_of_drift,
        .rate_of = 0}};
   const double size = size_of_misfits * misfit / std::sqrt(static_cast<double>(memories.size()));

@@ -11,6 +11,8 @@
 namespace raceway::correction {
 namespace {
 
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 /// Names of a formula, each once; numbers such as 1e-3 have none.
@@ -32,9 +34,8 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 record::NumberCard card_of_number(const OwnEffect::Number& n) {
-  constexpr double endless = std::numeric_limits<double>::infinity();
-  const double lower = std::isnan(n.lower) ? -endless : n.lower;
-  const double upper = std::isnan(n.upper) ? endless : n.upper;
+  const double lower = std::isnan(n.lower) ? -no_bound : n.lower;
+  const double upper = std::isnan(n.upper) ? no_bound : n.upper;
   return {n.name, n.unit, n.value, lower, upper, lower, upper, unset};
 }
 
@@ -56,8 +57,7 @@ OwnEffect::OwnEffect(Given given) : given_(std::move(given)) {
   expression_ = std::make_unique<record::Expression>(given_.formula, std::move(names));
   for (const std::size_t k : expression_->used())
     terms_.push_back(k < columns_.size() ? Term{true, k} : Term{false, k - columns_.size()});
-  constexpr double endless = std::numeric_limits<double>::infinity();
-  numbers_.push_back({"gain", "um", 0.0, -endless, endless});
+  numbers_.push_back({"gain", "um", 0.0, -no_bound, no_bound});
   if (given_.lags) numbers_.push_back({"time_constant_s", "s", 3600, 1.0, 1e7, 1.0, 1e7, unset});
   for (const Number& n : given_.parameters) numbers_.push_back(card_of_number(n));
   if (given_.title.empty()) given_.title = "formula of the model file";

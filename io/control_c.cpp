@@ -119,6 +119,7 @@ typedef struct {
   @P@_real at_temperature, decay_rpm;  /* of a motor */
   @P@_real low, high;                  /* of a power [W] */
   int speeds, temperatures, torques, speed_count, temperature_count; /* places in the points */
+  @P@_real exponent;                   /* of a size, which is x (x/1000)^(exponent - 1) */
 } @P@_drive;
 static const @P@_drive @P@_drives[] = {
 @DRIVES@};
@@ -211,7 +212,13 @@ static inline @P@_real @P@_drive_at(const @P@_state *s, const @P@_drive *d, cons
   if (d->kind == @P@_rise || d->kind == @P@_size) {
     for (k = d->from_input; k < d->from_input + d->count; ++k) {
       const int i = @P@_drive_inputs[k];
-      u += d->kind == @P@_rise ? in[i] - s->first[i] : in[i];
+      const @P@_real x = in[i] < @P@_highest[i] ? in[i] : @P@_highest[i];
+      if (d->kind == @P@_rise)
+        u += in[i] - s->first[i];
+      else if (d->exponent == @P@_R(1))
+        u += in[i];
+      else if (x > 0)
+        u += x * @P@_pow(x / @P@_R(1000), d->exponent - @P@_R(1));
     }
     u /= @P@_R(d->count);
     return d->reference < 0 ? u : u - (in[d->reference] - s->first[d->reference]);
@@ -479,7 +486,7 @@ class Numbers {
             {"POINTS", points_.empty() ? "  0\n" : points_},
             {"DRIVE_INPUTS", listed_or_zero(drive_inputs_)},
             {"DRIVES_COUNT", std::to_string(plan_.drives.size())},
-            {"DRIVES", rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}")},
+            {"DRIVES", rows(drives_, "{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}")},
             {"TOGETHER_COUNT", std::to_string(plan_.together.size())},
             {"TOGETHER_INPUTS", listed_or_zero(together_inputs_)},
             {"TOGETHER_MEAN", listed_or_zero(together_mean_)},
@@ -541,14 +548,14 @@ class Numbers {
       speed_count = t.speed_rpm.size();
       temperature_count = t.temperature_C.size();
     }
-    drives_ += fmt::format("  {{{}_{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n",
+    drives_ += fmt::format("  {{{}_{}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}},\n",
                            name_, kinds[static_cast<std::size_t>(d.kind)], drive_input_count_,
                            d.inputs.size(), place(d.reference), place(d.temperature),
                            real(std::isnan(d.temperature_C) ? 0.0 : d.temperature_C),
                            real(std::isnan(d.decay_rpm) ? 1.0 : d.decay_rpm),
                            real(std::isnan(d.lowest) ? -unbounded : d.lowest),
                            real(std::isnan(d.highest) ? unbounded : d.highest), speeds,
-                           temperatures, torques, speed_count, temperature_count);
+                           temperatures, torques, speed_count, temperature_count, real(d.exponent));
     for (const std::size_t k : d.inputs) drive_inputs_ += fmt::format("{}, ", k);
     drive_input_count_ += d.inputs.size();
   }

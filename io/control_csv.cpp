@@ -15,7 +15,7 @@ using Kind = ControlDrive::Kind;
 constexpr std::string_view formulas =
     R"(# One number a row. Displacements in um; temperatures in C, their rises in K; dt in s as measured.
 # rise   u = mean of (T - T at the first call) of the inputs, less the same of the reference
-# size   u = mean of the inputs without their sign
+# size   u = mean of the inputs x without their sign; with an exponent of x (x/1000)^(exponent - 1), x held at its highest
 # power  u = torque of the friction table [N mm] / 1000 * speed [rpm] * pi/30, table straight between points, edge held
 # motor  u = exp(-speed/decay_speed) while the speed is above 0, else 0
 # section      s = s + (1 - exp(-dt/time_constant)) * (gain*u - s), s = 0 at first, u as it was at the call before;
@@ -99,6 +99,7 @@ class Table {
     say("u", kinds[static_cast<std::size_t>(d.kind)]);
     for (const std::size_t k : d.inputs) say("input", plan_.inputs[k].column);
     if (d.reference != nowhere) say("reference", plan_.inputs[d.reference].column);
+    if (d.exponent != 1.0) row(a.column, channel, part, "exponent", d.exponent, "1");
     if (d.kind == Kind::motor) row(a.column, channel, part, "decay_speed", d.decay_rpm, "rpm");
     if (d.kind != Kind::power) return;
     if (d.temperature != nowhere) say("temperature", plan_.inputs[d.temperature].column);

@@ -154,6 +154,7 @@ class Planner {
     } else {
       d.kind = in.course() == record::Course::straight ? ControlDrive::Kind::rise
                                                        : ControlDrive::Kind::size;
+      d.exponent = in.exponent;
       for (const Channel* c : in.columns) d.inputs.push_back(input(*c));
       if (in.reference) d.reference = input(*in.reference);
     }

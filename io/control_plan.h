@@ -51,7 +51,7 @@ struct ControlTable {
 struct ControlDrive {
   enum class Kind {
     rise,   ///< mean of temperatures less their first ones, and less the rise of the reference [K]
-    size,   ///< mean of sizes without their sign
+    size,   ///< mean of sizes without their sign, to a power: x (x/1000)^(exponent - 1)
     power,  ///< torque of a table times the speed [W]
     motor   ///< exp(-n/n0) while it turns, else 0
   } kind = Kind::size;
@@ -60,6 +60,7 @@ struct ControlDrive {
   std::size_t temperature = nowhere;  ///< of power; without it `temperature_C` holds
   double temperature_C = unset;
   std::size_t table = nowhere;             ///< of power
+  double exponent = 1.0;                   ///< of size
   double decay_rpm = unset;                ///< of motor
   double lowest = unset, highest = unset;  ///< of power, as for an input
   std::string unit{};                      ///< "K"

@@ -241,7 +241,12 @@ class Correction(object):
             reference = drive["reference"]
             return u if reference is None else u - (values[reference] - first[reference])
         if kind == "size":
-            return sum(values[k] for k in drive["inputs"]) / len(drive["inputs"])
+            sizes = [values[k] for k in drive["inputs"]]
+            if drive["exponent"] != 1.0:
+                sizes = [within(x, None, INPUTS[k][3]) for x, k in zip(sizes, drive["inputs"])]
+                sizes = [x * (x / 1000.0) ** (drive["exponent"] - 1.0) if x > 0.0 else 0.0
+                         for x in sizes]
+            return sum(sizes) / len(sizes)
         speed = values[SPEED]
         if kind == "motor":
             turning = within(speed, INPUTS[SPEED][2], INPUTS[SPEED][3])
@@ -379,7 +384,8 @@ std::string drive_text(const ControlDrive& d, const ControlPlan& plan) {
       return fmt::format(R"({{"kind": "rise", "inputs": [{}], "reference": {}}})",
                          fmt::join(d.inputs, ", "), place(d.reference));
     case ControlDrive::Kind::size:
-      return fmt::format(R"({{"kind": "size", "inputs": [{}]}})", fmt::join(d.inputs, ", "));
+      return fmt::format(R"({{"kind": "size", "inputs": [{}], "exponent": {}}})",
+                         fmt::join(d.inputs, ", "), number(d.exponent));
     case ControlDrive::Kind::motor:
       return fmt::format(R"({{"kind": "motor", "decay_rpm": {}}})", number(d.decay_rpm));
     case ControlDrive::Kind::power:

@@ -199,7 +199,8 @@ void remove_trust(Editor& editor, std::size_t index) {
 std::string head_text(const Model& m) {
   std::string text = fmt::format("displacement = \"{}\"\n", m.displacement->name);
   const auto add = [&](std::string_view key, double value) {
-    if (std::isfinite(value)) text += fmt::format("{} = {}\n", key, toml_float(with_15_digits(value / um)));
+    if (std::isfinite(value))
+      text += fmt::format("{} = {}\n", key, toml_float(with_15_digits(value / um)));
   };
   add("tolerance_um", m.tolerance);
   add("measurement_std_um", m.measured_std);
@@ -242,6 +243,9 @@ std::string with_corrections(const CorrectionFile& file, const std::vector<Model
     if (is_new && !trust.empty()) editor.append(index, trust);
     text = editor.take();
   }
+  if (models.size() == 1 && !models.front().free.empty() && file.models.front().free.empty())
+    text +=
+        fmt::format("\n[calibration]\nfree = [\"{}\"]\n", fmt::join(models.front().free, "\", \""));
   (void)parse_correction(text, file.source);  // it reads back
   if (marked) text.insert(0, utf8_mark);
   return text;

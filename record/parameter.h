@@ -43,9 +43,9 @@ struct Parameter {
   double neutral = unset;  ///< with it an effect changes nothing; NaN for a shape
   /// With all others held, readings change in proportion to it; with all of these together too.
   bool proportional = false;
-  double scale = 1.0;      ///< typical size, > 0
-  double std = unset;      ///< standard error; NaN at a bound and where the data do not fix it
-  Interval interval{};     ///< 95 %, by profile likelihood, where it was asked for
+  double scale = 1.0;   ///< typical size, > 0
+  double std = unset;   ///< standard error; NaN at a bound and where the data do not fix it
+  Interval interval{};  ///< 95 %, by profile likelihood, where it was asked for
   Bound at_bound = Bound::none;
   bool identifiable = true;  ///< false: the data do not fix it, alone or against another one
   bool held = false;         ///< left at its start, because another parameter does the same

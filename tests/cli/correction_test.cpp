@@ -141,7 +141,9 @@ TEST_F(Correction, ARoomColderThanEverBeforeIsNeverSilent) {
     // 22 C falls to 19.14 C.
     EXPECT_NEAR(first["first_time_s"].get<double>(), 30000 + 2.863 * 27600 / 12, 60) << command;
     EXPECT_LT(first["farthest"], 10.1) << command;
-    if (d.contains("band")) EXPECT_GT(d["band"]["half_width_um"][1], 5.0);
+    if (d.contains("band")) {
+      EXPECT_GT(d["band"]["half_width_um"][1], 5.0);
+    }
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double reading_std = 0.5;
 
 /// Readings of a sum of unknowns, and what they say of it by one dense solution.
-struct Regression {
+struct DenseRegression {
   std::vector<Unknown> unknowns{};
   std::vector<double> time{}, reading{};
   std::vector<std::vector<double>> weights{};
@@ -57,8 +57,8 @@ struct Regression {
   }
 };
 
-Regression made(std::vector<Unknown> unknowns) {
-  Regression r{.unknowns = std::move(unknowns)};
+DenseRegression made(std::vector<Unknown> unknowns) {
+  DenseRegression r{.unknowns = std::move(unknowns)};
   const double times[] = {0, 40, 55, 200, 210, 480};
   for (const double t : times) {
     r.time.push_back(t);
@@ -70,10 +70,10 @@ Regression made(std::vector<Unknown> unknowns) {
 
 /// The dense solution of the regression is another way to the same numbers.
 TEST(UnknownsFilter, IsTheRegressionByAGaussianProcess) {
-  const Regression r = made({{.name = "constant", .std = 10.0},
-                             {.name = "fast", .std = 2.0, .memory = 60.0},
-                             {.name = "slow", .std = 1.0, .memory = 900.0},
-                             {.name = "gain", .std = 0.3, .memory = 5000.0}});
+  const DenseRegression r = made({{.name = "constant", .std = 10.0},
+                                  {.name = "fast", .std = 2.0, .memory = 60.0},
+                                  {.name = "slow", .std = 1.0, .memory = 900.0},
+                                  {.name = "gain", .std = 0.3, .memory = 5000.0}});
   const UnknownsFilter filter = r.filtered();
   for (const double ahead : {0.0, 20.0, 300.0}) {
     const std::vector<double> h{1.0, 1.0, -0.4, 7.0};
@@ -86,7 +86,7 @@ TEST(UnknownsFilter, IsTheRegressionByAGaussianProcess) {
 /// By hand: kernel 9 + 4 exp(-|t - t'|/100), readings 5 and 4 at 0 and 50 with a noise of 0.5; at
 /// 120 by Cramer's rule in another program.
 TEST(UnknownsFilter, AgreesWithTwoReadingsByHand) {
-  Regression r{
+  DenseRegression r{
       .unknowns = {{.name = "constant", .std = 3.0}, {.name = "fast", .std = 2.0, .memory = 100.0}},
       .time = {0.0, 50.0},
       .reading = {5.0, 4.0},
@@ -99,10 +99,10 @@ TEST(UnknownsFilter, AgreesWithTwoReadingsByHand) {
 /// Recursive least squares: constants learnt one reading at a time are those of the normal
 /// equations (H'H + r²/s²) x = H'y.
 TEST(UnknownsFilter, OfConstantsIsLeastSquaresInClosedForm) {
-  const Regression r = made({{.name = "a", .std = 4.0},
-                             {.name = "b", .std = 3.0},
-                             {.name = "c", .std = 2.0},
-                             {.name = "d", .std = 1.0}});
+  const DenseRegression r = made({{.name = "a", .std = 4.0},
+                                  {.name = "b", .std = 3.0},
+                                  {.name = "c", .std = 2.0},
+                                  {.name = "d", .std = 1.0}});
   const UnknownsFilter filter = r.filtered();
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();

@@ -48,7 +48,7 @@ MadeRecord cooled_record() {
   return made;
 }
 
-Model model() {
+Model driven_model() {
   Model m{.name = "z", .displacement = &series_column("displacement_z_um")};
   m.tolerance = 1e-6;
   m.channels = {{.name = "front",
@@ -61,7 +61,7 @@ Model model() {
 }
 
 Model seen_cooled_model() {
-  Model m = model();
+  Model m = driven_model();
   see(m, cooled_record().record);
   return m;
 }
@@ -126,7 +126,7 @@ TEST(Range, ARoomThatIsWarmWhileTheSpindleIsColdWasNeverSeen) {
   made.with("front_temperature_C", [&](double t) { return 22 + 10 * warmth(t); })
       .with("coolant_temperature_C",
             [&](double t) { return 21 + 3 * warmth(t) + 0.2 * std::sin(t / 170.0); });
-  Model m = model();
+  Model m = driven_model();
   see(m, made.record);
   ASSERT_TRUE(m.together);
   MadeRecord other(20000, 20);
@@ -146,7 +146,7 @@ TEST(Range, ARoomThatIsWarmWhileTheSpindleIsColdWasNeverSeen) {
 
 TEST(Range, SizesActWithoutTheirSign) {
   MadeRecord made = cooled_record();
-  Model m = model();
+  Model m = driven_model();
   m.kinematic = Kinematic{1.28e-3, 0.697, 5.3e-4};
   see(m, made.record);
   EXPECT_EQ(seen_speed(m).lower, 0.0);
@@ -242,7 +242,7 @@ TEST(Range, AFitIsNotBoundedByTheRangeOfTheRecordBefore) {
 /// y = g x: its error is that of g times x, and none where two gains on one lag cancel.
 TEST(Band, IsThePropagatedErrorOfTheNumbers) {
   const MadeRecord made = cooled_record();
-  Model m = model();
+  Model m = driven_model();
   m.channels.push_back(m.channels.front());
   m.channels.back().name = "again";
   const auto series = std::make_shared<const Series>(made.record);
@@ -267,7 +267,7 @@ TEST(Band, ALastDigitInTheFirstRowsStays) {
   made.with("front_temperature_C",
             [](double t) { return 30 + 0.5 * std::round(16 * std::sin(t / 3000.0)); })
       .with("coolant_temperature_C", [](double t) { return 22 + 2 * std::sin(t / 1700.0); });
-  Model m = model();
+  Model m = driven_model();
   m.covariance = fit::Covariance{.names = {"offset"},
                                  .values = Eigen::VectorXd::Zero(1),
                                  .matrix = Eigen::MatrixXd::Zero(1, 1)};

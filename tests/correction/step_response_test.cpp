@@ -99,10 +99,11 @@ TEST(StepResponse, OfASpeedToAPowerIsThatOfAThousandRevolutionsAsWell) {
 
 TEST(StepResponse, NamesEffectsWithWhichTheChannelAnswersOtherwise) {
   Model model = two_sections();
-  model.effects = {
-      {.id = "thermal-asymmetry", .values = {1.4}},
-      {.id = "ambient-drift", .columns = {drive_column("room_temperature_C")}, .values = {-2.5, 14000}},
-      {.id = "offset-jump", .values = {4, 100}}};
+  model.effects = {{.id = "thermal-asymmetry", .values = {1.4}},
+                   {.id = "ambient-drift",
+                    .columns = {drive_column("room_temperature_C")},
+                    .values = {-2.5, 14000}},
+                   {.id = "offset-jump", .values = {4, 100}}};
   const std::vector<StepResponse> list = step_responses(model, step_of_temperature().record);
   ASSERT_EQ(list.size(), 2U);
   EXPECT_THAT(list[0].changed_by, ElementsAre("thermal-asymmetry"));
@@ -122,8 +123,9 @@ TEST(StepResponse, OfADelayElementIsShownAtTheMedianAndTheLargestPowerThatItTake
       .name = "power_W", .table = table, .axial_load = 500, .temperature = 300};
   model.channels[0].sections.clear();
   // T = 6000 s - 50 s/W P: no more than 120 W.
-  model.channels[0].element = DelayElement{.gain = Characteristic::Line{0.5 * um, 10 * um},
-                                           .time_constant = Characteristic::Line{-50, 6000}};
+  const DelayElement element{.gain = Characteristic::Line{0.5 * um, 10 * um},
+                             .time_constant = Characteristic::Line{-50, 6000}};
+  model.channels[0].element = element;
   MadeRecord made = step_of_temperature();
   made.with("speed_rpm", [](double t) {
     return (t < 9000 ? 0.0 : t < 24000 ? 40.0 : t < 29000 ? 100.0 : 500.0) / rpm;

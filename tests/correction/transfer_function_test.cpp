@@ -69,8 +69,8 @@ TEST_P(Published, AnswersAStepAsTheReference) {
                                      [](double a, double b) { return std::abs(a) < std::abs(b); });
   EXPECT_NEAR(*peak / known["step_peak_um"].get<double>(), 1.0, 1e-6);
   // At its end an answer is flat to the last digits: many times are that of the peak.
-  const auto at = std::min(known["step_peak_time_s"].get<std::size_t>(), y.size() - 1);
-  EXPECT_NEAR(y[at] / known["step_peak_um"].get<double>(), 1.0, 1e-6);
+  const auto of_peak = std::min(known["step_peak_time_s"].get<std::size_t>(), y.size() - 1);
+  EXPECT_NEAR(y[of_peak] / known["step_peak_um"].get<double>(), 1.0, 1e-6);
 }
 
 TEST_P(Published, EndsInSinglePrecisionWhereTheReferenceDoes) {

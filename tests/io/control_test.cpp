@@ -143,6 +143,7 @@ sections = [{ gain_um_K = 2.0, time_constant_s = 6000 }]
 [[correction.channel]]
 name = "lazy"
 input = "table_speed_rpm"
+exponent = 1.5
 sections = [{ gain_um_rpm = -0.02, time_constant_s = 2000 }]
 [[correction.channel]]
 name = "power-law"
