@@ -66,6 +66,10 @@ class Checking {
     if (const double q = quantum_of(channel, c.values); std::isfinite(q))
       result_.quanta.push_back({&channel, q});
     const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
+    // A speed or a feed that stays what it is from the first row on is a step from rest.
+    const bool is_step =
+        *low != 0.0 && record::course_of(channel) == record::Course::held && channel.is_input();
+    if (*low == *high && is_step) return;
     if (*low == *high)
       return warn_of(channel,
                      fmt::format("{} never varies: nothing can be learnt from it", channel.name));

@@ -169,6 +169,19 @@ TEST(RecordCheck, NamesWhatIsWrongWithSensors) {
   EXPECT_EQ(check.longest, 20000.0);
 }
 
+/// A speed that is there from the first row on is a step; one that is 0 throughout is nothing.
+TEST(RecordCheck, ASpeedFromTheFirstRowOnIsAStep) {
+  MadeRecord step(3600, 60);
+  step.with("speed_rpm", [](double) { return 5000.0; })
+      .with("table_speed_rpm", [](double) { return 0.0; })
+      .with("displacement_z_um", [](double t) { return t / 600; });
+  const Model of_step{.displacement = record::series_channel("displacement_z_um")};
+  const RecordCheck check = check_record(of_step, step.record);
+  EXPECT_THAT(check.warnings,
+              testing::Not(Contains(testing::StartsWith("speed_rpm never varies"))));
+  EXPECT_THAT(check.warnings, Contains(HasSubstr("table_speed_rpm never varies")));
+}
+
 TEST(RecordCheck, FindsTheLastDigitOfASensor) {
   MadeRecord made = made_record();
   made.with("front_temperature_C",
