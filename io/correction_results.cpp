@@ -72,6 +72,16 @@ json identified_object(const Identification& found) {
                  {"correlation_time_s", found.correlation_time},
                  {"whiteness_p_value", found.whiteness_p_value},
                  {"warnings", found.messages}});
+  if (!found.is_bank()) return result;
+  json ahead = json::array(), strengths = json::array();
+  for (const correction::AheadError& e : found.ahead)
+    ahead.push_back({{"from_s", e.from}, {"rmse_um", e.rms / um}});
+  for (const correction::StrengthTried& t : found.strengths)
+    strengths.push_back({{"strength", t.strength},
+                         {"speed_weight", t.speed_weight},
+                         {"rmse_ahead_um", t.rms_ahead / um},
+                         {"share", t.share}});
+  result.update({{"ahead", std::move(ahead)}, {"strengths", std::move(strengths)}});
   return result;
 }
 

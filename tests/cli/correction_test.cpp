@@ -212,6 +212,50 @@ TEST_F(Correction, AHeatUpAloneCannotValidate) {
                  "cannot validate a model");
 }
 
+/// Five channels of a real spindle: found in 26 h, run over the next 8 h without a new zero.
+TEST_F(Correction, ABankOfLagsPredictsHoursThatItDidNotSee) {
+  const std::string spindle =
+      std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/spindle_thermal/";
+  const std::string record = " " + spindle + "record.csv ";
+  double sum = 0.0, sum_of_nothing = 0.0;
+  for (int channel = 1; channel <= 5; ++channel) {
+    const std::string bare = spindle + "bare" + std::to_string(channel) + ".toml",
+                      bank = path("bank" + std::to_string(channel) + ".toml");
+    const json found =
+        parsed(run("identify " + bare + record + "--lags auto --until 26h --json -o " + bank));
+    EXPECT_EQ(found["ahead"].size(), 6U);
+    EXPECT_EQ(found["strengths"].size(), 21U);
+    EXPECT_EQ(found["metrics"]["readings"], 6241);
+    const json c =
+        parsed(run("compare " + bare + " " + bank + record + "--from 26h --zero none --json"));
+    EXPECT_EQ(c["models"][1]["rows"], 1921);
+    sum_of_nothing += c["models"][0]["rmse"].get<double>() / 5;
+    sum += c["models"][1]["rmse"].get<double>() / 5;
+  }
+  EXPECT_GT(sum_of_nothing, 25.0);
+  EXPECT_LT(sum, 2.0);
+}
+
+/// Their inputs drive the model all the same.
+TEST_F(Correction, ReadingsCountFromAndUntil) {
+  const std::string model = data + "exact/correction.toml", record = data + "exact/train.csv";
+  const auto readings = [&](const std::string& flags) {
+    return parsed(
+               run("correct " + model + " " + record + " --json " + flags))["metrics"]["readings"]
+        .get<int>();
+  };
+  const int all = readings("");
+  EXPECT_EQ(readings("--until 10h") + readings("--from 600.001min"), all);
+  EXPECT_EQ(readings("--from 0s"), all);
+  expect_refused(run("correct " + model + " " + record + " --from 5x"), "as 22h, 90min or 3600s");
+  expect_refused(run("correct " + model + " " + record + " --from 5000h"), "no reading from 5000h");
+  expect_refused(
+      run("compare " + std::string(RACEWAY_SOURCE_DIR) +
+          "/tests/hidden_effect/rigs/dev-03/model.toml " + std::string(RACEWAY_SOURCE_DIR) +
+          "/tests/hidden_effect/rigs/dev-03/train.csv --from 1h"),
+      "belong to records over time");
+}
+
 TEST_F(Correction, CheckTellsWhatARecordIsWorth) {
   const json d =
       parsed(run("check " + data + "power/correction.toml " + data + "power/train.csv --json"));
