@@ -11,6 +11,7 @@
 #include "fit/covariance.h"
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
+#include "model/spindle.h"
 #include "record/parameter.h"
 
 namespace raceway::model {
@@ -59,6 +60,8 @@ struct Model {
   std::vector<std::string> free;
   /// The first bearing of its front set is `bearing`.
   std::optional<Shaft> shaft = {};
+  /// What stands around the sets, where the model is of a whole spindle; `shaft` is there too.
+  std::optional<Spindle> spindle = {};
   /// Errors that do not matter to whoever uses the model, by the name of the measured channel [SI].
   std::vector<record::NamedValue> tolerances = {};
   /// Of parameters that were fitted, at the values that they have here.

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "record/units.h"
+
+namespace raceway::effects {
+
+/// What effects change of a spindle: plain factors and sources. Changes of several effects multiply
+/// factors and add sources.
+struct SpindleCondition {
+  double outer_seat_factor = 1.0;           ///< on the conductance of the outer seats [1]
+  double convection_factor = 1.0;           ///< on free convection of housing and end faces [1]
+  double bearing_conductance_factor = 1.0;  ///< on ball and lubricant conduction [1]
+  double flange_conductance_factor = 1.0;   ///< on the path into the machine [1]
+  /// Heat at 10 000 rpm [W], with the power 1 of the speed.
+  double motor_heat = 0.0;  ///< into the housing over the gap between the sets, and the shaft there
+  double drive_heat = 0.0;  ///< into the shaft behind the last bearing
+  double seal_heat = 0.0;  ///< into the shaft at the nose, between the housing's face and bearing 1
+  /// Powers of the speed of motor and drive heat [1].
+  double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
+  /// Of a sleeve that the model lacks, from the housing to the inlet (else the ambient) [W/K].
+  double sleeve_conductance = 0.0;
+  /// Rise of the machine at the flange [K], approached with a time constant [s].
+  double structure_rise = 0.0, structure_time = 3600.0;
+  /// Share of the way from friction by the model's own choice of preload to the other one [1].
+  double other_preload_feedback = 0.0;
+  [[nodiscard]] bool operator==(const SpindleCondition&) const = default;
+};
+
+}  // namespace raceway::effects

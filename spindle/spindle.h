@@ -1,0 +1,131 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "effects/spindle_condition.h"
+#include "model/model.h"
+
+/// The spindle that calls the bearings: temperatures, expansion, preload and friction together; the
+/// beam on its bearings.
+namespace raceway::spindle {
+
+/// How a simulation ended.
+enum class Status { not_run, converged, no_equilibrium, thermal_runaway, step_limit };
+
+/// As files write it: "thermal_runaway".
+[[nodiscard]] std::string_view name(Status status);
+/// For people, a sentence.
+[[nodiscard]] std::string_view words(Status status);
+
+/// What a spindle runs under. NaN: as the model says.
+struct Inputs {
+  double speed = 0.0;                  ///< [rad/s], >= 0
+  double ambient_temperature = unset;  ///< [K]
+  double machine_temperature = unset;  ///< [K]
+  double coolant_inlet = unset;        ///< [K]
+  double motor_heat = unset;           ///< [W]
+  double axial_load = 0.0;             ///< at the nose, positive towards the tool [N]
+  double radial_load = 0.0;            ///< [N]
+  bool coolant_on = true;
+  [[nodiscard]] bool operator==(const Inputs&) const = default;
+};
+
+/// A row of a speed programme: its inputs hold from the row before it to its time.
+struct ProfileRow {
+  double time = unset;  ///< [s], rising
+  Inputs inputs = {};
+};
+
+/// One bearing of the sets.
+struct BearingState {
+  double inner_ring_temperature = unset, outer_ring_temperature = unset;  ///< mean of a ring [K]
+  double force = unset;                                                   ///< axial [N]
+  double power = unset;                                                   ///< of its friction [W]
+};
+
+/// Heat balance [W]; heat that leaves is positive.
+struct HeatBalance {
+  double friction = 0.0;  ///< of all bearings
+  double drive = 0.0;     ///< motor, drive, seals
+  double coolant = 0.0, air = 0.0, machine = 0.0;
+  double stored = 0.0;  ///< per second
+};
+
+/// A spindle at one moment.
+struct Moment {
+  double time = unset;          ///< [s]
+  double displacement = unset;  ///< of the nose face against the flange, towards the tool [m]
+  double kinematic_displacement = unset;  ///< what the sets alone move by at that speed, cold [m]
+  double set_position = unset;            ///< of the front set, from its balance [m]
+  double elongation = unset;              ///< of the shaft beyond the housing between the sets [m]
+  double front_force = unset, rear_force = unset;  ///< [N]
+  HeatBalance heat = {};
+  std::vector<BearingState> bearings = {};  ///< front set first
+  std::vector<double> sensors = {};         ///< [K], in the order of the model
+  [[nodiscard]] double thermal_displacement() const {
+    return displacement - kinematic_displacement;
+  }
+};
+
+/// Temperatures of all cells, with which a simulation can go on.
+struct State {
+  double time = 0.0;                 ///< [s]
+  double structure_hours = 0.0;      ///< since the machine began to drift [s]
+  std::vector<double> temperatures;  ///< [K]
+};
+
+struct Report {
+  Status status = Status::not_run;
+  int steps = 0, rejected = 0;
+  double energy_error = unset;  ///< stored less what came in, of the turnover; worst step [1]
+  std::string message = {};     ///< where and why it ended early
+  [[nodiscard]] bool converged() const { return status == Status::converged; }
+};
+
+/// A run through a speed programme. Where it ended early, `moments` are those before.
+struct Run {
+  std::vector<Moment> moments = {};  ///< one for each row of the programme
+  State end = {};
+  Report report = {};
+  double highest_front_force = 0.0;      ///< over all steps [N]
+  double time_of_highest_force = unset;  ///< [s]
+};
+
+/// A cell of the axisymmetric mesh, for pictures.
+struct FieldCell {
+  std::string_view part;                              ///< "shaft", "ring", "housing", "coolant"
+  double start = unset, end = unset;                  ///< behind the nose face [m]
+  double inner_radius = unset, outer_radius = unset;  ///< [m]
+  double temperature = unset;                         ///< [K]
+};
+
+/// A spindle made ready to be simulated: cells, conductances, sets as mounted. Not for several
+/// threads at once; a copy for each is cheap.
+class Simulator {
+ public:
+  /// Throws std::invalid_argument for a model that is no spindle, or one that cannot be mounted or
+  /// meshed: name, value with unit, allowed range.
+  explicit Simulator(const model::Model& model, const effects::SpindleCondition& condition = {});
+  Simulator(const Simulator&);
+  Simulator(Simulator&&) noexcept;
+  ~Simulator();
+
+  /// From `start`, or from the ambient temperature throughout.
+  [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr);
+  /// The state to which these inputs lead.
+  [[nodiscard]] Moment steady(const Inputs& inputs, Report& report);
+  /// Temperatures of the last call.
+  [[nodiscard]] State state() const;
+  [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
+  [[nodiscard]] std::size_t cells() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace raceway::spindle

@@ -1,0 +1,37 @@
+#include "spindle/spindle.h"
+
+namespace raceway::spindle {
+
+std::string_view name(Status status) {
+  switch (status) {
+    case Status::converged:
+      return "converged";
+    case Status::no_equilibrium:
+      return "no_equilibrium";
+    case Status::thermal_runaway:
+      return "thermal_runaway";
+    case Status::step_limit:
+      return "step_limit";
+    case Status::not_run:
+      break;
+  }
+  return "not_run";
+}
+
+std::string_view words(Status status) {
+  switch (status) {
+    case Status::converged:
+      return "converged";
+    case Status::no_equilibrium:
+      return "the sets have no balance";
+    case Status::thermal_runaway:
+      return "thermal runaway: friction heat raises the preload faster than heat can leave";
+    case Status::step_limit:
+      return "the limit of steps was reached";
+    case Status::not_run:
+      break;
+  }
+  return "not run";
+}
+
+}  // namespace raceway::spindle
