@@ -74,7 +74,7 @@ struct Moment {
 /// Temperatures of all cells, with which a simulation can go on.
 struct State {
   double time = 0.0;                 ///< [s]
-  double structure_hours = 0.0;      ///< since the machine began to drift [s]
+  double structure_time = 0.0;       ///< since the machine began to drift [s]
   std::vector<double> temperatures;  ///< [K]
 };
 
@@ -88,7 +88,8 @@ struct Report {
 
 /// A run through a speed programme. Where it ended early, `moments` are those before.
 struct Run {
-  std::vector<Moment> moments = {};  ///< one for each row of the programme
+  std::vector<Moment> moments = {};    ///< one for each row of the programme
+  std::vector<double> step_ends = {};  ///< of the time steps [s]
   State end = {};
   Report report = {};
   double highest_front_force = 0.0;      ///< over all steps [N]
@@ -114,12 +115,18 @@ class Simulator {
   Simulator(Simulator&&) noexcept;
   ~Simulator();
 
-  /// From `start`, or from the ambient temperature throughout.
-  [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr);
+  /// From `start`, or from the ambient temperature throughout. `step_ends`: those of another run of
+  /// the same programme, taken as they are; fits so see no other steps as parameters change.
+  [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr,
+                             std::span<const double> step_ends = {});
   /// The state to which these inputs lead.
   [[nodiscard]] Moment steady(const Inputs& inputs, Report& report);
   /// Temperatures of the last call.
-  [[nodiscard]] State state() const;
+  [[nodiscard]] const State& state() const;
+  /// The sets at the end of the last call; null in a network.
+  [[nodiscard]] const bearing::ArrangementEquilibrium* sets() const;
+  /// What the sets ran under there; null in a network.
+  [[nodiscard]] const bearing::ArrangementCondition* sets_condition() const;
   [[nodiscard]] std::vector<FieldCell> field(const State& state) const;
   [[nodiscard]] std::size_t cells() const;
 

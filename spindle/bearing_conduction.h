@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cmath>
+
+#include "bearing/balls.h"
+#include "bearing/bearing.h"
+#include "record/units.h"
+
+namespace raceway::spindle {
+
+/// Heat from ring to ring through the balls of a bearing.
+///
+///   G = Z/(R_i + R_o),   R = K(k)/(2 π a) (1/λ_ball + 1/λ_ring) = R(1 N)/Q^(1/3)
+///
+/// The modulus of K is that of the contact, k² = 1 - b²/a², the same at every load, and a goes with
+/// the cube root of the load: one cube root a race is all that is left per call.
+/// Source:   constriction_resistance() with Hertz's semi-axes; the ball itself conducts well.
+/// Domain:   loads >= 0; zero where a ball touches one race only.
+/// Accuracy: dry and at rest. Oil film, lubricant and balls that roll carry several times as much:
+///           model::Spindle::lubricant_conductance is beside it.
+class BallConduction {
+ public:
+  /// Conductivities [W/(m K)].
+  BallConduction(const bearing::Bearing& bearing, double ball_conductivity,
+                 double ring_conductivity)
+      : count_(bearing.geometry().ball_count),
+        inner_(of(bearing.contact(bearing::Race::inner), ball_conductivity, ring_conductivity)),
+        outer_(of(bearing.contact(bearing::Race::outer), ball_conductivity, ring_conductivity)) {}
+
+  /// Resistance of one contact under that load [K/W]; infinite without load.
+  [[nodiscard]] double resistance(bearing::Race race, double load) const {
+    return 1.0 / ((race == bearing::Race::inner ? inner_ : outer_) * std::cbrt(load));
+  }
+  /// Of one ball [W/K].
+  [[nodiscard]] double ball(double inner_load, double outer_load) const {
+    if (!(inner_load > 0.0) || !(outer_load > 0.0)) return 0.0;
+    const double inner = inner_ * std::cbrt(inner_load), outer = outer_ * std::cbrt(outer_load);
+    return inner * outer / (inner + outer);
+  }
+  /// Of a bearing whose balls are all loaded alike [W/K].
+  [[nodiscard]] double conductance(double inner_load, double outer_load) const {
+    return count_ * ball(inner_load, outer_load);
+  }
+  /// Of a bearing with these balls [W/K].
+  [[nodiscard]] double conductance(const bearing::Balls& balls) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < balls.distinct().size(); ++k)
+      sum += balls.weight(k) * ball(balls.distinct()[k].inner_load, balls.distinct()[k].outer_load);
+    return sum;
+  }
+
+ private:
+  /// Conductance of a contact under 1 N [W/(K N^(1/3))].
+  static double of(const bearing::HertzContact& contact, double ball, double ring) {
+    return 2.0 * pi * contact.semi_major_axis(1.0) /
+           (contact.first_integral * (1.0 / ball + 1.0 / ring));
+  }
+
+  double count_, inner_, outer_;
+};
+
+}  // namespace raceway::spindle

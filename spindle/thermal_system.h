@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "effects/spindle_condition.h"
+#include "spindle/bearing_conduction.h"
+#include "spindle/heat_paths.h"
+#include "spindle/layout.h"
+#include "spindle/spindle.h"
+
+namespace raceway::spindle {
+
+/// The cells of a spindle with their ways for heat, all but the bearings: their friction and what
+/// their balls conduct depend on the sets (BearingCoupling).
+///
+/// Films and seats follow the temperatures that update() is given; within a time step they are
+/// held.
+class ThermalSystem {
+ public:
+  ThermalSystem(const model::Model& model, const effects::SpindleCondition& condition,
+                model::Cells cells);
+
+  [[nodiscard]] const HeatPaths& paths() const { return paths_; }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  /// The node of the coolant; -1 without.
+  [[nodiscard]] int coolant_node() const { return coolant_; }
+
+  /// Conductances at these temperatures and inputs.
+  void update(const Vector& temperatures, const Inputs& inputs);
+  /// Reservoirs and sources of these inputs; `machine_rise`: what the machine has drifted by [K].
+  void set_inputs(const Inputs& inputs, double machine_rise);
+  /// Heat of motor, drive and seals [W].
+  [[nodiscard]] double driven_heat() const { return driven_heat_; }
+  [[nodiscard]] double ambient(const Inputs& inputs) const;
+
+ private:
+  /// A group of ways of one conductance per area.
+  struct Group {
+    std::size_t first = 0;  ///< place in links or outlets
+    Joints joints;
+    double area = 0.0;  ///< [m²]
+  };
+  Group add_links(const Joints& joints);
+  Group add_outlets(const Joints& joints, Reservoir reservoir);
+  void set_links(const Group& group, double film);
+  void set_outlets(const Group& group, double film);
+  void add_fixed();
+  void add_sleeve(const effects::SpindleCondition& condition);
+  void update_seats(const Vector& temperatures, double speed);
+  void update_room(const Vector& temperatures, double speed);
+  void update_coolant(const Vector& temperatures, const Inputs& inputs);
+  void add_source(const Shares& shares, double heat);
+
+  model::Spindle spindle_;
+  effects::SpindleCondition condition_;
+  Layout layout_;
+  HeatPaths paths_;
+  int coolant_ = -1;
+  std::vector<Group> inner_seats_, outer_seats_;
+  Group housing_, ends_, nose_, rear_, gap_, coolant_walls_;
+  std::size_t coolant_flow_ = 0;  ///< its outlet
+  double nose_diameter_ = unset, rear_diameter_ = unset;
+  double driven_heat_ = 0.0;
+};
+
+/// Mean temperature of some cells [K].
+[[nodiscard]] double mean(const Shares& shares, const Vector& temperatures);
+
+}  // namespace raceway::spindle

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <numbers>
+
+namespace raceway::spindle {
+
+/// TR-BDF2 of γ = 2 - √2, as a Runge-Kutta method of three stages with an explicit first one:
+///
+///   T_γ = T_0 + dt d (f_0 + f_γ)
+///   T_1 = T_0 + dt (w f_0 + w f_γ + d f_1),     d = γ/2,  w = √2/4
+///
+/// Both implicit stages have the matrix C + dt d G. Stored is what flowed: sum C (T_1 - T_0) is
+/// exactly dt times the weighted flows.
+/// Source:   Bank et al. 1985; Hosea and Shampine, Appl. Numer. Math. 20 (1996) 21, which has the
+///           embedded weights of order 3.
+/// Accuracy: order 2; L-stable, R(z) -> 0 for z -> -inf.
+struct TrBdf2 {
+  static constexpr double gamma = 2.0 - std::numbers::sqrt2;
+  static constexpr double diagonal = 0.5 * gamma;
+  static constexpr double weight = 0.25 * std::numbers::sqrt2;
+  static constexpr std::array<double, 3> weights{weight, weight, diagonal};
+  /// Weights less those of the embedded method of order 3.
+  static constexpr std::array<double, 3> error_weights{weight - (1.0 - weight) / 3.0,
+                                                       weight - (3.0 * weight + 1.0) / 3.0,
+                                                       diagonal - diagonal / 3.0};
+
+  /// T_1/T_0 for dT/dt = λ T, z = λ dt.
+  [[nodiscard]] static constexpr double amplification(double z) {
+    const double middle = (1.0 + diagonal * z) / (1.0 - diagonal * z);
+    return (1.0 + weight * z + weight * z * middle) / (1.0 - diagonal * z);
+  }
+};
+
+}  // namespace raceway::spindle

@@ -1,0 +1,157 @@
+#include "spindle/warm_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "friction/heat.h"
+#include "model/heat_split.h"
+
+namespace raceway::spindle {
+namespace {
+
+/// The steps of effects that change the friction moment of a bearing in its set.
+model::Steps friction_steps(const model::Model& model) {
+  model::Steps steps(model);
+  steps.condition.clear();  // the balance of the sets finds the conditions
+  return steps;
+}
+
+}  // namespace
+
+WarmSets::WarmSets(const model::Model& model, const effects::SpindleCondition& condition)
+    : model_(model), steps_(model_), friction_(friction_steps(model_)) {
+  has_effects_ =
+      !friction_.entry.empty() || !friction_.lubricant.empty() || !friction_.moment.empty();
+  has_conditions_ = !steps_.condition.empty();
+  const double other = std::clamp(condition.other_preload_feedback, 0.0, 1.0);
+  feedback_ = model.spindle->preload_feedback ? 1.0 - other : other;
+  if (!balance_.mount(model_, steps_))
+    throw std::invalid_argument("arrangement: the sets cannot be mounted with these values");
+  const auto bearings = arrangement().bearings();
+  heat_.resize(bearings.size());
+  if (has_effects_)
+    for (const bearing::MountedBearing& m : bearings) {
+      singles_.push_back(model_);
+      singles_.back().shaft.reset();
+      singles_.back().spindle.reset();
+      singles_.back().bearing = *m.bearing;
+    }
+  const bearing::ArrangementEquilibrium still = solve_arrangement(arrangement(), {}, model_.solver);
+  rest_ = still.report.converged() ? still.position : 0.0;
+}
+
+bool WarmSets::find_condition(const bearing::OperatingPoint& point,
+                              shaft::ShaftCondition& condition) const {
+  if (has_conditions_)
+    return balance_.find_condition(model_, steps_, point, {}, std::nullopt, condition);
+  condition.sets = {.speed = point.speed, .external_load = point.axial_load};
+  condition.bearings.assign(bearings(), {});
+  return true;
+}
+
+bool WarmSets::set_inputs(const Inputs& inputs) {
+  const bearing::OperatingPoint point{.speed = inputs.speed,
+                                      .axial_load = inputs.axial_load,
+                                      .temperature = arrangement().design().mounting_temperature};
+  if (!find_condition(point, speed_)) return false;
+  if (speed_.sets.shifts.empty()) speed_.sets.shifts.assign(bearings(), {});
+  bearing::ArrangementEquilibrium cold = solve_arrangement(
+      arrangement(), speed_.sets, model_.solver, cold_.report.converged() ? &cold_ : nullptr);
+  if (!cold.report.converged()) return false;
+  inputs_ = inputs;
+  cold_ = std::move(cold);
+  if (!sets_.report.converged()) sets_ = cold_;
+  return true;
+}
+
+bool WarmSets::solve(const SetsAsked& asked) {
+  asked_ = speed_;
+  bearing::ArrangementCondition& sets = asked_.sets;
+  sets.elongation += asked.elongation;
+  const double mounted_at = arrangement().design().mounting_temperature;
+  for (std::size_t k = 0; k < bearings(); ++k) {
+    const bearing::RingShift warm = thermal_shift(
+        *arrangement().bearings()[k].bearing,
+        {.inner_ring = asked.inner_ring[k], .outer_ring = asked.outer_ring[k]}, mounted_at);
+    bearing::RingShift& shift = sets.shifts[k];
+    shift.axial += warm.axial;
+    shift.radial += warm.radial;
+    shift.inner_length += warm.inner_length;
+    shift.outer_length += warm.outer_length;
+  }
+  bearing::ArrangementEquilibrium found = solve_arrangement(
+      arrangement(), sets, model_.solver, sets_.report.converged() ? &sets_ : &cold_);
+  if (!found.report.converged()) return false;
+  std::vector<BearingHeat> heat(bearings());
+  for (std::size_t k = 0; k < bearings(); ++k) {
+    heat[k] = heat_of(k, asked, found);
+    if (!std::isfinite(heat[k].power())) return false;
+  }
+  sets_ = std::move(found);
+  heat_ = std::move(heat);
+  return true;
+}
+
+BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
+                              const bearing::ArrangementEquilibrium& sets) const {
+  const bearing::BearingInSet& b = sets.bearings[k];
+  BearingHeat heat;
+  heat.force = b.axial_load;
+  heat.inner_contact = b.lost() ? 0.0 : b.ball.inner_load;
+  heat.outer_contact = b.ball.outer_load;
+  const double load = feedback_ * b.axial_load + (1.0 - feedback_) * cold_.bearings[k].axial_load;
+  const double temperature = 0.5 * (asked.inner_ring[k] + asked.outer_ring[k]);
+  if (has_effects_) {
+    const BearingHeat split = heat_with_effects(k, load, temperature, asked, sets);
+    heat.inner = split.inner, heat.outer = split.outer;
+    return heat;
+  }
+  friction::BearingState<double> state = model::bearing_state(
+      model_, {.speed = inputs_.speed, .axial_load = load, .temperature = temperature}, nullptr);
+  state.bearing = arrangement().bearings()[k].bearing.get();
+  const friction::BaseMoments<double> base =
+      friction::base_moments<double>(model_.law, state, model_.law_values);
+  const double share = model_.spindle->inner_heat_share;
+  if (std::isfinite(share)) {
+    const double power = friction::power_loss(base.load + base.viscous, inputs_.speed);
+    heat.inner = share * power, heat.outer = (1.0 - share) * power;
+    return heat;
+  }
+  const bearing::BearingEquilibrium balls = sets.bearing(k, arrangement());
+  state.equilibrium = &balls;
+  const friction::HeatSplit split =
+      friction::split_heat(state, {.load = base.load, .viscous = base.viscous});
+  heat.inner = split.inner, heat.outer = split.outer;
+  return heat;
+}
+
+BearingHeat WarmSets::heat_with_effects(std::size_t k, double load, double temperature,
+                                        const SetsAsked& asked,
+                                        const bearing::ArrangementEquilibrium& sets) const {
+  const bearing::OperatingPoint alone{
+      .speed = inputs_.speed, .axial_load = load, .temperature = temperature};
+  model::Steps steps = friction_;
+  steps.equilibrium = true;
+  auto balls = std::make_shared<const bearing::BearingEquilibrium>(sets.bearing(k, arrangement()));
+  const effects::Record record{.inner_ring_temperature = asked.inner_ring[k],
+                               .outer_ring_temperature = asked.outer_ring[k]};
+  model::RowPredictor row(singles_[k], steps, alone, record, balls, asked_.bearings[k],
+                          arrangement().bearings()[k].bearing);
+  (void)row.predict(singles_[k], steps);
+  const model::FrictionPrediction friction = row.prediction(singles_[k]);
+  const double power = friction::power_loss(friction.torque, inputs_.speed);
+  BearingHeat heat;
+  const double share = model_.spindle->inner_heat_share;
+  if (std::isfinite(share)) {
+    heat.inner = share * power, heat.outer = (1.0 - share) * power;
+    return heat;
+  }
+  const friction::HeatSplit split = model::heat_split(singles_[k], alone, *balls, friction);
+  heat.inner = split.inner, heat.outer = split.outer;
+  return heat;
+}
+
+}  // namespace raceway::spindle

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bearing/arrangement_equilibrium.h"
+#include "effects/spindle_condition.h"
+#include "model/model.h"
+#include "model/row_predictor.h"
+#include "shaft/shaft_balance.h"
+#include "spindle/spindle.h"
+
+namespace raceway::spindle {
+
+/// Temperatures that the sets feel.
+struct SetsAsked {
+  std::vector<double> inner_ring, outer_ring;  ///< mean of each ring [K]
+  double elongation = 0.0;                     ///< of the shaft beyond the housing [m]
+};
+
+/// The friction of one bearing in its set, and what it conducts.
+struct BearingHeat {
+  double inner = 0.0, outer = 0.0;                  ///< heat that arises at each ring [W]
+  double force = 0.0;                               ///< axial [N]
+  double inner_contact = 0.0, outer_contact = 0.0;  ///< load of a ball [N]
+  [[nodiscard]] double power() const { return inner + outer; }
+};
+
+/// The sets of a spindle at the temperatures of its rings: balance, forces, friction heat.
+///
+/// Each bearing has its own ring temperatures (thermal_shift(), balls at the mean of the rings);
+/// the lubricant is at the mean of the rings [SPINDLE.md, as the data with a known answer were
+/// made]. Friction follows the axial forces of the warm sets, or those of the cold ones at that
+/// speed.
+class WarmSets {
+ public:
+  /// Throws std::invalid_argument where the sets cannot be mounted.
+  WarmSets(const model::Model& model, const effects::SpindleCondition& condition);
+
+  /// What the sets run under from now on; false where the cold sets have no balance.
+  [[nodiscard]] bool set_inputs(const Inputs& inputs);
+  /// False where the sets have no balance; then nothing has changed.
+  [[nodiscard]] bool solve(const SetsAsked& asked);
+
+  [[nodiscard]] std::span<const BearingHeat> heat() const { return heat_; }
+  [[nodiscard]] const bearing::ArrangementEquilibrium& sets() const { return sets_; }
+  [[nodiscard]] const bearing::ArrangementEquilibrium& cold_sets() const { return cold_; }
+  [[nodiscard]] const bearing::ArrangementCondition& asked() const { return asked_.sets; }
+  [[nodiscard]] const bearing::Arrangement& arrangement() const { return balance_.arrangement(); }
+  [[nodiscard]] std::size_t bearings() const { return heat_.size(); }
+  /// Position that the sets have at standstill without any load or heat [m].
+  [[nodiscard]] double rest() const { return rest_; }
+
+ private:
+  [[nodiscard]] bool find_condition(const bearing::OperatingPoint& point,
+                                    shaft::ShaftCondition& condition) const;
+  [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
+                                    const bearing::ArrangementEquilibrium& sets) const;
+  [[nodiscard]] BearingHeat heat_with_effects(std::size_t bearing, double load, double temperature,
+                                              const SetsAsked& asked,
+                                              const bearing::ArrangementEquilibrium& sets) const;
+
+  model::Model model_;
+  model::Steps steps_, friction_;
+  bool has_effects_ = false;  ///< that act on friction
+  bool has_conditions_ = false;
+  double feedback_ = 1.0;  ///< share of the way from cold to warm forces [1]
+  shaft::ShaftBalance balance_;
+  std::vector<model::Model> singles_;  ///< of each bearing alone, where effects ask for one
+  Inputs inputs_;
+  shaft::ShaftCondition speed_, asked_;  ///< as the speed makes it; with temperatures
+  bearing::ArrangementEquilibrium cold_, sets_;
+  std::vector<BearingHeat> heat_;
+  double rest_ = 0.0;
+};
+
+}  // namespace raceway::spindle
