@@ -47,8 +47,8 @@ struct FluidProperties {
 
 /// g of the correlations [m/s²].
 inline constexpr double gravity = 9.81;
-/// Stefan and Boltzmann's constant [W/(m² K⁴)].
-inline constexpr double stefan_boltzmann = 5.670374e-8;
+/// Stefan and Boltzmann's constant, CODATA 2018 [W/(m² K⁴)].
+inline constexpr double stefan_boltzmann = 5.670374419e-8;
 
 /// Ra = g ΔT l³ Pr/(T_film ν²) [1], of a gas.
 [[nodiscard]] inline double rayleigh(double length, double difference, double film_temperature,
