@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+
+#include "record/units.h"
+
+namespace raceway::spindle {
+
+/// How a body answers a step: gain (1 - exp(-t/time_constant)).
+struct Lag {
+  double gain = unset;           ///< where it leads to [m]
+  double time_constant = unset;  ///< [s]
+};
+
+/// A step response as one lag and as two.
+struct StepFit {
+  Lag one = {};
+  double rms = unset;  ///< that one lag leaves, over all rows [m]
+  /// The faster one first; NaN where the rows do not carry two that differ.
+  Lag fast = {}, slow = {};
+  double rms_of_two = unset;  ///< [m]
+  /// One leaves more than a hundredth of its gain, and two less than half of that.
+  bool two_needed = false;
+  /// The record lasts for two time constants at least; else gain and time constant of one lag are
+  /// a guess at what nobody saw.
+  bool settled = false;
+};
+
+/// Fits u(t) = K (1 - exp(-t/T)) to a step at t = 0, all rows alike, and the sum of two of them.
+///
+/// Source:   [Brecher2021, eq. 7].
+/// Method:   variable projection: gains by linear least squares at each time constant; these from
+///           a grid of logarithms, then by Gauss and Newton with Kaufman's derivatives. The answer
+///           needs no start.
+/// Domain:   two rows after t = 0 at two times for one lag, six for two; rows in any order and of
+///           any spacing, t >= 0 [s]. T from a tenth of the first time to thirty times the last.
+/// Accuracy: time constants to 1e-9 where the rows are of the law.
+/// Traps:    the displacement is that less its kinematic part, which is there at once and would
+///           pass for a fast lag.
+/// Throws std::invalid_argument: too few rows, a value that is not finite, a time below 0,
+/// displacements that are all zero.
+[[nodiscard]] StepFit fit_step(std::span<const double> time, std::span<const double> displacement);
+
+/// Displacement of a lag at a time after the step [m].
+[[nodiscard]] double displacement_at(const Lag& lag, double time);
+
+}  // namespace raceway::spindle
