@@ -1,0 +1,116 @@
+#include "spindle/step_response.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace raceway::spindle {
+namespace {
+
+/// Rows of one speed, from `from` on [s]; the first at `from` itself where that is 0.
+void add_rows(std::vector<ProfileRow>& profile, double from, const StepOptions& options,
+              double speed) {
+  ProfileRow row{.time = from, .inputs = options.inputs};
+  row.inputs.speed = speed;
+  if (from == 0.0) profile.push_back(row);
+  const auto rows = static_cast<int>(std::round(options.duration / options.row));
+  for (int k = 1; k <= rows; ++k) {
+    row.time = from + k * options.row;
+    profile.push_back(row);
+  }
+}
+
+/// Of moments as they are after `begin`, counted from its time, `part` of their displacement.
+template <typename Part>
+StepFit fit_moments(std::span<const Moment> moments, double begin, const Part& part) {
+  std::vector<double> time, displacement;
+  for (const Moment& m : moments) {
+    time.push_back(m.time - begin);
+    displacement.push_back(part(m));
+  }
+  return fit_step(time, displacement);
+}
+
+StepResponse step_of(const Run& run, std::span<const Moment> moments, double speed) {
+  StepResponse step{.speed = speed, .status = run.report.status, .message = run.report.message};
+  if (!step.converged()) {
+    if (step.message.empty()) step.message = words(step.status);
+    return step;
+  }
+  const Moment &first = moments.front(), &last = moments.back();
+  step.power_start = first.heat.friction;
+  step.power_end = last.heat.friction;
+  step.kinematic = last.kinematic_displacement;
+  step.end = last.thermal_displacement();
+  step.front_force = first.front_force;
+  step.highest_force = run.highest_front_force;
+  step.fit = fit_moments(moments, 0.0, [](const Moment& m) { return m.thermal_displacement(); });
+  return step;
+}
+
+void check_steps(std::span<const double> speeds, const StepOptions& options) {
+  for (const double speed : speeds)
+    if (!(speed > 0.0) || !std::isfinite(speed))
+      throw std::invalid_argument(
+          fmt::format("speed = {:.6g} rpm: a step needs one above 0 rpm", speed / rpm));
+  if (!(options.row > 0.0) || !(options.duration >= 3.0 * options.row))
+    throw std::invalid_argument(
+        fmt::format("{:.6g} s with rows of {:.6g} s: a step response needs three rows at least",
+                    options.duration, options.row));
+}
+
+}  // namespace
+
+StepResponses step_responses(const model::Model& model, std::span<const double> speeds,
+                             const StepOptions& options,
+                             const effects::SpindleCondition& condition) {
+  check_steps(speeds, options);
+  StepResponses result;
+  result.steps.resize(speeds.size());
+  const auto fastest =
+      static_cast<std::size_t>(std::max_element(speeds.begin(), speeds.end()) - speeds.begin());
+  const Simulator simulator(model, condition);
+  tbb::parallel_for(std::size_t{0}, speeds.size(), [&](std::size_t k) {
+    Simulator own = simulator;
+    std::vector<ProfileRow> profile;
+    add_rows(profile, 0.0, options, speeds[k]);
+    const Run run = own.simulate(profile);
+    result.steps[k] = step_of(run, run.moments, speeds[k]);
+    if (!options.cool_down || k != fastest || !run.report.converged()) return;
+    profile.clear();
+    add_rows(profile, run.end.time, options, 0.0);
+    const Run down = own.simulate(profile, &run.end);
+    if (!down.report.converged()) return;
+    const double hot = run.moments.back().thermal_displacement();
+    result.cool_down = fit_moments(down.moments, run.end.time,
+                                   [&](const Moment& m) { return hot - m.thermal_displacement(); });
+  });
+  return result;
+}
+
+std::vector<AtPower> at_powers(std::span<const StepResponse> steps, WhichLag which) {
+  std::vector<AtPower> points;
+  for (const StepResponse& step : steps) {
+    const Lag& lag = which == WhichLag::one    ? step.fit.one
+                     : which == WhichLag::fast ? step.fit.fast
+                                               : step.fit.slow;
+    if (step.converged() && std::isfinite(lag.gain))
+      points.push_back({step.power_end, lag.gain, lag.time_constant});
+  }
+  return points;
+}
+
+bool need_two(std::span<const StepResponse> steps) {
+  bool needed = false;
+  for (const StepResponse& step : steps) {
+    if (!step.converged()) continue;
+    if (std::isnan(step.fit.slow.gain)) return false;
+    needed = needed || step.fit.two_needed;
+  }
+  return needed;
+}
+
+}  // namespace raceway::spindle
