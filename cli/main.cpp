@@ -40,6 +40,8 @@ constexpr std::array commands{
             cli::setup_displacement},
     Command{"fit-law", "Fit the kinematic displacement law u = A n^(1 - B exp(-C n)) to a curve",
             cli::setup_fit_law},
+    Command{"step-response", "How a spindle moves after a step of its speed: K, T and their laws",
+            cli::setup_step_response},
     Command{"calibrate", "Fit the free parameters of a model to measurements",
             cli::setup_calibrate},
     Command{"calibrate-sensor", "Fit the curve of a torque sensor to readings with known torques",

@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 4> written_flags{"output", "report", "plot", "save"};
+constexpr std::array<std::string_view, 5> written_flags{"output", "report", "plot", "save",
+                                                        "correction"};
 constexpr std::array<std::string_view, 2> improve_their_model{"calibrate", "add"};
 
 struct Files {

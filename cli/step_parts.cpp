@@ -1,0 +1,128 @@
+#include "cli/step_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "io/number_text.h"
+#include "shaft/fit_kinematic_law.h"
+#include "shaft/shaft_prediction.h"
+
+namespace raceway::cli {
+namespace {
+
+constexpr int points_of_law = 40;
+constexpr double grid_step = 500 * rpm, grid_end = 60000 * rpm;
+
+std::vector<shaft::ShaftPrediction> predicted(const model::Model& model,
+                                              const std::vector<double>& speeds,
+                                              double temperature) {
+  std::vector<shaft::ShaftPoint> points;
+  for (const double speed : speeds)
+    points.push_back(
+        {.speed = speed,
+         .external_load = model.shaft->external_load,
+         .temperature = std::isnan(temperature) ? model.rig.temperature : kelvin(temperature)});
+  return shaft::predict_shaft(model, points);
+}
+
+/// Up to the least speed of a grid that has this power [W].
+std::vector<io::PowerAtSpeed> powers_of_model(const model::Model& model, double highest,
+                                              double temperature) {
+  std::vector<double> speeds;
+  for (double speed = grid_step; speed <= grid_end; speed += grid_step) speeds.push_back(speed);
+  const std::vector<shaft::ShaftPrediction> found = predicted(model, speeds, temperature);
+  std::vector<io::PowerAtSpeed> powers;
+  for (std::size_t k = 0; k < speeds.size(); ++k) {
+    if (found[k].status() != bearing::SolveStatus::converged) break;
+    powers.push_back({speeds[k], found[k].power_loss});
+    if (found[k].power_loss >= highest) break;
+  }
+  return powers;
+}
+
+std::vector<shaft::DisplacementPoint> curve_of_model(const model::Model& model, double highest) {
+  std::vector<double> speeds;
+  for (int k = 0; k <= points_of_law; ++k) speeds.push_back(highest * k / points_of_law);
+  const std::vector<shaft::ShaftPrediction> found = predicted(model, speeds, unset);
+  std::vector<shaft::DisplacementPoint> curve;
+  for (std::size_t k = 0; k < speeds.size(); ++k)
+    if (found[k].equilibrium.report.converged())
+      curve.push_back({.speed = speeds[k], .displacement = found[k].displacement});
+  return curve;
+}
+
+void add_law(const std::vector<shaft::DisplacementPoint>& curve, StepParts& parts) {
+  try {
+    const shaft::KinematicLawFit fit = shaft::fit_kinematic_law(curve);
+    if (!fit.converged()) {
+      parts.notes.push_back("no kinematic law was found: nothing moves at once in the correction");
+      return;
+    }
+    parts.kinematic = fit.law;
+    if (fit.verdict != shaft::KinematicLawVerdict::follows)
+      parts.notes.push_back(
+          fmt::format("the kinematic law does not follow these sets: off by {:.3g} um at most",
+                      fit.max_abs / um));
+  } catch (const std::invalid_argument& e) {
+    parts.notes.push_back(
+        fmt::format("no kinematic law: {}; nothing moves at once in the correction", e.what()));
+  }
+}
+
+}  // namespace
+
+std::string name_of(const spindle::StepResponse& step) {
+  return step.load_case.empty() ? fmt::format("{:.6g} rpm", step.speed / rpm) : step.load_case;
+}
+
+double friction_power(const model::Model& model, double speed, double temperature) {
+  const shaft::ShaftPrediction found = predicted(model, {speed}, temperature).front();
+  if (found.status() != bearing::SolveStatus::converged)
+    throw std::invalid_argument(
+        fmt::format("speed = {:.6g} rpm: the sets of the model do not balance there", speed / rpm));
+  return found.power_loss;
+}
+
+double kinematic_at(const model::Model& model, double speed) {
+  return predicted(model, {speed}, unset).front().displacement;
+}
+
+StepParts step_parts(const spindle::StepResponses& responses, const model::Model* model,
+                     double temperature) {
+  StepParts parts;
+  double highest = 0.0;
+  std::vector<shaft::DisplacementPoint> at_once{{.speed = 0.0, .displacement = 0.0}};
+  for (const spindle::StepResponse& step : responses.steps) {
+    if (!step.converged()) continue;
+    highest = std::max(highest, step.power_end);
+    if (!(step.speed > 0.0)) continue;
+    parts.power.push_back({step.speed, step.power_end});
+    at_once.push_back({.speed = step.speed, .displacement = step.kinematic});
+  }
+  if (parts.power.empty() && model) {
+    parts.power = powers_of_model(*model, highest, temperature);
+    parts.notes.push_back(
+        fmt::format("power over speed by the friction of the model at {:.4g} C",
+                    std::isnan(temperature) ? celsius(model->rig.temperature) : temperature));
+  }
+  std::sort(parts.power.begin(), parts.power.end(),
+            [](const auto& a, const auto& b) { return a.speed < b.speed; });
+  const auto same = [](const auto& a, const auto& b) { return a.speed == b.speed; };
+  parts.power.erase(std::unique(parts.power.begin(), parts.power.end(), same), parts.power.end());
+  const bool moves = std::any_of(at_once.begin(), at_once.end(),
+                                 [](const auto& p) { return p.displacement != 0.0; });
+  if (model && !parts.power.empty())
+    add_law(curve_of_model(*model, parts.power.back().speed), parts);
+  else if (moves)
+    add_law(at_once, parts);
+  else
+    parts.notes.push_back(
+        "nothing moves at once in the correction: no MODEL tells of the sets, and no load case "
+        "has a displacement at 0 s");
+  return parts;
+}
+
+}  // namespace raceway::cli

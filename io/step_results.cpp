@@ -1,0 +1,134 @@
+#include "io/step_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "io/csv_text.h"
+#include "io/json_text.h"
+#include "io/number_text.h"
+#include "io/printable.h"
+
+namespace raceway::io {
+namespace {
+
+using spindle::StepResponse;
+
+constexpr double minute = 60.0;
+
+struct StepColumn {
+  const char* name;
+  double (*value)(const StepResponse& step);
+};
+
+constexpr StepColumn step_columns[] = {
+    {"speed_rpm", [](const StepResponse& s) { return with_15_digits(s.speed / rpm); }},
+    {"power_start_W", [](const StepResponse& s) { return s.power_start; }},
+    {"power_end_W", [](const StepResponse& s) { return s.power_end; }},
+    {"kinematic_um", [](const StepResponse& s) { return s.kinematic / um; }},
+    {"K_um", [](const StepResponse& s) { return s.fit.one.gain / um; }},
+    {"T_min", [](const StepResponse& s) { return s.fit.one.time_constant / minute; }},
+    {"fit_rms_um", [](const StepResponse& s) { return s.fit.rms / um; }},
+    {"K1_um", [](const StepResponse& s) { return s.fit.fast.gain / um; }},
+    {"T1_min", [](const StepResponse& s) { return s.fit.fast.time_constant / minute; }},
+    {"K2_um", [](const StepResponse& s) { return s.fit.slow.gain / um; }},
+    {"T2_min", [](const StepResponse& s) { return s.fit.slow.time_constant / minute; }},
+    {"fit_rms_two_um", [](const StepResponse& s) { return s.fit.rms_of_two / um; }},
+    {"end_um", [](const StepResponse& s) { return s.end / um; }},
+    {"front_force_N", [](const StepResponse& s) { return s.front_force; }},
+    {"highest_front_force_N", [](const StepResponse& s) { return s.highest_force; }}};
+
+bool were_read(const spindle::StepResponses& responses) {
+  return std::any_of(responses.steps.begin(), responses.steps.end(),
+                     [](const StepResponse& s) { return !s.load_case.empty(); });
+}
+
+json line_json(const spindle::StraightLine& line, const char* unit, double factor) {
+  const std::string slope = fmt::format("slope_{}_W", unit),
+                    offset = fmt::format("offset_{}", unit);
+  return {{slope, line.slope / factor},
+          {offset, line.offset / factor},
+          {slope + "_std", line.slope_std / factor},
+          {offset + "_std", line.offset_std / factor}};
+}
+
+json power_json(const spindle::PowerLaw& law, const char* unit, double factor) {
+  return {{fmt::format("factor_{}", unit), law.factor / factor},
+          {"exponent", law.exponent},
+          {"exponent_std", law.exponent_std},
+          {"rms_percent", 100.0 * law.rms}};
+}
+
+}  // namespace
+
+std::string step_responses_text(const spindle::StepResponses& responses, std::string_view source,
+                                std::string_view model_text) {
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out),
+                 "# Step responses from rest, of {}\n# raceway {}\n"
+                 "# u = kinematic + K (1 - exp(-t/T)); K and T belong to the power at the end\n",
+                 printable(source), RACEWAY_VERSION);
+  if (!model_text.empty()) append_model(out, model_text);
+  const bool with_name = were_read(responses);
+  for (const StepColumn& column : step_columns)
+    fmt::format_to(std::back_inserter(out), "{},", column.name);
+  fmt::format_to(std::back_inserter(out), "status{}\n", with_name ? ",load_case" : "");
+  for (const StepResponse& step : responses.steps) {
+    for (const StepColumn& column : step_columns) {
+      append_value(out, column.value(step));
+      out.push_back(',');
+    }
+    append_text(out, spindle::name(step.status));
+    if (with_name) {
+      out.push_back(',');
+      append_text(out, step.load_case);
+    }
+    out.push_back('\n');
+  }
+  return fmt::to_string(out);
+}
+
+std::string step_responses_json(const spindle::StepResponses& responses,
+                                const spindle::PowerLaws& laws,
+                                const std::vector<std::string>& notes) {
+  json rows = json::array();
+  double from = unset, to = unset;
+  for (const StepResponse& step : responses.steps) {
+    json row = json::object();
+    if (were_read(responses)) row["load_case"] = step.load_case;
+    for (const StepColumn& column : step_columns) row[column.name] = column.value(step);
+    row["two_needed"] = step.fit.two_needed;
+    row["settled"] = step.fit.settled;
+    row["status"] = spindle::name(step.status);
+    if (!step.message.empty()) row["message"] = step.message;
+    rows.push_back(std::move(row));
+    if (!step.converged()) continue;
+    from = std::fmin(from, step.power_end);
+    to = std::fmax(to, step.power_end);
+  }
+  json document = {{"rows", std::move(rows)},
+                   {"K_of_P", line_json(laws.gain_line, "um", um)},
+                   {"T_of_P", line_json(laws.time_line, "min", minute)},
+                   {"K_power_law", power_json(laws.gain_power, "um", um)},
+                   {"T_power_law", power_json(laws.time_power, "min", minute)},
+                   {"valid_from_W", laws.valid_from},
+                   {"valid_to_W", laws.valid_to},
+                   {"seen_from_W", from},
+                   {"seen_to_W", to},
+                   {"two_needed", spindle::need_two(responses.steps)}};
+  const spindle::StepFit& down = responses.cool_down;
+  if (std::isfinite(down.one.gain))
+    document["cool_down"] = {{"K_um", down.one.gain / um},
+                             {"T_min", down.one.time_constant / minute},
+                             {"fit_rms_um", down.rms / um},
+                             {"K1_um", down.fast.gain / um},
+                             {"T1_min", down.fast.time_constant / minute},
+                             {"K2_um", down.slow.gain / um},
+                             {"T2_min", down.slow.time_constant / minute}};
+  document["notes"] = notes;
+  return text(document);
+}
+
+}  // namespace raceway::io
