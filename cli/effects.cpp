@@ -40,9 +40,14 @@ void paragraph(std::string heading, std::string_view words) {
   }
 }
 
-/// What an effect changes of what is measured.
-std::string_view measured(bool torque, bool displacement) {
-  return torque ? displacement ? "both" : "torque" : "displacement";
+/// What an effect changes, in the forms that it has: the torque of a rig, the displacement of a
+/// shaft, temperatures and displacement of a spindle.
+std::string changes(std::string_view id) {
+  const auto moves = [&](Form form) { return effects::find(id, form)->moves(form); };
+  std::string text = moves(Form::rig) ? moves(Form::shaft) ? "both" : "torque" : "";
+  if (text.empty() && moves(Form::shaft)) text = "displacement";
+  if (moves(Form::spindle)) text += text.empty() ? "spindle" : ", spindle";
+  return text;
 }
 
 std::string_view step_explained(const Description& d) {
@@ -52,6 +57,7 @@ std::string_view step_explained(const Description& d) {
                      : "condition: what the sets on the shaft really see, before their balance";
   if (d.lubricant) return "lubricant: viscosity and film at the contacts, before the base law";
   if (d.has_moment()) return "moment: added to the moments of the base law";
+  if (d.spindle) return "spindle: conductances and heat, before its temperatures are solved for";
   return d.reads(record::friction_torque)
              ? "reading: what the rig makes of the torque of its bearings"
              : "reading: what is read of the position of the shaft";
@@ -68,6 +74,7 @@ std::string needs_of(const Description& d) {
   if (!text.empty() && d.for_rig && d.moves(Form::shaft))
     return "on a rig: " + text + "; on a shaft: nothing beside the displacement";
   if (!text.empty()) return text;
+  if (d.spindle) return "nothing beside temperatures or displacement";
   return d.for_rig ? "nothing beside the torque" : "nothing beside the displacement";
 }
 
@@ -77,10 +84,7 @@ void print_list(std::span<const Description> list) {
                    {"changes", "", true},
                    {"what it is", "", true, true}});
   for (const Description& d : list)
-    table.add({std::string(d.id), std::string(d.step()),
-               std::string(measured(d.moves(Form::rig),
-                                    effects::find(d.id, Form::shaft)->moves(Form::shaft))),
-               std::string(d.title)});
+    table.add({std::string(d.id), std::string(d.step()), changes(d.id), std::string(d.title)});
   fmt::print("{}", table.text(terminal_width()));
 }
 
@@ -121,12 +125,18 @@ void print_page(const correction::EffectCard& card) {
 
 void print_page(const Description& d) {
   fmt::print("{}: {}\n\n", d.id, d.title);
-  paragraph("changes", d.for_rig && d.for_shaft
-                           ? d.moves(Form::shaft)
-                                 ? "friction torque of a bearing on a rig, displacement of a shaft"
-                                 : "friction torque"
-                       : d.for_rig ? "friction torque of a bearing on a rig"
-                                   : "displacement of a shaft with an [arrangement]");
+  std::string changed = d.of_spindles_alone() ? ""
+                        : d.for_rig && d.for_shaft
+                            ? d.moves(Form::shaft)
+                                  ? "friction torque of a bearing on a rig, displacement of a shaft"
+                                  : "friction torque"
+                        : d.for_rig ? "friction torque of a bearing on a rig"
+                                    : "displacement of a shaft with an [arrangement]";
+  if (d.moves(Form::spindle))
+    changed += changed.empty() ? "temperatures and displacement of a spindle, with [shaft] and "
+                                 "[housing]"
+                               : "; temperatures and displacement of a spindle";
+  paragraph("changes", changed);
   paragraph("mechanism", d.mechanism);
   paragraph("formula", d.formula);
   paragraph("source", d.source);

@@ -21,6 +21,7 @@
 #include "effects/mixed_lubrication.h"
 #include "effects/mounting.h"
 #include "effects/oil_card.h"
+#include "effects/preload_growth.h"
 #include "effects/replenishment_starvation.h"
 #include "effects/rig_viscous_drag.h"
 #include "effects/seal_friction.h"
@@ -30,6 +31,10 @@
 #include "effects/shaft_contraction.h"
 #include "effects/shear_thinning.h"
 #include "effects/spin_friction.h"
+#include "effects/spindle_coolant.h"
+#include "effects/spindle_factor.h"
+#include "effects/spindle_heat.h"
+#include "effects/structure_temperature.h"
 #include "effects/temperature_sensor.h"
 #include "effects/thermal_preload.h"
 #include "effects/thermal_ring_growth.h"
@@ -51,6 +56,9 @@ using Catalogue = std::tuple<
     OtherMounting, ShaftContraction, GreaseChurning, SensorGain<torque_gain, Need::torque_standard>,
     SensorOffset<torque_offset>, SensorTemperatureDrift<torque_temperature_drift>,
     SensorTimeDrift<torque_time_drift>, RigViscousDrag, SensorOffset<displacement_offset>,
-    SensorTemperatureDrift<displacement_temperature_drift>>;
+    SensorTemperatureDrift<displacement_temperature_drift>, SleeveCoolant,
+    SpindleFactor<seat_conductance>, SpindleHeat<motor_heat>, SpindleHeat<drive_heat>,
+    SpindleFactor<convection_factor>, SpindleFactor<bearing_conductance>, PreloadGrowth,
+    StructureTemperature, SpindleFactor<flange_conductance>, SpindleHeat<seal_heat>>;
 
 }  // namespace raceway::effects

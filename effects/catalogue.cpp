@@ -46,13 +46,16 @@ constexpr Description describe() {
     d.reading = &E::reading;
     d.channel = &E::channel;
     d.for_rig = E::channel == record::friction_torque;
-    d.for_shaft = E::channel == record::axial_displacement;
+    d.for_shaft = d.for_spindle = E::channel == record::axial_displacement;
   }
+  if constexpr (requires { &E::spindle; }) d.spindle = &E::spindle;
   if constexpr (requires { E::friction_alone; }) d.friction_alone = E::friction_alone;
   if constexpr (requires { E::form; }) {
     d.for_rig = E::form == Form::rig;
     d.for_shaft = E::form == Form::shaft;
+    d.for_spindle = E::form != Form::rig;
   }
+  if constexpr (requires { E::for_spindle; }) d.for_spindle = E::for_spindle;
   return d;
 }
 
@@ -63,11 +66,13 @@ constexpr std::array<Description, sizeof...(E)> describe_all(const std::tuple<E.
 
 constexpr auto descriptions = describe_all(static_cast<const Catalogue*>(nullptr));
 
-/// True where `k` is that form of its effect, or the only one.
+/// True where `k` is that form of its effect, or the first one where it has no such form.
 constexpr bool is_form_for(Form form, std::size_t k) {
   if (descriptions[k].belongs_to(form)) return true;
-  for (const Description& other : descriptions)
-    if (other.id == descriptions[k].id && other.belongs_to(form)) return false;
+  for (std::size_t other = 0; other < descriptions.size(); ++other)
+    if (other != k && descriptions[other].id == descriptions[k].id &&
+        (other < k || descriptions[other].belongs_to(form)))
+      return false;
   return true;
 }
 
@@ -88,6 +93,7 @@ constexpr auto forms_for() {
 
 constexpr auto of_rig = forms_for<Form::rig>();
 constexpr auto of_shaft = forms_for<Form::shaft>();
+constexpr auto of_spindle = forms_for<Form::spindle>();
 
 }  // namespace
 
@@ -95,7 +101,12 @@ std::span<const Description> all_forms() { return descriptions; }
 
 std::span<const Description> catalogue(Form form) {
   if (form == Form::rig) return of_rig;
-  return of_shaft;
+  if (form == Form::shaft) return of_shaft;
+  return of_spindle;
+}
+
+std::string_view name(Form form) {
+  return form == Form::rig ? "rig" : form == Form::shaft ? "shaft" : "spindle";
 }
 
 const Description* find(std::string_view id, Form form) {
@@ -130,6 +141,9 @@ std::string_view text(Need need) {
     case Need::torque_standard:
       return "a known torque to compare with: torque alone cannot tell it from a common factor on "
              "all moments";
+    case Need::cold_friction:
+      return "a model whose friction goes by the forces of the cold sets (preload_feedback = "
+             "false): with those of the warm sets it is there already";
   }
   return "";
 }
@@ -168,7 +182,8 @@ std::string_view Description::step() const {
   if (entry) return "entry";
   if (condition) return "condition";
   if (lubricant) return "lubricant";
-  return has_moment() ? "moment" : "reading";
+  if (has_moment()) return "moment";
+  return reading ? "reading" : "spindle";
 }
 
 double Effect::moment(const MomentInputs& inputs) const {
@@ -176,6 +191,13 @@ double Effect::moment(const MomentInputs& inputs) const {
   if (d.unit_moment) return values[0] * d.unit_moment(inputs);
   if (d.moment) return d.moment(inputs, values);
   return d.user_made ? d.user_made->moment(inputs, values) : 0.0;
+}
+
+SpindleCondition spindle_condition(std::span<const Effect> effects) {
+  SpindleCondition condition;
+  for (const Effect& effect : effects)
+    if (effect.description->spindle) effect.description->spindle(effect.values, condition);
+  return condition;
 }
 
 std::vector<double> initial_values(const Description& description) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "bearing/operating_point.h"
+#include "effects/spindle_condition.h"
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
 #include "friction/state.h"
@@ -20,8 +22,13 @@ namespace raceway::effects {
 
 class Formula;
 
-/// Which form of an effect: that of a bearing on a rig, or that of the sets on a shaft.
-enum class Form { rig, shaft };
+/// Which form of an effect: that of a bearing on a rig, that of the sets on a shaft, or that of a
+/// whole spindle, with temperatures of its own.
+enum class Form { rig, shaft, spindle };
+inline constexpr std::array all_the_forms{Form::rig, Form::shaft, Form::spindle};
+
+/// As files write it: "rig", "shaft", "spindle".
+[[nodiscard]] std::string_view name(Form form);
 
 /// A number of an effect, in the unit of the files; the effect converts.
 using Parameter = record::NumberCard;
@@ -38,7 +45,8 @@ enum class Need {
   ball_load_law,      ///< another effect that uses ball loads: base laws see the entered load only
   palmgren_law,       ///< the SKF law contains this already
   opposed_sets,       ///< bearings at both ends of the shaft
-  torque_standard     ///< something beside the torque itself that fixes its scale
+  torque_standard,    ///< something beside the torque itself that fixes its scale
+  cold_friction       ///< a spindle whose friction goes by the forces of its cold sets
 };
 
 /// What the data lack: "time_s of every row".
@@ -137,7 +145,8 @@ inline constexpr double size_of_ranges = 60 * mm;
 ///
 /// An effect that acts in another way in the sets of a shaft than in a bearing on a rig has two
 /// descriptions of one id, with parameters of their own. Which of them is meant follows from the
-/// model.
+/// model. A spindle has the effects of its sets in the form of a shaft, but for those that its own
+/// temperatures make already.
 struct Description {
   std::string_view id;
   std::string_view title;      ///< one line
@@ -166,6 +175,7 @@ struct Description {
   bool spin = false;            ///< its moment arises where the balls spin
   bool for_rig = true;          ///< may stand in a model of a bearing on a rig
   bool for_shaft = true;        ///< may stand in a model of a shaft
+  bool for_spindle = true;      ///< may stand in a model of a spindle
   bool friction_alone = false;  ///< a condition that does not move the sets
 
   /// What is wrong where this explains a misfit: a datum rather than missing physics, in words
@@ -186,6 +196,9 @@ struct Description {
   double (*reading)(const ReadingInputs&, std::span<const double> values) = nullptr;
   const record::Channel* channel = nullptr;  ///< of the reading step: which measured one; else null
 
+  /// Changes factors and sources of heat of a spindle.
+  void (*spindle)(std::span<const double> values, SpindleCondition&) = nullptr;
+
   const Formula* user_made = nullptr;  ///< the moment of an effect written as a formula
 
   /// Whether it can be at work with that supply, or with one that nobody named.
@@ -197,15 +210,19 @@ struct Description {
   }
   /// Whether it has that form, and may stand in a model of it.
   [[nodiscard]] constexpr bool belongs_to(Form form) const {
-    return form == Form::rig ? for_rig : for_shaft;
+    return form == Form::rig ? for_rig : form == Form::shaft ? for_shaft : for_spindle;
   }
   /// Whether it changes what is measured there. Friction of the bearings on a shaft is predicted,
-  /// with all its effects, but moves nothing.
+  /// with all its effects, but moves nothing; in a spindle its heat moves all.
   [[nodiscard]] bool moves(Form form) const {
-    return belongs_to(form) && (form == Form::rig || reads(record::axial_displacement) ||
+    return belongs_to(form) && (form != Form::shaft || reads(record::axial_displacement) ||
                                 (condition && !friction_alone));
   }
-  /// "entry", "condition", "lubricant", "moment" or "reading": the first step taken.
+  /// Acts in spindles and nowhere else.
+  [[nodiscard]] constexpr bool of_spindles_alone() const {
+    return for_spindle && !for_rig && !for_shaft;
+  }
+  /// "entry", "condition", "lubricant", "moment", "reading" or "spindle": the first step taken.
   [[nodiscard]] std::string_view step() const;
 };
 
@@ -218,6 +235,9 @@ struct Effect {
   /// Added moment [N m]; 0 where the effect acts at other steps.
   [[nodiscard]] double moment(const MomentInputs& inputs) const;
 };
+
+/// What these effects change of a spindle, those that do together; the others change nothing here.
+[[nodiscard]] SpindleCondition spindle_condition(std::span<const Effect> effects);
 
 /// Initial values of all parameters.
 [[nodiscard]] std::vector<double> initial_values(const Description& description);

@@ -62,6 +62,7 @@ struct ThermalPreload : PreloadByOwnHeat {
 /// what those temperatures do not show.
 struct ShaftThermalPreload : PreloadByOwnHeat {
   static constexpr Form form = Form::shaft;
+  static constexpr bool for_spindle = false;  // its temperatures do that
   static constexpr std::string_view mechanism =
       "Friction warms the inner rings and the balls more than the outer rings. They have no room, "
       "and the sets press harder against each other as the friction power grows.";

@@ -68,6 +68,7 @@ struct ThermalRingGrowth : GrowthByRingTemperatures {
 /// Domain:   both ring temperatures known.
 struct ShaftThermalRingGrowth : GrowthByRingTemperatures {
   static constexpr Form form = Form::shaft;
+  static constexpr bool for_spindle = false;  // its temperatures do that
   static constexpr std::string_view title = "rings that do not grow freely with temperature";
   static constexpr std::string_view mechanism =
       "The free expansion of rings at their measured temperatures is part of every prediction. A "

@@ -58,8 +58,12 @@ Effect read_user_made(const Section& s, const std::string& id) {
 
 class EffectReader {
  public:
-  EffectReader(ModelTables& tables, const model::Shaft* shaft)
-      : tables_(tables), shaft_(shaft), form_(shaft ? effects::Form::shaft : effects::Form::rig) {
+  EffectReader(ModelTables& tables, const model::Shaft* shaft, bool spindle)
+      : tables_(tables),
+        shaft_(shaft),
+        form_(spindle ? effects::Form::spindle
+              : shaft ? effects::Form::shaft
+                      : effects::Form::rig) {
     for (const Description& d : effects::catalogue(form_))
       if (d.belongs_to(form_)) ids_.emplace_back(d.id);
   }
@@ -80,16 +84,26 @@ class EffectReader {
   }
 
  private:
+  /// Why the model cannot have it.
+  std::string refusal(const Description& d) const {
+    if (d.of_spindles_alone())
+      return "acts on a spindle, but this model has no [shaft] and [housing]";
+    if (form_ == effects::Form::spindle)
+      return d.condition && d.follows_heat
+                 ? "the temperatures of a spindle do this already"
+                 : "acts on a bearing on a rig, but this model is of a spindle";
+    return shaft_ ? "acts on a bearing on a rig, but this model is of a shaft, with an "
+                    "[arrangement]"
+                  : "acts on the displacement of a shaft, but this model has no [arrangement]";
+  }
+
   /// Null for one of the user's own.
   const Description* find(const Section& s, const std::string& id) const {
     const auto fail = [&](const std::string& why) {
       s.fail("id", fmt::format("id = \"{}\": {}", id, why));
     };
     const Description* const found = effects::find(id, form_);
-    if (found && !found->belongs_to(form_))
-      fail(shaft_ ? "acts on a bearing on a rig, but this model is of a shaft, with an "
-                    "[arrangement]"
-                  : "acts on the displacement of a shaft, but this model has no [arrangement]");
+    if (found && !found->belongs_to(form_)) fail(refusal(*found));
     if (!found && !s.find("torque_Nmm")) {
       const std::string near = suggestion(id, ids_);
       fail(fmt::format("unknown effect{}; one of your own has a formula, torque_Nmm",
@@ -134,8 +148,8 @@ class EffectReader {
 
 }  // namespace
 
-std::vector<Effect> read_effects(ModelTables& tables, const model::Shaft* shaft) {
-  return EffectReader(tables, shaft).read();
+std::vector<Effect> read_effects(ModelTables& tables, const model::Shaft* shaft, bool spindle) {
+  return EffectReader(tables, shaft, spindle).read();
 }
 
 }  // namespace raceway::io

@@ -11,8 +11,10 @@
 /// The tables [[effect]] of a model file; shared with the reader of models, not for other code.
 namespace raceway::io {
 
-/// `shaft` is null for a bearing on a rig. Throws InputError as read_model() does.
+/// `shaft` is null for a bearing on a rig; of a spindle, effects are those of a spindle. Throws
+/// InputError as read_model() does.
 [[nodiscard]] std::vector<effects::Effect> read_effects(ModelTables& tables,
-                                                        const model::Shaft* shaft);
+                                                        const model::Shaft* shaft,
+                                                        bool spindle = false);
 
 }  // namespace raceway::io

@@ -31,12 +31,17 @@ json effect_page(const effects::Description& d) {
   json measured = json::array();
   for (const auto& [form, channel] : {std::pair{effects::Form::rig, &record::friction_torque},
                                       {effects::Form::shaft, &record::axial_displacement}})
-    if (d.moves(form)) measured.push_back(channel->variable);
+    if (d.moves(form) || (d.of_spindles_alone() && channel == &record::axial_displacement))
+      measured.push_back(channel->variable);
+  json forms = json::array();
+  for (const effects::Form form : effects::all_the_forms)
+    if (d.moves(form)) forms.push_back(effects::name(form));
   return {{"id", d.id},
           {"title", d.title},
           {"kind", d.datum.empty() ? "physics" : "data"},
           {"acts_at", d.step()},
           {"acts_on", measured},
+          {"acts_in", forms},
           {"mechanism", d.mechanism},
           {"formula", d.formula},
           {"source", d.source},

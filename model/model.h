@@ -69,6 +69,7 @@ struct Model {
 
   /// The form of the effects that it may have.
   [[nodiscard]] effects::Form form() const {
+    if (spindle) return effects::Form::spindle;
     return shaft ? effects::Form::shaft : effects::Form::rig;
   }
 };

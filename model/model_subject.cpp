@@ -120,7 +120,8 @@ std::vector<fit::Candidate> ModelSubject::candidates() const {
 
 std::vector<std::string> ModelSubject::catalogue() const {
   std::vector<std::string> ids;
-  for (const effects::Description& d : effects::catalogue(model_.form())) ids.emplace_back(d.id);
+  for (const effects::Description& d : effects::catalogue(model_.form()))
+    if (d.belongs_to(model_.form()) || !d.of_spindles_alone()) ids.emplace_back(d.id);
   ids.insert(ids.end(), waiting_.begin(), waiting_.end());
   for (std::string& id : own_data(model_)) ids.push_back(std::move(id));
   return ids;

@@ -67,6 +67,8 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
       return model.shaft && !model.shaft->arrangement.design().rear.empty();
     case Need::palmgren_law:
       return model.law == friction::FrictionLaw::palmgren;
+    case Need::cold_friction:
+      return model.spindle && !model.spindle->preload_feedback;
     case Need::torque_standard:
       return false;
   }
@@ -91,10 +93,15 @@ std::string ruled_out(const effects::Description& effect, const Model& model) {
 
 std::string missing_need(const effects::Description& effect, const Model& model,
                          const record::Record& record) {
-  if (!effect.moves(model.form()))
+  if (!effect.moves(model.form())) {
+    if (effect.of_spindles_alone())
+      return "a model of a spindle, with [shaft] and [housing], in which alone it acts";
+    if (model.form() == effects::Form::spindle && effect.condition && effect.follows_heat)
+      return "a model without temperatures of its own: those of a spindle do this already";
     return model.form() == effects::Form::rig
                ? "axial displacement of a shaft, on which alone it acts"
                : "friction torque, on which alone it acts";
+  }
   if (std::string unmet = first_unmet(effect, model, record, false); !unmet.empty()) return unmet;
   for (const record::Channel* channel : effect.channels)
     if (!record.complete(*channel)) return effects::text(*channel);

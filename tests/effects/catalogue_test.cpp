@@ -136,7 +136,17 @@ TEST(Catalogue, IsComplete) {
                                           "mounting",
                                           "shaft-contraction",
                                           "displacement-offset",
-                                          "displacement-temperature-drift"};
+                                          "displacement-temperature-drift",
+                                          "coolant",
+                                          "seat-conductance",
+                                          "motor-heat",
+                                          "drive-heat",
+                                          "convection-factor",
+                                          "bearing-conductance",
+                                          "preload-growth",
+                                          "structure-temperature",
+                                          "flange-conductance",
+                                          "seal-heat"};
   std::set<std::string_view> ids;
   for (const Description& d : effects::catalogue()) EXPECT_TRUE(ids.insert(d.id).second) << d.id;
   EXPECT_EQ(ids, wanted);
@@ -146,6 +156,8 @@ TEST(Catalogue, IsComplete) {
   for (const auto law : {friction::FrictionLaw::palmgren, friction::FrictionLaw::skf})
     for (const auto& p : friction::parameters(law)) names.insert(p.name);
   names.insert({"preload_N", "contact_angle_deg", "conformity"});
+  names.insert({"convection_factor", "lubricant_conductance_W_K", "outer_conductance_W_m2K",
+                "flange_conductance_W_K"});
   for (const Description& d : effects::all_forms()) {
     SCOPED_TRACE(std::string(d.id));
     for (const auto text : {d.id, d.title, d.mechanism, d.formula, d.source})
@@ -157,9 +169,10 @@ TEST(Catalogue, IsComplete) {
     // A load is corrected where loads are.
     EXPECT_EQ(d.entry != nullptr || d.id == effects::LoadCalibration::id, !d.datum.empty());
     EXPECT_EQ((d.entry != nullptr) + (d.condition != nullptr) + (d.lubricant != nullptr) +
-                  d.has_moment() + (d.reading != nullptr),
+                  d.has_moment() + (d.reading != nullptr) + (d.spindle != nullptr),
               1);
-    EXPECT_TRUE(d.moves(Form::rig) || d.moves(Form::shaft));
+    EXPECT_TRUE(d.moves(Form::rig) || d.moves(Form::shaft) || d.moves(Form::spindle));
+    EXPECT_EQ(d.spindle != nullptr, d.of_spindles_alone());
     ASSERT_FALSE(d.parameters.empty());
     EXPECT_FALSE(std::isnan(d.parameters[0].neutral)) << "the first parameter is the size";
     for (const auto& p : d.parameters) {
@@ -180,19 +193,23 @@ TEST(Catalogue, IsComplete) {
 
 TEST(Catalogue, HasEveryIdOnceInEachForm) {
   std::set<std::string_view> two_forms;
-  for (const Form form : {Form::rig, Form::shaft}) {
+  for (const Form form : effects::all_the_forms) {
     std::set<std::string_view> ids;
     for (const Description& d : effects::catalogue(form)) {
       SCOPED_TRACE(std::string(d.id));
       EXPECT_TRUE(ids.insert(d.id).second);
       EXPECT_EQ(effects::find(d.id, form), &d);
-      const Description* const other =
-          effects::find(d.id, form == Form::shaft ? Form::rig : Form::shaft);
-      ASSERT_NE(other, nullptr);
-      if (d.parameters.data() == other->parameters.data()) continue;
-      EXPECT_TRUE(d.moves(form));
-      EXPECT_FALSE(other->belongs_to(form));
-      two_forms.insert(d.id);
+      for (const Form other_form : effects::all_the_forms) {
+        const Description* const other = effects::find(d.id, other_form);
+        ASSERT_NE(other, nullptr);
+        // One that belongs nowhere there stands as its first form.
+        if (d.parameters.data() == other->parameters.data() || !d.belongs_to(form) ||
+            !other->belongs_to(other_form))
+          continue;
+        EXPECT_TRUE(d.moves(form));
+        EXPECT_FALSE(other->belongs_to(form));
+        two_forms.insert(d.id);
+      }
     }
   }
   EXPECT_EQ(two_forms, (std::set<std::string_view>{"centrifugal-ring-growth", "thermal-preload",
@@ -216,6 +233,35 @@ TEST(Catalogue, SaysWhatMovesAShaft) {
     EXPECT_TRUE(effects::find(id)->moves(Form::rig)) << id;
   }
   EXPECT_FALSE(effects::find("shaft-contraction")->belongs_to(Form::rig));
+}
+
+TEST(Catalogue, SaysWhatMovesASpindle) {
+  std::set<std::string_view> alone, others;
+  for (const Description& d : effects::catalogue(Form::spindle)) {
+    SCOPED_TRACE(std::string(d.id));
+    EXPECT_EQ(d.moves(Form::spindle), d.belongs_to(Form::spindle));
+    if (d.moves(Form::spindle)) (d.of_spindles_alone() ? alone : others).insert(d.id);
+    // Heat of friction moves all of a spindle.
+    EXPECT_TRUE(d.moves(Form::spindle) || !(d.has_moment() || d.lubricant));
+    EXPECT_FALSE(d.moves(Form::spindle) && (d.reads(record::friction_torque) || d.entry));
+    // In its sets an effect has the form of a shaft.
+    if (!d.condition || !d.moves(Form::spindle)) continue;
+    EXPECT_EQ(d.parameters.data(), effects::find(d.id, Form::shaft)->parameters.data());
+  }
+  EXPECT_EQ(alone, (std::set<std::string_view>{
+                       "coolant", "seat-conductance", "motor-heat", "drive-heat",
+                       "convection-factor", "bearing-conductance", "preload-growth",
+                       "structure-temperature", "flange-conductance", "seal-heat"}));
+  for (const char* id : {"spin-friction", "windage", "mounting", "displacement-offset",
+                         "centrifugal-ring-growth", "shaft-contraction"})
+    EXPECT_EQ(others.count(id), 1u) << id;
+  // Its temperatures do that, or nobody reads it there.
+  for (const char* id : {"thermal-preload", "thermal-ring-growth", "torque-offset", "torque-gain",
+                         "load-offset", "rig-viscous-drag", "lubricant-viscosity"})
+    EXPECT_FALSE(effects::find(id, Form::spindle)->belongs_to(Form::spindle)) << id;
+  for (const auto id : alone)
+    for (const Form form : {Form::rig, Form::shaft})
+      EXPECT_FALSE(effects::find(id, form)->belongs_to(form)) << id;
 }
 
 TEST(Catalogue, SaysWithWhichSupplyAnEffectCanBeAtWork) {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// Friction that follows the forces of the warm sets where the model takes those of the cold ones.
+///
+///   P = (1 - s) P(cold) + s P(warm)
+///
+/// Source:   loop of heat, expansion and preload (Bossmanns and Tu 1999); the share is that of two
+///           models, derived.
+/// Domain:   0 <= s <= 1, of a model with preload_feedback = false. 1 is the whole loop.
+struct PreloadGrowth {
+  static constexpr Form form = Form::spindle;
+  static constexpr std::string_view id = "preload-growth";
+  static constexpr std::string_view title = "friction that grows with the preload of the warm sets";
+  static constexpr std::string_view mechanism =
+      "Inner rings warmer than outer ones press the sets harder against each other, friction takes "
+      "more power, and the front bearings grow hotter still.";
+  static constexpr std::string_view formula = "P = (1 - s) P(cold sets) + s P(warm sets)";
+  static constexpr std::string_view source =
+      "derived; loop of [BossmannsTu1999], share between two models";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "bearing-conductance", "seat-conductance", "z", "lubricant-drag"};
+  static constexpr std::array parameters{Parameter{.name = "share",
+                                                   .unit = "1",
+                                                   .initial = 0.5,
+                                                   .lower = 0.0,
+                                                   .upper = 1.0,
+                                                   .plausible_lower = 0.05,
+                                                   .plausible_upper = 1.0}};
+  static constexpr std::array needs{Need::time, Need::cold_friction};
+  static constexpr bool follows_heat = true;
+
+  static void spindle(std::span<const double> values, SpindleCondition& c) {
+    c.other_preload_feedback += values[0];
+  }
+};
+
+}  // namespace raceway::effects

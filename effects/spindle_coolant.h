@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// A cooled sleeve around a spindle that the model lacks [W/K].
+///
+///   q = G (T_housing - T_in),   T_in of the inlet, of the ambient where the model has no coolant
+///
+/// Source:   a film towards a fluid of one temperature, definition. 2 l/min of water carry 140 W/K.
+/// Domain:   G >= 0. It does not know when a pump is off: a record that says so tells it apart.
+struct SleeveCoolant {
+  static constexpr Form form = Form::spindle;
+  static constexpr std::string_view id = "coolant";
+  static constexpr std::string_view title = "a cooled sleeve that the model lacks";
+  static constexpr std::string_view mechanism =
+      "A fluid around the housing between the sets holds it cold and takes the heat at once: "
+      "short time constant, housing cold, and preload up, as the shaft stays warm.";
+  static constexpr std::string_view formula = "q = G (T_housing - T_in) between the sets";
+  static constexpr std::string_view source = "film towards a fluid of one temperature, definition";
+  static constexpr std::array<std::string_view, 4> confused_with{
+      "convection-factor", "flange-conductance", "structure-temperature", "f0"};
+  static constexpr std::array parameters{Parameter{.name = "conductance_W_K",
+                                                   .unit = "W/K",
+                                                   .initial = 10.0,
+                                                   .lower = 0.0,
+                                                   .upper = 5000.0,
+                                                   .plausible_lower = 2.0,
+                                                   .plausible_upper = 500.0}};
+  static constexpr std::array needs{Need::time};
+  static constexpr bool follows_heat = true;
+
+  static void spindle(std::span<const double> values, SpindleCondition& c) {
+    c.sleeve_conductance += values[0];
+  }
+};
+
+}  // namespace raceway::effects

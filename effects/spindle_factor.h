@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// What a conductance of a spindle that is not as entered is called, and how far off it may be.
+template <std::size_t confused>
+struct SpindleFactorCard {
+  double SpindleCondition::*factor;  ///< which one
+  std::string_view id, title, mechanism, formula;
+  std::array<std::string_view, confused> confused_with;
+  Parameter size;
+};
+
+/// A conductance of a spindle that is larger or smaller than the model says, by one factor [1].
+///
+///   G -> k G
+///
+/// Source:   definition; correlations of films and contacts are good to a factor of 1.2 to 2.
+/// Domain:   0.02 <= k, so that no part of the spindle is cut off.
+template <const auto& card>
+struct SpindleFactor {
+  static constexpr Form form = Form::spindle;
+  static constexpr std::string_view id = card.id;
+  static constexpr std::string_view title = card.title;
+  static constexpr std::string_view mechanism = card.mechanism;
+  static constexpr std::string_view formula = card.formula;
+  static constexpr std::string_view source =
+      "definition; correlations of contacts and films are good to a factor of 1.2 to 2";
+  static constexpr auto confused_with = card.confused_with;
+  static constexpr std::array parameters{card.size};
+  static constexpr std::array needs{Need::time};
+  static constexpr bool follows_heat = true;
+
+  static void spindle(std::span<const double> values, SpindleCondition& c) {
+    c.*card.factor *= values[0];
+  }
+};
+
+/// Hot outer rings let the preload go down; sensors in the housing hardly see it.
+inline constexpr SpindleFactorCard<4> seat_conductance{
+    .factor = &SpindleCondition::outer_seat_factor,
+    .id = "seat-conductance",
+    .title = "outer seats that conduct otherwise than their fit says",
+    .mechanism =
+        "A gap, a cover or a wrong fit holds the heat back in the outer rings: they grow hot and "
+        "the preload falls, while the housing hardly changes. Without a sensor on a ring the "
+        "displacement alone tells.",
+    .formula = "G_seat -> k G_seat, of all outer seats",
+    .confused_with = {"outer_conductance_W_m2K", "bearing-conductance", "preload-growth",
+                      "preload_N"},
+    .size = {.name = "factor",
+             .unit = "1",
+             .initial = 1.0,
+             .lower = 0.02,
+             .upper = 20.0,
+             .plausible_lower = 0.05,
+             .plausible_upper = 3.0,
+             .neutral = 1.0}};
+
+/// Turning parts have convection of their own, which this leaves alone.
+inline constexpr SpindleFactorCard<4> convection_factor{
+    .factor = &SpindleCondition::convection_factor,
+    .id = "convection-factor",
+    .title = "more or less free convection of housing and end faces",
+    .mechanism =
+        "Draught, a cover or a box around the spindle changes what the room takes: the long time "
+        "constant, and the level, most clearly while it cools at standstill.",
+    .formula = "h -> k h, of housing and end faces",
+    .confused_with = {"convection_factor", "flange-conductance", "coolant",
+                      "structure-temperature"},
+    .size = {.name = "factor",
+             .unit = "1",
+             .initial = 1.0,
+             .lower = 0.02,
+             .upper = 20.0,
+             .plausible_lower = 0.3,
+             .plausible_upper = 4.0,
+             .neutral = 1.0}};
+
+/// Oil film, lubricant and rolling balls carry an unknown multiple of what dry contacts do.
+inline constexpr SpindleFactorCard<4> bearing_conductance{
+    .factor = &SpindleCondition::bearing_conductance_factor,
+    .id = "bearing-conductance",
+    .title = "balls and lubricant that conduct otherwise than entered",
+    .mechanism =
+        "Heat of the inner rings leaves through balls, oil film and lubricant. Where they conduct "
+        "less, shaft and inner rings grow hot, and preload and displacement with them; sensors in "
+        "the housing see little.",
+    .formula = "G -> k G, from inner to outer ring",
+    .confused_with = {"lubricant_conductance_W_K", "seat-conductance", "preload-growth",
+                      "drive-heat"},
+    .size = {.name = "factor",
+             .unit = "1",
+             .initial = 1.0,
+             .lower = 0.02,
+             .upper = 50.0,
+             .plausible_lower = 0.2,
+             .plausible_upper = 5.0,
+             .neutral = 1.0}};
+
+inline constexpr SpindleFactorCard<4> flange_conductance{
+    .factor = &SpindleCondition::flange_conductance_factor,
+    .id = "flange-conductance",
+    .title = "another path into the machine than entered",
+    .mechanism =
+        "The flange hands more or less heat to the machine: the steady level moves, not its time. "
+        "Without a sensor at the flange it looks like convection.",
+    .formula = "G_flange -> k G_flange",
+    .confused_with = {"flange_conductance_W_K", "convection-factor", "structure-temperature",
+                      "coolant"},
+    .size = {.name = "factor",
+             .unit = "1",
+             .initial = 1.0,
+             .lower = 0.02,
+             .upper = 50.0,
+             .plausible_lower = 0.1,
+             .plausible_upper = 10.0,
+             .neutral = 1.0}};
+
+}  // namespace raceway::effects

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "effects/effect.h"
+
+namespace raceway::effects {
+
+/// What a source of heat that the model lacks is called, and how large it may be.
+template <std::size_t confused>
+struct SpindleHeatCard {
+  double SpindleCondition::*heat;  ///< which one
+  std::string_view id, title, mechanism, source;
+  std::array<std::string_view, confused> confused_with;
+  Parameter size;
+};
+
+/// Heat in a spindle that none of its bearings makes [W].
+///
+///   q = W n/10 000 rpm
+///
+/// Source:   a constant moment; losses in a rotor and air go with a higher power of the speed.
+/// Domain:   speed >= 0, zero at standstill. Beside what the model states of motor and drive.
+template <const auto& card>
+struct SpindleHeat {
+  static constexpr Form form = Form::spindle;
+  static constexpr std::string_view id = card.id;
+  static constexpr std::string_view title = card.title;
+  static constexpr std::string_view mechanism = card.mechanism;
+  static constexpr std::string_view formula = "q = W (n/10000 rpm)";
+  static constexpr std::string_view source = card.source;
+  static constexpr auto confused_with = card.confused_with;
+  static constexpr std::array parameters{card.size};
+  static constexpr std::array needs{Need::time, Need::speed_levels};
+  static constexpr bool follows_heat = true;
+
+  static void spindle(std::span<const double> values, SpindleCondition& c) {
+    c.*card.heat += values[0];
+  }
+};
+
+inline constexpr SpindleHeatCard<4> motor_heat{
+    .heat = &SpindleCondition::motor_heat,
+    .id = "motor-heat",
+    .title = "heat of a motor between the sets",
+    .mechanism =
+        "Losses of rotor and stator warm shaft and housing between the sets, whatever the bearings "
+        "do.",
+    .source = "constant moment of loss; losses of iron go with a higher power of the speed",
+    .confused_with = {"drive-heat", "coolant", "lubricant-drag", "convection-factor"},
+    .size = {.name = "heat_at_10000_rpm_W",
+             .unit = "W",
+             .initial = 100.0,
+             .lower = 0.0,
+             .upper = 20000.0,
+             .plausible_lower = 20.0,
+             .plausible_upper = 3000.0}};
+
+inline constexpr SpindleHeatCard<4> drive_heat{
+    .heat = &SpindleCondition::drive_heat,
+    .id = "drive-heat",
+    .title = "heat of a belt or coupling at the rear shaft end",
+    .mechanism =
+        "A belt that slips and bends, or a coupling, warms the shaft behind the last bearing: its "
+        "end is hot first, then the rear bearing.",
+    .source = "constant moment of loss",
+    .confused_with = {"motor-heat", "bearing-conductance", "lubricant-drag", "f0"},
+    .size = {.name = "heat_at_10000_rpm_W",
+             .unit = "W",
+             .initial = 50.0,
+             .lower = 0.0,
+             .upper = 5000.0,
+             .plausible_lower = 10.0,
+             .plausible_upper = 500.0}};
+
+inline constexpr SpindleHeatCard<4> seal_heat{
+    .heat = &SpindleCondition::seal_heat,
+    .id = "seal-heat",
+    .title = "heat of a seal at the nose",
+    .mechanism =
+        "A lip or a labyrinth that touches warms the shaft before the first bearing, whatever load "
+        "and preload are.",
+    .source = "constant moment, as the seal moment of the SKF general catalogue (2006)",
+    .confused_with = {"drive-heat", "lubricant-drag", "seal-friction", "f0"},
+    .size = {.name = "heat_at_10000_rpm_W",
+             .unit = "W",
+             .initial = 20.0,
+             .lower = 0.0,
+             .upper = 2000.0,
+             .plausible_lower = 5.0,
+             .plausible_upper = 200.0}};
+
+}  // namespace raceway::effects
