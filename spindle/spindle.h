@@ -104,13 +104,18 @@ struct FieldCell {
   double temperature = unset;                         ///< [K]
 };
 
+/// What the effects of a model change of the spindle itself; effects on friction are not among it.
+[[nodiscard]] effects::SpindleCondition spindle_condition(const model::Model& model);
+
 /// A spindle made ready to be simulated: cells, conductances, sets as mounted. Not for several
 /// threads at once; a copy for each is cheap.
 class Simulator {
  public:
-  /// Throws std::invalid_argument for a model that is no spindle, or one that cannot be mounted or
-  /// meshed: name, value with unit, allowed range.
-  explicit Simulator(const model::Model& model, const effects::SpindleCondition& condition = {});
+  /// With the effects that the model has switched on. Throws std::invalid_argument for a model that
+  /// is no spindle, or one that cannot be mounted or meshed: name, value with unit, allowed range.
+  explicit Simulator(const model::Model& model);
+  /// The same with this in place of what effects change of the spindle.
+  Simulator(const model::Model& model, const effects::SpindleCondition& condition);
   Simulator(const Simulator&);
   Simulator(Simulator&&) noexcept;
   ~Simulator();

@@ -22,9 +22,13 @@ inline model::Model base_spindle(double preload = 300.0, double f0 = 0.6) {
       std::make_shared<const bearing::Bearing>(geometry, bearing::steel(), bearing::steel());
   Model m{.name = "base spindle",
           .bearing = *bearing,
-          .lubricant = friction::Lubricant(20.0 * mm2_per_s, 4.4 * mm2_per_s)};
+          .lubricant = friction::Lubricant(20.0 * mm2_per_s, 4.4 * mm2_per_s),
+          .law_values = {f0, 0.0007, 0.33},
+          .effects = {},
+          .solver = {},
+          .rig = {},
+          .free = {}};
   m.f1_load = friction::F1Load::F_b;
-  m.law_values = {f0, 0.0007, 0.33};
   bearing::ArrangementDesign design;
   design.front = {{bearing}, {bearing}};
   design.rear = {{bearing}};
