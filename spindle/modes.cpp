@@ -17,6 +17,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// Share of the whole motion that must run in one sense to be called so [1].
 constexpr double least_whirl = 1e-6;
 constexpr double eigen_tolerance = 1e-12;
+/// Of the largest k/m of a node; what is below is a free shaft and rounding [1].
+constexpr double least_squared_frequency = 1e-13;
 
 void put(std::vector<Eigen::Triplet<double>>& to, const SparseMatrix& block, Eigen::Index row,
          Eigen::Index column, double factor) {
@@ -142,7 +144,12 @@ Modes find_modes(const Beam& beam, std::span<const Spring> springs, double speed
     result.modes.push_back(mode_of(beam, 1.0 / values[i], vectors.col(i), one_plane, speed));
   std::stable_sort(result.modes.begin(), result.modes.end(),
                    [](const Mode& a, const Mode& b) { return a.frequency < b.frequency; });
-  result.status = ModesStatus::converged;
+  const Eigen::VectorXd local =
+      stiffness[0].diagonal().cwiseQuotient(Eigen::VectorXd(beam.mass().diagonal()));
+  const double lowest = result.modes.front().frequency;
+  const bool held = lowest * lowest > least_squared_frequency * local.maxCoeff();
+  if (!held) result.modes.clear();
+  result.status = held ? ModesStatus::converged : ModesStatus::not_held;
   return result;
 }
 
