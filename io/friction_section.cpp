@@ -62,7 +62,7 @@ LubricantOfFile read_lubricant(const ModelTables& tables) {
   }
 }
 
-LawOfFile read_friction(ModelTables& tables, bool from_catalogue) {
+LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Names& further) {
   const Section s = from_catalogue
                         ? tables.section("friction")
                         : tables.required_section("friction", "the base law and its factors");
@@ -76,6 +76,7 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue) {
   Names known{"law"};
   for (const friction::Parameter& p : friction::parameters(result.law)) known.emplace_back(p.name);
   if (result.law == FrictionLaw::palmgren) known.emplace_back(f1_load);
+  known.insert(known.end(), further.begin(), further.end());
   s.allow_only(known);
   if (result.law == FrictionLaw::palmgren) {
     const Names loads{std::string(friction::name(F1Load::P0)),

@@ -30,8 +30,9 @@ struct LubricantOfFile {
 
 [[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);
 
-/// With a bearing of the catalogue the law's values may be left out.
-[[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue);
+/// With a bearing of the catalogue the law's values may be left out. `further` keys are allowed.
+[[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue,
+                                      const Names& further = {});
 
 /// Refuses a bearing, read from `s`, that lacks what the law needs.
 void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& s);

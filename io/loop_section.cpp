@@ -63,6 +63,10 @@ Names names_in(const Section& s, std::string_view key, const toml::node& node,
     if (first == last) {
       Names all;
       for (const auto& [called, _] : known) all.push_back(called);
+      if (model.spindle && *name == "outer_conductance_W_m2K")
+        wrong(entry,
+              "the model has none: the outer seats conduct by their contact; give a value "
+              "to begin with under [seat]");
       const std::string near = suggestion(*name, all);
       wrong(entry, "no such parameter" + (near.empty() ? "; this model has " + listed(all) : near));
     }

@@ -19,14 +19,17 @@
 #include "io/rig_section.h"
 #include "io/sensor_section.h"
 #include "io/shaft_section.h"
+#include "io/spindle_section.h"
 
 namespace raceway::io {
 namespace {
 
 void check_tables(const ModelTables& tables) {
-  const Names known{"bearing", "lubricant",     "friction",    "arrangement", "rig",
-                    "solver",  "material",      "calibration", "loop",        "effect",
-                    "columns", "torque_sensor", "correction"};
+  Names known{"bearing", "lubricant",     "friction",    "arrangement", "rig",
+              "solver",  "material",      "calibration", "loop",        "effect",
+              "columns", "torque_sensor", "correction"};
+  const Names& of_spindle = tables_of_spindle();
+  known.insert(known.end(), of_spindle.begin(), of_spindle.end());
   for (const auto& [key, node] : tables.root()) {
     const std::string name(key.str());
     const std::string place = tables.place(key);
@@ -42,10 +45,11 @@ void check_tables(const ModelTables& tables) {
                        tables.at(key));
     }
     if (name == "correction") continue;  // of the same machine, over time: io/correction_file.h
-    if (name == "effect") {
+    if (name == "effect" || name == "sensor") {
       if (!node.is_array() || !(node.as_array()->empty() || node.is_array_of_tables()))
-        throw InputError(place + ": effects are written as [[effect]] with two brackets",
-                         tables.at(key));
+        throw InputError(
+            fmt::format("{0}: {1}s are written as [[{1}]] with two brackets", place, name),
+            tables.at(key));
     } else if (!node.is_table()) {
       throw InputError(fmt::format("{}: {} = {}: must be a table, written as [{}]", place, name,
                                    shown(node), name),
@@ -54,9 +58,17 @@ void check_tables(const ModelTables& tables) {
   }
 }
 
+/// Of shaft and housing, with which the sets are reckoned where [arrangement] says nothing else.
+std::pair<double, double> expansions_of(const ModelTables& tables, bool spindle) {
+  if (!spindle) return {unset, unset};
+  return {expansion_of(tables, "shaft", model::steel_of_shafts.thermal_expansion),
+          expansion_of(tables, "housing", model::iron_of_housings.thermal_expansion)};
+}
+
 /// Reads [arrangement], where there is one. Its bearings change keys of `base`.
 std::optional<model::Shaft> read_arrangement(ModelTables& tables, BearingReader& bearings,
-                                             const NamedBearing& base, friction::FrictionLaw law) {
+                                             const NamedBearing& base, friction::FrictionLaw law,
+                                             bool spindle) {
   const Section s = tables.section("arrangement");
   if (!s.given()) return std::nullopt;
   const ShaftContext context{.base = base,
@@ -69,7 +81,8 @@ std::optional<model::Shaft> read_arrangement(ModelTables& tables, BearingReader&
                              .note_default =
                                  [&](std::string_view key, const std::string& value) {
                                    tables.note_default("arrangement", key, value);
-                                 }};
+                                 },
+                             .expansions = expansions_of(tables, spindle)};
   return read_shaft(s, context);
 }
 
@@ -98,19 +111,28 @@ void note_the_implausible(const model::Model& model, std::vector<std::string>& n
 }
 
 ModelFile model_of_tables(ModelTables& tables, std::string text, const std::string& source) {
+  const bool of_spindle = is_spindle(tables);
   BearingReader bearings(tables);
-  NamedBearing bearing = bearings.read(
-      tables.required_section("bearing", "its geometry, or catalogue = \"NAME\""), nullptr);
+  NamedBearing bearing =
+      bearings.read(tables.required_section("bearing", "its geometry, or catalogue = \"NAME\""),
+                    nullptr, spindle_keys("bearing", of_spindle));
   const LubricantOfFile lubricant = read_lubricant(tables);
-  LawOfFile law = read_friction(tables, bearing.row.has_value());
+  LawOfFile law =
+      read_friction(tables, bearing.row.has_value(), spindle_keys("friction", of_spindle));
   require_data(law.law, bearing.bearing, tables.section("bearing"));
-  std::optional<model::Shaft> shaft = read_arrangement(tables, bearings, bearing, law.law);
+  std::optional<model::Shaft> shaft =
+      read_arrangement(tables, bearings, bearing, law.law, of_spindle);
+  Names notes_on_spindle;
+  std::optional<model::Spindle> spindle;
+  if (of_spindle)
+    spindle = read_spindle(tables, bearing, shaft ? &*shaft : nullptr, notes_on_spindle);
   std::vector<effects::Effect> effects = read_effects(tables, shaft ? &*shaft : nullptr);
-  const bearing::EquilibriumOptions solver = read_solver(tables);
+  const bearing::EquilibriumOptions solver =
+      read_solver(tables, spindle_keys("solver", of_spindle));
   Names written = bearings.written();
   if (solver.race_control != bearing::RaceControl::outer) written.emplace_back("race_control");
   if (solver.tilt != bearing::Tilt::locked) written.emplace_back("tilt");
-  const model::Rig rig = read_rig(tables);
+  const model::Rig rig = read_rig(tables, spindle_keys("rig", of_spindle));
   model::Model model{
       .name = bearing.name,
       .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing : std::move(bearing.bearing),
@@ -123,7 +145,8 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
       .solver = solver,
       .rig = rig,
       .free = {},
-      .shaft = std::move(shaft)};
+      .shaft = std::move(shaft),
+      .spindle = std::move(spindle)};
   if (std::isnan(rig.room_temperature))
     for (const effects::Effect& e : model.effects)
       if (e.description->id == effects::TemperatureGain::id)
@@ -137,6 +160,7 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
   ColumnMap columns = read_columns(tables);
   SensorOfFile sensor = read_torque_sensor(tables);
   std::vector<std::string> notes = notes_on_effects(model);
+  notes.insert(notes.end(), notes_on_spindle.begin(), notes_on_spindle.end());
   note_the_implausible(model, notes);
   model.covariance = read_covariance(tables, model);
   if (model.covariance)

@@ -28,12 +28,13 @@ void read_inertia(const Section& s, model::Rig& rig) {
 
 }  // namespace
 
-model::Rig read_rig(ModelTables& tables) {
+model::Rig read_rig(ModelTables& tables, const Names& further) {
   const Section s = tables.section("rig");
   Names known;
   for (const Key& key :
        {inertia, bearings, axial_load, radial_load, temperature, room_temperature, minimum_speed})
     known.emplace_back(key.name);
+  known.insert(known.end(), further.begin(), further.end());
   s.allow_only(known);
   model::Rig rig;
   read_inertia(s, rig);
@@ -49,9 +50,11 @@ model::Rig read_rig(ModelTables& tables) {
   return rig;
 }
 
-bearing::EquilibriumOptions read_solver(ModelTables& tables) {
+bearing::EquilibriumOptions read_solver(ModelTables& tables, const Names& further) {
   const Section s = tables.section("solver");
-  s.allow_only({"race_control", "tilt"});
+  Names known{"race_control", "tilt"};
+  known.insert(known.end(), further.begin(), further.end());
+  s.allow_only(known);
   bearing::EquilibriumOptions options;
   options.race_control = tables.choice_or(s, "race_control", {"outer", "inner"}, "outer") == "outer"
                              ? bearing::RaceControl::outer

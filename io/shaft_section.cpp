@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 
 #include "record/units.h"
 
 // Last: see io/toml_text.h.
+#include "io/number_lists.h"
 #include "io/shaft_section.h"
 
 namespace raceway::io {
@@ -37,6 +39,8 @@ constexpr Key ball_temperature{"ball_temperature_C", "C", -200, 500};
 constexpr Key shaft_temperature{"shaft_temperature_C", "C", -200, 500};
 constexpr Key housing_temperature{"housing_temperature_C", "C", -200, 500};
 constexpr std::string_view preload_class = "preload_class";
+constexpr std::string_view front_position = "front_position_mm";
+constexpr std::string_view rear_position = "rear_position_mm";
 
 /// A set of bearings as the trade names it.
 struct TradeName {
@@ -71,6 +75,9 @@ class ShaftReader {
       s_.fail("rear", "rear = 0: must be from 1 to 20; layout = \"tandem\" has none");
     d_.rear = read_set("rear", rear);
     read_mounting();
+    read_positions();
+    if (!std::isnan(in_.expansions.first))
+      std::tie(d_.shaft_expansion, d_.housing_expansion) = in_.expansions;
     read_preload();
     if (const auto value = s_.number(shaft_stiffness)) d_.shaft_stiffness = *value * N_per_um;
     if (const auto value = s_.number(housing_stiffness)) d_.housing_stiffness = *value * N_per_um;
@@ -88,7 +95,13 @@ class ShaftReader {
 
  private:
   static Names known() {
-    Names names{"layout", "mounting", std::string(preload_class), "front_bearing", "rear_bearing"};
+    Names names{"layout",
+                "mounting",
+                std::string(preload_class),
+                "front_bearing",
+                "rear_bearing",
+                std::string(front_position),
+                std::string(rear_position)};
     for (const Key& key :
          {front_count, rear_count, preload, preload_offset, spring_rate, external_load,
           shaft_stiffness, housing_stiffness, distance, shaft_expansion, housing_expansion,
@@ -193,6 +206,38 @@ class ShaftReader {
     return base_;
   }
 
+  /// Where the bearings' centres stand, from which the distance of the sets follows.
+  void read_positions() {
+    const bool front = s_.find(front_position), rear = s_.find(rear_position);
+    if (!front && !rear) return;
+    const std::string_view missing = front ? rear_position : front_position;
+    if (!front || (!rear && !d_.rear.empty()))
+      throw InputError(fmt::format("{}: [arrangement] {} is missing: {} is given", s_.place(),
+                                   missing, front ? front_position : rear_position),
+                       s_.at(missing));
+    const auto middle = [&](std::string_view key, std::size_t count) {
+      double sum = 0.0;
+      for (const double position : numbers(s_, key, *s_.find(key), count)) sum += position;
+      return sum / static_cast<double>(count);
+    };
+    const double at_front = middle(front_position, d_.front.size());
+    if (d_.rear.empty()) return;
+    const double apart = middle(rear_position, d_.rear.size()) - at_front;
+    if (!(apart > 0.0))
+      s_.fail(rear_position,
+              fmt::format("{} = {}: must be behind those of {}, which the nose is "
+                          "nearer to",
+                          rear_position, shown(*s_.find(rear_position)), front_position));
+    constexpr double rounding_mm = 1e-6;
+    if (const auto given = s_.number(distance); given && std::abs(*given - apart) > rounding_mm)
+      s_.fail(distance.name,
+              fmt::format("{} = {:.10g} mm: the sets are {:.10g} mm apart by {} and {}; leave it "
+                          "out",
+                          distance.name, *given, apart, front_position, rear_position));
+    positions_give_distance_ = true;
+    d_.distance = apart * mm;
+  }
+
   /// Keeps the first bearing of a side, whose printed preload stands for it.
   void first_of(const std::string& side, const NamedBearing& bearing) {
     (side == "front" ? first_front_ : first_rear_) = bearing;
@@ -248,7 +293,8 @@ class ShaftReader {
       any = any || !std::isnan(value);
     if (!any) {
       // Only a shaft that is warm needs these; they may stand there already.
-      if (const auto value = s_.number(distance)) d_.distance = *value * mm;
+      if (const auto value = s_.number(distance); value && !positions_give_distance_)
+        d_.distance = *value * mm;
       if (const auto value = s_.number(shaft_expansion))
         d_.shaft_expansion = *value * per_million_K;
       if (const auto value = s_.number(housing_expansion))
@@ -257,7 +303,7 @@ class ShaftReader {
         d_.mounting_temperature = kelvin(*value);
       return std::nullopt;
     }
-    d_.distance = number_or(distance, 0.0) * mm;
+    if (!positions_give_distance_) d_.distance = number_or(distance, 0.0) * mm;
     d_.shaft_expansion =
         number_or(shaft_expansion, d_.shaft_expansion / per_million_K) * per_million_K;
     d_.housing_expansion =
@@ -280,6 +326,7 @@ class ShaftReader {
   const Section& s_;
   const ShaftContext& in_;
   ArrangementDesign d_;
+  bool positions_give_distance_ = false;
   TradeName set_ = trade_names.front();
   std::shared_ptr<const bearing::Bearing> base_;
   std::optional<NamedBearing> first_front_, first_rear_;

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "model/model.h"
 
@@ -18,6 +19,8 @@ struct ShaftContext {
   /// Reads a table that changes keys of `base`, with `further` keys allowed.
   std::function<NamedBearing(const Section& table, const Names& further)> read_bearing;
   std::function<void(std::string_view key, const std::string& value)> note_default;
+  /// Of the shaft and the housing of a spindle [1/K]; NaN without.
+  std::pair<double, double> expansions{unset, unset};
 };
 
 /// Throws InputError as read_model() does.

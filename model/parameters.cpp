@@ -32,6 +32,27 @@ constexpr std::array bearing_numbers{
     BearingNumber{"contact_angle_deg", "deg", &bearing::BearingGeometry::contact_angle, degree, 1.0,
                   65.0}};
 
+/// A number of what stands around the sets that may be fitted, in units of files as in the model.
+struct SpindleNumber {
+  std::string_view table, name, unit;
+  double lower, upper;
+  double& (*in)(Spindle&);
+};
+
+constexpr std::array spindle_numbers{
+    SpindleNumber{"ambient", "convection_factor", "1", 0.0, 20.0,
+                  [](Spindle& s) -> double& { return s.ambient.convection_factor; }},
+    SpindleNumber{"bearing", "lubricant_conductance_W_K", "W/K", 0.0, 1000.0,
+                  [](Spindle& s) -> double& { return s.lubricant_conductance; }},
+    SpindleNumber{"seat", "outer_conductance_W_m2K", "W/(m2 K)", 0.1, 1e6,
+                  [](Spindle& s) -> double& { return s.seat.outer_conductance; }},
+    SpindleNumber{"housing", "flange_conductance_W_K", "W/K", 0.0, 1e4,
+                  [](Spindle& s) -> double& { return s.housing.flange_conductance; }}};
+
+double value_in(const Spindle& spindle, const SpindleNumber& number) {
+  return number.in(const_cast<Spindle&>(spindle));  // looked at only
+}
+
 std::string address_of(const BearingNumber& number) {
   return "bearing." + std::string(number.name);
 }
@@ -113,6 +134,19 @@ void add_arrangement(std::vector<Parameter>& list, const Model& model) {
   if (g.contact_angle > 0.0) add_number(angle.name, {address_of(angle)}, angle);
 }
 
+void add_spindle(std::vector<Parameter>& list, const Model& model) {
+  if (!model.spindle) return;
+  for (const SpindleNumber& n : spindle_numbers) {
+    if (std::isnan(value_in(*model.spindle, n))) continue;
+    // Bodies that a file lists itself have no air, seats and flange.
+    if (model.spindle->network && n.table != "bearing") continue;
+    std::string address(n.table);
+    address.append(".").append(n.name);
+    add(list,
+        parameter_at(model, {std::move(address)}, std::string(n.name), n.unit, n.lower, n.upper));
+  }
+}
+
 void add_effect(std::vector<Parameter>& list, const Model& model, std::size_t k) {
   const effects::Description& d = *model.effects[k].description;
   for (const effects::Parameter& n : d.parameters) {
@@ -149,6 +183,7 @@ std::vector<Parameter> parameters(const Model& model) {
   std::vector<Parameter> list;
   add_law(list, model);
   add_arrangement(list, model);
+  add_spindle(list, model);
   for (std::size_t k = 0; k < model.effects.size(); ++k) add_effect(list, model, k);
   return list;
 }
@@ -181,7 +216,13 @@ void ParameterPlace::resolve(const Model& model, const std::string& address) {
   if (dot == text.npos) refuse(address);
   const std::string_view table = text.substr(0, dot);
   std::string_view name = text.substr(dot + 1);
-  if (table == "friction") {
+  const auto of_spindle = std::find_if(
+      spindle_numbers.begin(), spindle_numbers.end(),
+      [&](const SpindleNumber& n) { return model.spindle && n.table == table && n.name == name; });
+  if (of_spindle != spindle_numbers.end()) {
+    kind_ = Kind::spindle;
+    index_ = static_cast<std::size_t>(of_spindle - spindle_numbers.begin());
+  } else if (table == "friction") {
     kind_ = Kind::law;
     index_ = index_of(friction::parameters(model.law), name, address);
   } else if (table == "arrangement" && name == "preload_N" && has_preload_force(model)) {
@@ -215,6 +256,8 @@ double ParameterPlace::get(const Model& model) const {
       return std::get<bearing::PreloadForce>(model.shaft->arrangement.design().preload).force;
     case Kind::bearing:
       return model.bearing.geometry().*members_.front() / factor_;
+    case Kind::spindle:
+      return value_in(*model.spindle, spindle_numbers[index_]);
   }
   return unset;
 }
@@ -240,6 +283,9 @@ void ParameterPlace::set(Model& model, double value) const {
       set_geometry(model, g);
       return;
     }
+    case Kind::spindle:
+      spindle_numbers[index_].in(*model.spindle) = value;
+      return;
   }
 }
 
@@ -257,6 +303,8 @@ std::vector<std::string> default_free(friction::FrictionLaw law) {
 }
 
 std::vector<std::string> default_free(const Model& model) {
+  if (model.spindle)
+    return {model.law == friction::FrictionLaw::palmgren ? "f0" : default_free(model.law).front()};
   if (has_preload_force(model)) return {"preload_N"};
   return default_free(model.law);
 }

@@ -19,6 +19,11 @@ namespace raceway::model {
 ///   inner_conformity, outer_conformity            bearing.inner_conformity
 ///   conformity                 of both grooves, where they are equal in the model
 ///   contact_angle_deg          free contact angle; the force of preload stays
+///   convection_factor          of a spindle       ambient.convection_factor
+///   lubricant_conductance_W_K                     bearing.lubricant_conductance_W_K
+///   outer_conductance_W_m2K    where the model gives it
+///                                                 seat.outer_conductance_W_m2K
+///   flange_conductance_W_K                        housing.flange_conductance_W_K
 ///   mixed-lubrication.K_rs     "id.name" of an effect
 ///                                                 effect.2.K_rs of the third effect
 ///
@@ -53,7 +58,7 @@ class ParameterPlace {
   [[nodiscard]] int effect() const { return effect_; }
 
  private:
-  enum class Kind { law, effect, preload, bearing };
+  enum class Kind { law, effect, preload, bearing, spindle };
   void resolve(const Model& model, const std::string& address);
 
   Kind kind_ = Kind::law;
@@ -70,8 +75,8 @@ void set(Model& model, const record::Parameter& parameter, double value);
 /// palmgren: f0, z (y is rarely told apart from z)      skf: mu_EHL, K_rs
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
-/// The preload of an arrangement that is given as a force, which assembly makes uncertain;
-/// otherwise what the law has.
+/// Of a spindle f0, or what stands for it in the law. The preload of an arrangement that is given
+/// as a force, which assembly makes uncertain; otherwise what the law has.
 [[nodiscard]] std::vector<std::string> default_free(const Model& model);
 
 }  // namespace raceway::model

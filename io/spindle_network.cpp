@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+
+#include "record/units.h"
+
+// Last: see io/toml_text.h.
+#include "io/spindle_parts.h"
+
+namespace raceway::io {
+namespace {
+
+using model::Network;
+
+/// Bodies that a link may name and no table has to: the surroundings, whose temperature is known.
+constexpr std::array surroundings{std::string_view("ambient"), std::string_view("machine")};
+
+std::size_t node_of(Network& network, const Section& s, const char* key,
+                    const model::Ambient& ambient) {
+  const auto name = s.text(key);
+  if (!name) s.fail(key, fmt::format("[network.link] {} is missing: the name of a node", key));
+  Names known;
+  for (std::size_t k = 0; k < network.nodes.size(); ++k) {
+    if (network.nodes[k].name == *name) return k;
+    known.push_back(network.nodes[k].name);
+  }
+  if (std::find(surroundings.begin(), surroundings.end(), *name) == surroundings.end()) {
+    known.insert(known.end(), surroundings.begin(), surroundings.end());
+    const std::string near = suggestion(*name, known);
+    s.fail(key, fmt::format("{} = \"{}\": no such node{}", key, *name,
+                            near.empty() ? "; the network has " + listed(known) : near));
+  }
+  const bool own = *name == "machine" && !std::isnan(ambient.machine_temperature);
+  network.nodes.push_back(
+      {.name = *name, .temperature = own ? ambient.machine_temperature : ambient.temperature});
+  return network.nodes.size() - 1;
+}
+
+void read_nodes(const Section& s, Network& network) {
+  const Key capacity{"capacity_J_K", "J/K", 1e-6, 1e12},
+      temperature{"temperature_C", "C", -273, 2000}, heat{"heat_W", "W", -1e9, 1e9};
+  for (const Section& one : tables_in(s, "node")) {
+    one.allow_only({"name", "capacity_J_K", "temperature_C", "heat_W"});
+    const auto name = one.text("name");
+    if (!name || name->empty()) one.fail("name", "[network.node] name is missing");
+    for (const Network::Node& other : network.nodes)
+      if (other.name == *name)
+        one.fail("name", fmt::format("name = \"{}\": another node has this name", *name));
+    Network::Node node{.name = *name};
+    if (const auto value = one.number(temperature)) node.temperature = kelvin(*value);
+    if (const auto value = one.number(capacity)) node.capacity = *value;
+    if (std::isnan(node.capacity) == std::isnan(node.temperature))
+      one.fail(capacity.name,
+               fmt::format("node {}: must have one of capacity_J_K and temperature_C, of a body "
+                           "that is held at it",
+                           *name));
+    node.heat = one.number(heat).value_or(0.0);
+    network.nodes.push_back(std::move(node));
+  }
+  if (network.nodes.empty()) s.fail("node", "[network] has no node: give [[network.node]]");
+}
+
+/// From where heat can leave: a body that no link leads to from one that is held warms for ever.
+void require_ways_out(const Section& s, const Network& network, std::size_t written) {
+  std::vector<bool> reached(network.nodes.size());
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    reached[k] = !std::isnan(network.nodes[k].temperature);
+  for (bool any = true; any;) {
+    any = false;
+    for (const Network::Link& link : network.links)
+      if (reached[link.from] != reached[link.to])
+        reached[link.from] = reached[link.to] = any = true;
+  }
+  const std::vector<Section> nodes = tables_in(s, "node");
+  for (std::size_t k = 0; k < written; ++k) {
+    const bool linked =
+        std::any_of(network.links.begin(), network.links.end(),
+                    [&](const Network::Link& l) { return l.from == k || l.to == k; });
+    if (reached[k] && linked) continue;
+    nodes[k].fail(
+        "name", linked
+                    ? fmt::format("node {}: no links lead from it to a body that is held at a "
+                                  "temperature (temperature_C, ambient, machine); its heat "
+                                  "would go nowhere",
+                                  network.nodes[k].name)
+                    : fmt::format("node {}: no [[network.link]] names it", network.nodes[k].name));
+  }
+}
+
+}  // namespace
+
+void check_network_sensors(const ModelTables& tables, const model::Spindle& spindle) {
+  Names known;
+  for (const Network::Node& node : spindle.network->nodes) known.push_back(node.name);
+  for (const Section& s : tables_in(Section(tables.source(), "", &tables.root()), "sensor"))
+    (void)s.choice("name", known);
+}
+
+model::Network read_network(const ModelTables& tables, const model::Ambient& ambient) {
+  const Section s = tables.section("network");
+  s.allow_only({"node", "link"});
+  Network network;
+  read_nodes(s, network);
+  const std::size_t written = network.nodes.size();
+  for (const Section& one : tables_in(s, "link")) {
+    one.allow_only({"from", "to", "conductance_W_K"});
+    Network::Link link{.from = node_of(network, one, "from", ambient),
+                       .to = node_of(network, one, "to", ambient),
+                       .conductance = one.required({"conductance_W_K", "W/K", 1e-12, 1e9})};
+    if (link.from == link.to)
+      one.fail("to", fmt::format("to = \"{}\": a link leads from one node to another one",
+                                 network.nodes[link.to].name));
+    network.links.push_back(link);
+  }
+  require_ways_out(s, network, written);
+  return network;
+}
+
+}  // namespace raceway::io

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/model.h"
+
+// Last: see io/toml_text.h.
+#include "io/model_tables.h"
+
+/// Parts of the reader of spindles; see io/spindle_section.h.
+namespace raceway::io {
+
+inline constexpr double longest_mm = 1e5;  ///< of a spindle and all that stands on it
+
+/// The tables of a list, [[shaft.segment]] or segment = [{...}]; none where there is no such key.
+[[nodiscard]] std::vector<Section> tables_in(const Section& s, std::string_view key);
+
+/// A name that can stand in front of the unit of a column: letters, digits and _.
+[[nodiscard]] bool names_a_column(std::string_view name);
+
+[[nodiscard]] model::ShaftBody read_shaft_body(ModelTables& tables);
+[[nodiscard]] model::Housing read_housing(ModelTables& tables);
+[[nodiscard]] model::Seat read_seat(ModelTables& tables);
+[[nodiscard]] std::optional<model::Gap> read_gap(const ModelTables& tables);
+
+[[nodiscard]] model::Ambient read_ambient(ModelTables& tables);
+[[nodiscard]] std::optional<model::Coolant> read_coolant(ModelTables& tables,
+                                                         const model::Ambient& ambient);
+/// [motor] or [drive].
+[[nodiscard]] std::optional<model::HeatSource> read_heat_source(ModelTables& tables,
+                                                                std::string_view table);
+[[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables,
+                                                                bool of_network);
+[[nodiscard]] model::Network read_network(const ModelTables& tables, const model::Ambient& ambient);
+
+/// Each is named after a node.
+void check_network_sensors(const ModelTables& tables, const model::Spindle& spindle);
+
+/// What no table can see alone: bearings on the shaft and in the housing, sensors inside what they
+/// measure, ... Adds to `notes` what is odd, but can be.
+void check_spindle(const ModelTables& tables, const model::Spindle& spindle,
+                   const model::Shaft& shaft, Names& notes);
+
+}  // namespace raceway::io

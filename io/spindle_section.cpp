@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/number_lists.h"
+#include "record/units.h"
+
+// Last: see io/toml_text.h.
+#include "io/spindle_parts.h"
+#include "io/spindle_section.h"
+
+namespace raceway::io {
+namespace {
+
+using model::Cells;
+using model::Spindle;
+
+void read_name(ModelTables& tables, const std::string& bearing, Spindle& spindle) {
+  const Section s = tables.section("spindle");
+  s.allow_only({"name", "preload_feedback"});
+  if (const auto name = s.text("name"))
+    spindle.name = *name;
+  else
+    tables.note_default("spindle", "name", fmt::format("\"{}\"", spindle.name = bearing),
+                        "default: that of the bearing");
+  const toml::node* const feedback = s.find("preload_feedback");
+  if (!feedback)
+    tables.note_default("spindle", "preload_feedback", "true");
+  else if (!feedback->is_boolean())
+    s.fail("preload_feedback", fmt::format("preload_feedback = {}: must be true or false, not {}",
+                                           shown(*feedback), kind(*feedback)));
+  else
+    spindle.preload_feedback = *feedback->value<bool>();
+}
+
+/// Envelope of the rings, and what they conduct beside their contacts.
+void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spindle) {
+  const Section s = tables.section("bearing");
+  const bearing::BearingGeometry& g = bearing.bearing.geometry();
+  const auto take = [&](double& value, const Key& key, double fallback, const char* why) {
+    if (const auto given = s.number(key)) {
+      value = *given * mm;
+      return;
+    }
+    value = fallback;
+    tables.note_default(s.name(), key.name, fmt::format("{:.6g}", value / mm), why);
+  };
+  if (bearing.row && !std::isnan(bearing.row->width))
+    take(spindle.bearing_width, {"width_mm", "mm", 0.5, 1000}, bearing.row->width,
+         "of the catalogue");
+  else
+    take(spindle.bearing_width, {"width_mm", "mm", 0.5, 1000}, 0.5 * (g.outer_diameter - g.bore),
+         "default: half of outer diameter - bore");
+  take(spindle.inner_ring_shoulder, {"inner_ring_shoulder_mm", "mm", 1, 5000},
+       g.pitch_diameter - 0.7 * g.ball_diameter, "default: pitch diameter - 0.7 ball diameters");
+  take(spindle.outer_ring_shoulder, {"outer_ring_shoulder_mm", "mm", 1, 10000},
+       g.pitch_diameter + 0.7 * g.ball_diameter, "default: pitch diameter + 0.7 ball diameters");
+  const auto require = [&](const char* key, double value, double lower, double upper) {
+    if (!(value > lower && value < upper))
+      s.fail(key, fmt::format("{} = {:.6g} mm: must be between {:.6g} and {:.6g} mm, the ring's "
+                              "other diameter and the pitch circle",
+                              key, value / mm, std::min(lower, upper) / mm,
+                              std::max(lower, upper) / mm));
+  };
+  require("inner_ring_shoulder_mm", spindle.inner_ring_shoulder, g.bore, g.pitch_diameter);
+  require("outer_ring_shoulder_mm", spindle.outer_ring_shoulder, g.pitch_diameter,
+          g.outer_diameter);
+  spindle.lubricant_conductance = tables.number_or(s, {"lubricant_conductance_W_K", "W/K", 0, 1000},
+                                                   spindle.lubricant_conductance);
+}
+
+void read_solution(ModelTables& tables, Spindle& spindle) {
+  const Section solver = tables.section("solver");
+  const std::string cells =
+      tables.choice_or(solver, "cells", {"coarse", "medium", "fine"}, "medium");
+  spindle.cells = cells == "coarse" ? Cells::coarse : cells == "fine" ? Cells::fine : Cells::medium;
+  if (const auto step = solver.number({"step_s", "s", 0.01, 1e5}))
+    spindle.step = *step;
+  else
+    tables.note_default("solver", "step_s", "as the error asks for");
+  const Section rig = tables.section("rig");
+  spindle.model_floor_temperature =
+      tables.number_or(rig, {"model_floor_K", "K", 0, 100}, spindle.model_floor_temperature);
+  spindle.model_floor_displacement = tables.number_or(rig, {"model_floor_um", "um", 0, 1000},
+                                                      spindle.model_floor_displacement / um) *
+                                     um;
+}
+
+void read_positions(const ModelTables& tables, const model::Shaft& shaft, Spindle& spindle) {
+  const Section s = tables.section("arrangement");
+  const std::size_t front = shaft.arrangement.front_count();
+  const std::size_t rear = shaft.arrangement.bearings().size() - front;
+  const auto read = [&](const char* key, std::size_t count) {
+    if (!s.find(key)) {
+      if (spindle.network) return std::vector<double>();
+      throw MissingKey(fmt::format("{}: [arrangement] {} is missing: centres of the bearings "
+                                   "behind the nose face, a list of {}",
+                                   s.place(), key, count),
+                       s.at(key));
+    }
+    std::vector<double> list = numbers(s, key, *s.find(key), count);
+    for (double& value : list) value *= mm;
+    return list;
+  };
+  spindle.front_positions = read("front_position_mm", front);
+  spindle.rear_positions = read("rear_position_mm", rear);
+}
+
+}  // namespace
+
+const Names& tables_of_spindle() {
+  static const Names names{"spindle", "shaft", "housing", "seat",    "coolant", "ambient",
+                           "motor",   "drive", "gap",     "network", "sensor"};
+  return names;
+}
+
+bool is_spindle(const ModelTables& tables) {
+  const auto has = [&](std::string_view name) { return tables.root().contains(name); };
+  const auto fail = [&](std::string_view table, const std::string& why) {
+    const toml::node* const node = tables.root().get(table);
+    throw InputError(
+        fmt::format("{}:{}: [{}]: {}", tables.source(), node->source().begin.line, table, why),
+        {.file = tables.source(),
+         .line = static_cast<int>(node->source().begin.line),
+         .key = std::string(table)});
+  };
+  if (has("network"))
+    for (const char* other : {"shaft", "housing", "gap", "motor", "drive", "coolant", "seat"})
+      if (has(other)) fail(other, "a [network] stands in place of a geometry; take one of the two");
+  if (!has("network") && has("shaft") != has("housing"))
+    fail(has("shaft") ? "shaft" : "housing",
+         "a spindle has both [shaft] and [housing]; the other one is missing");
+  const bool spindle = has("network") || has("shaft");
+  if (!spindle)
+    for (const std::string& name : tables_of_spindle())
+      if (has(name))
+        fail(name, "belongs to a spindle, which a model is with [shaft] and [housing]");
+  return spindle;
+}
+
+Names spindle_keys(std::string_view table, bool spindle) {
+  if (!spindle) return {};
+  if (table == "bearing")
+    return {"width_mm", "inner_ring_shoulder_mm", "outer_ring_shoulder_mm",
+            "lubricant_conductance_W_K"};
+  if (table == "friction") return {"inner_heat_share"};
+  if (table == "solver") return {"cells", "step_s"};
+  if (table == "rig") return {"model_floor_K", "model_floor_um"};
+  return {};
+}
+
+double expansion_of(const ModelTables& tables, std::string_view table, double fallback) {
+  const auto value = tables.section(table).number({"thermal_expansion_1e6_K", "1e-6/K", 0, 50});
+  return value ? *value * per_million_K : fallback;
+}
+
+model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
+                            const model::Shaft* shaft, Names& notes) {
+  if (!shaft)
+    throw MissingKey(fmt::format("{}: table [arrangement] is missing; a spindle has its sets of "
+                                 "bearings there",
+                                 tables.source()),
+                     {.file = tables.source(), .key = "arrangement"});
+  if (shaft->arrangement.design().rear.empty())
+    tables.section("arrangement")
+        .fail("layout", "layout = \"tandem\": a spindle has a front and a rear set");
+  Spindle spindle;
+  read_name(tables, bearing.name, spindle);
+  read_rings(tables, bearing, spindle);
+  if (const auto share = tables.section("friction").number({"inner_heat_share", "", 0, 1}))
+    spindle.inner_heat_share = *share;
+  else
+    tables.note_default("friction", "inner_heat_share", "by the sliding at each ring");
+  read_solution(tables, spindle);
+  spindle.ambient = read_ambient(tables);
+  if (tables.root().contains("network")) spindle.network = read_network(tables, spindle.ambient);
+  read_positions(tables, *shaft, spindle);
+  spindle.sensors = read_sensors(tables, spindle.network.has_value());
+  if (spindle.network) {
+    check_network_sensors(tables, spindle);
+    return spindle;
+  }
+  spindle.shaft = read_shaft_body(tables);
+  spindle.housing = read_housing(tables);
+  spindle.seat = read_seat(tables);
+  spindle.coolant = read_coolant(tables, spindle.ambient);
+  spindle.motor = read_heat_source(tables, "motor");
+  spindle.drive = read_heat_source(tables, "drive");
+  spindle.gap = read_gap(tables);
+  check_spindle(tables, spindle, *shaft, notes);
+  return spindle;
+}
+
+}  // namespace raceway::io
