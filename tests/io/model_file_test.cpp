@@ -560,9 +560,11 @@ TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
       const effects::Effect effect{.description = &d, .values = effects::initial_values(d)};
       const std::string text = with_effect(on_shaft ? shaft : rig, effect);
       if (!d.belongs_to(form)) {
-        EXPECT_THAT(error_of(text),
-                    HasSubstr(on_shaft ? "acts on a bearing on a rig, but this model is of a shaft"
-                                       : "but this model has no [arrangement]"));
+        EXPECT_THAT(
+            error_of(text),
+            HasSubstr(d.of_spindles_alone() ? "but this model has no [shaft] and [housing]"
+                      : on_shaft ? "acts on a bearing on a rig, but this model is of a shaft"
+                                 : "but this model has no [arrangement]"));
         continue;
       }
       const model::Model m = parse_model(text, "m.toml").model;
