@@ -7,11 +7,11 @@
 /// The files of a run. No command writes over what it reads, nor two things into one file.
 namespace raceway::cli {
 
-/// Takes the files from a parsed command line: --output, --report, --plot, --save and --correction
-/// are written, every other argument that names a file is read, and so is standard input. Throws
-/// io::InputError where one of the first is one of the second, by whatever path, or two of the first
-/// are one. `calibrate` and `add` may write onto their own MODEL. An argument with a control
-/// character is refused, too.
+/// Takes the files from a parsed command line: --output, --report, --plot, --save, --correction,
+/// --end-state and --field are written, every other argument that names a file is read, and so is
+/// standard input. Throws io::InputError where one of the first is one of the second, by whatever
+/// path, or two of the first are one. `calibrate` and `add` may write onto their own MODEL. An
+/// argument with a control character is refused, too.
 void check_files(const CLI::App& command);
 
 /// The same of outputs whose names come out during the run. After check_files().

@@ -9,6 +9,7 @@
 #include "io/input_file.h"
 #include "io/signal_channels.h"
 #include "record/series_channel.h"
+#include "record/spindle_channel.h"
 
 // Last: see io/toml_text.h.
 #include "io/column_section.h"
@@ -82,6 +83,7 @@ void read_rule_table(const Section& s, const toml::key& key, const toml::table& 
 ColumnRule read_rule(const Section& s, const toml::key& key, const toml::node& node) {
   auto named = named_channel(key.str(), file_channels());
   if (!named) named = named_series_channel(key.str());
+  if (!named) named = named_spindle_channel(key.str());
   if (!named) {
     const Names known = names_of_channels();
     const std::string near = suggestion(key.str(), known);
@@ -173,6 +175,23 @@ std::optional<NamedChannel> named_series_channel(std::string_view name) {
     if (unit) return NamedChannel{channel, unit == own ? nullptr : unit};
   }
   return std::nullopt;
+}
+
+std::optional<NamedChannel> named_spindle_channel(std::string_view name) {
+  if (const Channel* const exact = record::spindle_channel(name)) return NamedChannel{exact};
+  static constexpr std::array fixed{&record::time,
+                                    &record::run,
+                                    &record::speed,
+                                    &record::axial_load,
+                                    &record::radial_load,
+                                    &record::motor_heat,
+                                    &record::axial_displacement,
+                                    &record::displacement_deviation};
+  if (auto named = named_channel(name, fixed)) return named;
+  const auto of_series = named_series_channel(name);
+  const Channel* const channel =
+      of_series ? record::spindle_channel(of_series->channel->name) : nullptr;
+  return channel ? std::optional(NamedChannel{channel, of_series->unit}) : std::nullopt;
 }
 
 const ColumnRule* ColumnMap::find(std::string_view header) const {

@@ -44,6 +44,9 @@ struct NamedChannel {
 /// [mm]".
 [[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
 
+/// The same of a record of a spindle, whose temperatures are measured but for those around it.
+[[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
+
 /// One line of [columns]: what one of our columns is in somebody else's file.
 struct ColumnRule {
   std::string key;                   ///< as it stands there: "friction_torque_Nmm"
@@ -70,8 +73,9 @@ struct ReadOptions {
   ColumnMap columns{};
   /// By which a column torque_signal_V becomes friction torque.
   std::optional<rig::TorqueSensor> sensor{};
-  bool drop_nan = false;   ///< rows with a cell that has no number are left out and told
-  bool over_time = false;  ///< columns are those of records over time
+  bool drop_nan = false;    ///< rows with a cell that has no number are left out and told
+  bool over_time = false;   ///< columns are those of records over time
+  bool of_spindle = false;  ///< and, among these, those of a spindle's
 };
 
 /// All channels that a file may have: those of a record, of a fall between two speeds, of a torque

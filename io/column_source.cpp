@@ -10,6 +10,7 @@
 #include "io/error.h"
 #include "io/missing_cell.h"
 #include "io/names.h"
+#include "record/spindle_channel.h"
 
 namespace raceway::io {
 namespace {
@@ -89,7 +90,8 @@ CellRange range_of(const ColumnSource& source, bool with_sign) {
   return range;
 }
 
-std::optional<NamedChannel> named_column(std::string_view name, bool over_time) {
+std::optional<NamedChannel> named_column(std::string_view name, bool over_time, bool of_spindle) {
+  if (of_spindle) return named_spindle_channel(name);
   return over_time ? named_series_channel(name) : named_channel(name, file_channels());
 }
 
@@ -97,7 +99,7 @@ FormFinder finder(const ReadOptions& options) {
   return [&](std::string_view text) {
     return find_form(text, [&](std::string_view cell) {
       return options.columns.find(cell) != nullptr ||
-             named_column(cell, options.over_time).has_value();
+             named_column(cell, options.over_time, options.of_spindle).has_value();
     });
   };
 }
@@ -121,7 +123,7 @@ const ColumnSource* Recognised::find(const Channel& channel) const {
   return nullptr;
 }
 
-Recognised recognise(const CsvTable& table, const ColumnMap& map, bool over_time) {
+Recognised recognise(const CsvTable& table, const ColumnMap& map, bool over_time, bool of_spindle) {
   Recognised result;
   const auto has_column_of = [&](const ColumnRule& rule) {
     return table.column(rule.header).has_value();
@@ -129,11 +131,18 @@ Recognised recognise(const CsvTable& table, const ColumnMap& map, bool over_time
   for (std::size_t c = 0; c < table.header.size(); ++c) {
     const std::string& name = table.header[c];
     if (const ColumnRule* const rule = map.find(name)) {
-      add({rule->channel, c, name, {unit_by_rule(*rule, table, c), rule->factor}, rule->excel_date},
+      // In a record of a spindle a temperature that another one takes for an input is measured.
+      const Channel* const measured =
+          of_spindle ? record::spindle_channel(rule->channel->name) : nullptr;
+      add({measured ? measured : rule->channel,
+           c,
+           name,
+           {unit_by_rule(*rule, table, c), rule->factor},
+           rule->excel_date},
           table, result);
       continue;
     }
-    const auto named = named_column(name, over_time);
+    const auto named = named_column(name, over_time, of_spindle);
     const bool replaced = named && is_ruled(map, *named->channel) &&
                           std::any_of(map.rules.begin(), map.rules.end(), [&](const auto& rule) {
                             return *rule.channel == *named->channel && has_column_of(rule);

@@ -37,7 +37,7 @@ struct Recognised {
 /// Throws InputError for a column of the map that is not there, for two columns of one quantity and
 /// for a unit that contradicts that of the header.
 [[nodiscard]] Recognised recognise(const CsvTable& table, const ColumnMap& map,
-                                   bool over_time = false);
+                                   bool over_time = false, bool of_spindle = false);
 
 /// A cell in SI; what is no number or out of range goes to `bad`. `with_sign`: an input that may be
 /// below zero here.

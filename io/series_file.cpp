@@ -34,7 +34,8 @@ class SeriesReader {
                const ReadOptions& options)
       : table_(std::move(table)),
         wanted_(wanted),
-        found_(recognise(table_, options.columns, true)),
+        found_(recognise(table_, options.columns, true, options.of_spindle)),
+        of_spindle_(options.of_spindle),
         dropped_(options.drop_nan ? drop_empty_rows(table_, inputs()) : std::string()),
         cells_(table_) {
     require(record::time);
@@ -47,6 +48,7 @@ class SeriesReader {
     for (const ColumnSource& source : found_.columns) {
       const Channel& c = *source.channel;
       if (c.role == Role::measured && !is_wanted(c)) {
+        refuse_misspelt(c);
         unused_.emplace_back(c.name);
         continue;
       }
@@ -57,7 +59,7 @@ class SeriesReader {
         result.set(c, cells_.times(source));
       } else {
         // A control tells the direction; heat does not know it.
-        const bool with_sign = c == record::speed;
+        const bool with_sign = c == record::speed || c == record::axial_load;
         result.set(c, cells_.numbers(source, with_sign,
                                      [&](std::size_t) { return c.role == Role::measured; }));
       }
@@ -96,8 +98,31 @@ class SeriesReader {
                      place_in_header(table_, channel.name));
   }
 
+  /// A sensor that the model has under a name much like it, and the file not at all.
+  void refuse_misspelt(const Channel& channel) const {
+    if (!of_spindle_) return;
+    std::vector<std::string> lacking;
+    for (const Channel* c : wanted_)
+      if (!found_.find(*c)) lacking.emplace_back(c->name);
+    if (const auto near = nearest_name(channel.name, lacking))
+      throw InputError(fmt::format("{}:{}: column {} is no sensor of the model; did you mean {}?",
+                                   table_.source, table_.header_line, channel.name, *near),
+                       place_in_header(table_, channel.name));
+  }
+
   void name_the_others(const ColumnMap& map) {
     std::vector<std::string> known{"time_s", "speed_rpm", "run_id", "setup_id", "coolant_on"};
+    if (of_spindle_)
+      known = {"time_s",
+               "run_id",
+               "speed_rpm",
+               "axial_load_N",
+               "coolant_on",
+               "ambient_temperature_C",
+               "radial_load_N",
+               "motor_heat_W",
+               "machine_temperature_C",
+               "coolant_inlet_temperature_C"};
     for (const Channel* c : wanted_) known.emplace_back(c->name);
     for (const std::string& name : found_.others) {
       if (const auto near = map.rules.empty() ? nearest_name(name, known) : std::nullopt)
@@ -107,10 +132,11 @@ class SeriesReader {
     }
     if (!found_.others.empty())
       unknown_ = fmt::format(
-          "column{} {} unknown and ignored: a record over time has NAME_temperature_C, "
-          "NAME_feed_m_min, NAME_speed_rpm, coolant_on, displacement_NAME_um",
-          found_.others.size() == 1 ? "" : "s",
-          listed(found_.others) + (found_.others.size() == 1 ? " is" : " are"));
+          "column{} {} unknown and ignored: a record {}", found_.others.size() == 1 ? "" : "s",
+          listed(found_.others) + (found_.others.size() == 1 ? " is" : " are"),
+          of_spindle_ ? "of a spindle has " + listed(known)
+                      : "over time has NAME_temperature_C, NAME_feed_m_min, NAME_speed_rpm, "
+                        "coolant_on, displacement_NAME_um");
   }
 
   void set_constant(const Recognised::Constant& constant, Record& result) {
@@ -147,7 +173,7 @@ class SeriesReader {
   }
 
   /// Steps of time far beyond the usual one.
-  static void note_gaps(const Record& result, std::vector<std::string>& list) {
+  void note_gaps(const Record& result, std::vector<std::string>& list) const {
     constexpr double far_beyond = 20.0;
     const std::span<const double> time = result.values(record::time);
     std::vector<double> steps;
@@ -166,13 +192,16 @@ class SeriesReader {
     if (count > 0)
       list.push_back(fmt::format(
           "{} gap{} in time, the first before {}, the longest {:.4g} s where rows come every "
-          "{:.4g} s: temperatures are carried over it in a straight line, all else as it was",
-          count, count == 1 ? "" : "s", result.place(first), longest, usual));
+          "{:.4g} s: {}",
+          count, count == 1 ? "" : "s", result.place(first), longest, usual,
+          of_spindle_ ? "the inputs of the row behind it hold"
+                      : "temperatures are carried over it in a straight line, all else as it was"));
   }
 
   CsvTable table_;
   const Channels& wanted_;
   Recognised found_;
+  bool of_spindle_;
   std::string dropped_;
   ColumnReader cells_;
   std::vector<std::string> unused_, constants_;

@@ -42,6 +42,10 @@ void read_nodes(const Section& s, Network& network) {
     one.allow_only({"name", "capacity_J_K", "temperature_C", "heat_W"});
     const auto name = one.text("name");
     if (!name || name->empty()) one.fail("name", "[network.node] name is missing");
+    if (!names_a_column(*name))
+      one.fail("name", fmt::format("name = \"{}\": must be letters, digits and _, since it gives "
+                                   "the column NAME_temperature_C",
+                                   *name));
     for (const Network::Node& other : network.nodes)
       if (other.name == *name)
         one.fail("name", fmt::format("name = \"{}\": another node has this name", *name));
@@ -88,11 +92,16 @@ void require_ways_out(const Section& s, const Network& network, std::size_t writ
 
 }  // namespace
 
-void check_network_sensors(const ModelTables& tables, const model::Spindle& spindle) {
-  Names known;
-  for (const Network::Node& node : spindle.network->nodes) known.push_back(node.name);
+std::vector<model::ThermometerPlace> sensors_of_network(const ModelTables& tables,
+                                                        const Network& network) {
   for (const Section& s : tables_in(Section(tables.source(), "", &tables.root()), "sensor"))
-    (void)s.choice("name", known);
+    throw InputError(fmt::format("{}: [[sensor]]: a [network] gives the temperature of each of its "
+                                 "nodes; take the sensor out",
+                                 s.place()),
+                     s.at());
+  std::vector<model::ThermometerPlace> sensors;
+  for (const Network::Node& node : network.nodes) sensors.push_back({.name = node.name});
+  return sensors;
 }
 
 model::Network read_network(const ModelTables& tables, const model::Ambient& ambient) {

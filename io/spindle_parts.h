@@ -32,12 +32,12 @@ inline constexpr double longest_mm = 1e5;  ///< of a spindle and all that stands
 /// [motor] or [drive].
 [[nodiscard]] std::optional<model::HeatSource> read_heat_source(ModelTables& tables,
                                                                 std::string_view table);
-[[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables,
-                                                                bool of_network);
+[[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables);
 [[nodiscard]] model::Network read_network(const ModelTables& tables, const model::Ambient& ambient);
 
-/// Each is named after a node.
-void check_network_sensors(const ModelTables& tables, const model::Spindle& spindle);
+/// Every node of a network, its surroundings too. Refuses [[sensor]].
+[[nodiscard]] std::vector<model::ThermometerPlace> sensors_of_network(
+    const ModelTables& tables, const model::Network& network);
 
 /// What no table can see alone: bearings on the shaft and in the housing, sensors inside what they
 /// measure, ... Adds to `notes` what is odd, but can be.

@@ -174,11 +174,11 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
   spindle.ambient = read_ambient(tables);
   if (tables.root().contains("network")) spindle.network = read_network(tables, spindle.ambient);
   read_positions(tables, *shaft, spindle);
-  spindle.sensors = read_sensors(tables, spindle.network.has_value());
   if (spindle.network) {
-    check_network_sensors(tables, spindle);
+    spindle.sensors = sensors_of_network(tables, *spindle.network);
     return spindle;
   }
+  spindle.sensors = read_sensors(tables);
   spindle.shaft = read_shaft_body(tables);
   spindle.housing = read_housing(tables);
   spindle.seat = read_seat(tables);

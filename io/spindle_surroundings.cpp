@@ -177,21 +177,12 @@ std::optional<model::HeatSource> read_heat_source(ModelTables& tables, std::stri
   return source;
 }
 
-std::vector<ThermometerPlace> read_sensors(const ModelTables& tables, bool of_network) {
+std::vector<ThermometerPlace> read_sensors(const ModelTables& tables) {
   const Section root(tables.source(), "", &tables.root());
   std::vector<ThermometerPlace> list;
   for (const Section& s : tables_in(root, "sensor")) {
     s.allow_only({"name", "part", "position_mm", "radius_mm"});
     ThermometerPlace place{.name = sensor_name(s, list)};
-    // A body of a network is found by its name.
-    if (of_network) {
-      for (const char* key : {"part", "position_mm", "radius_mm"})
-        if (s.find(key))
-          s.fail(key, fmt::format("{} = {}: a sensor of a [network] has the name of a node alone",
-                                  key, shown(*s.find(key))));
-      list.push_back(std::move(place));
-      continue;
-    }
     place.part = part_of(s);
     const Key position{"position_mm", "mm", -longest_mm, longest_mm},
         radius{"radius_mm", "mm", 0, 5000};

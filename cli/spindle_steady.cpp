@@ -1,0 +1,149 @@
+#include "cli/spindle_steady.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/text_table.h"
+#include "record/units.h"
+
+namespace raceway::cli {
+namespace {
+
+std::string in_celsius(double kelvins) { return number(celsius(kelvins)); }
+
+void print_temperatures(const model::Model& model, const spindle::Moment& m) {
+  if (!m.bearings.empty()) {
+    TextTable table({{"bearing", "", true},
+                     {"inner ring", "C"},
+                     {"outer ring", "C"},
+                     {"force", "N"},
+                     {"friction", "W"}});
+    for (std::size_t k = 0; k < m.bearings.size(); ++k)
+      table.add({io::bearing_label(model, k), in_celsius(m.bearings[k].inner_ring_temperature),
+                 in_celsius(m.bearings[k].outer_ring_temperature), number(m.bearings[k].force),
+                 number(m.bearings[k].power)});
+    fmt::print("{}\n", table.text(terminal_width()));
+  }
+  if (m.sensors.empty()) return;
+  TextTable table({{model.spindle->network ? "node" : "sensor", "", true}, {"temperature", "C"}});
+  for (std::size_t k = 0; k < m.sensors.size(); ++k)
+    table.add({model.spindle->sensors[k].name, in_celsius(m.sensors[k])});
+  fmt::print("{}\n", table.text(terminal_width()));
+}
+
+void print_heat(const spindle::HeatBalance& heat) {
+  fmt::print(
+      "heat: {} W friction and {} W of drives; {} W to the coolant, {} W to the air, {} W to the "
+      "machine; {:.2g} W left over\n",
+      number(heat.friction), number(heat.drive), number(heat.coolant), number(heat.air),
+      number(heat.machine), heat.stored);
+}
+
+void print_one(const model::Model& model, const io::SteadyState& s) {
+  fmt::print("{} at {:.6g} rpm, coolant {}: {}\n\n", model.spindle->name, s.inputs.speed / rpm,
+             !model.spindle->coolant ? "none"
+             : s.inputs.coolant_on   ? "on"
+                                     : "off",
+             spindle::words(s.report.status));
+  if (!s.report.converged()) return;
+  print_temperatures(model, s.moment);
+  print_heat(s.moment.heat);
+  if (model.spindle->network) return;
+  const spindle::Moment& m = s.moment;
+  fmt::print("forces of the sets: {} N in front, {} N at the rear; {:.4g} N as mounted\n",
+             number(m.front_force), number(m.rear_force), model.shaft->arrangement.preload());
+  fmt::print("axial stiffness of the warm sets: {} N/um\n", number(s.axial_stiffness / N_per_um));
+  fmt::print("nose against flange: {} um, {} um of it from the sets alone\n",
+             number(m.displacement / um), number(m.kinematic_displacement / um));
+}
+
+void print_list(const model::Model& model, const std::vector<io::SteadyState>& states) {
+  TextTable table({{"speed", "rpm"},
+                   {"friction", "W"},
+                   {"displacement", "um"},
+                   {"front", "N"},
+                   {"rear", "N"},
+                   {"stiffness", "N/um"},
+                   {"hottest ring", "C"},
+                   {"status", "", true}});
+  for (const io::SteadyState& s : states) {
+    double hottest = unset;
+    for (const spindle::BearingState& b : s.moment.bearings)
+      hottest = std::fmax(hottest, std::fmax(b.inner_ring_temperature, b.outer_ring_temperature));
+    const bool found = s.report.converged();
+    table.add({fmt::format("{:.6g}", s.inputs.speed / rpm),
+               number(found ? s.moment.heat.friction : unset), number(s.moment.displacement / um),
+               number(s.moment.front_force), number(s.moment.rear_force),
+               number(s.axial_stiffness / N_per_um), number(celsius(hottest)),
+               std::string(spindle::name(s.report.status))});
+  }
+  fmt::print("Steady states of {}\n\n{}", model.spindle->name, table.text(terminal_width()));
+}
+
+model::Cells other_cells(model::Cells cells) {
+  return cells == model::Cells::coarse ? model::Cells::medium
+         : cells == model::Cells::fine ? model::Cells::medium
+                                       : model::Cells::fine;
+}
+
+double hottest_inner_ring(const spindle::Moment& m) {
+  double hottest = unset;
+  for (const spindle::BearingState& b : m.bearings)
+    hottest = std::fmax(hottest, b.inner_ring_temperature);
+  return hottest;
+}
+
+}  // namespace
+
+std::vector<io::SteadyState> steady_states(spindle::Simulator& simulator,
+                                           const std::vector<spindle::Inputs>& asked) {
+  std::vector<io::SteadyState> list;
+  for (const spindle::Inputs& inputs : asked) {
+    io::SteadyState s{.inputs = inputs};
+    s.moment = simulator.steady(inputs, s.report);
+    if (s.report.converged() && simulator.sets())
+      s.axial_stiffness = simulator.sets()->axial_stiffness;
+    list.push_back(std::move(s));
+  }
+  return list;
+}
+
+io::MeshEstimate mesh_estimate(const model::Model& model, const spindle::Inputs& inputs) {
+  spindle::Simulator own(model);
+  io::MeshEstimate mesh{.cells = own.cells()};
+  if (model.spindle->network) return mesh;
+  model::Model changed = model;
+  changed.spindle->cells = other_cells(model.spindle->cells);
+  spindle::Simulator other(changed);
+  spindle::Report report, report_of_other;
+  const spindle::Moment a = own.steady(inputs, report), b = other.steady(inputs, report_of_other);
+  if (!report.converged() || !report_of_other.converged()) return mesh;
+  mesh.other_cells = other.cells();
+  mesh.speed = inputs.speed;
+  mesh.displacement = a.displacement - b.displacement;
+  mesh.inner_ring_rise = hottest_inner_ring(a) - hottest_inner_ring(b);
+  mesh.front_force = a.front_force - b.front_force;
+  return mesh;
+}
+
+std::string words(const io::MeshEstimate& mesh) {
+  if (!mesh.known()) return fmt::format("{} cells", mesh.cells);
+  return fmt::format(
+      "{} cells; {} give {:+.2g} um, {:+.2g} K of the hottest inner ring and {:+.2g} N in front "
+      "where all is steady at {:.6g} rpm",
+      mesh.cells, mesh.other_cells, -mesh.displacement / um, -mesh.inner_ring_rise,
+      -mesh.front_force, mesh.speed / rpm);
+}
+
+void print_steady(const model::Model& model, const std::vector<io::SteadyState>& states,
+                  const io::MeshEstimate& mesh) {
+  if (states.size() == 1)
+    print_one(model, states.front());
+  else
+    print_list(model, states);
+  fmt::print("{}{}\n", states.size() == 1 ? "" : "\n", words(mesh));
+}
+
+}  // namespace raceway::cli

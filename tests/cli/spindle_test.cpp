@@ -1,0 +1,149 @@
+// raceway spindle.
+
+#include <cmath>
+#include <string>
+
+#include "tests/cli/sample.h"
+#include "tests/io/spindle_text.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string coarse = "\n[solver]\ncells = \"coarse\"\n";
+const std::string an_hour =
+    "time_s,speed_rpm\n600,6000\n1200,6000\n1800,6000\n2400,6000\n3000,6000\n3600,6000\n";
+
+class SpindleCommand : public testing::Test {
+ protected:
+  [[nodiscard]] Result spindle(const std::string& flags,
+                               const std::string& text = base_spindle + coarse) {
+    return run("spindle " + scratch_.write("my.toml", text) + " " + flags);
+  }
+  [[nodiscard]] std::string profile(const std::string& text = an_hour) {
+    return " --speed-profile " + scratch_.write("day.csv", text) + " ";
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(SpindleCommand, HeatOfASteadyStateGoesWhereItSays) {
+  const json s = parsed(spindle("--speed 6000 --steady --json"))["steady"][0];
+  EXPECT_EQ(s["report"]["status"], "converged");
+  const double in = s["friction_power_W"].get<double>() + s["drive_heat_W"].get<double>();
+  const double out = s["heat_to_coolant_W"].get<double>() + s["heat_to_air_W"].get<double>() +
+                     s["heat_to_machine_W"].get<double>();
+  EXPECT_GT(in, 100.0);
+  EXPECT_NEAR(in, out, 1e-6 * in);
+}
+
+// The cooled housing shrinks onto the sets: 717 N cooled and 379 N uncooled in an independent
+// model; the sets here are the same, the cells coarser.
+TEST_F(SpindleCommand, CooledHousingRaisesTheForces) {
+  const auto front = [&](const std::string& flags) {
+    return parsed(spindle("--speed 6000 --steady --json " + flags))["steady"][0]["front_force_N"]
+        .get<double>();
+  };
+  const double cooled = front(""), uncooled = front("--coolant off");
+  EXPECT_NEAR(cooled, 717, 0.1 * 717);
+  EXPECT_NEAR(uncooled, 379, 0.1 * 379);
+}
+
+TEST_F(SpindleCommand, TextAndJsonOfASteadyStateAgree) {
+  const json s = parsed(spindle("--speed 6000 --steady --json"))["steady"][0];
+  const Result text = spindle("--speed 6000 --steady");
+  EXPECT_EQ(text.status, 0);
+  EXPECT_THAT(text.out,
+              HasSubstr(fmt::format("{:.4g} N in front", s["front_force_N"].get<double>())));
+  EXPECT_THAT(text.out, HasSubstr("cells; "));
+}
+
+TEST_F(SpindleCommand, ListOfSpeedsHasARowForEach) {
+  const json all = parsed(spindle("--speed 0:6000:3000 --steady --json"))["steady"];
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_NEAR(all[0]["axial_displacement_um"].get<double>(), 0.0, 0.01);
+  EXPECT_LT(all[1]["friction_power_W"].get<double>(), all[2]["friction_power_W"].get<double>());
+}
+
+TEST_F(SpindleCommand, RunHasARowForEachRowOfTheProgramme) {
+  const Result r = spindle(profile() + "--json");
+  const json d = parsed(r);
+  EXPECT_EQ(d["report"]["status"], "converged");
+  EXPECT_LT(d["report"]["energy_error"].get<double>(), 1e-10);
+  ASSERT_EQ(d["rows"].size(), 6u);
+  EXPECT_EQ(d["rows"][5]["time_s"], 3600.0);
+  EXPECT_GT(d["rows"][5]["front_bearing_temperature_C"].get<double>(), 21.0);
+  EXPECT_GE(d["highest_front_force"]["force_N"].get<double>(),
+            d["rows"][5]["front_force_N"].get<double>());
+}
+
+TEST_F(SpindleCommand, CsvHasTheColumnsOfTheRun) {
+  const Result r = spindle(profile() + "-o -");
+  EXPECT_EQ(r.status, 0);
+  EXPECT_THAT(r.out,
+              HasSubstr("\ntime_s,speed_rpm,axial_displacement_um,kinematic_displacement_um,"
+                        "thermal_displacement_um,front_force_N,rear_force_N,friction_power_W,"
+                        "drive_heat_W,heat_to_coolant_W,heat_to_air_W,heat_to_machine_W,"
+                        "heat_stored_W,front_bearing_temperature_C,shaft_end_temperature_C,"
+                        "front_1_inner_ring_temperature_C,front_1_outer_ring_temperature_C,"
+                        "front_1_force_N,front_2_"));
+}
+
+TEST_F(SpindleCommand, StateGoesOnWhereItWasLeft) {
+  const std::string state = scratch_.file("state.json");
+  const std::string half = "time_s,speed_rpm\n600,6000\n1200,6000\n1800,6000\n";
+  const std::string rest = "time_s,speed_rpm\n2400,6000\n3000,6000\n3600,6000\n";
+  const json whole = parsed(spindle(profile() + "--json"))["rows"];
+  ASSERT_EQ(spindle(profile(half) + "--end-state " + state).status, 0);
+  const json second = parsed(spindle(profile(rest) + "--json --start " + state))["rows"];
+  // Steps begin anew at the state, and with them their errors.
+  EXPECT_NEAR(second[2]["shaft_end_temperature_C"].get<double>(),
+              whole[5]["shaft_end_temperature_C"].get<double>(), 0.02);
+}
+
+TEST_F(SpindleCommand, FieldHasEveryPart) {
+  const std::string field = scratch_.file("field.csv");
+  ASSERT_EQ(spindle("--speed 6000 --steady --field " + field).status, 0);
+  const std::string text = file_text(field);
+  EXPECT_THAT(text, HasSubstr("\nposition_mm,radius_mm,part,temperature_C\n"));
+  for (const char* part : {",shaft,", ",ring,", ",housing,", ",coolant,"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
+TEST_F(SpindleCommand, RowsBeforeTheEndAreWritten) {
+  const std::string hot = "time_s,speed_rpm\n60,1000\n120,1000\n7200,60000\n";
+  const Result r = spindle(profile(hot) + "--json");
+  EXPECT_EQ(r.status, 2);
+  const json d = json::parse(r.out);
+  EXPECT_NE(d["report"]["status"], "converged");
+  EXPECT_EQ(d["rows"].size(), 2u);
+  EXPECT_THAT(r.err, HasSubstr("2 of 3 rows are there"));
+}
+
+TEST_F(SpindleCommand, ModelWithoutShaftIsRefused) {
+  const Result r = spindle("--speed 1000 --steady", model_text);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_THAT(r.err, HasSubstr("is no spindle: with [shaft] and [housing]"));
+}
+
+TEST_F(SpindleCommand, SpeedAloneIsRefused) {
+  EXPECT_THAT(spindle("--speed 1000").err, HasSubstr("add --steady"));
+}
+
+TEST_F(SpindleCommand, StateOfOtherCellsIsRefused) {
+  const std::string state = scratch_.file("state.json");
+  ASSERT_EQ(spindle("--speed 3000 --steady --end-state " + state).status, 0);
+  const Result r = spindle(profile() + "--start " + state, base_spindle);
+  EXPECT_EQ(r.status, 1);
+  EXPECT_THAT(r.err, HasSubstr("of other cells"));
+}
+
+TEST_F(SpindleCommand, DisplacementWorksOnItsSets) {
+  const Result r =
+      run("displacement " + scratch_.write("sets.toml", base_spindle) + " --speed 6000");
+  EXPECT_EQ(r.status, 0);
+}
+
+}  // namespace
+}  // namespace raceway::tests
