@@ -16,6 +16,8 @@ Run setup_table(CLI::App& command);
 Run setup_displacement(CLI::App& command);
 Run setup_spindle(CLI::App& command);
 Run setup_step_response(CLI::App& command);
+Run setup_deflection(CLI::App& command);
+Run setup_modes(CLI::App& command);
 Run setup_identify(CLI::App& command);
 Run setup_correct(CLI::App& command);
 Run setup_export(CLI::App& command);

@@ -10,7 +10,7 @@
 namespace raceway::spindle {
 namespace {
 
-constexpr double same_place = 1e-9;  // [m]
+constexpr double same_node = 1e-9;  // [m]
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -39,7 +39,7 @@ void check_body(const model::ShaftBody& body) {
     require_between("density", s.material.density, 10.0, 1e5, 1.0, "kg/m3");
     length += s.length;
   }
-  const double end = length + same_place;
+  const double end = length + same_node;
   for (const model::Disk& d : body.disks) {
     require_between("disk position", d.position, 0.0, end, mm, "mm");
     require_between("disk mass", d.mass, 0.0, 1e5, 1.0, "kg");
@@ -61,11 +61,11 @@ std::vector<double> needed_nodes(const model::ShaftBody& body, std::span<const d
   for (const model::Disk& d : body.disks) at.push_back(d.position);
   for (const model::Support& s : body.supports) at.push_back(s.position);
   for (const double p : places) {
-    bearing::require_between("position on the shaft", p, 0.0, end + same_place, mm, "mm");
+    bearing::require_between("position on the shaft", p, 0.0, end + same_node, mm, "mm");
     at.push_back(p);
   }
   std::sort(at.begin(), at.end());
-  at.erase(std::unique(at.begin(), at.end(), [](double a, double b) { return b - a < same_place; }),
+  at.erase(std::unique(at.begin(), at.end(), [](double a, double b) { return b - a < same_node; }),
            at.end());
   return at;
 }
@@ -146,7 +146,7 @@ Beam::Beam(const model::ShaftBody& body, std::span<const double> places, const B
   double segment_end = body.segments[0].length;
   for (std::size_t i = 1; i < needed.size(); ++i) {
     const double from = needed[i - 1], to = needed[i];
-    while (segment + 1 < body.segments.size() && segment_end < to - 0.5 * same_place)
+    while (segment + 1 < body.segments.size() && segment_end < to - 0.5 * same_node)
       segment_end += body.segments[++segment].length;
     const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) / longest - 1e-6)));
     for (int k = 1; k <= pieces; ++k) {
@@ -198,15 +198,15 @@ Eigen::SparseMatrix<double> Beam::held_by(std::span<const double> places,
 }
 
 std::size_t Beam::node_at(double position) const {
-  const auto above = std::lower_bound(nodes_.begin(), nodes_.end(), position - 1.001 * same_place);
-  if (above == nodes_.end() || *above > position + 1.001 * same_place)
+  const auto above = std::lower_bound(nodes_.begin(), nodes_.end(), position - 1.001 * same_node);
+  if (above == nodes_.end() || *above > position + 1.001 * same_node)
     throw std::invalid_argument("the beam has no node at this position");
   return static_cast<std::size_t>(above - nodes_.begin());
 }
 
 Beam::Place Beam::place(double position) const {
-  bearing::require_between("position on the shaft", position, -same_place, length() + same_place,
-                           mm, "mm");
+  bearing::require_between("position on the shaft", position, -same_node, length() + same_node, mm,
+                           "mm");
   const auto above = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, position);
   const auto element = static_cast<std::size_t>(above - nodes_.begin()) - 1;
   const BeamElement& e = elements_[element];

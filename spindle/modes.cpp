@@ -12,7 +12,7 @@
 namespace raceway::spindle {
 namespace {
 
-using SparseMatrix = Eigen::SparseMatrix<double>;
+using SparsePart = Eigen::SparseMatrix<double>;
 
 /// Share of the whole motion that must run in one sense to be called so [1].
 constexpr double least_whirl = 1e-6;
@@ -20,26 +20,26 @@ constexpr double eigen_tolerance = 1e-12;
 /// Of the largest k/m of a node; what is below is a free shaft and rounding [1].
 constexpr double least_squared_frequency = 1e-13;
 
-void put(std::vector<Eigen::Triplet<double>>& to, const SparseMatrix& block, Eigen::Index row,
+void put(std::vector<Eigen::Triplet<double>>& to, const SparsePart& block, Eigen::Index row,
          Eigen::Index column, double factor) {
   for (int c = 0; c < block.outerSize(); ++c)
-    for (SparseMatrix::InnerIterator it(block, c); it; ++it)
+    for (SparsePart::InnerIterator it(block, c); it; ++it)
       to.emplace_back(static_cast<int>(row + it.row()), static_cast<int>(column + it.col()),
                       factor * it.value());
 }
 
-SparseMatrix sparse(Eigen::Index size, const std::vector<Eigen::Triplet<double>>& entries) {
-  SparseMatrix m(size, size);
+SparsePart sparse(Eigen::Index size, const std::vector<Eigen::Triplet<double>>& entries) {
+  SparsePart m(size, size);
   m.setFromTriplets(entries.begin(), entries.end());
   return m;
 }
 
 /// A and B of the linear problem. `planes` is 1 for v + i w, 2 for (v, w).
 struct Problem {
-  SparseMatrix a, b;
+  SparsePart a, b;
 };
 
-Problem linear_problem(const Beam& beam, std::span<const SparseMatrix> stiffness, double speed) {
+Problem linear_problem(const Beam& beam, std::span<const SparsePart> stiffness, double speed) {
   const Eigen::Index n = beam.mass().rows();
   const auto planes = static_cast<Eigen::Index>(stiffness.size());
   const Eigen::Index half = planes * n;
@@ -62,7 +62,7 @@ Whirl whirl_of(const Beam& beam, const Mode& m) {
   return around > 0.0 ? Whirl::forward : Whirl::backward;
 }
 
-void scale(Mode& m) {
+void scale_shape(Mode& m) {
   double largest = 0.0;
   Eigen::Index at = 0;
   for (Eigen::Index i = 0; i < m.y.size(); i += 2)
@@ -92,7 +92,7 @@ Mode mode_of(const Beam& beam, double omega, const Eigen::VectorXd& vector, bool
     m.z = vector.segment(n, n);
     m.whirl = speed == 0.0 ? Whirl::standing : whirl_of(beam, m);
   }
-  scale(m);
+  scale_shape(m);
   return m;
 }
 
@@ -113,7 +113,7 @@ Modes find_modes(const Beam& beam, std::span<const Spring> springs, double speed
     in_z.push_back(s.z);
     one_plane = one_plane && s.isotropic();
   }
-  std::vector<SparseMatrix> stiffness{beam.held_by(places, in_y)};
+  std::vector<SparsePart> stiffness{beam.held_by(places, in_y)};
   if (!one_plane) stiffness.push_back(beam.held_by(places, in_z));
   const Problem problem = linear_problem(beam, stiffness, speed);
   const Eigen::Index size = problem.a.rows();

@@ -1,0 +1,33 @@
+#include "cli/beam.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "io/error.h"
+
+namespace raceway::cli {
+
+BeamOfModel beam_of(const io::ModelFile& file, double load_place) {
+  const model::Model& model = file.model;
+  if (!model.spindle || model.spindle->shaft.segments.empty())
+    throw io::InputError(file.source +
+                             ": has no [shaft] with segments: length_mm and diameter_mm of each "
+                             "piece from the nose to the rear are needed",
+                         {.file = file.source, .key = "shaft.segment"});
+  try {
+    const std::vector<double> places = spindle::bearing_places(*model.spindle);
+    std::vector<double> nodes = places;
+    nodes.push_back(load_place);
+    spindle::Beam beam(model.spindle->shaft, nodes);
+    return {places, std::move(beam), spindle::SetsOfSpindle(model)};
+  } catch (const std::invalid_argument& e) {
+    throw io::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
+  }
+}
+
+spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on) {
+  return {.speed = speed, .axial_load = model.shaft->external_load, .coolant_on = coolant_on};
+}
+
+}  // namespace raceway::cli

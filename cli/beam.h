@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/model_file.h"
+#include "spindle/beam.h"
+#include "spindle/sets_at_speed.h"
+
+namespace raceway::cli {
+
+/// A spindle as a beam on its bearings, for deflection and modes.
+struct BeamOfModel {
+  std::vector<double> places;  ///< of the bearings [m]
+  spindle::Beam beam;
+  spindle::SetsOfSpindle sets;
+};
+
+/// Nodes at the bearings and at `load_place` [m]. Throws io::InputError for a model that has no
+/// [shaft] with segments, and with the file's name before what is wrong with it.
+[[nodiscard]] BeamOfModel beam_of(const io::ModelFile& file, double load_place);
+
+/// What the sets run under: the external load of the model and, warm, its ambient.
+[[nodiscard]] spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on);
+
+}  // namespace raceway::cli

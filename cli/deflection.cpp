@@ -1,0 +1,172 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "cli/beam.h"
+#include "cli/commands.h"
+#include "cli/messages.h"
+#include "cli/number_flag.h"
+#include "cli/open_input.h"
+#include "cli/text_table.h"
+#include "io/beam_results.h"
+#include "io/error.h"
+#include "io/output_file.h"
+#include "io/shaft_results.h"
+#include "spindle/loaded_shaft.h"
+
+namespace raceway::cli {
+namespace {
+
+constexpr NumberRange at_range{0.0, 1e5, "mm"};
+
+struct DeflectionFlags {
+  std::string model, output, direction = "radial", coolant = "on";
+  double force_N = unset, at_mm = 0.0, speed_rpm = 0.0;
+  bool warm = false, json = false, force = false;
+};
+
+/// Displacement where the force acts, by the stiffness that the sets have without it.
+double tangent_displacement(const BeamOfModel& b, const io::DeflectionResult& r) {
+  if (r.axial) return r.force / r.sets.equilibrium.axial_stiffness;
+  std::vector<spindle::PlaneSpring> in_y;
+  for (const spindle::Spring& s :
+       spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings))
+    in_y.push_back(s.y);
+  const spindle::BeamLoad load[] = {{.position = r.at, .force = r.force}};
+  const spindle::Deflection d = spindle::deflect(b.beam, b.places, in_y, load);
+  return d.found ? b.beam.at(r.at, d.shape)[0] : unset;
+}
+
+io::DeflectionResult solve_deflection(const DeflectionFlags& f, const model::Model& model,
+                                      BeamOfModel& b) {
+  io::DeflectionResult r{.speed = f.speed_rpm * rpm,
+                         .force = f.force_N,
+                         .at = f.at_mm * mm,
+                         .axial = f.direction == "axial",
+                         .sets = {},
+                         .shaft = {}};
+  r.sets = b.sets.at(inputs_at(model, r.speed, f.coolant == "on"), f.warm);
+  if (!r.sets.converged()) return r;
+  r.tangent = tangent_displacement(b, r);
+  spindle::ShaftLoad load{.position = r.at};
+  (r.axial ? load.axial : load.radial) = r.force;
+  r.shaft = spindle::solve_loaded_shaft(b.beam, b.sets.arrangement(), b.places, r.sets.condition,
+                                        load, model.solver);
+  if (!r.shaft.report.converged()) return r;
+  const double axial = r.shaft.position - r.sets.equilibrium.position;
+  r.displacement = r.axial ? axial : b.beam.at(r.at, r.shaft.y)[0];
+  r.nose = r.axial ? axial : r.shaft.y[0];
+  r.slope = r.shaft.y[1];
+  return r;
+}
+
+void print(const DeflectionFlags& f, const model::Model& model, const BeamOfModel& b,
+           const io::DeflectionResult& r) {
+  const bearing::Arrangement& a = b.sets.arrangement();
+  fmt::print("Deflection of {} under {:.6g} N {} at {:.6g} mm, {:.6g} rpm, {}\n", model.name,
+             r.force, f.direction, f.at_mm, f.speed_rpm, f.warm ? "warm" : "cold");
+  if (r.sets.converged())
+    fmt::print(
+        "preload {:.4g} N as mounted; at this speed, without the force: front {} N, rear {} N\n",
+        a.preload(), number(r.sets.equilibrium.front_force), number(r.sets.equilibrium.rear_force));
+  if (!r.converged()) return;
+  fmt::print("displacement where it acts {:.4f} um, {} N/um (first {} N/um)\n", r.displacement / um,
+             number(r.stiffness() / N_per_um), number(r.force / r.tangent / N_per_um));
+  if (!r.axial) fmt::print("nose {:.4f} um, slope {:.3f} urad\n", r.nose / um, r.slope * 1e6);
+  fmt::print("\n");
+  TextTable table({{"bearing", "", true},
+                   {"axial", "N"},
+                   {"radial", "N"},
+                   {"moment", "N m"},
+                   {"ball from", "N"},
+                   {"to", "N"},
+                   {"angle from", "deg"},
+                   {"to", "deg"},
+                   {"lost", ""},
+                   {"K axial", "N/um"},
+                   {"K radial", "N/um"},
+                   {"before", "N/um"}});
+  for (std::size_t i = 0; i < r.shaft.bearings.size(); ++i) {
+    const bearing::BearingEquilibrium& e = r.shaft.bearings[i];
+    const bearing::Vector5& load = r.shaft.loads[i];
+    double least = 1e300, most = 0.0, flattest = unset, steepest = unset;
+    for (const bearing::BallEquilibrium& ball : e.balls) {
+      least = std::min(least, ball.inner_load);
+      most = std::max(most, ball.inner_load);
+      flattest = std::fmin(flattest, ball.inner_contact_angle);
+      steepest = std::fmax(steepest, ball.inner_contact_angle);
+    }
+    table.add({io::bearing_place(a, i), number(load[0]), number(std::hypot(load[1], load[2])),
+               number(std::hypot(load[3], load[4])), number(least), number(most),
+               number(flattest / degree), number(steepest / degree),
+               fmt::format("{}", e.lost_balls()), number(e.stiffness(0, 0) / N_per_um),
+               number(e.stiffness(1, 1) / N_per_um),
+               number(r.sets.bearings[i].stiffness(1, 1) / N_per_um)});
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+int run(const DeflectionFlags& f) {
+  if (f.json && f.output == "-")
+    throw io::InputError("raceway deflection: --json and --output - both write to stdout; take one",
+                         {.key = "--output"});
+  const bool to_file = !f.output.empty() && f.output != "-";
+  const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (to_file) io::require_writable(f.output, if_exists);
+  if (f.force_N == 0.0)
+    throw io::InputError("raceway deflection: --force = 0 N: a force is needed",
+                         {.key = "--force"});
+  const io::ModelFile file = open_model(f.model, Accepts::shaft);
+  BeamOfModel b = beam_of(file, f.at_mm * mm);
+  const io::DeflectionResult r = solve_deflection(f, file.model, b);
+  if (!f.output.empty()) {
+    const std::string csv = io::deflection_text(b.beam, r, file.source, file.text);
+    if (to_file) {
+      io::write_text(f.output, csv, if_exists);
+      say(fmt::format("{} written, {} places", f.output, b.beam.nodes().size()));
+    } else {
+      fmt::print("{}", csv);
+    }
+  }
+  if (f.json)
+    put_document(io::deflection_json(b.sets.arrangement(), r, file.source));
+  else if (f.output.empty())
+    print(f, file.model, b, r);
+  tell({"the housing is rigid: what it gives way by is not in these displacements"});
+  if (r.converged()) return done;
+  warn(fmt::format("{:.6g} rpm: {}{}", f.speed_rpm, r.status(),
+                   r.sets.message.empty() ? "" : ", " + r.sets.message));
+  return not_converged;
+}
+
+}  // namespace
+
+Run setup_deflection(CLI::App& command) {
+  auto flags = std::make_shared<DeflectionFlags>();
+  command.add_option("MODEL", flags->model, "model file (TOML) with [arrangement] and [shaft]")
+      ->required()
+      ->type_name("");
+  add_number(command, "--force", flags->force_N, signed_load_range,
+             "[N]; axial: positive towards the tool")
+      ->required();
+  add_number(command, "--at", flags->at_mm, at_range, "[mm] behind the nose face; default 0");
+  command.add_option("--direction", flags->direction, "radial or axial; default radial")
+      ->check(CLI::IsMember({"radial", "axial"}))
+      ->type_name("WORD");
+  add_number(command, "--speed", flags->speed_rpm, speed_range, "[rpm]; default 0");
+  command.add_flag("--warm", flags->warm,
+                   "with the preload that the steady, warm spindle has at this speed");
+  command.add_option("--coolant", flags->coolant, "of the warm spindle, on or off; default on")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->type_name("STATE");
+  command.add_option("-o,--output", flags->output, "bending line as CSV; - for stdout")
+      ->type_name("FILE");
+  command.add_flag("--replace", flags->force, "replace the file if it exists");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer("Example:\n  raceway deflection spindle.toml --force 1000 --speed 8000 --warm");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

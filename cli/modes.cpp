@@ -1,0 +1,160 @@
+#include "spindle/modes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/axis_flag.h"
+#include "cli/beam.h"
+#include "cli/commands.h"
+#include "cli/number_flag.h"
+#include "cli/open_input.h"
+#include "cli/text_table.h"
+#include "io/beam_results.h"
+#include "io/error.h"
+#include "io/output_file.h"
+
+namespace raceway::cli {
+namespace {
+
+struct ModesFlags {
+  std::string model, speed, output, shapes, coolant = "on";
+  int count = 6;
+  bool warm = false, json = false, force = false;
+};
+
+std::vector<double> campbell_speeds(const ModesFlags& f) {
+  std::vector<double> speeds = axis(f.speed, "--speed");
+  require_all(speeds, speed_range, "--speed");
+  constexpr std::size_t most = 10000;
+  if (speeds.size() > most)
+    throw io::InputError(fmt::format("raceway modes: {} speeds: at most {}", speeds.size(), most),
+                         {.key = "--speed"});
+  for (double& speed : speeds) speed *= rpm;
+  return speeds;
+}
+
+std::vector<io::ModesAtSpeed> find_all(const ModesFlags& f, const model::Model& model,
+                                       BeamOfModel& b, const std::vector<double>& speeds) {
+  std::vector<io::ModesAtSpeed> results(speeds.size());
+  std::vector<double> held_at;
+  std::vector<std::vector<spindle::Spring>> springs;
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    io::ModesAtSpeed& r = results[i];
+    r.speed = speeds[i];
+    r.sets = b.sets.at(inputs_at(model, speeds[i], f.coolant == "on"), f.warm);
+    if (!r.sets.converged()) continue;
+    r.springs = spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings);
+    held_at.push_back(speeds[i]);
+    springs.push_back(r.springs);
+  }
+  std::vector<spindle::Modes> modes = spindle::campbell(b.beam, held_at, springs, f.count);
+  auto next = modes.begin();
+  for (io::ModesAtSpeed& r : results)
+    if (r.sets.converged()) r.modes = std::move(*next++);
+  return results;
+}
+
+void print(const ModesFlags& f, const model::Model& model, const BeamOfModel& b,
+           const std::vector<io::ModesAtSpeed>& results) {
+  const bearing::Arrangement& a = b.sets.arrangement();
+  fmt::print("Modes of {}, {:.4g} kg on its bearings{}: frequency in Hz, b backward, f forward\n",
+             model.name, b.beam.weight(), f.warm ? ", warm as it runs steadily" : ", cold");
+  fmt::print("preload {:.4g} N at standstill\n\n", a.preload());
+  std::vector<TextTable::Column> columns{{"speed", "rpm"}, {"front", "N"}, {"rear", "N"}};
+  for (std::size_t i = 0; i < a.bearings().size(); ++i)
+    columns.push_back({fmt::format("K {}", i + 1), "N/um"});
+  for (int k = 1; k <= f.count; ++k) columns.push_back({fmt::format("f{}", k), "Hz"});
+  TextTable table(columns);
+  for (const io::ModesAtSpeed& r : results) {
+    const bool known = r.sets.converged();
+    std::vector<std::string> row{fmt::format("{:.6g}", r.speed / rpm),
+                                 number(known ? r.sets.equilibrium.front_force : unset),
+                                 number(known ? r.sets.equilibrium.rear_force : unset)};
+    for (std::size_t i = 0; i < a.bearings().size(); ++i)
+      row.push_back(number(known ? r.sets.bearings[i].stiffness(1, 1) / N_per_um : unset));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(f.count); ++k) {
+      if (k >= r.modes.modes.size()) {
+        row.emplace_back("-");
+        continue;
+      }
+      const spindle::Mode& mode = r.modes.modes[k];
+      row.push_back(fmt::format("{:.1f} {}", mode.frequency / (2.0 * pi),
+                                mode.whirl == spindle::Whirl::backward  ? "b"
+                                : mode.whirl == spindle::Whirl::forward ? "f"
+                                                                        : " "));
+    }
+    table.add(std::move(row));
+  }
+  fmt::print("{}", table.text(terminal_width()));
+  fmt::print("\nfront, rear: preload at that speed; K: radial stiffness of each bearing there\n");
+}
+
+int run(const ModesFlags& f) {
+  if (f.json && (f.output == "-" || f.shapes == "-"))
+    throw io::InputError("raceway modes: --json and a file - both write to stdout; take one",
+                         {.key = "--output"});
+  const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse;
+  for (const std::string& path : {f.output, f.shapes})
+    if (!path.empty() && path != "-") io::require_writable(path, if_exists);
+  const io::ModelFile file = open_model(f.model, Accepts::shaft);
+  const std::vector<double> speeds = campbell_speeds(f);
+  BeamOfModel b = beam_of(file, 0.0);
+  const std::vector<io::ModesAtSpeed> results = find_all(f, file.model, b, speeds);
+  const auto write = [&](const std::string& path, const std::string& text) {
+    if (path == "-") {
+      fmt::print("{}", text);
+      return;
+    }
+    io::write_text(path, text, if_exists);
+    say(fmt::format("{} written, {} speeds", path, results.size()));
+  };
+  if (!f.output.empty())
+    write(f.output, io::campbell_text(b.sets.arrangement(), results, file.source, file.text));
+  if (!f.shapes.empty())
+    write(f.shapes, io::mode_shapes_text(b.beam, results, file.source, file.text));
+  if (f.json)
+    put_document(io::campbell_json(b.sets.arrangement(), results, file.source));
+  else if (f.output.empty() && f.shapes.empty())
+    print(f, file.model, b, results);
+  tell({"damping, and what gives way in the housing, are not modelled: damping_ratio is empty"});
+  bool all = true;
+  for (const io::ModesAtSpeed& r : results) {
+    if (r.converged()) continue;
+    warn(fmt::format("{:.6g} rpm: {}{}", r.speed / rpm, r.status(),
+                     r.sets.message.empty() ? "" : ", " + r.sets.message));
+    all = false;
+  }
+  return all ? done : not_converged;
+}
+
+}  // namespace
+
+Run setup_modes(CLI::App& command) {
+  auto flags = std::make_shared<ModesFlags>();
+  command.add_option("MODEL", flags->model, "model file (TOML) with [arrangement] and [shaft]")
+      ->required()
+      ->type_name("");
+  command.add_option("--speed", flags->speed, "[rpm], as 0,6000 or as from:to:step, 0:20000:1000")
+      ->required()
+      ->type_name("VALUES");
+  command.add_flag("--warm", flags->warm,
+                   "with the stiffness that the bearings have in the steady, warm spindle");
+  command.add_option("--coolant", flags->coolant, "of the warm spindle, on or off; default on")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->type_name("STATE");
+  command.add_option("--modes", flags->count, "how many; default 6")
+      ->check(CLI::Range(1, 40))
+      ->type_name("N");
+  command.add_option("-o,--output", flags->output, "Campbell diagram as CSV; - for stdout")
+      ->type_name("FILE");
+  command.add_option("--shapes", flags->shapes, "shapes of the modes as CSV; - for stdout")
+      ->type_name("FILE");
+  command.add_flag("--force", flags->force, "replace files that exist");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer("Example:\n  raceway modes spindle.toml --speed 0:20000:1000 -o campbell.csv");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,135 @@
+// raceway deflection and modes.
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/sample.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string beam_spindle = R"([bearing]
+bore_mm = 70
+outer_diameter_mm = 110
+width_mm = 20
+ball_count = 20
+ball_diameter_mm = 11.9
+pitch_diameter_mm = 90
+contact_angle_deg = 15
+inner_conformity = 0.52
+outer_conformity = 0.52
+static_load_rating_N = 45000
+[lubricant]
+viscosity_40C_mm2_s = 20.0
+viscosity_100C_mm2_s = 4.4
+[arrangement]
+layout = "O"
+front = 2
+rear = 1
+mounting = "rigid"
+preload_N = 300
+front_position_mm = [60, 90]
+rear_position_mm = [290]
+[shaft]
+bore_mm = 36
+segment = [{length_mm = 50, diameter_mm = 104}, {length_mm = 50, diameter_mm = 70},
+           {length_mm = 180, diameter_mm = 82}, {length_mm = 20, diameter_mm = 70},
+           {length_mm = 75, diameter_mm = 60}]
+[housing]
+start_mm = 40
+length_mm = 275
+outer_diameter_mm = 180
+flange_mm = 120
+)";
+
+class BeamCommands : public testing::Test {
+ protected:
+  [[nodiscard]] Result raceway(const std::string& command, const std::string& flags,
+                               const std::string& model = beam_spindle) const {
+    return run(command + " " + scratch_.write("my.toml", model) + " " + flags);
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(BeamCommands, DeflectionTellsPreloadStiffnessAndWhatEachBearingCarries) {
+  const json d = parsed(raceway("deflection", "--force 1000 --speed 8000 --json"));
+  EXPECT_EQ(d["report"]["status"], "converged");
+  EXPECT_GT(d["unloaded_front_force_N"].get<double>(), 300.0);
+  EXPECT_NEAR(d["stiffness_N_um"].get<double>() * d["displacement_um"].get<double>(), 1000.0, 1e-6);
+  EXPECT_EQ(d["displacement_um"], d["nose_displacement_um"]);
+  ASSERT_EQ(d["bearings"].size(), 3u);
+  // The front set carries more than the force, the rear one the rest, the other way.
+  const auto load = [&](std::size_t i) { return d["bearings"][i]["radial_load_N"].get<double>(); };
+  EXPECT_NEAR(load(0) + load(1) - load(2), 1000.0, 1e-4);
+  for (const json& b : d["bearings"]) {
+    EXPECT_LT(b["least_inner_load_N"].get<double>(), b["largest_inner_load_N"].get<double>());
+    EXPECT_EQ(b["balls"].size(), 20u);
+  }
+}
+
+TEST_F(BeamCommands, AxialDeflectionIsThatOfTheSets) {
+  const json with = parsed(raceway("displacement", "--speed 4000 --axial-load 100 --json"));
+  const json without = parsed(raceway("displacement", "--speed 4000 --json"));
+  const json d = parsed(raceway("deflection", "--force 100 --direction axial --speed 4000 --json"));
+  const auto position = [](const json& j) {
+    return j["rows"][0]["axial_position_um"].get<double>();
+  };
+  EXPECT_NEAR(d["displacement_um"].get<double>(), position(with) - position(without), 1e-6);
+}
+
+TEST_F(BeamCommands, ASupportAtTheRearAndNoTiltStiffensTheShaft) {
+  const std::string support = "[[shaft.support]]\nposition_mm = 360\nradial_stiffness_N_um = 300\n";
+  std::string model = beam_spindle;
+  model.insert(model.find("[housing]"), support);
+  const json with = parsed(raceway("deflection", "--force 500 --at 375 --json", model));
+  const json without = parsed(raceway("deflection", "--force 500 --at 375 --json"));
+  EXPECT_LT(with["displacement_um"].get<double>(), 0.8 * without["displacement_um"].get<double>());
+}
+
+TEST_F(BeamCommands, CampbellHasARowForEachModeAndThePreloadBesideIt) {
+  const std::string file = scratch_.file("campbell.csv"), shapes = scratch_.file("shapes.csv");
+  const Result r = raceway("modes", "--speed 0:20000:10000 -o " + file + " --shapes " + shapes);
+  EXPECT_EQ(r.status, 0);
+  std::istringstream in(file_text(file));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    if (!line.starts_with("#")) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 19u);
+  EXPECT_TRUE(lines[0].starts_with(
+      "speed_rpm,mode,frequency_Hz,whirl,damping_ratio,front_force_N,rear_force_N,"
+      "front_radial_N_um,"));
+  EXPECT_THAT(lines[1], HasSubstr(",standing,,"));
+  EXPECT_THAT(lines[7], HasSubstr("10000,1,"));
+  EXPECT_THAT(lines[7], HasSubstr(",backward,,"));
+  EXPECT_THAT(lines[8], HasSubstr(",forward,,"));
+  EXPECT_THAT(file_text(shapes), HasSubstr("position_mm,y_amplitude,z_amplitude\n0,1,"));
+}
+
+TEST_F(BeamCommands, TheWarmSpindleHasAnotherPreloadThanTheColdOne) {
+  const json cold = parsed(raceway("modes", "--speed 6000 --json"));
+  const json warm = parsed(raceway("modes", "--speed 6000 --warm --json"));
+  const auto& c = cold["rows"][0];
+  const auto& w = warm["rows"][0];
+  EXPECT_EQ(w["report"]["status"], "converged");
+  EXPECT_GT(std::abs(w["front_force_N"].get<double>() - c["front_force_N"].get<double>()), 20.0);
+  EXPECT_GT(w["front_1_inner_ring_temperature_C"].get<double>(), 25.0);
+  EXPECT_NE(w["modes"][0]["frequency_Hz"], c["modes"][0]["frequency_Hz"]);
+}
+
+TEST_F(BeamCommands, AModelWithoutShaftIsRefusedAndSoIsAPlaceBeyondItsEnd) {
+  const std::string sets = beam_spindle.substr(0, beam_spindle.find("front_position_mm"));
+  const Result none = raceway("modes", "--speed 0", sets);
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.err, HasSubstr("[shaft]"));
+  const Result beyond = raceway("deflection", "--force 1 --at 400");
+  EXPECT_EQ(beyond.status, 1);
+  EXPECT_THAT(beyond.err, HasSubstr("= 400 mm: must be from 0 to 375 mm"));
+  EXPECT_EQ(raceway("deflection", "--force 0").status, 1);
+}
+
+}  // namespace
+}  // namespace raceway::tests
