@@ -146,8 +146,9 @@ void print(const spindle::StepResponses& responses, const spindle::PowerLaws& la
                number(f.rms_of_two / um, 2)});
   }
   fmt::print("{}", table.text(terminal_width()));
-  if (const spindle::Lag& down = responses.cool_down.one; !std::isnan(down.gain))
-    fmt::print("back to rest from the last: T = {} min\n", number(down.time_constant / minute));
+  if (responses.cool_down.known())
+    fmt::print("back to rest from the fastest: T = {} min\n",
+               number(responses.cool_down.one / minute));
   if (std::isnan(laws.gain_line.slope)) return;
   fmt::print("\nK = {} um/W P + {} um, T = {} min/W P + {} min\n",
              number(laws.gain_line.slope / um), number(laws.gain_line.offset / um),

@@ -87,11 +87,9 @@ std::string law_text(const std::vector<AtPower>& points, StepLaw form) {
 }
 
 std::vector<Element> elements_of(const spindle::StepResponses& responses) {
-  const spindle::StepFit& down = responses.cool_down;
-  if (!spindle::need_two(responses.steps))
-    return {{"spindle", WhichLag::one, down.one.time_constant}};
-  return {{"fast", WhichLag::fast, down.fast.time_constant},
-          {"slow", WhichLag::slow, down.slow.time_constant}};
+  const spindle::CoolDown& down = responses.cool_down;
+  if (!spindle::need_two(responses.steps)) return {{"spindle", WhichLag::one, down.one}};
+  return {{"fast", WhichLag::fast, down.fast}, {"slow", WhichLag::slow, down.slow}};
 }
 
 /// Powers that were seen. A curve is known from 0 on; a power law is not, as its time constant ends

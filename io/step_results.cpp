@@ -118,15 +118,12 @@ std::string step_responses_json(const spindle::StepResponses& responses,
                    {"seen_from_W", from},
                    {"seen_to_W", to},
                    {"two_needed", spindle::need_two(responses.steps)}};
-  const spindle::StepFit& down = responses.cool_down;
-  if (std::isfinite(down.one.gain))
-    document["cool_down"] = {{"K_um", down.one.gain / um},
-                             {"T_min", down.one.time_constant / minute},
-                             {"fit_rms_um", down.rms / um},
-                             {"K1_um", down.fast.gain / um},
-                             {"T1_min", down.fast.time_constant / minute},
-                             {"K2_um", down.slow.gain / um},
-                             {"T2_min", down.slow.time_constant / minute}};
+  const spindle::CoolDown& down = responses.cool_down;
+  if (down.known())
+    document["cool_down"] = {
+        {"K_um", down.fit.one.gain / um},       {"T_min", down.fit.one.time_constant / minute},
+        {"fit_rms_um", down.fit.rms / um},      {"T_at_rest_min", down.one / minute},
+        {"T1_at_rest_min", down.fast / minute}, {"T2_at_rest_min", down.slow / minute}};
   document["notes"] = notes;
   return text(document);
 }

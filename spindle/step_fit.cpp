@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace raceway::spindle {
@@ -23,6 +24,13 @@ constexpr double settled_at = 1e-11;  // change of a logarithm
 constexpr double share_that_matters = 0.01;
 constexpr double gain_of_two = 0.5;
 constexpr Eigen::Index rows_for_two = 6;
+// A decay is sought on this many points for each lag; the grid then closes in.
+constexpr Eigen::Index decay_grid = 33;
+constexpr double decay_narrows = 0.4, decay_resolution = 1e-7;
+
+double decay_place(double middle, double half, Eigen::Index k) {
+  return middle + half * (2.0 * static_cast<double>(k) / (decay_grid - 1) - 1.0);
+}
 
 /// A step at its times, as sums of lags with given logarithms of time constants.
 class ProjectedStep {
@@ -130,6 +138,17 @@ double rms_of(const ProjectedStep::Point& p) {
   return std::sqrt(p.misfit / static_cast<double>(p.left.size()));
 }
 
+/// From a tenth of the first time after 0 to thirty times the last, as logarithms.
+std::pair<double, double> log_bounds(std::span<const double> time) {
+  double first = std::numeric_limits<double>::infinity(), last = 0.0;
+  for (const double t : time) {
+    if (t == 0.0) continue;
+    first = std::min(first, t);
+    last = std::max(last, t);
+  }
+  return {std::log(shortest_of_first * first), std::log(longest_of_last * last)};
+}
+
 }  // namespace
 
 double displacement_at(const Lag& lag, double time) {
@@ -138,17 +157,9 @@ double displacement_at(const Lag& lag, double time) {
 
 StepFit fit_step(std::span<const double> time, std::span<const double> displacement) {
   check_step(time, displacement);
-  double first = std::numeric_limits<double>::infinity(), last = 0.0;
-  std::vector<double> times;
-  for (const double t : time) {
-    if (t == 0.0) continue;
-    first = std::min(first, t);
-    last = std::max(last, t);
-    times.push_back(t);
-  }
-  const double lower = std::log(shortest_of_first * first),
-               upper = std::log(longest_of_last * last);
-  const auto of_grid = [&](int k) { return lower + (upper - lower) * k / (grid_points - 1); };
+  const auto [lower, upper] = log_bounds(time);
+  const double width = upper - lower, begin = lower;
+  const auto of_grid = [&](int k) { return begin + width * k / (grid_points - 1); };
   const ProjectedStep step(time, displacement);
 
   ProjectedStep::Point one, two;
@@ -157,8 +168,9 @@ StepFit fit_step(std::span<const double> time, std::span<const double> displacem
   one = step.refined(one, lower, upper);
 
   StepFit fit{.one = {one.gain(0), std::exp(one.log_time(0))}, .rms = rms_of(one)};
-  fit.settled = last >= 2.0 * fit.one.time_constant;
-  if (static_cast<Eigen::Index>(times.size()) < rows_for_two) return fit;
+  fit.settled = *std::max_element(time.begin(), time.end()) >= 2.0 * fit.one.time_constant;
+  const auto moving = std::count_if(time.begin(), time.end(), [](double t) { return t > 0.0; });
+  if (moving < rows_for_two) return fit;
   for (int i = 0; i < grid_points; ++i)
     for (int j = i + 1; j < grid_points; ++j)
       if (auto p = step.at(Eigen::Vector2d(of_grid(i), of_grid(j))); p.misfit < two.misfit) two = p;
@@ -170,6 +182,42 @@ StepFit fit_step(std::span<const double> time, std::span<const double> displacem
   fit.two_needed = fit.rms > share_that_matters * std::abs(fit.one.gain) &&
                    fit.rms_of_two < gain_of_two * fit.rms;
   return fit;
+}
+
+std::vector<double> fit_decay(std::span<const double> time, std::span<const double> displacement,
+                              std::span<const double> gains) {
+  check_step(time, displacement);
+  if (gains.empty() || gains.size() > 2)
+    throw std::invalid_argument("a decay is of one or two lags");
+  const Eigen::Map<const Eigen::VectorXd> t(time.data(), static_cast<Eigen::Index>(time.size())),
+      u(displacement.data(), static_cast<Eigen::Index>(displacement.size()));
+  const auto [lower, upper] = log_bounds(time);
+  Eigen::Vector2d best(0.5 * (lower + upper), 0.5 * (lower + upper));
+  for (double half = 0.5 * (upper - lower); half > decay_resolution; half *= decay_narrows) {
+    // Columns of the grid of each lag, then all pairs of them.
+    Eigen::MatrixXd of_lag[2];
+    for (std::size_t k = 0; k < 2; ++k) {
+      of_lag[k] = Eigen::MatrixXd::Zero(t.size(), k < gains.size() ? decay_grid : 1);
+      if (k >= gains.size()) continue;
+      const double middle = best(static_cast<Eigen::Index>(k));
+      for (Eigen::Index i = 0; i < decay_grid; ++i)
+        of_lag[k].col(i) =
+            gains[k] * (-t * std::exp(-decay_place(middle, half, i))).array().exp().matrix();
+    }
+    const Eigen::Vector2d centre = best;
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < of_lag[0].cols(); ++i)
+      for (Eigen::Index j = 0; j < of_lag[1].cols(); ++j) {
+        const double misfit = (u - of_lag[0].col(i) - of_lag[1].col(j)).squaredNorm();
+        if (misfit >= least) continue;
+        least = misfit;
+        best = {decay_place(centre(0), half, i), decay_place(centre(1), half, j)};
+      }
+  }
+  std::vector<double> result;
+  for (std::size_t k = 0; k < gains.size(); ++k)
+    result.push_back(std::exp(std::clamp(best(static_cast<Eigen::Index>(k)), lower, upper)));
+  return result;
 }
 
 }  // namespace raceway::spindle

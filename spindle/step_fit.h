@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "record/units.h"
 
@@ -40,6 +41,20 @@ struct StepFit {
 /// Throws std::invalid_argument: too few rows, a value that is not finite, a time below 0,
 /// displacements that are all zero.
 [[nodiscard]] StepFit fit_step(std::span<const double> time, std::span<const double> displacement);
+
+/// Time constants of one or two lags that fall from their gains to zero, as the gains are [s].
+///
+///   u(t) = Σ K_k exp(-t/T_k)
+///
+/// They are what a delay element needs at rest: with gains of its own a decay would be cut into
+/// other lags than the step before it.
+/// Method:   on a grid of logarithms that closes in on its best point, from a tenth of the first
+///           time to thirty times the last.
+/// Accuracy: 1e-6 where the rows are of the law.
+/// Throws std::invalid_argument as fit_step(), and for other than one or two gains.
+[[nodiscard]] std::vector<double> fit_decay(std::span<const double> time,
+                                            std::span<const double> displacement,
+                                            std::span<const double> gains);
 
 /// Displacement of a lag at a time after the step [m].
 [[nodiscard]] double displacement_at(const Lag& lag, double time);

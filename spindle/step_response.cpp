@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -32,6 +33,25 @@ StepFit fit_moments(std::span<const Moment> moments, double begin, const Part& p
     displacement.push_back(part(m));
   }
   return fit_step(time, displacement);
+}
+
+/// From the end of a step, by rows of a spindle that stands since `begin` [s].
+CoolDown cool_down_of(const StepResponse& step, std::span<const Moment> moments, double begin) {
+  CoolDown down;
+  down.fit = fit_moments(moments, begin,
+                         [&](const Moment& m) { return step.end - m.thermal_displacement(); });
+  std::vector<double> time, left;
+  for (const Moment& m : moments) {
+    time.push_back(m.time - begin);
+    left.push_back(m.thermal_displacement());
+  }
+  const StepFit& fit = step.fit;
+  down.one = fit_decay(time, left, std::array{fit.one.gain}).front();
+  if (std::isnan(fit.slow.gain)) return down;
+  const std::vector<double> two = fit_decay(time, left, std::array{fit.fast.gain, fit.slow.gain});
+  down.fast = two[0];
+  down.slow = two[1];
+  return down;
 }
 
 StepResponse step_of(const Run& run, std::span<const Moment> moments, double speed) {
@@ -84,9 +104,7 @@ StepResponses step_responses(const model::Model& model, std::span<const double> 
     add_rows(profile, run.end.time, options, 0.0);
     const Run down = own.simulate(profile, &run.end);
     if (!down.report.converged()) return;
-    const double hot = run.moments.back().thermal_displacement();
-    result.cool_down = fit_moments(down.moments, run.end.time,
-                                   [&](const Moment& m) { return hot - m.thermal_displacement(); });
+    result.cool_down = cool_down_of(result.steps[k], down.moments, run.end.time);
   });
   return result;
 }

@@ -26,11 +26,18 @@ struct StepResponse {
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 
+/// Back to rest from the end of the fastest step. NaN where it was not asked for or did not end
+/// well.
+struct CoolDown {
+  StepFit fit = {};  ///< of the way back
+  /// Time constants at P = 0 with the gains of that step [s]: of its one lag, of its two.
+  double one = unset, fast = unset, slow = unset;
+  [[nodiscard]] bool known() const { return one > 0.0; }
+};
+
 struct StepResponses {
   std::vector<StepResponse> steps = {};  ///< in the order asked for
-  /// Back to rest from the end of the fastest of them: what time constants are at P = 0. NaN where
-  /// it was not asked for or did not end well.
-  StepFit cool_down = {};
+  CoolDown cool_down = {};
 };
 
 struct StepOptions {

@@ -138,6 +138,21 @@ TEST(StepFit, OfFewRowsFindsOneLagAlone) {
   EXPECT_FALSE(fit.two_needed);
 }
 
+TEST(StepFit, FindsHowLagsOfGivenGainsFall) {
+  const std::vector<double> gains{38 * um, 28 * um};
+  std::vector<double> time, left;
+  for (double t = 0.0; t <= 14400.0; t += 120.0) {
+    time.push_back(t);
+    left.push_back(gains[0] * std::exp(-t / 700.0) + gains[1] * std::exp(-t / 5000.0));
+  }
+  const std::vector<double> found = fit_decay(time, left, gains);
+  EXPECT_NEAR(found[0] / 700.0, 1.0, 1e-5);
+  EXPECT_NEAR(found[1] / 5000.0, 1.0, 1e-5);
+  std::vector<double> one = left;
+  for (std::size_t k = 0; k < time.size(); ++k) one[k] = gains[0] * std::exp(-time[k] / 700.0);
+  EXPECT_NEAR(fit_decay(time, one, std::vector<double>{gains[0]}).front() / 700.0, 1.0, 1e-6);
+}
+
 TEST(StepFit, SaysWhatItCannotTake) {
   EXPECT_THAT(refusal_of_step({0, 60}, {0, 1e-6}), HasSubstr("two times after 0 s"));
   EXPECT_THAT(refusal_of_step({-1, 60, 120}, {0, 1e-6, 1e-6}), HasSubstr("time = -1 s"));

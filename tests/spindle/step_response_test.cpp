@@ -1,0 +1,123 @@
+#include "spindle/step_response.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/spindle/base_spindle.h"
+#include "tests/spindle/reference.h"
+
+namespace raceway::spindle {
+namespace {
+
+constexpr double minute = 60.0;
+
+/// Steps to 2000 to 10 000 rpm, simulated once for all tests.
+const StepResponses& cooled() {
+  static const StepResponses responses = [] {
+    std::vector<double> speeds;
+    const nlohmann::json rows = reference("step_responses_cooled")["outputs"]["rows"];
+    for (const nlohmann::json& row : rows) speeds.push_back(row["rpm"].get<double>() * rpm);
+    return step_responses(base_spindle(), speeds);
+  }();
+  return responses;
+}
+
+/// A ratio to a number of the reference.
+double ratio(double value, const nlohmann::json& expected) {
+  return value / expected.get<double>();
+}
+
+// Another program, on another mesh; the tolerance is that of the case.
+TEST(StepResponses, OfACooledSpindleAreThoseOfAnotherProgram) {
+  const nlohmann::json c = reference("step_responses_cooled");
+  const double tolerance = c["tolerance_rel"];
+  const nlohmann::json rows = c["outputs"]["rows"];
+  ASSERT_EQ(cooled().steps.size(), rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const StepResponse& step = cooled().steps[k];
+    const nlohmann::json& row = rows[k];
+    ASSERT_TRUE(step.converged()) << row["rpm"];
+    EXPECT_NEAR(ratio(step.power_end, row["P_end_W"]), 1.0, tolerance) << row["rpm"];
+    EXPECT_NEAR(ratio(step.kinematic / um, row["kinematic_um"]), 1.0, tolerance) << row["rpm"];
+    EXPECT_NEAR(ratio(step.fit.one.gain / um, row["K_um"]), 1.0, tolerance) << row["rpm"];
+    EXPECT_NEAR(ratio(step.fit.one.time_constant / minute, row["T_min"]), 1.0, tolerance)
+        << row["rpm"];
+    EXPECT_NEAR(ratio(step.end / um, row["end_um"]), 1.0, tolerance) << row["rpm"];
+    const nlohmann::json& force = row["front_force_N"];
+    EXPECT_NEAR(ratio(step.front_force, force["cold"]), 1.0, tolerance) << row["rpm"];
+    // The worst moment is that after some minutes, not the steady one.
+    EXPECT_GT(step.highest_force, (1.0 - tolerance) * force["10 min"].get<double>());
+    EXPECT_GT(step.highest_force, 1.02 * (1.0 - tolerance) * force["end"].get<double>());
+    EXPECT_GT(step.power_start, step.power_end) << "the oil thins";
+  }
+  const StepResponse& fastest = cooled().steps.back();
+  EXPECT_GT(fastest.power_start, 1.3 * fastest.power_end);
+}
+
+TEST(StepResponses, HaveTheLawsOfAnotherProgram) {
+  const nlohmann::json c = reference("step_responses_cooled");
+  const double tolerance = c["tolerance_rel"];
+  const PowerLaws laws = fit_power_laws(at_powers(cooled().steps));
+  const nlohmann::json out = c["outputs"];
+  EXPECT_NEAR(ratio(laws.gain_line.slope / um, out["K_of_P"]["slope_um_W"]), 1.0, tolerance);
+  EXPECT_NEAR(ratio(laws.time_line.offset / minute, out["T_of_P"]["offset_min"]), 1.0, tolerance);
+  EXPECT_NEAR(laws.gain_power.exponent, 0.82, 0.03);
+  EXPECT_NEAR(laws.time_power.exponent, -0.23, 0.03);
+}
+
+// A hot spindle at rest loses what it has gained: K of the way back is that of the way out.
+TEST(StepResponses, CoolDownFromTheFastestOne) {
+  const StepResponse& fastest = cooled().steps.back();
+  const StepFit& down = cooled().cool_down.fit;
+  EXPECT_NEAR(down.one.gain / fastest.end, 1.0, 0.05);
+  EXPECT_GT(down.one.time_constant, fastest.fit.one.time_constant);
+  EXPECT_TRUE(down.settled);
+}
+
+TEST(StepResponses, LeaveMoreToOneLagWithoutCoolant) {
+  StepOptions options;
+  options.inputs.coolant_on = false;
+  const std::vector<double> speeds{6000 * rpm};
+  const StepResponses uncooled = step_responses(base_spindle(), speeds, options);
+  ASSERT_TRUE(uncooled.steps.front().converged());
+  const StepFit& fit = uncooled.steps.front().fit;
+  EXPECT_GT(fit.rms, 3.0 * cooled().steps[2].fit.rms);
+  EXPECT_LT(fit.rms_of_two, 0.5 * fit.rms);
+  EXPECT_TRUE(need_two(uncooled.steps));
+  // At rest nothing stirs the air at the shaft: both lags of the step fall slower than they rose.
+  EXPECT_GT(uncooled.cool_down.fast, fit.fast.time_constant);
+  EXPECT_GT(uncooled.cool_down.slow, fit.slow.time_constant);
+}
+
+TEST(StepResponses, DoNotDependOnTheirNumberOrOrder) {
+  const std::vector<double> turned{10000 * rpm, 2000 * rpm};
+  StepOptions options;
+  options.cool_down = false;
+  const StepResponses two = step_responses(base_spindle(), turned, options);
+  EXPECT_EQ(two.steps[1].fit.one.gain, cooled().steps.front().fit.one.gain);
+  EXPECT_EQ(two.steps[0].fit.one.gain, cooled().steps.back().fit.one.gain);
+  EXPECT_FALSE(two.cool_down.known());
+}
+
+TEST(StepResponses, NeedASpeedAndThreeRows) {
+  const auto refusal = [](double speed, double duration) -> std::string {
+    try {
+      StepOptions options;
+      options.duration = duration;
+      (void)step_responses(base_spindle(), std::vector<double>{speed}, options);
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal(0.0, 14400.0), testing::HasSubstr("above 0 rpm"));
+  EXPECT_THAT(refusal(100.0, 300.0), testing::HasSubstr("three rows"));
+}
+
+}  // namespace
+}  // namespace raceway::spindle
