@@ -13,12 +13,12 @@
 namespace raceway::cli {
 namespace {
 
-constexpr int points_of_law = 40;
+constexpr int points_of_kinematic_law = 40;
 constexpr double grid_step = 500 * rpm, grid_end = 60000 * rpm;
 
-std::vector<shaft::ShaftPrediction> predicted(const model::Model& model,
-                                              const std::vector<double>& speeds,
-                                              double temperature) {
+std::vector<shaft::ShaftPrediction> predicted_shaft(const model::Model& model,
+                                                    const std::vector<double>& speeds,
+                                                    double temperature) {
   std::vector<shaft::ShaftPoint> points;
   for (const double speed : speeds)
     points.push_back(
@@ -33,7 +33,7 @@ std::vector<io::PowerAtSpeed> powers_of_model(const model::Model& model, double 
                                               double temperature) {
   std::vector<double> speeds;
   for (double speed = grid_step; speed <= grid_end; speed += grid_step) speeds.push_back(speed);
-  const std::vector<shaft::ShaftPrediction> found = predicted(model, speeds, temperature);
+  const std::vector<shaft::ShaftPrediction> found = predicted_shaft(model, speeds, temperature);
   std::vector<io::PowerAtSpeed> powers;
   for (std::size_t k = 0; k < speeds.size(); ++k) {
     if (found[k].status() != bearing::SolveStatus::converged) break;
@@ -45,8 +45,9 @@ std::vector<io::PowerAtSpeed> powers_of_model(const model::Model& model, double 
 
 std::vector<shaft::DisplacementPoint> curve_of_model(const model::Model& model, double highest) {
   std::vector<double> speeds;
-  for (int k = 0; k <= points_of_law; ++k) speeds.push_back(highest * k / points_of_law);
-  const std::vector<shaft::ShaftPrediction> found = predicted(model, speeds, unset);
+  for (int k = 0; k <= points_of_kinematic_law; ++k)
+    speeds.push_back(highest * k / points_of_kinematic_law);
+  const std::vector<shaft::ShaftPrediction> found = predicted_shaft(model, speeds, unset);
   std::vector<shaft::DisplacementPoint> curve;
   for (std::size_t k = 0; k < speeds.size(); ++k)
     if (found[k].equilibrium.report.converged())
@@ -54,7 +55,7 @@ std::vector<shaft::DisplacementPoint> curve_of_model(const model::Model& model, 
   return curve;
 }
 
-void add_law(const std::vector<shaft::DisplacementPoint>& curve, StepParts& parts) {
+void add_kinematic_law(const std::vector<shaft::DisplacementPoint>& curve, StepParts& parts) {
   try {
     const shaft::KinematicLawFit fit = shaft::fit_kinematic_law(curve);
     if (!fit.converged()) {
@@ -79,7 +80,7 @@ std::string name_of(const spindle::StepResponse& step) {
 }
 
 double friction_power(const model::Model& model, double speed, double temperature) {
-  const shaft::ShaftPrediction found = predicted(model, {speed}, temperature).front();
+  const shaft::ShaftPrediction found = predicted_shaft(model, {speed}, temperature).front();
   if (found.status() != bearing::SolveStatus::converged)
     throw std::invalid_argument(
         fmt::format("speed = {:.6g} rpm: the sets of the model do not balance there", speed / rpm));
@@ -87,7 +88,7 @@ double friction_power(const model::Model& model, double speed, double temperatur
 }
 
 double kinematic_at(const model::Model& model, double speed) {
-  return predicted(model, {speed}, unset).front().displacement;
+  return predicted_shaft(model, {speed}, unset).front().displacement;
 }
 
 StepParts step_parts(const spindle::StepResponses& responses, const model::Model* model,
@@ -115,9 +116,9 @@ StepParts step_parts(const spindle::StepResponses& responses, const model::Model
   const bool moves = std::any_of(at_once.begin(), at_once.end(),
                                  [](const auto& p) { return p.displacement != 0.0; });
   if (model && !parts.power.empty())
-    add_law(curve_of_model(*model, parts.power.back().speed), parts);
+    add_kinematic_law(curve_of_model(*model, parts.power.back().speed), parts);
   else if (moves)
-    add_law(at_once, parts);
+    add_kinematic_law(at_once, parts);
   else
     parts.notes.push_back(
         "nothing moves at once in the correction: no MODEL tells of the sets, and no load case "

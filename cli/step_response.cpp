@@ -13,21 +13,24 @@
 #include "cli/run_files.h"
 #include "cli/step_parts.h"
 #include "cli/text_table.h"
+#include "io/correction_file.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "io/series_file.h"
 #include "io/step_correction.h"
 #include "io/step_import.h"
 #include "io/step_results.h"
+#include "io/superposition.h"
 
 namespace raceway::cli {
 namespace {
 
-constexpr double minute = 60.0, hour = 3600.0;
-constexpr NumberRange hours_range{0.1, 1000.0, "h"};
+constexpr double one_hour = 3600.0;
+constexpr NumberRange step_hours_range{0.1, 1000.0, "h"};
 
 struct StepFlags {
-  std::string model, speed, import, output, correction, law = "curve", units = "s,um",
-                                                        coolant = "on";
+  std::string model, speed, import, output, correction, programme, law = "curve", units = "s,um",
+                                                                   coolant = "on";
   std::vector<std::string> load_cases;
   double hours = 4.0, row = 120.0, temperature = unset;
   bool json = false, force = false;
@@ -35,7 +38,7 @@ struct StepFlags {
   [[nodiscard]] bool imports() const { return !import.empty() || !load_cases.empty(); }
 };
 
-void check_flags(const StepFlags& f) {
+void check_step_flags(const StepFlags& f) {
   const auto refuse = [](const std::string& why, const std::string& key) {
     throw io::InputError("raceway step-response: " + why, {.key = key});
   };
@@ -46,12 +49,15 @@ void check_flags(const StepFlags& f) {
   if (!f.imports() && f.model.empty()) refuse("MODEL is missing, or --import FILE", "MODEL");
   if (!f.imports() && f.speed.empty())
     refuse("--speed is missing, such as 2000:10000:2000, or --import FILE", "--speed");
+  if (!f.programme.empty() && (f.correction.empty() || f.model.empty()))
+    refuse("--programme holds a correction against the simulation of MODEL: name --correction FILE",
+           "--programme");
   if (f.correction == "-")
     refuse("--correction -: has tables beside it; name a file", "--correction");
 }
 
 /// Step responses from files, with the power of those that have a speed alone.
-spindle::StepResponses imported(const StepFlags& flags, const model::Model* model) {
+spindle::StepResponses imported_steps(const StepFlags& flags, const model::Model* model) {
   std::vector<io::LoadCase> cases;
   if (!flags.import.empty()) cases = io::read_load_cases(flags.import);
   const io::HistoryUnits units = io::history_units(flags.units, "--units");
@@ -80,7 +86,7 @@ spindle::StepResponses imported(const StepFlags& flags, const model::Model* mode
   return responses;
 }
 
-spindle::StepResponses simulated(const StepFlags& flags, const model::Model& model) {
+spindle::StepResponses simulated_steps(const StepFlags& flags, const model::Model& model) {
   std::vector<double> speeds = axis(flags.speed, "--speed");
   require_all(speeds, speed_range, "--speed");
   if (speeds.front() == 0.0) {
@@ -94,13 +100,13 @@ spindle::StepResponses simulated(const StepFlags& flags, const model::Model& mod
                     speeds.size(), most),
         {.key = "--speed"});
   for (double& speed : speeds) speed *= rpm;
-  spindle::StepOptions options{.duration = flags.hours * hour, .row = flags.row};
+  spindle::StepOptions options{.duration = flags.hours * one_hour, .row = flags.row};
   options.inputs.coolant_on = flags.coolant == "on";
   return spindle::step_responses(model, speeds, options);
 }
 
-std::vector<std::string> notes_on(const spindle::StepResponses& responses,
-                                  const spindle::PowerLaws& laws) {
+std::vector<std::string> notes_on_steps(const spindle::StepResponses& responses,
+                                        const spindle::PowerLaws& laws) {
   std::vector<std::string> notes;
   std::size_t two = 0;
   for (const spindle::StepResponse& step : responses.steps) {
@@ -109,7 +115,7 @@ std::vector<std::string> notes_on(const spindle::StepResponses& responses,
       notes.push_back(fmt::format(
           "{}: a time constant of {:.3g} min is more than half of what was seen: gain and time "
           "constant are a guess",
-          name_of(step), step.fit.one.time_constant / minute));
+          name_of(step), step.fit.one.time_constant / spindle::one_minute));
   }
   if (two > 0)
     notes.push_back(fmt::format("{} of {} step responses need two time constants", two,
@@ -123,8 +129,8 @@ std::vector<std::string> notes_on(const spindle::StepResponses& responses,
   return notes;
 }
 
-void print(const spindle::StepResponses& responses, const spindle::PowerLaws& laws,
-           const std::string& source) {
+void print_steps(const spindle::StepResponses& responses, const spindle::PowerLaws& laws,
+                 const std::string& source) {
   fmt::print("Step responses of {}: u = kinematic + K (1 - exp(-t/T)), P at the end\n\n", source);
   TextTable table({{"step", "", true},
                    {"power", "W"},
@@ -140,26 +146,28 @@ void print(const spindle::StepResponses& responses, const spindle::PowerLaws& la
   for (const spindle::StepResponse& s : responses.steps) {
     const spindle::StepFit& f = s.fit;
     table.add({name_of(s), number(s.power_end), number(s.kinematic / um), number(f.one.gain / um),
-               number(f.one.time_constant / minute), number(f.rms / um, 2),
-               number(f.fast.gain / um), number(f.fast.time_constant / minute, 3),
-               number(f.slow.gain / um), number(f.slow.time_constant / minute, 3),
+               number(f.one.time_constant / spindle::one_minute), number(f.rms / um, 2),
+               number(f.fast.gain / um), number(f.fast.time_constant / spindle::one_minute, 3),
+               number(f.slow.gain / um), number(f.slow.time_constant / spindle::one_minute, 3),
                number(f.rms_of_two / um, 2)});
   }
   fmt::print("{}", table.text(terminal_width()));
   if (responses.cool_down.known())
     fmt::print("back to rest from the fastest: T = {} min\n",
-               number(responses.cool_down.one / minute));
+               number(responses.cool_down.one / spindle::one_minute));
   if (std::isnan(laws.gain_line.slope)) return;
   fmt::print("\nK = {} um/W P + {} um, T = {} min/W P + {} min\n",
              number(laws.gain_line.slope / um), number(laws.gain_line.offset / um),
-             number(laws.time_line.slope / minute), number(laws.time_line.offset / minute));
+             number(laws.time_line.slope / spindle::one_minute),
+             number(laws.time_line.offset / spindle::one_minute));
   if (!std::isnan(laws.gain_power.exponent))
     fmt::print("K = {} um (P/W)^{}, T = {} min (P/W)^{}\n", number(laws.gain_power.factor / um),
-               number(laws.gain_power.exponent), number(laws.time_power.factor / minute),
+               number(laws.gain_power.exponent),
+               number(laws.time_power.factor / spindle::one_minute),
                number(laws.time_power.exponent));
 }
 
-io::StepLaw law_of(const std::string& name) {
+io::StepLaw step_law_of(const std::string& name) {
   return name == "power"  ? io::StepLaw::power
          : name == "line" ? io::StepLaw::line
                           : io::StepLaw::curve;
@@ -175,7 +183,7 @@ void write_correction_of(const StepFlags& flags, const spindle::StepResponses& r
                             {.name = model && !model->name.empty() ? model->name : source,
                              .power = parts.power,
                              .kinematic = parts.kinematic,
-                             .law = law_of(flags.law)},
+                             .law = step_law_of(flags.law)},
                             flags.correction);
     io::write_step_correction(written, flags.correction, flags.force);
     std::string tables;
@@ -187,7 +195,25 @@ void write_correction_of(const StepFlags& flags, const spindle::StepResponses& r
   }
 }
 
-void require_files(const StepFlags& flags) {
+/// The correction as it was written against the whole simulation, over a programme of speeds.
+std::optional<io::Superposition> superposition_of(const StepFlags& flags,
+                                                  const model::Model& model) {
+  if (flags.programme.empty()) return std::nullopt;
+  const io::CorrectionFile written = io::read_correction(flags.correction);
+  const record::Record programme =
+      io::read_series(flags.programme, {}, {&record::time, &record::speed});
+  spindle::Inputs inputs;
+  inputs.coolant_on = flags.coolant == "on";
+  io::Superposition s = io::superposition(model, written.models.front(), programme, inputs);
+  if (s.report.converged())
+    say(fmt::format("over {} the correction differs from the simulation by {}", flags.programme,
+                    io::superposition_text(s)));
+  else
+    warn(fmt::format("{}: the simulation ended early: {}", flags.programme, s.report.message));
+  return s;
+}
+
+void require_step_files(const StepFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty() && flags.output != "-") io::require_writable(flags.output, if_exists);
   if (flags.correction.empty()) return;
@@ -198,18 +224,18 @@ void require_files(const StepFlags& flags) {
 }
 
 int run(const StepFlags& flags) {
-  check_flags(flags);
-  require_files(flags);
+  check_step_flags(flags);
+  require_step_files(flags);
   std::optional<io::ModelFile> file;
   if (!flags.model.empty()) file = open_model(flags.model, Accepts::shaft);
   const model::Model* const model = file ? &file->model : nullptr;
   const spindle::StepResponses responses =
-      flags.imports() ? imported(flags, model) : simulated(flags, *model);
+      flags.imports() ? imported_steps(flags, model) : simulated_steps(flags, *model);
   const spindle::PowerLaws laws = spindle::fit_power_laws(at_powers(responses.steps));
   const std::string source = !flags.imports()       ? file->source
                              : flags.import.empty() ? "time histories"
                                                     : flags.import;
-  const std::vector<std::string> notes = notes_on(responses, laws);
+  const std::vector<std::string> notes = notes_on_steps(responses, laws);
   if (!flags.output.empty()) {
     const std::string csv = io::step_responses_text(responses, source, file ? file->text : "");
     if (flags.output == "-") {
@@ -219,13 +245,14 @@ int run(const StepFlags& flags) {
       say(fmt::format("{} written, {} step responses", flags.output, responses.steps.size()));
     }
   }
-  if (flags.json)
-    put_document(io::step_responses_json(responses, laws, notes));
-  else if (flags.output.empty())
-    print(responses, laws, source);
+  if (!flags.json && flags.output.empty()) print_steps(responses, laws, source);
   tell(notes);
   if (!flags.correction.empty()) write_correction_of(flags, responses, model, source);
-  bool all = true;
+  std::optional<io::Superposition> error;
+  if (model) error = superposition_of(flags, *model);
+  if (flags.json)
+    put_document(io::step_responses_json(responses, laws, notes, error ? &*error : nullptr));
+  bool all = !error || error->report.converged();
   for (const spindle::StepResponse& step : responses.steps) {
     if (step.converged()) continue;
     warn(fmt::format("{}: {}", name_of(step), step.message));
@@ -245,7 +272,7 @@ Run setup_step_response(CLI::App& command) {
       .add_option("--speed", flags->speed,
                   "[rpm] of the steps, as 2000,6000 or as from:to:step, 2000:10000:2000")
       ->type_name("VALUES");
-  add_number(command, "--hours", flags->hours, hours_range, "of each step; default 4");
+  add_number(command, "--hours", flags->hours, step_hours_range, "of each step; default 4");
   command.add_option("--coolant", flags->coolant, "on or off; default on")
       ->check(CLI::IsMember({"on", "off"}))
       ->type_name("STATE");
@@ -260,9 +287,10 @@ Run setup_step_response(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--units", flags->units, "of time histories; default s,um")
       ->type_name("TIME,LENGTH");
-  add_number(command, "--temperature", flags->temperature, temperature_range,
-             "of the lubricant [C], for the power of imported speeds; default: [rig] of the model, "
-             "else 40");
+  add_number(
+      command, "--temperature", flags->temperature, temperature_range,
+      "of the lubricant [C], for the power of imported_steps speeds; default: [rig] of the model, "
+      "else 40");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
   command
@@ -272,6 +300,10 @@ Run setup_step_response(CLI::App& command) {
   command.add_option("--law", flags->law, "of K and T in the correction: curve, power or line")
       ->check(CLI::IsMember({"curve", "power", "line"}))
       ->type_name("LAW");
+  command
+      .add_option("--programme", flags->programme,
+                  "CSV with time_s and speed_rpm: the correction against the whole simulation")
+      ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

@@ -27,8 +27,8 @@ struct LoadColumn {
   double factor;        ///< of our unit
   double lower, upper;  ///< SI
 };
-constexpr double largest = 1e12;
-constexpr LoadColumn of_time{"time_s", "time", "t", Dimension::time, 1.0, 0.0, largest};
+constexpr double longest_time = 1e12;
+constexpr LoadColumn of_time{"time_s", "time", "t", Dimension::time, 1.0, 0.0, longest_time};
 constexpr LoadColumn of_displacement{"axial_displacement_um",
                                      "axial_displacement",
                                      "displacement",
@@ -40,25 +40,25 @@ constexpr LoadColumn of_power{"power_W", "power", "power_loss", Dimension::power
 constexpr LoadColumn of_speed{"speed_rpm", "speed", "n", Dimension::speed, rpm, 0.0, 1e6 * rpm};
 constexpr std::string_view name_column = "load_case";
 
-struct Found {
+struct FoundLoadColumn {
   std::size_t at;
   double factor;  ///< SI of one unit of the file
 };
 
-std::optional<Found> find(const CsvTable& table, const LoadColumn& wanted) {
+std::optional<FoundLoadColumn> find_load_column(const CsvTable& table, const LoadColumn& wanted) {
   for (std::size_t c = 0; c < table.header.size(); ++c) {
     const HeaderParts parts = header_parts(table.header[c]);
     const std::string name = lower_case(parts.name);
     if (name != wanted.quantity && name != wanted.also) continue;
     if (parts.unit.empty()) continue;
     const Unit* const unit = find_unit(parts.unit, wanted.dimension);
-    if (unit) return Found{c, unit->factor};
+    if (unit) return FoundLoadColumn{c, unit->factor};
   }
   return std::nullopt;
 }
 
-Found require(const CsvTable& table, const LoadColumn& wanted) {
-  if (const auto found = find(table, wanted)) return *found;
+FoundLoadColumn require_load_column(const CsvTable& table, const LoadColumn& wanted) {
+  if (const auto found = find_load_column(table, wanted)) return *found;
   throw InputError(fmt::format("{}:{}: column {} is missing{}; load cases have load_case, time_s, "
                                "axial_displacement_um and power_W or speed_rpm; the header has {}",
                                table.source, table.header_line, wanted.name,
@@ -66,8 +66,8 @@ Found require(const CsvTable& table, const LoadColumn& wanted) {
                    table.header_place(wanted.name));
 }
 
-std::vector<double> values(const CsvTable& table, const std::optional<Found>& column,
-                           const LoadColumn& what, BadCells& bad) {
+std::vector<double> load_values(const CsvTable& table, const std::optional<FoundLoadColumn>& column,
+                                const LoadColumn& what, BadCells& bad) {
   std::vector<double> result;
   if (!column) return result;
   const std::string& name = table.header[column->at];
@@ -80,7 +80,7 @@ std::vector<double> values(const CsvTable& table, const std::optional<Found>& co
 
 /// What every load case is held to, however it was written: rising times, and a displacement that
 /// begins at zero.
-void finish(LoadCase& load) {
+void finish_load(LoadCase& load) {
   std::vector<std::size_t> order(load.time.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -102,8 +102,9 @@ void finish(LoadCase& load) {
 }
 
 /// The first and the last value of a column over the rows of a case, by time.
-std::pair<double, double> ends(const std::vector<double>& column, const std::vector<double>& time,
-                               const std::vector<std::size_t>& rows) {
+std::pair<double, double> ends_of_load(const std::vector<double>& column,
+                                       const std::vector<double>& time,
+                                       const std::vector<std::size_t>& rows) {
   if (column.empty()) return {unset, unset};
   const auto earlier = [&](std::size_t a, std::size_t b) { return time[a] < time[b]; };
   return {column[*std::min_element(rows.begin(), rows.end(), earlier)],
@@ -111,15 +112,17 @@ std::pair<double, double> ends(const std::vector<double>& column, const std::vec
 }
 
 std::vector<LoadCase> load_cases(const CsvTable& table) {
-  const Found time_at = require(table, of_time), moved_at = require(table, of_displacement);
-  const auto power_at = find(table, of_power), speed_at = find(table, of_speed);
-  if (!power_at && !speed_at) (void)require(table, of_power);
+  const FoundLoadColumn time_at = require_load_column(table, of_time),
+                        moved_at = require_load_column(table, of_displacement);
+  const auto power_at = find_load_column(table, of_power),
+             speed_at = find_load_column(table, of_speed);
+  if (!power_at && !speed_at) (void)require_load_column(table, of_power);
   const auto name_at = table.column(name_column);
   BadCells bad(table.source, table.rows());
-  const std::vector<double> time = values(table, time_at, of_time, bad);
-  const std::vector<double> moved = values(table, moved_at, of_displacement, bad);
-  const std::vector<double> power = values(table, power_at, of_power, bad);
-  const std::vector<double> speed = values(table, speed_at, of_speed, bad);
+  const std::vector<double> time = load_values(table, time_at, of_time, bad);
+  const std::vector<double> moved = load_values(table, moved_at, of_displacement, bad);
+  const std::vector<double> power = load_values(table, power_at, of_power, bad);
+  const std::vector<double> speed = load_values(table, speed_at, of_speed, bad);
   bad.throw_if_any();
 
   // Rows of each case, in the order in which the cases come.
@@ -137,7 +140,7 @@ std::vector<LoadCase> load_cases(const CsvTable& table) {
     const int line = table.line(rows.front());
     LoadCase load{.name = name_at ? name : fmt::format("{} = {}", table.header[key], name),
                   .place = {.file = table.source, .line = line, .key = {}}};
-    std::tie(load.power_start, load.power_end) = ends(power, time, rows);
+    std::tie(load.power_start, load.power_end) = ends_of_load(power, time, rows);
     for (const std::size_t row : rows) {
       load.time.push_back(time[row]);
       load.displacement.push_back(moved[row]);
@@ -151,14 +154,14 @@ std::vector<LoadCase> load_cases(const CsvTable& table) {
             {.file = table.source, .line = table.line(row), .key = table.header[speed_at->at]});
       load.speed = speed[row];
     }
-    finish(load);
+    finish_load(load);
     cases.push_back(std::move(load));
   }
   return cases;
 }
 
 /// The load of "50W=a.csv" into a case; the file.
-std::string read_load(const std::string& given, LoadCase& load) {
+std::string read_named_load(const std::string& given, LoadCase& load) {
   const auto fail = [&](std::string_view why) -> InputError {
     return InputError(
         fmt::format("--load-case {}: {}; such as 50W=a.csv or 6000rpm=b.csv", given, why),
@@ -194,7 +197,7 @@ bool has_decimal_commas(std::string_view line) {
 }
 
 /// The numbers of a line; empty where it does not begin with one.
-std::vector<double> numbers_of(std::string_view line) {
+std::vector<double> history_numbers(std::string_view line) {
   const bool commas_separate = !has_decimal_commas(line);
   const std::string_view separators = commas_separate ? ", \t\r" : "; \t\r";
   std::vector<double> result;
@@ -239,7 +242,7 @@ HistoryUnits history_units(std::string_view text, const std::string& flag) {
 
 LoadCase read_history(const std::string& given, const HistoryUnits& units) {
   LoadCase load;
-  const std::string path = read_load(given, load);
+  const std::string path = read_named_load(given, load);
   const std::string text = read_text(path);
   load.place = {.file = input_name(path), .line = 1, .key = {}};
   int line_number = 0;
@@ -248,7 +251,7 @@ LoadCase read_history(const std::string& given, const HistoryUnits& units) {
     const std::string_view line = std::string_view(text).substr(at, end - at);
     at = end + 1;
     ++line_number;
-    const std::vector<double> row = numbers_of(line);
+    const std::vector<double> row = history_numbers(line);
     if (row.empty()) continue;
     const Place place{.file = load.place.file, .line = line_number, .key = {}};
     if (row.size() != 2 || !std::isfinite(row[1]) || !(row[0] >= 0.0))
@@ -262,7 +265,7 @@ LoadCase read_history(const std::string& given, const HistoryUnits& units) {
     throw InputError(
         fmt::format("{}: has no row of two numbers, time and displacement", load.place.file),
         load.place);
-  finish(load);
+  finish_load(load);
   return load;
 }
 

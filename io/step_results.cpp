@@ -16,8 +16,6 @@ namespace {
 
 using spindle::StepResponse;
 
-constexpr double minute = 60.0;
-
 struct StepColumn {
   const char* name;
   double (*value)(const StepResponse& step);
@@ -29,23 +27,25 @@ constexpr StepColumn step_columns[] = {
     {"power_end_W", [](const StepResponse& s) { return s.power_end; }},
     {"kinematic_um", [](const StepResponse& s) { return s.kinematic / um; }},
     {"K_um", [](const StepResponse& s) { return s.fit.one.gain / um; }},
-    {"T_min", [](const StepResponse& s) { return s.fit.one.time_constant / minute; }},
+    {"T_min", [](const StepResponse& s) { return s.fit.one.time_constant / spindle::one_minute; }},
     {"fit_rms_um", [](const StepResponse& s) { return s.fit.rms / um; }},
     {"K1_um", [](const StepResponse& s) { return s.fit.fast.gain / um; }},
-    {"T1_min", [](const StepResponse& s) { return s.fit.fast.time_constant / minute; }},
+    {"T1_min",
+     [](const StepResponse& s) { return s.fit.fast.time_constant / spindle::one_minute; }},
     {"K2_um", [](const StepResponse& s) { return s.fit.slow.gain / um; }},
-    {"T2_min", [](const StepResponse& s) { return s.fit.slow.time_constant / minute; }},
+    {"T2_min",
+     [](const StepResponse& s) { return s.fit.slow.time_constant / spindle::one_minute; }},
     {"fit_rms_two_um", [](const StepResponse& s) { return s.fit.rms_of_two / um; }},
     {"end_um", [](const StepResponse& s) { return s.end / um; }},
     {"front_force_N", [](const StepResponse& s) { return s.front_force; }},
     {"highest_front_force_N", [](const StepResponse& s) { return s.highest_force; }}};
 
-bool were_read(const spindle::StepResponses& responses) {
+bool steps_were_read(const spindle::StepResponses& responses) {
   return std::any_of(responses.steps.begin(), responses.steps.end(),
                      [](const StepResponse& s) { return !s.load_case.empty(); });
 }
 
-json line_json(const spindle::StraightLine& line, const char* unit, double factor) {
+json step_line_json(const spindle::StraightLine& line, const char* unit, double factor) {
   const std::string slope = fmt::format("slope_{}_W", unit),
                     offset = fmt::format("offset_{}", unit);
   return {{slope, line.slope / factor},
@@ -54,7 +54,7 @@ json line_json(const spindle::StraightLine& line, const char* unit, double facto
           {offset + "_std", line.offset_std / factor}};
 }
 
-json power_json(const spindle::PowerLaw& law, const char* unit, double factor) {
+json step_power_json(const spindle::PowerLaw& law, const char* unit, double factor) {
   return {{fmt::format("factor_{}", unit), law.factor / factor},
           {"exponent", law.exponent},
           {"exponent_std", law.exponent_std},
@@ -71,7 +71,7 @@ std::string step_responses_text(const spindle::StepResponses& responses, std::st
                  "# u = kinematic + K (1 - exp(-t/T)); K and T belong to the power at the end\n",
                  printable(source), RACEWAY_VERSION);
   if (!model_text.empty()) append_model(out, model_text);
-  const bool with_name = were_read(responses);
+  const bool with_name = steps_were_read(responses);
   for (const StepColumn& column : step_columns)
     fmt::format_to(std::back_inserter(out), "{},", column.name);
   fmt::format_to(std::back_inserter(out), "status{}\n", with_name ? ",load_case" : "");
@@ -92,12 +92,12 @@ std::string step_responses_text(const spindle::StepResponses& responses, std::st
 
 std::string step_responses_json(const spindle::StepResponses& responses,
                                 const spindle::PowerLaws& laws,
-                                const std::vector<std::string>& notes) {
+                                const std::vector<std::string>& notes, const Superposition* error) {
   json rows = json::array();
   double from = unset, to = unset;
   for (const StepResponse& step : responses.steps) {
     json row = json::object();
-    if (were_read(responses)) row["load_case"] = step.load_case;
+    if (steps_were_read(responses)) row["load_case"] = step.load_case;
     for (const StepColumn& column : step_columns) row[column.name] = column.value(step);
     row["two_needed"] = step.fit.two_needed;
     row["settled"] = step.fit.settled;
@@ -109,10 +109,10 @@ std::string step_responses_json(const spindle::StepResponses& responses,
     to = std::fmax(to, step.power_end);
   }
   json document = {{"rows", std::move(rows)},
-                   {"K_of_P", line_json(laws.gain_line, "um", um)},
-                   {"T_of_P", line_json(laws.time_line, "min", minute)},
-                   {"K_power_law", power_json(laws.gain_power, "um", um)},
-                   {"T_power_law", power_json(laws.time_power, "min", minute)},
+                   {"K_of_P", step_line_json(laws.gain_line, "um", um)},
+                   {"T_of_P", step_line_json(laws.time_line, "min", spindle::one_minute)},
+                   {"K_power_law", step_power_json(laws.gain_power, "um", um)},
+                   {"T_power_law", step_power_json(laws.time_power, "min", spindle::one_minute)},
                    {"valid_from_W", laws.valid_from},
                    {"valid_to_W", laws.valid_to},
                    {"seen_from_W", from},
@@ -120,10 +120,20 @@ std::string step_responses_json(const spindle::StepResponses& responses,
                    {"two_needed", spindle::need_two(responses.steps)}};
   const spindle::CoolDown& down = responses.cool_down;
   if (down.known())
-    document["cool_down"] = {
-        {"K_um", down.fit.one.gain / um},       {"T_min", down.fit.one.time_constant / minute},
-        {"fit_rms_um", down.fit.rms / um},      {"T_at_rest_min", down.one / minute},
-        {"T1_at_rest_min", down.fast / minute}, {"T2_at_rest_min", down.slow / minute}};
+    document["cool_down"] = {{"K_um", down.fit.one.gain / um},
+                             {"T_min", down.fit.one.time_constant / spindle::one_minute},
+                             {"fit_rms_um", down.fit.rms / um},
+                             {"T_at_rest_min", down.one / spindle::one_minute},
+                             {"T1_at_rest_min", down.fast / spindle::one_minute},
+                             {"T2_at_rest_min", down.slow / spindle::one_minute}};
+  if (error)
+    document["superposition"] = {{"rows", error->rows},
+                                 {"rms_um", error->rms / um},
+                                 {"largest_um", error->largest / um},
+                                 {"time_of_largest_s", error->time_of_largest},
+                                 {"lowest_um", error->lowest / um},
+                                 {"highest_um", error->highest / um},
+                                 {"status", spindle::name(error->report.status)}};
   document["notes"] = notes;
   return text(document);
 }

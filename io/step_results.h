@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/superposition.h"
 #include "spindle/step_response.h"
 
 /// Step responses as CSV and as JSON, keys with their units (docs/files.md). What is not known is
@@ -16,9 +17,11 @@ namespace raceway::io {
 [[nodiscard]] std::string step_responses_text(const spindle::StepResponses& responses,
                                               std::string_view source, std::string_view model_text);
 
-/// The same, and the laws K(P) and T(P). `notes`: what the user should know.
+/// The same, and the laws K(P) and T(P). `notes`: what the user should know. `error` of the
+/// correction, null where none was asked for.
 [[nodiscard]] std::string step_responses_json(const spindle::StepResponses& responses,
                                               const spindle::PowerLaws& laws,
-                                              const std::vector<std::string>& notes);
+                                              const std::vector<std::string>& notes,
+                                              const Superposition* error = nullptr);
 
 }  // namespace raceway::io

@@ -13,13 +13,13 @@
 namespace raceway::spindle {
 namespace {
 
-constexpr double everywhere = std::numeric_limits<double>::infinity();
+constexpr double at_all_powers = std::numeric_limits<double>::infinity();
 
-struct Pairs {
+struct PowerPairs {
   std::vector<double> x, y;
 };
 
-StraightLine straight_line(const Pairs& points) {
+StraightLine straight_line(const PowerPairs& points) {
   const auto n = static_cast<double>(points.x.size());
   double mean_x = 0.0, mean_y = 0.0;
   for (std::size_t k = 0; k < points.x.size(); ++k) {
@@ -45,8 +45,8 @@ StraightLine straight_line(const Pairs& points) {
   return line;
 }
 
-PowerLaw power_law(const Pairs& points) {
-  Pairs logarithms;
+PowerLaw power_law(const PowerPairs& points) {
+  PowerPairs logarithms;
   const double sign = points.y.front() < 0.0 ? -1.0 : 1.0;
   for (std::size_t k = 0; k < points.x.size(); ++k) {
     if (!(points.x[k] > 0.0) || !(sign * points.y[k] > 0.0)) return {};
@@ -65,7 +65,7 @@ PowerLaw power_law(const Pairs& points) {
 }
 
 /// Narrows a range of P to where a line has the sign of `inside`.
-void narrow(const StraightLine& line, double inside, double& from, double& to) {
+void narrow_validity(const StraightLine& line, double inside, double& from, double& to) {
   if (std::isnan(line.slope) || line.slope == 0.0) return;
   const double root = -line.offset / line.slope;
   // It leaves that sign below the root where it moves away from zero with P, else above.
@@ -75,21 +75,21 @@ void narrow(const StraightLine& line, double inside, double& from, double& to) {
     to = std::min(to, root);
 }
 
-double total(const std::vector<double>& values) {
+double sum_of_values(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double v : values) sum += v;
   return sum;
 }
 
 /// Points of one power as their mean, rising.
-Pairs merged(std::span<const AtPower> points, double AtPower::*value) {
+PowerPairs merged_points(std::span<const AtPower> points, double AtPower::*value) {
   std::map<double, std::pair<double, int>> sums;
   for (const AtPower& p : points) {
     auto& [sum, count] = sums[p.power];
     sum += p.*value;
     ++count;
   }
-  Pairs result;
+  PowerPairs result;
   for (const auto& [power, of] : sums) {
     result.x.push_back(power);
     result.y.push_back(of.first / of.second);
@@ -150,7 +150,7 @@ double MonotoneCurve::operator()(double x) const {
 }
 
 PowerLaws fit_power_laws(std::span<const AtPower> points) {
-  Pairs gain, time;
+  PowerPairs gain, time;
   for (const AtPower& p : points) {
     if (!(p.power >= 0.0) || !std::isfinite(p.power))
       throw std::invalid_argument(fmt::format("power = {} W: must be 0 W or more", p.power));
@@ -170,14 +170,14 @@ PowerLaws fit_power_laws(std::span<const AtPower> points) {
   laws.gain_power = power_law(gain);
   laws.time_power = power_law(time);
   laws.valid_from = 0.0;
-  laws.valid_to = everywhere;
-  narrow(laws.gain_line, total(gain.y), laws.valid_from, laws.valid_to);
-  narrow(laws.time_line, 1.0, laws.valid_from, laws.valid_to);
+  laws.valid_to = at_all_powers;
+  narrow_validity(laws.gain_line, sum_of_values(gain.y), laws.valid_from, laws.valid_to);
+  narrow_validity(laws.time_line, 1.0, laws.valid_from, laws.valid_to);
   return laws;
 }
 
 MonotoneCurve gain_curve(std::span<const AtPower> points) {
-  Pairs p = merged(points, &AtPower::gain);
+  PowerPairs p = merged_points(points, &AtPower::gain);
   if (p.x.empty() || p.x.front() > 0.0) {
     p.x.insert(p.x.begin(), 0.0);
     p.y.insert(p.y.begin(), 0.0);
@@ -188,7 +188,7 @@ MonotoneCurve gain_curve(std::span<const AtPower> points) {
 }
 
 MonotoneCurve time_curve(std::span<const AtPower> points, double at_rest) {
-  Pairs p = merged(points, &AtPower::time_constant);
+  PowerPairs p = merged_points(points, &AtPower::time_constant);
   if (!std::isnan(at_rest) && (p.x.empty() || p.x.front() > 0.0)) {
     p.x.insert(p.x.begin(), 0.0);
     p.y.insert(p.y.begin(), at_rest);

@@ -7,6 +7,9 @@
 
 namespace raceway::spindle {
 
+/// Files have time constants in minutes [s].
+inline constexpr double one_minute = 60.0;
+
 /// How a body answers a step: gain (1 - exp(-t/time_constant)).
 struct Lag {
   double gain = unset;           ///< where it leads to [m]

@@ -12,8 +12,8 @@ namespace raceway::spindle {
 namespace {
 
 /// Rows of one speed, from `from` on [s]; the first at `from` itself where that is 0.
-void add_rows(std::vector<ProfileRow>& profile, double from, const StepOptions& options,
-              double speed) {
+void add_step_rows(std::vector<ProfileRow>& profile, double from, const StepOptions& options,
+                   double speed) {
   ProfileRow row{.time = from, .inputs = options.inputs};
   row.inputs.speed = speed;
   if (from == 0.0) profile.push_back(row);
@@ -71,7 +71,7 @@ StepResponse step_of(const Run& run, std::span<const Moment> moments, double spe
   return step;
 }
 
-void check_steps(std::span<const double> speeds, const StepOptions& options) {
+void check_step_options(std::span<const double> speeds, const StepOptions& options) {
   for (const double speed : speeds)
     if (!(speed > 0.0) || !std::isfinite(speed))
       throw std::invalid_argument(
@@ -87,7 +87,7 @@ void check_steps(std::span<const double> speeds, const StepOptions& options) {
 StepResponses step_responses(const model::Model& model, std::span<const double> speeds,
                              const StepOptions& options,
                              const effects::SpindleCondition& condition) {
-  check_steps(speeds, options);
+  check_step_options(speeds, options);
   StepResponses result;
   result.steps.resize(speeds.size());
   const auto fastest =
@@ -96,12 +96,12 @@ StepResponses step_responses(const model::Model& model, std::span<const double> 
   tbb::parallel_for(std::size_t{0}, speeds.size(), [&](std::size_t k) {
     Simulator own = simulator;
     std::vector<ProfileRow> profile;
-    add_rows(profile, 0.0, options, speeds[k]);
+    add_step_rows(profile, 0.0, options, speeds[k]);
     const Run run = own.simulate(profile);
     result.steps[k] = step_of(run, run.moments, speeds[k]);
     if (!options.cool_down || k != fastest || !run.report.converged()) return;
     profile.clear();
-    add_rows(profile, run.end.time, options, 0.0);
+    add_step_rows(profile, run.end.time, options, 0.0);
     const Run down = own.simulate(profile, &run.end);
     if (!down.report.converged()) return;
     result.cool_down = cool_down_of(result.steps[k], down.moments, run.end.time);

@@ -14,15 +14,13 @@
 namespace raceway::spindle {
 namespace {
 
-constexpr double minute = 60.0;
-
 /// Step responses of a cooled spindle by another program.
 std::vector<AtPower> cooled() {
   std::vector<AtPower> points;
   const nlohmann::json rows = reference("step_responses_cooled")["outputs"]["rows"];
   for (const nlohmann::json& row : rows)
     points.push_back(
-        {row["P_end_W"], row["K_um"].get<double>() * um, row["T_min"].get<double>() * minute});
+        {row["P_end_W"], row["K_um"].get<double>() * um, row["T_min"].get<double>() * one_minute});
   return points;
 }
 
@@ -33,8 +31,10 @@ TEST(PowerLaws, LinesAreTheChordsOfTheReference) {
   const auto near_ratio = [](double a, const nlohmann::json& b) { return a / b.get<double>(); };
   EXPECT_NEAR(near_ratio(laws.gain_line.slope / um, out["K_of_P"]["slope_um_W"]), 1.0, 1e-6);
   EXPECT_NEAR(near_ratio(laws.gain_line.offset / um, out["K_of_P"]["offset_um"]), 1.0, 1e-6);
-  EXPECT_NEAR(near_ratio(laws.time_line.slope / minute, out["T_of_P"]["slope_min_W"]), 1.0, 1e-6);
-  EXPECT_NEAR(near_ratio(laws.time_line.offset / minute, out["T_of_P"]["offset_min"]), 1.0, 1e-6);
+  EXPECT_NEAR(near_ratio(laws.time_line.slope / one_minute, out["T_of_P"]["slope_min_W"]), 1.0,
+              1e-6);
+  EXPECT_NEAR(near_ratio(laws.time_line.offset / one_minute, out["T_of_P"]["offset_min"]), 1.0,
+              1e-6);
 }
 
 // SPINDLE.md: K ~ P^0.82, T ~ P^-0.23, and K(0) of the line, 4.8 um, is no physics.

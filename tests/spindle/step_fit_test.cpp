@@ -16,8 +16,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double minute = 60.0;
-
 struct Sampled {
   std::vector<double> time, displacement;
 };
@@ -49,7 +47,7 @@ TEST(StepFit, GivesThePublishedStepResponsesBack) {
   const nlohmann::json& out = c["outputs"];
   const double tolerance = c["tolerance_rel"];
   std::vector<double> time = numbers(in["time_min"]);
-  for (double& t : time) t *= minute;
+  for (double& t : time) t *= one_minute;
   std::vector<AtPower> points;
   for (std::size_t k = 0; k < in["loads_W"].size(); ++k) {
     std::vector<double> displacement = numbers(in["displacement_um"][k]);
@@ -57,7 +55,7 @@ TEST(StepFit, GivesThePublishedStepResponsesBack) {
     const StepFit fit = fit_step(time, displacement);
     const double K = out["K_um"][k], T = out["T_min"][k];
     EXPECT_NEAR(fit.one.gain / um / K, 1.0, tolerance);
-    EXPECT_NEAR(fit.one.time_constant / minute / T, 1.0, tolerance);
+    EXPECT_NEAR(fit.one.time_constant / one_minute / T, 1.0, tolerance);
     EXPECT_LT(fit.rms, 1e-6 * um);  // rounding of nine digits
     EXPECT_FALSE(fit.two_needed);
     EXPECT_TRUE(fit.settled);
@@ -66,8 +64,8 @@ TEST(StepFit, GivesThePublishedStepResponsesBack) {
   const PowerLaws laws = fit_power_laws(points);
   EXPECT_NEAR(laws.gain_line.slope / um / out["K_slope"].get<double>(), 1.0, tolerance);
   EXPECT_NEAR(laws.gain_line.offset / um / out["K_offset"].get<double>(), 1.0, tolerance);
-  EXPECT_NEAR(laws.time_line.slope / minute / out["T_slope"].get<double>(), 1.0, tolerance);
-  EXPECT_NEAR(laws.time_line.offset / minute / out["T_offset"].get<double>(), 1.0, tolerance);
+  EXPECT_NEAR(laws.time_line.slope / one_minute / out["T_slope"].get<double>(), 1.0, tolerance);
+  EXPECT_NEAR(laws.time_line.offset / one_minute / out["T_offset"].get<double>(), 1.0, tolerance);
   EXPECT_NEAR(laws.valid_to / out["valid_to_W"].get<double>(), 1.0, tolerance);
   EXPECT_EQ(laws.valid_from, 0.0);
 }

@@ -14,8 +14,6 @@
 namespace raceway::spindle {
 namespace {
 
-constexpr double minute = 60.0;
-
 /// Steps to 2000 to 10 000 rpm, simulated once for all tests.
 const StepResponses& cooled() {
   static const StepResponses responses = [] {
@@ -45,7 +43,7 @@ TEST(StepResponses, OfACooledSpindleAreThoseOfAnotherProgram) {
     EXPECT_NEAR(ratio(step.power_end, row["P_end_W"]), 1.0, tolerance) << row["rpm"];
     EXPECT_NEAR(ratio(step.kinematic / um, row["kinematic_um"]), 1.0, tolerance) << row["rpm"];
     EXPECT_NEAR(ratio(step.fit.one.gain / um, row["K_um"]), 1.0, tolerance) << row["rpm"];
-    EXPECT_NEAR(ratio(step.fit.one.time_constant / minute, row["T_min"]), 1.0, tolerance)
+    EXPECT_NEAR(ratio(step.fit.one.time_constant / one_minute, row["T_min"]), 1.0, tolerance)
         << row["rpm"];
     EXPECT_NEAR(ratio(step.end / um, row["end_um"]), 1.0, tolerance) << row["rpm"];
     const nlohmann::json& force = row["front_force_N"];
@@ -65,7 +63,8 @@ TEST(StepResponses, HaveTheLawsOfAnotherProgram) {
   const PowerLaws laws = fit_power_laws(at_powers(cooled().steps));
   const nlohmann::json out = c["outputs"];
   EXPECT_NEAR(ratio(laws.gain_line.slope / um, out["K_of_P"]["slope_um_W"]), 1.0, tolerance);
-  EXPECT_NEAR(ratio(laws.time_line.offset / minute, out["T_of_P"]["offset_min"]), 1.0, tolerance);
+  EXPECT_NEAR(ratio(laws.time_line.offset / one_minute, out["T_of_P"]["offset_min"]), 1.0,
+              tolerance);
   EXPECT_NEAR(laws.gain_power.exponent, 0.82, 0.03);
   EXPECT_NEAR(laws.time_power.exponent, -0.23, 0.03);
 }

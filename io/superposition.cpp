@@ -1,0 +1,50 @@
+#include "io/superposition.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "correction/simulation.h"
+#include "record/channel.h"
+
+namespace raceway::io {
+
+Superposition superposition(const model::Model& model, const correction::Model& correction,
+                            const record::Record& programme, const spindle::Inputs& inputs) {
+  const std::span<const double> time = programme.values(record::time);
+  const std::span<const double> speed = programme.values(record::speed);
+  std::vector<spindle::ProfileRow> profile;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    profile.push_back({.time = time[k] - time.front(), .inputs = inputs});
+    profile.back().inputs.speed = speed[k];
+  }
+  const spindle::Run run = spindle::Simulator(model).simulate(profile);
+  Superposition result{.report = run.report};
+  if (!run.report.converged()) return result;
+  const correction::Series series(programme);
+  std::vector<double> predicted(series.rows());
+  correction::simulate(correction, series, predicted);
+  double squares = 0.0;
+  result.rows = predicted.size();
+  for (std::size_t k = 0; k < predicted.size(); ++k) {
+    const double u = run.moments[k].displacement, error = predicted[k] - u;
+    squares += error * error;
+    result.lowest = std::fmin(result.lowest, u);
+    result.highest = std::fmax(result.highest, u);
+    if (std::abs(error) <= result.largest) continue;  // false for the first, a NaN
+    result.largest = std::abs(error);
+    result.time_of_largest = run.moments[k].time;
+  }
+  result.rms = std::sqrt(squares / static_cast<double>(result.rows));
+  return result;
+}
+
+std::string superposition_text(const Superposition& s) {
+  constexpr double one_hour = 3600.0;
+  return fmt::format("{:.3g} um rms, {:.3g} um at most (after {:.2f} h) of {:.3g} to {:.3g} um",
+                     s.rms / um, s.largest / um, s.time_of_largest / one_hour, s.lowest / um,
+                     s.highest / um);
+}
+
+}  // namespace raceway::io

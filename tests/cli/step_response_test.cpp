@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/cli/sample.h"
+
+namespace raceway::tests {
+namespace {
+
+using testing::HasSubstr;
+
+/// The published K(P), T(P) [Brecher2021, eq. 8 and 9] at 50, 100 and 150 W, over eight hours.
+std::string published_rows(const std::string& header, bool with_speed) {
+  std::string text = header + "\n";
+  for (const int power : {50, 100, 150})
+    for (int minutes = 0; minutes <= 480; minutes += 20) {
+      const double K = 0.4817 * power + 10.3617, T = -0.6298 * power + 135.245;
+      text +=
+          fmt::format("{0}W,{1},{2:.9f},{0}", power, 60 * minutes, -K * std::expm1(-minutes / T));
+      text += with_speed ? fmt::format(",{}\n", 40 * power) : "\n";
+    }
+  return text;
+}
+
+TEST(StepResponseCommand, GivesThePublishedLawsOfImportedLoadCases) {
+  const ScratchFolder scratch;
+  const std::string fe = scratch.write(
+      "fe.csv", published_rows("load_case,time_s,axial_displacement_um,power_W", false));
+  const Result r = run("step-response --import " + fe + " --json");
+  EXPECT_EQ(r.status, 0) << r.err;
+  const json document = parsed(r);
+  EXPECT_NEAR(document["K_of_P"]["slope_um_W"].get<double>(), 0.4817, 1e-5);
+  EXPECT_NEAR(document["K_of_P"]["offset_um"].get<double>(), 10.3617, 1e-4);
+  EXPECT_NEAR(document["T_of_P"]["slope_min_W"].get<double>(), -0.6298, 1e-5);
+  EXPECT_NEAR(document["T_of_P"]["offset_min"].get<double>(), 135.245, 1e-3);
+  EXPECT_NEAR(document["valid_to_W"].get<double>(), 214.7428, 2e-3);
+  EXPECT_EQ(document["valid_from_W"], 0.0);
+  EXPECT_TRUE(document["rows"][0]["speed_rpm"].is_null());
+  EXPECT_FALSE(document["two_needed"].get<bool>());
+  EXPECT_THAT(r.err, HasSubstr("is no physics"));
+
+  const std::string steps = scratch.file("steps.csv");
+  EXPECT_EQ(run("step-response --import " + fe + " -o " + steps).status, 0);
+  const std::string csv = file_text(steps);
+  EXPECT_THAT(csv, HasSubstr("\nspeed_rpm,power_start_W,power_end_W,kinematic_um,K_um,T_min,"
+                             "fit_rms_um,"));
+  const Result text = run("step-response --import " + fe);
+  EXPECT_THAT(text.out, HasSubstr("K = 0.4817 um/W P + 10.36 um"));
+}
+
+// The same rows in files of their own.
+TEST(StepResponseCommand, TakesTimeHistoriesForLoadCases) {
+  const ScratchFolder scratch;
+  std::string flags;
+  for (const int power : {50, 150}) {
+    std::string rows = " TIME  UX\n";
+    for (int minutes = 20; minutes <= 480; minutes += 20)
+      rows += fmt::format(
+          "  {:.6E} {:.9E}\n", 60.0 * minutes,
+          -1e-3 * (0.4817 * power + 10.3617) * std::expm1(-minutes / (-0.6298 * power + 135.245)));
+    flags += fmt::format(" --load-case {}W={}", power,
+                         scratch.write(fmt::format("{}.txt", power), rows));
+  }
+  const json document = parsed(run("step-response" + flags + " --units s,mm --json"));
+  EXPECT_NEAR(document["K_of_P"]["slope_um_W"].get<double>(), 0.4817, 1e-5);
+  EXPECT_TRUE(document["K_of_P"]["slope_um_W_std"].is_null());
+  EXPECT_EQ(document["rows"][1]["load_case"], "150W");
+}
+
+/// The displacement that `correct` predicts, by its rows.
+std::vector<double> corrected(const ScratchFolder& scratch, const std::string& model,
+                              const std::string& record) {
+  const std::string out = scratch.file("corrected.csv");
+  const Result r = run("correct " + model + " " + record + " --force -o " + out);
+  EXPECT_EQ(r.status, 0) << r.err;
+  std::istringstream lines(file_text(out));
+  std::vector<double> values;
+  std::size_t column = 0;
+  bool headed = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) continue;
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    if (!headed) {
+      headed = true;
+      while (column < cells.size() && !cells[column].starts_with("predicted") &&
+             !cells[column].starts_with("displacement_z"))
+        ++column;
+      continue;
+    }
+    values.push_back(std::stod(cells.at(column)));
+  }
+  return values;
+}
+
+// What was imported comes out of the correction again, at speeds and with all three laws.
+TEST(StepResponseCommand, WritesACorrectionThatCorrectRuns) {
+  const ScratchFolder scratch;
+  const std::string fe = scratch.write(
+      "fe.csv", published_rows("load_case,time_s,axial_displacement_um,power_W,speed_rpm", true));
+  std::string rows = "time_s,speed_rpm\n";
+  for (int minutes = 0; minutes <= 240; minutes += 2)
+    rows += fmt::format("{},4000\n", 60 * minutes);
+  for (int minutes = 242; minutes <= 2000; minutes += 2)
+    rows += fmt::format("{},0\n", 60 * minutes);
+  const std::string record = scratch.write("record.csv", rows);
+  for (const std::string law : {"curve", "line"}) {
+    const std::string model = scratch.file(law + ".toml");
+    const Result r =
+        run("step-response --import " + fe + " --law " + law + " --correction " + model);
+    ASSERT_EQ(r.status, 0) << r.err;
+    EXPECT_THAT(r.err, HasSubstr(law + ".toml written"));
+    const std::vector<double> u = corrected(scratch, model, record);
+    ASSERT_GT(u.size(), 900U);
+    // 4000 rpm is 100 W: 58.53 um in 72.3 min.
+    EXPECT_NEAR(u[60], -58.5317 * std::expm1(-120 / 72.265), 1e-3) << law;
+    EXPECT_NEAR(u[120], -58.5317 * std::expm1(-240 / 72.265), 1e-3) << law;
+    EXPECT_LT(std::abs(u.back()), 0.01) << law << ": it cools to where it was";
+  }
+  const Result again =
+      run("step-response --import " + fe + " --correction " + scratch.file("curve.toml"));
+  EXPECT_EQ(again.status, 1);
+  EXPECT_THAT(again.err, HasSubstr("exists already"));
+}
+
+TEST(StepResponseCommand, SaysWhatIsMissing) {
+  const ScratchFolder scratch;
+  const std::string fe = scratch.write(
+      "fe.csv", "time_s,axial_displacement_um,speed_rpm\n60,1,2000\n600,2,2000\n1200,3,2000\n");
+  const Result no_model = run("step-response --import " + fe);
+  EXPECT_EQ(no_model.status, 1);
+  EXPECT_THAT(no_model.err, HasSubstr("name the MODEL, or give power_W"));
+  EXPECT_THAT(run("step-response").err, HasSubstr("MODEL is missing"));
+  EXPECT_THAT(run("step-response some.toml").err, HasSubstr("--speed is missing"));
+  EXPECT_THAT(run("step-response --import " + fe + " --speed 100").err, HasSubstr("take one"));
+  EXPECT_THAT(run("step-response --import nothing.csv").err, HasSubstr("nothing.csv"));
+  const std::string power = scratch.write(
+      "p.csv", published_rows("load_case,time_s,axial_displacement_um,power_W", false));
+  EXPECT_THAT(
+      run("step-response --import " + power + " --correction " + scratch.file("c.toml")).err,
+      HasSubstr("needs the power at a speed"));
+}
+
+}  // namespace
+}  // namespace raceway::tests
