@@ -29,14 +29,20 @@ constexpr double one_hour = 3600.0;
 constexpr NumberRange step_hours_range{0.1, 1000.0, "h"};
 
 struct StepFlags {
-  std::string model, speed, import, output, correction, programme, law = "curve", units = "s,um",
-                                                                   coolant = "on";
+  std::string model, speed, import, output, correction, programme, law = "curve", lags = "auto",
+                                                                   units = "s,um", coolant = "on";
   std::vector<std::string> load_cases;
   double hours = 4.0, row = 120.0, temperature = unset;
   bool json = false, force = false;
 
   [[nodiscard]] bool imports() const { return !import.empty() || !load_cases.empty(); }
 };
+
+spindle::Inputs inputs_of(const StepFlags& flags) {
+  spindle::Inputs inputs;
+  inputs.coolant_on = flags.coolant == "on";
+  return inputs;
+}
 
 void check_step_flags(const StepFlags& f) {
   const auto refuse = [](const std::string& why, const std::string& key) {
@@ -101,7 +107,7 @@ spindle::StepResponses simulated_steps(const StepFlags& flags, const model::Mode
         {.key = "--speed"});
   for (double& speed : speeds) speed *= rpm;
   spindle::StepOptions options{.duration = flags.hours * one_hour, .row = flags.row};
-  options.inputs.coolant_on = flags.coolant == "on";
+  options.inputs = inputs_of(flags);
   return spindle::step_responses(model, speeds, options);
 }
 
@@ -173,18 +179,43 @@ io::StepLaw step_law_of(const std::string& name) {
                           : io::StepLaw::curve;
 }
 
+/// With one delay element or two: as asked for, else two where one does not do. Of a spindle that
+/// can be simulated it is tried: two may fit the steps of a cold spindle, and not a warm one.
+correction::Model chosen_model(const StepFlags& flags, const spindle::StepResponses& responses,
+                               const model::Model* model, io::StepCorrectionParts parts) {
+  if (flags.lags != "auto") {
+    parts.two_lags = flags.lags == "two";
+    return io::step_model(responses, parts);
+  }
+  if (!spindle::need_two(responses.steps)) return io::step_model(responses, parts);
+  correction::Model one = io::step_model(responses, parts);
+  parts.two_lags = true;
+  correction::Model two = io::step_model(responses, parts);
+  if (!model || !model->spindle || flags.imports()) return two;
+  const record::Record trial = io::trial_programme(parts.power.back().speed);
+  const io::Superposition of_one = io::superposition(*model, one, trial, inputs_of(flags));
+  const io::Superposition of_two = io::superposition(*model, two, trial, inputs_of(flags));
+  if (!of_one.report.converged()) return two;
+  tell(
+      {fmt::format("over {:.0f} h of half hours at several speeds one delay element is off by "
+                   "{:.3g} um rms, two by {:.3g}: {} written; --lags says other",
+                   trial.values(record::time).back() / one_hour, of_one.rms / um, of_two.rms / um,
+                   of_one.rms <= of_two.rms ? "one" : "two")});
+  return of_one.rms <= of_two.rms ? one : two;
+}
+
 void write_correction_of(const StepFlags& flags, const spindle::StepResponses& responses,
                          const model::Model* model, const std::string& source) {
   const StepParts parts = step_parts(responses, model, flags.temperature);
   tell(parts.notes);
   try {
-    const io::StepCorrection written =
-        io::step_correction(responses,
-                            {.name = model && !model->name.empty() ? model->name : source,
-                             .power = parts.power,
-                             .kinematic = parts.kinematic,
-                             .law = step_law_of(flags.law)},
-                            flags.correction);
+    const io::StepCorrection written = io::step_correction(
+        chosen_model(flags, responses, model,
+                     {.name = model && !model->name.empty() ? model->name : source,
+                      .power = parts.power,
+                      .kinematic = parts.kinematic,
+                      .law = step_law_of(flags.law)}),
+        flags.correction);
     io::write_step_correction(written, flags.correction, flags.force);
     std::string tables;
     for (const auto& [file, text] : written.tables) tables += (tables.empty() ? "" : ", ") + file;
@@ -202,9 +233,8 @@ std::optional<io::Superposition> superposition_of(const StepFlags& flags,
   const io::CorrectionFile written = io::read_correction(flags.correction);
   const record::Record programme =
       io::read_series(flags.programme, {}, {&record::time, &record::speed});
-  spindle::Inputs inputs;
-  inputs.coolant_on = flags.coolant == "on";
-  io::Superposition s = io::superposition(model, written.models.front(), programme, inputs);
+  io::Superposition s =
+      io::superposition(model, written.models.front(), programme, inputs_of(flags));
   if (s.report.converged())
     say(fmt::format("over {} the correction differs from the simulation by {}", flags.programme,
                     io::superposition_text(s)));
@@ -300,6 +330,11 @@ Run setup_step_response(CLI::App& command) {
   command.add_option("--law", flags->law, "of K and T in the correction: curve, power or line")
       ->check(CLI::IsMember({"curve", "power", "line"}))
       ->type_name("LAW");
+  command
+      .add_option("--lags", flags->lags,
+                  "delay elements of the correction: one, two or auto (default)")
+      ->check(CLI::IsMember({"one", "two", "auto"}))
+      ->type_name("NUMBER");
   command
       .add_option("--programme", flags->programme,
                   "CSV with time_s and speed_rpm: the correction against the whole simulation")

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "correction/model.h"
 #include "shaft/kinematic_law.h"
 #include "spindle/step_response.h"
 
@@ -29,7 +30,15 @@ struct StepCorrectionParts {
   std::vector<PowerAtSpeed> power = {};               ///< rising in speed
   std::optional<shaft::KinematicLaw> kinematic = {};  ///< none: nothing moves at once
   StepLaw law = StepLaw::curve;
+  bool two_lags = false;  ///< a fast and a slow delay element
 };
+
+/// Delay elements driven by the friction power at the speed.
+///
+/// Throws std::invalid_argument: no step response, no power above 0, a law or lags that these step
+/// responses do not carry.
+[[nodiscard]] correction::Model step_model(const spindle::StepResponses& responses,
+                                           const StepCorrectionParts& parts);
 
 /// A model for `raceway correct`, and the tables that it names, by their file.
 struct StepCorrection {
@@ -37,13 +46,9 @@ struct StepCorrection {
   std::vector<std::pair<std::string, std::string>> tables = {};
 };
 
-/// Delay elements driven by the power at the speed: one, or a fast and a slow one where one does
-/// not do. Tables stand beside `path` with its name before theirs: c_friction.csv of c.toml.
-///
-/// Throws std::invalid_argument: no step response, no power above 0, a line or a power that these
-/// points do not carry.
-[[nodiscard]] StepCorrection step_correction(const spindle::StepResponses& responses,
-                                             const StepCorrectionParts& parts,
+/// The text of such a model. Tables stand beside `path` with its name before theirs: c_friction.csv
+/// of c.toml.
+[[nodiscard]] StepCorrection step_correction(const correction::Model& model,
                                              const std::string& path);
 
 /// Paths of the tables that step_correction() may write beside `path`.

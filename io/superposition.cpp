@@ -40,6 +40,25 @@ Superposition superposition(const model::Model& model, const correction::Model& 
   return result;
 }
 
+record::Record trial_programme(double fastest) {
+  constexpr double half_hour = 1800.0, row = 60.0, change = 1.0;  // [s]
+  std::vector<double> time, speed;
+  double begin = 0.0;
+  for (const double share : {0.5, 1.0, 0.0, 0.7, 0.3, 1.0, 0.0, 0.5}) {
+    time.push_back(begin + (time.empty() ? 0.0 : change));
+    speed.push_back(share * fastest);
+    for (double t = row; t <= half_hour; t += row) {
+      time.push_back(begin + t);
+      speed.push_back(share * fastest);
+    }
+    begin += half_hour;
+  }
+  record::Record programme;
+  programme.set(record::time, std::move(time));
+  programme.set(record::speed, std::move(speed));
+  return programme;
+}
+
 std::string superposition_text(const Superposition& s) {
   constexpr double one_hour = 3600.0;
   return fmt::format("{:.3g} um rms, {:.3g} um at most (after {:.2f} h) of {:.3g} to {:.3g} um",
