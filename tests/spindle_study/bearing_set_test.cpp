@@ -18,7 +18,7 @@ TEST(SpindleStudySet, WarmSetsOfTheReferenceAreMet) {
   const double elongation = 0.21 * steel_expansion * (13.0 - 7.0);
   const SetState still = balance(set, 0.0, rings, elongation);
   EXPECT_NEAR(still.position / um / 6.89383921, 1.0, 1e-5);
-  EXPECT_NEAR(still.front_force / 202.452484, 1.0, 1e-4);  // of K at the digits of the position
+  EXPECT_NEAR(still.front_force / 202.452484, 1.0, 1e-5);
   const SetState turning = balance(set, 8000.0 * rpm, rings, elongation);
   EXPECT_NEAR(turning.position / um / 12.208586, 1.0, 1e-5);
   EXPECT_NEAR(turning.front_force / 1294.65978, 1.0, 1e-5);

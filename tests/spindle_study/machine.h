@@ -36,8 +36,9 @@ struct Spindle {
   double preload = nan;                                                 ///< [N]
   Oil oil{20.0, 4.4};
   double f0 = nan, z = 0.0007, y = 0.33;
-  bool preload_feedback = true;  ///< friction by the forces of the warm set
-  double shaft_bore = nan;       ///< [m]
+  bool preload_feedback =
+      true;                 ///< friction by the forces of the warm set, or those of the cold one
+  double shaft_bore = nan;  ///< [m]
   std::vector<ShaftPiece> shaft;
   double housing_start = nan, housing_length = nan, housing_diameter = nan;  ///< [m]
   double flange = nan, flange_length = 0.02;                                 ///< [m]

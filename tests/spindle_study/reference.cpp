@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -21,6 +22,12 @@ json outputs(const json& cases, const std::string& id) {
   for (const json& c : cases)
     if (c.at("id") == id) return c.at("outputs");
   throw std::runtime_error("spindle_reference.json: no case " + id);
+}
+
+double sum(const std::vector<double>& values) {
+  double total = 0.0;
+  for (double v : values) total += v;
+  return total;
 }
 
 void steady(const json& cases, bool cooled, std::vector<Compared>& all) {
@@ -49,7 +56,7 @@ void steady(const json& cases, bool cooled, std::vector<Compared>& all) {
     take("heat by " + name, "W", heat.out[name], watts, 0.05, 0.005 * heat.in);
 }
 
-void start_ups(const json& cases, std::vector<Compared>& all) {
+void steps(const json& cases, std::vector<Compared>& all) {
   Simulator s(base_spindle());
   const json expected = outputs(cases, "step_responses_cooled");
   for (const json& row : expected.at("rows")) {
@@ -67,12 +74,34 @@ void start_ups(const json& cases, std::vector<Compared>& all) {
     force_at(3600.0, "1 h");
     force_at(14400.0, "end");
     const Reading r = s.reading();
-    double power = 0.0;
-    for (double p : r.power) power += p;
-    all.push_back({id + "power", "W", power, row.at("P_end_W"), 0.06});
+    all.push_back({id + "power", "W", sum(r.power), row.at("P_end_W"), 0.06});
     const double kinematic = row.at("kinematic_um"), thermal = row.at("end_um");
     all.push_back({id + "displacement", "um", 1e6 * r.displacement, kinematic + thermal, 0.06});
   }
+}
+
+void cold_preload(const json& cases, std::vector<Compared>& all) {
+  const json expected = outputs(cases, "preload_feedback_8000").at("friction_by_cold_preload");
+  Spindle spindle = base_spindle();
+  spindle.preload_feedback = false;
+  Simulator s(spindle);
+  Inputs in{.speed = 8000.0 * rpm};
+  const std::array minutes{10, 30, 60, 120};
+  for (std::size_t k = 0; k < minutes.size(); ++k) {
+    in.time = 60.0 * minutes[k];
+    s.advance(in);
+    const Reading r = s.reading();
+    const std::string id = fmt::format("friction by the cold set, {} min ", minutes[k]);
+    all.push_back({id + "power", "W", sum(r.power), expected.at("power_W").at(k), 0.06});
+    all.push_back({id + "displacement", "um", 1e6 * r.displacement,
+                   expected.at("displacement_um").at(k), 0.06});
+  }
+}
+
+json reference_cases() {
+  std::ifstream in(RACEWAY_SOURCE_DIR "/data/reference/spindle_reference.json");
+  if (!in) throw std::runtime_error("cannot read data/reference/spindle_reference.json");
+  return json::parse(in);
 }
 
 }  // namespace
@@ -83,14 +112,19 @@ bool Compared::good() const {
   return std::fabs(deviation()) <= tolerance || std::fabs(own - reference) <= least;
 }
 
-std::vector<Compared> against_reference() {
-  std::ifstream in(RACEWAY_SOURCE_DIR "/data/reference/spindle_reference.json");
-  if (!in) throw std::runtime_error("cannot read data/reference/spindle_reference.json");
-  const json cases = json::parse(in);
+std::vector<Compared> steady_states() {
+  const json cases = reference_cases();
   std::vector<Compared> all;
   steady(cases, true, all);
   steady(cases, false, all);
-  start_ups(cases, all);
+  return all;
+}
+
+std::vector<Compared> start_ups() {
+  const json cases = reference_cases();
+  std::vector<Compared> all;
+  steps(cases, all);
+  cold_preload(cases, all);
   return all;
 }
 

@@ -217,8 +217,8 @@ const Class& find_class(std::string_view id) {
   throw std::invalid_argument("no class " + std::string(id) + "; there are:" + names);
 }
 
-Rig make_rig(const Class& of, std::uint64_t seed) {
-  constexpr double enough = 1.0;  // signal, rms in units of noise and model floor
+Rig make_rig(const Class& of, std::uint64_t seed, const Hours& hours) {
+  constexpr double enough = 0.5;  // signal, rms in units of noise and model floor
   Random random(seed * 0x9e3779b97f4a7c15ULL + of_text(of.id));
   Rig rig{.id = std::string(of.id) + "-" + std::to_string(seed),
           .kind = std::string(of.id),
@@ -231,8 +231,8 @@ Rig make_rig(const Class& of, std::uint64_t seed) {
   rig.believed = rig.truth;
   rig.believed.f0 = std::round(rig.truth.f0 * random.between(0.85, 1.15) * 1000.0) / 1000.0;
   if (of.id == "preload-growth") rig.believed.preload_feedback = false;
-  rig.train = make_plan(8.0, rig.truth.cooled, random);
-  rig.test = make_plan(5.0, rig.truth.cooled, random);
+  rig.train = make_plan(hours.train, rig.truth.cooled, random);
+  rig.test = make_plan(hours.test, rig.truth.cooled, random);
   const double draw = random.between(0.0, 1.0);
 
   std::vector<Row> without = rig.train, other = rig.train;

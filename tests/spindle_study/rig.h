@@ -47,7 +47,12 @@ struct Rig {
   std::size_t cells = 0;
 };
 
-[[nodiscard]] Rig make_rig(const Class& of, std::uint64_t seed);
+/// Records of so many hours.
+struct Hours {
+  double train = 8.0, test = 5.0;
+};
+
+[[nodiscard]] Rig make_rig(const Class& of, std::uint64_t seed, const Hours& hours = {});
 
 /// model.toml, train.csv, test.csv and truth.json in a folder of the rig's own.
 void write_rig(const Rig& rig, const std::string& folder);

@@ -22,9 +22,8 @@ std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-// One rig is simulated once for all that is asked of it.
 TEST(SpindleStudyRig, ItsFilesSayWhatIsBelievedAndWhatIsTrue) {
-  const Rig rig = make_rig(find_class("seat-conductance"), 1);
+  const Rig rig = make_rig(find_class("seat-conductance"), 1, {.train = 0.5, .test = 0.25});
   EXPECT_LT(rig.balance, 1e-6);
   EXPECT_NEAR(rig.believed.f0 / rig.truth.f0, 1.0, 0.151);
   EXPECT_LT(rig.hidden.outer_seat, 1.0);
@@ -33,12 +32,12 @@ TEST(SpindleStudyRig, ItsFilesSayWhatIsBelievedAndWhatIsTrue) {
   write_rig(rig, folder.string());
   const std::filesystem::path own = folder / "seat-conductance-1";
   EXPECT_THAT(text(own / "model.toml"), HasSubstr("layout = \"O\""));
-  EXPECT_EQ(lines(text(own / "train.csv")), 481u);
-  EXPECT_EQ(lines(text(own / "test.csv")), 301u);
+  EXPECT_EQ(lines(text(own / "train.csv")), 31u);
+  EXPECT_EQ(lines(text(own / "test.csv")), 16u);
   const auto truth = nlohmann::json::parse(text(own / "truth.json"));
   EXPECT_EQ(truth["accept"][0], "seat-conductance");
   EXPECT_NEAR(truth["hidden"]["seat-conductance"].get<double>(), rig.size, 1e-12);
-  EXPECT_EQ(truth["train"]["displacement_um"].size(), 480u);
+  EXPECT_EQ(truth["train"]["displacement_um"].size(), 30u);
   std::filesystem::remove_all(folder);
 }
 

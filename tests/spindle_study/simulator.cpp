@@ -73,12 +73,17 @@ std::vector<RingState> Simulator::rings(const Vector& t) const {
 std::vector<double> Simulator::friction(const std::vector<RingState>& rings, double elongation,
                                         const Inputs& in) {
   state_ = balance(set_, in.speed, rings, elongation, state_.position);
+  if (!spindle_.preload_feedback && in.speed != cold_speed_) {
+    cold_ = balance(set_, in.speed, std::vector<RingState>(rings.size()), 0.0);
+    cold_speed_ = in.speed;
+  }
+  const SetState& pressed = spindle_.preload_feedback ? state_ : cold_;
   std::vector<double> power;
   for (std::size_t b = 0; b < rings.size(); ++b) {
     const double oil = spindle_.oil.viscosity(mounted_ + 0.5 * (rings[b].inner + rings[b].outer));
     const double share = in.speed / ten_thousand;
     const double moment = palmgren(spindle_.f0, spindle_.z, spindle_.y, oil, in.speed / rpm,
-                                   state_.bearings[b].force, spindle_.bearing) +
+                                   pressed.bearings[b].force, spindle_.bearing) +
                           hidden_.churning * share * share;
     power.push_back(in.speed > 0.0 ? moment * in.speed : 0.0);
     contact_[b] = contact_conductance(set_.bearing, state_.bearings[b], ring_conductivity);

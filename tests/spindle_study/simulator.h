@@ -86,7 +86,8 @@ class Simulator {
   std::vector<Vector> heating_;  ///< where a watt of each bearing goes
   std::vector<double> face_conductance_;
   std::vector<double> power_;
-  SetState state_;
+  SetState state_, cold_;  ///< now, and cold at `cold_speed_`
+  double cold_speed_ = nan;
   Inputs last_;
   std::vector<double> contact_;  ///< conductance of the balls of each bearing [W/K]
 };

@@ -1,17 +1,19 @@
 // spindle_study: spindles with a known truth for the diagnosis of spindle models.
 
-#include <stdlib.h>  // mkdtemp
-
+#include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
+#include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "tests/spindle_study/judge.h"
@@ -32,7 +34,7 @@ struct Arguments {
 void usage() {
   std::puts(
       "spindle_study --check\n"
-      "spindle_study --write FOLDER [--seeds N] [--first SEED] [--only CLASS,CLASS]\n"
+      "spindle_study --write FOLDER [--seeds N] [--first SEED] [--only CLASS,CLASS] [--threads N]\n"
       "spindle_study --rigs FOLDER --raceway PROGRAM [--only CLASS,CLASS] [--threads N]\n"
       "spindle_study --run FOLDER --raceway PROGRAM [--seeds N] [--first SEED] [...]\n\n"
       "Spindles with a known truth for the diagnosis of spindle models: N of each class (default\n"
@@ -93,24 +95,54 @@ Arguments parse(int argc, char** argv) {
   return a;
 }
 
-void write(const Arguments& a, const std::string& folder) {
+/// Names of what was written.
+std::vector<std::string> write(const Arguments& a, const std::string& folder) {
+  std::vector<std::pair<const Class*, unsigned>> wished;
   for (const Class* c : a.wished)
-    for (unsigned seed = a.first; seed < a.first + a.seeds; ++seed) {
-      const Rig rig = make_rig(*c, seed);
-      write_rig(rig, folder);
-      std::printf("%-26s %zu cells  size %9.3g  signal %6.2f\n", rig.id.c_str(), rig.cells,
-                  rig.size, rig.signal);
-      std::fflush(stdout);
-    }
+    for (unsigned seed = a.first; seed < a.first + a.seeds; ++seed) wished.emplace_back(c, seed);
+  std::vector<std::string> names(wished.size());
+  std::atomic<std::size_t> next = 0;
+  std::mutex telling;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (std::size_t k = next++; k < wished.size(); k = next++) try {
+        const Rig rig = make_rig(*wished[k].first, wished[k].second);
+        write_rig(rig, folder);
+        const std::scoped_lock lock(telling);
+        names[k] = rig.id;
+        std::printf("%-26s %zu cells  size %9.3g  signal %6.2f\n", rig.id.c_str(), rig.cells,
+                    rig.size, rig.signal);
+        std::fflush(stdout);
+      } catch (...) {
+        const std::scoped_lock lock(telling);
+        failure = std::current_exception();
+        next = wished.size();
+      }
+  };
+  std::vector<std::thread> workers;
+  for (unsigned k = 0; k < a.threads; ++k) workers.emplace_back(work);
+  for (std::thread& worker : workers) worker.join();
+  if (failure) std::rethrow_exception(failure);
+  return names;
 }
 
-void judge_rigs(const Arguments& a, const std::string& folder) {
+void judge_rigs(const Arguments& a, const std::vector<Case>& cases) {
   const std::vector<Outcome> outcomes =
-      judge_all(cases_in(folder, a.wished), a.raceway, a.threads, [](const Outcome& o) {
+      judge_all(cases, a.raceway, a.threads, [](const Outcome& o) {
         std::printf("%s\n", line(o).c_str());
         std::fflush(stdout);
       });
   std::printf("\n%s", table(outcomes).c_str());
+}
+
+/// Writes and judges what it wrote; what else lies in the folder stays.
+void run(const Arguments& a) {
+  const std::vector<std::string> names = write(a, a.run);
+  std::vector<Case> cases = cases_in(a.run, a.wished);
+  std::erase_if(cases, [&](const Case& c) {
+    return std::find(names.begin(), names.end(), c.name) == names.end();
+  });
+  judge_rigs(a, cases);
 }
 
 }  // namespace
@@ -118,18 +150,21 @@ void judge_rigs(const Arguments& a, const std::string& folder) {
 int main(int argc, char** argv) try {
   const Arguments a = parse(argc, argv);
   if (a.check) {
-    const std::vector<Compared> figures = against_reference();
     bool good = true;
-    for (const Compared& f : figures) {
-      std::printf("%s\n", line(f).c_str());
-      good = good && f.good();
-    }
+    for (const std::vector<Compared>& figures : {steady_states(), start_ups()})
+      for (const Compared& f : figures) {
+        std::printf("%s\n", line(f).c_str());
+        good = good && f.good();
+      }
     return good ? 0 : 2;
   }
-  if (!a.write.empty()) write(a, a.write);
-  if (!a.run.empty()) write(a, a.run);
-  if (const std::string& folder = a.rigs.empty() ? a.run : a.rigs; !folder.empty())
-    judge_rigs(a, folder);
+  if (!a.write.empty()) {
+    write(a, a.write);
+  } else if (!a.rigs.empty()) {
+    judge_rigs(a, cases_in(a.rigs, a.wished));
+  } else {
+    run(a);
+  }
   return 0;
 } catch (const std::exception& e) {
   std::fprintf(stderr, "spindle_study: %s\n", e.what());
