@@ -126,6 +126,7 @@ std::vector<fit::Measured> CorrectionSubject::measured() const {
            .std = model_.measured_std,
            .begins = name(model_.initial_state),
            .approximate = true,
+           .any_zero = true,
            .tolerance = model_.tolerance}};
 }
 

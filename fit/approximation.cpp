@@ -9,6 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "fit/costly_fit.h"
+
 namespace raceway::fit {
 namespace {
 
@@ -113,12 +115,32 @@ SeparableFit best_of(const Separable& problem, std::vector<SeparableFit> begun, 
   return best;
 }
 
+/// Errors of each channel as root mean squares, weighted as the means are; of NaN nothing counts.
+template <typename Errors>
+std::vector<double> rms_by_channel(const Means& means, const Errors& errors) {
+  std::vector<double> square, count;
+  for (std::size_t i = 0; i < means.list.size(); ++i) {
+    const Means::Mean& mean = means.list[i];
+    if (square.size() <= mean.channel) {
+      square.resize(mean.channel + 1, 0.0);
+      count.resize(mean.channel + 1, 0.0);
+    }
+    if (static_cast<Eigen::Index>(i) >= std::ssize(errors) || std::isnan(errors[i])) continue;
+    square[mean.channel] += std::pow(errors[i] * mean.weight, 2);
+    count[mean.channel] += 1.0;
+  }
+  for (std::size_t c = 0; c < square.size(); ++c)
+    square[c] = count[c] > 0.0 ? std::sqrt(square[c] / count[c]) : unset;
+  return square;
+}
+
 Approximation approximation_of(std::shared_ptr<const Subject> subject,
-                               const std::vector<std::string>& names, const Separable& problem,
-                               SeparableFit fit, const Means& means) {
+                               const std::vector<std::string>& names,
+                               const std::vector<Parameter>& parameters, SeparableFit fit,
+                               const Means& means) {
   Approximation result{.subject = std::move(subject),
                        .names = names,
-                       .parameters = problem.parameters(),
+                       .parameters = parameters,
                        .fit = std::move(fit)};
   for (std::size_t k = 0; k < result.parameters.size(); ++k) {
     Parameter& p = result.parameters[k];
@@ -129,7 +151,56 @@ Approximation approximation_of(std::shared_ptr<const Subject> subject,
   }
   result.rms =
       std::sqrt(result.fit.misfit / static_cast<double>(std::max<Eigen::Index>(1, means.size())));
+  result.channel_rms = rms_by_channel(
+      means,
+      std::span(result.fit.residual.data(), static_cast<std::size_t>(result.fit.residual.size())));
   return result;
+}
+
+constexpr double settled = 1e-4;       // of what is costly: relative fall that is none, or
+constexpr double well_settled = 1e-6;  // where its numbers are kept
+constexpr double first_size = 0.1;     // share of the scale by which a candidate leaves neutral
+
+/// The same of what is costly.
+Approximation costly_approximation(std::shared_ptr<const Subject> subject, const Recorded& recorded,
+                                   const std::vector<std::string>& names,
+                                   const CostlyProblem& problem,
+                                   const std::vector<Eigen::VectorXd>& starts, double until) {
+  CostlyFit found = problem.from(starts, until);
+  Approximation result = approximation_of(std::move(subject), names, problem.parameters(),
+                                          std::move(found.fit), recorded.means);
+  result.slope = std::move(found.slope);
+  return result;
+}
+
+Eigen::VectorXd starting_values(const std::vector<Parameter>& parameters) {
+  Eigen::VectorXd start(parameters.size());
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    start[static_cast<Eigen::Index>(k)] =
+        std::clamp(parameters[k].start, parameters[k].lower, parameters[k].upper);
+  return start;
+}
+
+/// As the candidates are switched on, and each of them a little to both sides of neutral.
+std::vector<Eigen::VectorXd> sizes_tried(const CostlyProblem& problem, const Approximation& base,
+                                         const std::vector<const Candidate*>& candidates) {
+  Eigen::VectorXd start = starting_values(problem.parameters());
+  start.head(base.fit.values.size()) = base.fit.values;
+  std::vector<Eigen::VectorXd> list{start};
+  for (const double by : {first_size, -first_size}) {
+    Eigen::VectorXd x = start;
+    std::size_t first = base.names.size();
+    for (const Candidate* c : candidates) {
+      const std::size_t k = first + c->size;
+      const double neutral = problem.parameters()[k].neutral;
+      x[static_cast<Eigen::Index>(k)] = problem.moved(k, neutral, by);
+      if (x[static_cast<Eigen::Index>(k)] == neutral)  // a bound
+        x[static_cast<Eigen::Index>(k)] = problem.moved(k, neutral, -by);
+      first += c->parameters.size();
+    }
+    if (x.allFinite() && x != list.back()) list.push_back(std::move(x));
+  }
+  return list;
 }
 
 }  // namespace
@@ -150,12 +221,15 @@ Recorded recorded(const Subject& subject, std::shared_ptr<const Record> record, 
 Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded& recorded,
                           const std::vector<std::string>& names,
                           const ApproximationOptions& options) {
+  if (subject->is_costly()) {
+    const CostlyProblem costly(*subject, *recorded.record, recorded.prepared, recorded.means,
+                               names);
+    return costly_approximation(subject, recorded, names, costly,
+                                {starting_values(costly.parameters())}, settled);
+  }
   const Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names);
   const std::vector<Parameter>& parameters = problem.parameters();
-  Eigen::VectorXd start(parameters.size());
-  for (std::size_t k = 0; k < parameters.size(); ++k)
-    start[static_cast<Eigen::Index>(k)] =
-        std::clamp(parameters[k].start, parameters[k].lower, parameters[k].upper);
+  const Eigen::VectorXd start = starting_values(parameters);
   std::vector<SeparableFit> begun{problem.at(start)};
   for (const Eigen::VectorXd& other : options.starts) begun.push_back(problem.at(other));
   for (const Eigen::VectorXd& other : spread(problem, start, {}, most_spread, 3))
@@ -169,7 +243,8 @@ Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded
     begun.push_back(problem.at(x));
   }
   SeparableFit fit = best_of(problem, std::move(begun), options.polished, {}, options);
-  return approximation_of(std::move(subject), names, problem, std::move(fit), recorded.means);
+  return approximation_of(std::move(subject), names, problem.parameters(), std::move(fit),
+                          recorded.means);
 }
 
 void require_fit(const Approximation& approximation) {
@@ -274,6 +349,13 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
     for (const Parameter& p : c->parameters) names.push_back(p.name);
   }
   std::shared_ptr<const Subject> subject = base.subject->with_candidates(ids);
+  if (subject->is_costly()) {
+    const CostlyProblem costly(*subject, *recorded.record, recorded.prepared, recorded.means,
+                               names);
+    std::vector<Eigen::VectorXd> starts = sizes_tried(costly, base, candidates);
+    for (const Eigen::VectorXd& other : options.starts) starts.push_back(other);
+    return costly_approximation(std::move(subject), recorded, names, costly, starts, settled);
+  }
   const Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names);
   std::vector<const std::vector<double>*> only(base.names.size(), nullptr);
   std::vector<bool> held(names.size(), false);
@@ -318,7 +400,8 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
   SeparableFit fit = best_of(problem, std::move(begun), options.polished, held, options);
   if (has_places && std::isfinite(fit.misfit))
     fit = placed_again(problem, std::move(fit), start, only, held);
-  return approximation_of(std::move(subject), names, problem, std::move(fit), recorded.means);
+  return approximation_of(std::move(subject), names, problem.parameters(), std::move(fit),
+                          recorded.means);
 }
 
 namespace {
@@ -365,31 +448,51 @@ std::optional<SeparableFit> with_jumps_of(const Approximation& a, const Recorded
 
 }  // namespace
 
+namespace {
+
+/// What is left of the means of a block by a fit to all others: of what is not costly by such a
+/// fit, otherwise by the derivatives.
+std::function<Eigen::VectorXd(int)> fits_without(const Approximation& a, const Recorded& recorded) {
+  const Means& means = recorded.means;
+  if (a.subject->is_costly())
+    return [&a, &means](int block) {
+      return left_of_block({a.fit, a.slope}, a.parameters, means, block);
+    };
+  const auto problem = std::make_shared<const Separable>(*a.subject, *recorded.record,
+                                                         recorded.prepared, means, a.names);
+  std::vector<bool> held(a.names.size(), false);
+  for (std::size_t k = 0; k < a.names.size(); ++k) held[k] = is_place(a.parameters[k]);
+  return [&a, &recorded, problem, held](int block) {
+    const std::optional<SeparableFit> given = with_jumps_of(a, recorded, block);
+    return given ? given->residual : problem->from(a.fit.values, block, held).residual;
+  };
+}
+
+}  // namespace
+
 void hold_out(Approximation& a, const Recorded& recorded) {
   const Means& means = recorded.means;
   a.held_out.assign(means.list.size(), unset);
   if (a.fit.values.size() == 0) return;
   int blocks = 0;
   for (const Means::Mean& mean : means.list) blocks = std::max(blocks, mean.block + 1);
-  const Separable problem(*a.subject, *recorded.record, recorded.prepared, means, a.names);
-  std::vector<bool> held(a.names.size(), false);
-  for (std::size_t k = 0; k < a.names.size(); ++k) held[k] = is_place(a.parameters[k]);
+  const auto left_without = fits_without(a, recorded);
   double sum = 0.0;
   std::size_t count = 0;
   for (int b = 0; b < blocks; ++b) {
     const auto in_block = [&](const Means::Mean& mean) { return mean.block == b; };
     if (std::none_of(means.list.begin(), means.list.end(), in_block)) continue;
-    const std::optional<SeparableFit> given = with_jumps_of(a, recorded, b);
-    const SeparableFit without = given ? *given : problem.from(a.fit.values, b, held);
+    const Eigen::VectorXd without = left_without(b);
     for (std::size_t i = 0; i < means.list.size(); ++i)
       if (means.list[i].block == b) {
-        a.held_out[i] = without.residual[static_cast<Eigen::Index>(i)];
+        a.held_out[i] = without[static_cast<Eigen::Index>(i)];
         const double weighted = a.held_out[i] * means.list[i].weight;
         sum += weighted * weighted;
         ++count;
       }
   }
   a.rms_held_out = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : unset;
+  a.channel_held_out = rms_by_channel(means, a.held_out);
 }
 
 namespace {
@@ -411,6 +514,14 @@ Approximation refined(const Approximation& a, const Recorded& by_means, Recorded
   const double width =
       by_means.record->rows() > most_single_rows ? usual_width(*by_means.record) : 0.0;
   rows = recorded(*a.subject, by_means.record, width);
+  if (a.subject->is_costly()) {
+    const CostlyProblem costly(*a.subject, *rows.record, rows.prepared, rows.means, a.names);
+    Approximation found =
+        costly_approximation(a.subject, rows, a.names, costly, {a.fit.values}, well_settled);
+    found.rms_held_out = a.rms_held_out;
+    found.channel_held_out = a.channel_held_out;
+    return found;
+  }
   const Separable problem(*a.subject, *rows.record, rows.prepared, rows.means, a.names);
   std::vector<bool> held(a.names.size(), false);
   for (std::size_t k = 0; k < a.names.size(); ++k)
@@ -419,16 +530,67 @@ Approximation refined(const Approximation& a, const Recorded& by_means, Recorded
   SeparableFit fit = problem.from(a.fit.values, -1, held, almost_no_ridge);
   if (!fit.values.allFinite() || runs_away(fit.values, a.fit.values))
     fit = problem.from(a.fit.values, -1, held);
-  Approximation result = approximation_of(a.subject, a.names, problem, std::move(fit), rows.means);
+  Approximation result =
+      approximation_of(a.subject, a.names, problem.parameters(), std::move(fit), rows.means);
   result.rms_held_out = a.rms_held_out;
+  result.channel_held_out = a.channel_held_out;
   return result;
 }
+
+namespace {
+
+/// Twice the sum over the correlation of what is left with itself until that is lost, and 1: each
+/// channel beside itself alone.
+double memory_of(const Means& means, const Eigen::VectorXd& left) {
+  constexpr double lost = 0.05;
+  std::vector<Eigen::Index> first{0};
+  const auto channel = [&](Eigen::Index i) {
+    return means.list[static_cast<std::size_t>(i)].channel;
+  };
+  for (Eigen::Index i = 1; i < left.size(); ++i)
+    if (channel(i) != channel(i - 1)) first.push_back(i);
+  first.push_back(left.size());
+  Eigen::Index longest = 0;
+  for (std::size_t c = 0; c + 1 < first.size(); ++c)
+    longest = std::max(longest, first[c + 1] - first[c]);
+  // In the weight of the first, so that one channel counts as it is.
+  Eigen::VectorXd r = left;
+  for (Eigen::Index i = 0; i < r.size(); ++i)
+    r[i] *= means.list[static_cast<std::size_t>(i)].weight / means.list.front().weight;
+  const double square = r.squaredNorm();
+  double sum = 1.0;
+  for (Eigen::Index lag = 1; lag < longest / 2 && square > 0.0; ++lag) {
+    double product = 0.0;
+    for (std::size_t c = 0; c + 1 < first.size(); ++c)
+      if (const Eigen::Index count = first[c + 1] - first[c] - lag; count > 0)
+        product += r.segment(first[c], count).dot(r.segment(first[c] + lag, count));
+    const double rho = product / square;
+    if (rho < lost) break;
+    sum += 2.0 * rho;
+  }
+  return sum;
+}
+
+/// Mean time between neighbouring means of the first channel [s].
+double spacing_of(const Means& means) {
+  const auto end = std::find_if(means.list.begin(), means.list.end(), [&](const Means::Mean& m) {
+    return m.channel != means.list.front().channel;
+  });
+  const auto count = end - means.list.begin();
+  return count > 1 ? ((end - 1)->time - means.list.front().time) / static_cast<double>(count - 1)
+                   : unset;
+}
+
+}  // namespace
 
 ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) {
   ApproximationErrors result;
   const Means& means = recorded.means;
-  const Separable problem(*a.subject, *recorded.record, recorded.prepared, means, a.names);
-  const Eigen::MatrixXd slope = problem.jacobian(a.fit.values);
+  const Eigen::MatrixXd slope =
+      a.subject->is_costly()
+          ? a.slope
+          : Separable(*a.subject, *recorded.record, recorded.prepared, means, a.names)
+                .jacobian(a.fit.values);
   std::vector<Eigen::Index> moving;
   for (std::size_t k = 0; k < a.names.size(); ++k)
     if (!a.fit.at_bound[k] && slope.col(static_cast<Eigen::Index>(k)).norm() > 0.0)
@@ -437,17 +599,8 @@ ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) 
   result.covariance = Eigen::MatrixXd::Constant(count, count, unset);
   // How long what is left remembers: until its correlation first falls below 0.
   const Eigen::VectorXd& r = a.fit.residual;
-  const double square = r.squaredNorm();
-  double sum = 1.0;
-  for (Eigen::Index lag = 1; lag < r.size() / 2 && square > 0.0; ++lag) {
-    const double rho = r.head(r.size() - lag).dot(r.tail(r.size() - lag)) / square;
-    if (rho < 0.05) break;
-    sum += 2.0 * rho;
-  }
-  const double spacing = r.size() > 1 ? (means.list.back().time - means.list.front().time) /
-                                            static_cast<double>(r.size() - 1)
-                                      : unset;
-  result.correlation_time = 0.5 * (sum - 1.0) * spacing;
+  const double sum = memory_of(means, r);
+  result.correlation_time = 0.5 * (sum - 1.0) * spacing_of(means);
   result.effective = static_cast<double>(r.size()) / sum;
   if (moving.empty()) return result;
   Eigen::VectorXd w(r.size());
@@ -476,9 +629,9 @@ Refit refit_of(const Approximation& a, const Recorded& recorded) {
   for (std::size_t i = 0; i < a.held_out.size(); ++i) {
     const Means::Mean& mean = recorded.means.list[i];
     if (std::isnan(a.held_out[i])) continue;
-    // Of its only channel: a place is a row.
-    const auto row = static_cast<std::size_t>(mean.places[mean.places.size() / 2]);
-    refit.held_out.push_back({row, mean.block, -a.held_out[i]});
+    const auto place = static_cast<std::size_t>(mean.places[mean.places.size() / 2]);
+    refit.held_out.push_back(
+        {mean.channel, place % recorded.record->rows(), mean.block, -a.held_out[i]});
   }
   return refit;
 }

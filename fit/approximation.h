@@ -35,6 +35,11 @@ struct Approximation {
   std::vector<double> held_out{};  ///< error of each mean that its fit did not see [SI]; NaN: none
   double rms = unset;              ///< weighted as the means are
   double rms_held_out = unset;     ///< NaN where nothing can be held out
+  /// The same of each channel of Subject::measured(), in its tolerances; NaN of one that has no
+  /// mean.
+  std::vector<double> channel_rms{}, channel_held_out{};
+  /// Derivatives of the means by the values; kept of what is costly alone.
+  Eigen::MatrixXd slope{};
 };
 
 struct ApproximationOptions {

@@ -29,10 +29,9 @@ void require_readings(const Approximation& a, const Recorded& on, const Record& 
                     record.source, on.means.list.size(), a.names.size()));
 }
 
-/// Of predictions with their mean taken off [SI]: the zero of a reading is arbitrary.
-double rms_about_mean(const Subject& subject, const Record& record) {
-  const std::vector<double> predicted = predict(subject, record);
-  const std::span<const double> read = record.values(*subject.measured().front().channel);
+/// Of one channel [SI]; about the mean where its zero says nothing.
+double rms_of(std::span<const double> predicted, const Measured& of, const Record& record) {
+  const std::span<const double> read = record.values(*of.channel);
   double sum = 0.0, square = 0.0, count = 0.0;
   for (std::size_t k = 0; k < read.size(); ++k)
     if (const double e = predicted[k] - read[k]; std::isfinite(e)) {
@@ -40,7 +39,34 @@ double rms_about_mean(const Subject& subject, const Record& record) {
       square += e * e;
       count += 1.0;
     }
-  return std::sqrt(std::max(0.0, square / count - sum * sum / (count * count)));
+  const double mean = of.any_zero ? sum / count : 0.0;
+  return std::sqrt(std::max(0.0, square / count - mean * mean));
+}
+
+/// Channels that were read, as places in `channels`.
+std::vector<std::size_t> read_channels(const Means& means, const std::vector<Measured>& channels) {
+  std::vector<std::size_t> list;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    if (std::any_of(means.list.begin(), means.list.end(),
+                    [&](const Means::Mean& mean) { return mean.channel == c; }))
+      list.push_back(c);
+  return list;
+}
+
+/// Of a weighted error of one channel [SI].
+double in_SI(double error, const Measured& of, const Record& record) {
+  const double tolerance = tolerance_of(of, record);
+  return std::isfinite(tolerance) ? error * tolerance : error;
+}
+
+std::string held_out_text(const Approximation& a, const std::vector<Measured>& channels,
+                          const std::vector<std::size_t>& read, const Record& record) {
+  std::vector<std::string> texts;
+  for (const std::size_t c : read)
+    texts.push_back(
+        reading_text(*channels[c].channel, in_SI(a.channel_held_out.at(c), channels[c], record)) +
+        (read.size() > 1 ? fmt::format(" of {}", channels[c].channel->words) : ""));
+  return joined(texts, "and");
 }
 
 Calibration calibration_of(const Subject& before, const Approximation& on_means,
@@ -49,7 +75,7 @@ Calibration calibration_of(const Subject& before, const Approximation& on_means,
   whole.record = std::make_shared<const Record>(record);
   const Approximation fit = refined(on_means, whole, rows);
   const ApproximationErrors errors = errors_of(fit, rows);
-  const Measured of = before.measured().front();
+  const std::vector<Measured> channels = before.measured();
   Calibration result{.subject = fitted(fit), .parameters = fit.parameters};
   const auto count = static_cast<Eigen::Index>(fit.parameters.size());
   result.correlation = Eigen::MatrixXd::Constant(count, count, unset);
@@ -64,18 +90,29 @@ Calibration calibration_of(const Subject& before, const Approximation& on_means,
       result.messages.push_back(
           fmt::format("{} = {} ends at a bound", p.name, with_unit(p.value, p.unit, 4)));
   }
-  result.rows = static_cast<int>(rows.means.size());
-  result.degrees_of_freedom = result.rows - static_cast<int>(count);
-  result.channels = {{.channel = of.channel,
-                      .rmse_before = rms_about_mean(before, record),
-                      .rmse_after = rms_about_mean(*result.subject, record)}};
+  const std::vector<std::size_t> read = read_channels(rows.means, channels);
+  result.rows = static_cast<int>(
+      std::count_if(rows.means.list.begin(), rows.means.list.end(),
+                    [&](const Means::Mean& mean) { return mean.channel == read.front(); }));
+  result.degrees_of_freedom = static_cast<int>(rows.means.size() - count);
+  const std::vector<double> earlier = predict(before, record),
+                            later = predict(*result.subject, record);
+  for (const std::size_t c : read) {
+    const auto of_channel = [&](const std::vector<double>& all) {
+      return std::span(all).subspan(c * record.rows(), record.rows());
+    };
+    result.channels.push_back({.channel = channels[c].channel,
+                               .rmse_before = rms_of(of_channel(earlier), channels[c], record),
+                               .rmse_after = rms_of(of_channel(later), channels[c], record)});
+  }
   result.iterations = fit.fit.iterations;
   result.status = fit.fit.values.allFinite() ? FitStatus::converged : FitStatus::failed;
   result.correlation_time = errors.correlation_time;
-  result.rms_held_out = fit.rms_held_out / rows.means.list.front().weight;
-  if (std::isfinite(result.rms_held_out))
-    result.messages.push_back(fmt::format("on parts of the record that no fit saw it errs by {}",
-                                          reading_text(*of.channel, result.rms_held_out)));
+  if (!std::isfinite(fit.rms_held_out)) return result;
+  result.rms_held_out =
+      in_SI(fit.channel_held_out.at(read.front()), channels[read.front()], record);
+  result.messages.push_back(fmt::format("on parts of the record that no fit saw it errs by {}",
+                                        held_out_text(fit, channels, read, record)));
   return result;
 }
 
@@ -111,37 +148,50 @@ AddResult add_approximation(const Subject& subject, std::span<const std::string>
   Approximation with = approximate_with(base, on, chosen);
   hold_out(with, on);
   AddResult result{.calibration = calibration_of(*of, with, on, record)};
-  const Measured channel = of->measured().front();
-  const double weight = on.means.list.front().weight;
-  ChannelGain& gain = result.channels.emplace_back();
-  gain.before =
-      compare(predict(*fitted(base), record), record, channel, static_cast<int>(base.names.size()));
-  gain.after = compare(predict(*result.calibration.subject, record), record, channel,
-                       static_cast<int>(with.names.size()));
+  const std::vector<Measured> channels = of->measured();
+  const std::vector<std::size_t> read = read_channels(on.means, channels);
+  const std::vector<double> before = predict(*fitted(base), record),
+                            after = predict(*result.calibration.subject, record);
+  HoldOut& parts = result.hold_out.emplace_back();
+  parts.variable = "time";
+  for (const std::size_t c : read) {
+    const Measured& channel = channels[c];
+    const auto of_channel = [&](const std::vector<double>& all) {
+      return std::span(all).subspan(c * record.rows(), record.rows());
+    };
+    ChannelGain& gain = result.channels.emplace_back();
+    gain.before = compare(of_channel(before), record, channel, static_cast<int>(base.names.size()));
+    gain.after = compare(of_channel(after), record, channel, static_cast<int>(with.names.size()));
+    gain.noise.rms = gain.before.noise.rms;
+    gain.tolerance = tolerance_of(channel, record);
+    gain.rmse_held_out_before = in_SI(base.channel_held_out.at(c), channel, record);
+    gain.rmse_held_out_after = in_SI(with.channel_held_out.at(c), channel, record);
+    parts.rmse_before.push_back(gain.rmse_held_out_before);
+    parts.rmse_after.push_back(gain.rmse_held_out_after);
+  }
   result.refits = {refit_of(base, on), refit_of(with, on)};
   result.refits.back().subject = result.calibration.subject;
-  gain.noise.rms = gain.before.noise.rms;
-  gain.tolerance = channel.tolerance;
-  gain.rmse_held_out_before = base.rms_held_out / weight;
-  gain.rmse_held_out_after = with.rms_held_out / weight;
-  result.hold_out.push_back({.variable = "time",
-                             .rmse_before = {gain.rmse_held_out_before},
-                             .rmse_after = {gain.rmse_held_out_after}});
   result.messages = result.calibration.messages;
   for (const Candidate* c : chosen)
     if (c->of_reading)
       result.messages.push_back(fmt::format(
           "{} cleans this record: it is carried neither to another one nor to a control", c->id));
-  if (std::isfinite(channel.tolerance) && base.rms_held_out <= 1.0)
+  const bool within = std::all_of(
+      result.channels.begin(), result.channels.end(),
+      [](const ChannelGain& gain) { return gain.rmse_held_out_before <= gain.tolerance; });
+  if (within) {
+    std::vector<std::string> tolerances;
+    for (const ChannelGain& gain : result.channels)
+      tolerances.push_back(reading_text(gain.channel(), gain.tolerance));
     result.reason = fmt::format(
         "without it the model errs by {} on parts held out, within the tolerance of {}: what is "
         "missing does not matter",
-        reading_text(*channel.channel, gain.rmse_held_out_before),
-        reading_text(*channel.channel, channel.tolerance));
-  else if (!(with.rms_held_out < base.rms_held_out))
+        held_out_text(base, channels, read, record), joined(tolerances, "and"));
+  } else if (!(with.rms_held_out < base.rms_held_out)) {
     result.reason = fmt::format("on parts held out the error does not fall ({} without, {} with)",
-                                reading_text(*channel.channel, gain.rmse_held_out_before),
-                                reading_text(*channel.channel, gain.rmse_held_out_after));
+                                held_out_text(base, channels, read, record),
+                                held_out_text(with, channels, read, record));
+  }
   result.refused = !result.reason.empty();
   return result;
 }

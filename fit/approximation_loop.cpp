@@ -1,9 +1,12 @@
 #include "fit/approximation_loop.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -22,12 +25,24 @@ constexpr double most_of_it = 0.5;       // of a mean square
 constexpr double one_way =
     1.3;  // length of the way over its span: below it the record warms up once
 constexpr double surely_better = 0.95;  // of the held-out error
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr std::size_t costly_members = 4;  // of pairs: the best singles
 
 /// "second-time-constant" of "second-time-constant:ambient".
 std::string plain(const std::string& id) { return id.substr(0, id.find(':')); }
 
-/// Errors of means as a root mean square of one channel [SI]; they are weighed by the tolerance.
-double weight_of(const Recorded& recorded) { return recorded.means.list.front().weight; }
+/// The channel that errs most, in its tolerances; 0 where nothing was held out.
+std::size_t worst_channel(const std::vector<double>& errors) {
+  std::size_t worst = 0;
+  for (std::size_t c = 0; c < errors.size(); ++c)
+    if (errors[c] > errors[worst] || std::isnan(errors[worst])) worst = c;
+  return worst;
+}
+
+/// An error of which the worst channel is within its tolerance is within.
+double worst_held_out(const Approximation& a) {
+  return a.channel_held_out.empty() ? unset : a.channel_held_out[worst_channel(a.channel_held_out)];
+}
 
 /// A fit with one or two candidates.
 struct Tried {
@@ -35,6 +50,13 @@ struct Tried {
   const Fault* shown = nullptr;  ///< instead: by the record itself
   Approximation fit{};
   [[nodiscard]] double error() const { return fit.rms_held_out; }
+  [[nodiscard]] double worst() const { return worst_held_out(fit); }
+  /// No number of a candidate has gone as far as it may.
+  [[nodiscard]] bool is_within_bounds(std::size_t base) const {
+    for (std::size_t k = base; k < fit.parameters.size(); ++k)
+      if (fit.parameters[k].at_bound != Bound::none) return false;
+    return true;
+  }
   [[nodiscard]] std::vector<std::string> ids() const {
     std::vector<std::string> list;
     if (shown) list.push_back(shown->id);
@@ -51,11 +73,14 @@ class Inquiry {
     std::unique_ptr<Subject> informed = subject.informed_by(record);
     subject_ = informed ? std::shared_ptr<const Subject>(std::move(informed))
                         : std::shared_ptr<const Subject>(subject.with_values({}));
-    if (!std::isfinite(channel().tolerance))
-      throw std::invalid_argument(
-          fmt::format("a model of {} only comes near: whether something is missing depends on what "
-                      "matters; say it by tolerance_{} (or --tolerance)",
-                      channel().channel->words, channel().channel->key_unit()));
+    channels_ = subject_->measured();
+    for (Measured& m : channels_) m.tolerance = tolerance_of(m, record);
+    for (const Measured& m : channels_)
+      if (!std::isfinite(m.tolerance))
+        throw std::invalid_argument(fmt::format(
+            "a model of {} only comes near: whether something is missing depends on what "
+            "matters; say it by tolerance_{} (or --tolerance)",
+            m.channel->words, m.channel->key_unit()));
     recorded_ = recorded(*subject_, for_search(std::make_shared<const Record>(record)),
                          usual_width(record));
     require_readings();
@@ -72,6 +97,9 @@ class Inquiry {
     base_ = approximate(subject_, recorded_, subject_->free(), search());
     require_fit(base_);
     hold_out(base_, recorded_);
+    if (std::isnan(base_.rms_held_out))
+      throw std::invalid_argument(
+          "these readings have no parts that could be held out: nothing can be judged by them");
     describe();
     step(0.15, "refitting with each effect");
     try_singles();
@@ -80,8 +108,18 @@ class Inquiry {
   }
 
  private:
-  [[nodiscard]] Measured channel() const { return subject_->measured().front(); }
-  [[nodiscard]] double in_SI(double error) const { return error / weight_of(recorded_); }
+  [[nodiscard]] const Measured& channel() const { return channels_.front(); }
+  /// Errors of a channel are in its tolerances.
+  [[nodiscard]] double in_SI(double error, std::size_t of) const {
+    return error * channels_[of].tolerance;
+  }
+  /// By channel of the results.
+  [[nodiscard]] std::vector<double> in_SI(const std::vector<double>& errors) const {
+    std::vector<double> list;
+    for (const std::size_t c : told_)
+      list.push_back(c < errors.size() ? in_SI(errors[c], c) : unset);
+    return list;
+  }
   [[nodiscard]] ApproximationOptions search() const {
     return {.cancelled = [this] { return options_.cancelled && options_.cancelled->load(); }};
   }
@@ -98,17 +136,28 @@ class Inquiry {
       throw std::invalid_argument(
           fmt::format("{} readings of {} at {} different minutes: a verdict needs {} or more",
                       count, channel().channel->words, count, least));
-    if (goes_one_way())
+    bool one_way = true;
+    for (std::size_t c = 0; c < channels_.size(); ++c) one_way = one_way && goes_one_way(c);
+    if (one_way)
       throw std::invalid_argument(
           "this record cannot validate a model: it goes from one state to another once, so that no "
           "part of it can be held out and told from the rest; record a cool-down with it, or a "
           "second profile");
   }
 
-  /// The way that the readings go is hardly longer than their span.
-  [[nodiscard]] bool goes_one_way() const {
+  /// Means of one channel.
+  [[nodiscard]] Means means_of_channel(std::size_t channel) const {
+    Means means;
+    for (const Means::Mean& mean : recorded_.means.list)
+      if (mean.channel == channel) means.list.push_back(mean);
+    return means;
+  }
+
+  /// The way that the readings of a channel go is hardly longer than their span.
+  [[nodiscard]] bool goes_one_way(std::size_t channel) const {
     constexpr std::size_t stretches = 60;
-    const std::vector<Means::Mean>& list = recorded_.means.list;
+    const std::vector<Means::Mean> list = means_of_channel(channel).list;
+    if (list.empty()) return true;
     std::vector<double> smooth;
     for (std::size_t k = 0; k < stretches; ++k) {
       const std::size_t begin = k * list.size() / stretches,
@@ -124,18 +173,26 @@ class Inquiry {
   }
 
   void describe() {
-    ChannelDiagnosis& d = result_.channels.emplace_back();
-    const Measured of = channel();
     const std::vector<double> predicted = predict(*fitted(base_), record_);
-    d.baseline = compare(predicted, record_, of, static_cast<int>(base_.names.size()));
-    d.tolerance = of.tolerance;
-    d.rmse_before = d.rmse_after = in_SI(base_.rms);
-    d.rmse_held_out_before = in_SI(base_.rms_held_out);
+    const std::size_t rows = record_.rows();
+    bool noise_is_known = true;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const Measured& of = channels_[c];
+      if (std::isnan(base_.channel_held_out.at(c))) continue;  // not read
+      told_.push_back(c);
+      ChannelDiagnosis& d = result_.channels.emplace_back();
+      d.baseline = compare(std::span(predicted).subspan(c * rows, rows), record_, of,
+                           static_cast<int>(base_.names.size()));
+      d.tolerance = of.tolerance;
+      d.rmse_before = d.rmse_after = in_SI(base_.channel_rms[c], c);
+      d.rmse_held_out_before = in_SI(base_.channel_held_out[c], c);
+      d.noise.rms = std::isfinite(of.std) ? of.std : noise_of_neighbours(record_, *of.channel);
+      noise_is_known = noise_is_known && std::isfinite(d.noise.rms);
+      result_.rows = std::max(result_.rows, d.baseline.rows);
+    }
     result_.refits.push_back(refit_of(base_, recorded_));
-    d.noise.rms = std::isfinite(of.std) ? of.std : noise_of_neighbours(record_, *of.channel);
-    result_.rows = d.baseline.rows;
-    result_.rows_not_predicted = d.baseline.rows_not_predicted;
-    if (!std::isfinite(d.noise.rms))
+    result_.rows_not_predicted = result_.channels.front().baseline.rows_not_predicted;
+    if (!noise_is_known)
       result_.messages.emplace_back(
           "readings stand too far apart to tell the noise of the sensor from what the machine does "
           "between them");
@@ -146,27 +203,52 @@ class Inquiry {
                         "missing",
                         base_.parameters[k].name,
                         with_unit(base_.parameters[k].value, base_.parameters[k].unit)));
-    if (std::isnan(base_.rms_held_out))
-      throw std::invalid_argument(
-          "these readings have no parts that could be held out: nothing can be judged by them");
     for (const std::string& id : subject_->catalogue())
       if (std::string why = subject_->lacks(id, record_); !why.empty())
         result_.not_testable.push_back({id, "needs " + why});
   }
 
+  /// Fits with each of some sets of candidates, side by side where a fit is costly; in their order.
+  /// `most`: error in sample up to which parts are held out. `from`, `to`: share of the whole.
+  std::vector<Tried> fits_with(const std::vector<std::vector<const Candidate*>>& sets,
+                               const ApproximationOptions& with, double most, double from,
+                               double to) const {
+    std::vector<Tried> list(sets.size());
+    std::mutex telling;
+    std::size_t done = 0;
+    const auto try_one = [&](std::size_t k) {
+      {
+        const std::scoped_lock lock(telling);
+        step(from + (to - from) * static_cast<double>(done++) / static_cast<double>(sets.size()),
+             sets[k].size() > 1 ? "refitting with pairs of effects" : sets[k].front()->id);
+      }
+      list[k].on = sets[k];
+      list[k].fit = approximate_with(base_, recorded_, sets[k], with);
+      if (list[k].fit.fit.values.size() > 0 && list[k].fit.rms <= most)
+        hold_out(list[k].fit, recorded_);
+    };
+    if (subject_->is_costly())
+      tbb::parallel_for(std::size_t{0}, sets.size(), try_one, tbb::simple_partitioner());
+    else
+      for (std::size_t k = 0; k < sets.size(); ++k) try_one(k);
+    return list;
+  }
+
   void try_singles() {
-    for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      step(0.15 + 0.35 * static_cast<double>(k) / static_cast<double>(candidates_.size()),
-           candidates_[k].id);
-      Tried t{.on = {&candidates_[k]}};
-      t.fit = approximate_with(base_, recorded_, t.on, search());
-      if (t.fit.fit.values.size() == 0) continue;
-      hold_out(t.fit, recorded_);
-      singles_.push_back(std::move(t));
-    }
+    std::vector<std::vector<const Candidate*>> sets;
+    for (const Candidate& c : candidates_)
+      if (is_testable(c.id)) sets.push_back({&c});
+    singles_ = fits_with(sets, search(), endless, 0.15, 0.5);
     look_at_record();
     sort(singles_);
     result_.candidates_tried = static_cast<int>(singles_.size()) + options_.tried_before;
+  }
+
+  /// What the record cannot feel is not looked for where looking costs much.
+  [[nodiscard]] bool is_testable(const std::string& id) const {
+    return !subject_->is_costly() ||
+           std::none_of(result_.not_testable.begin(), result_.not_testable.end(),
+                        [&](const NotTestable& n) { return n.id == id; });
   }
 
   /// Faults that the record shows of itself: the model alone, on what it would be without.
@@ -237,28 +319,32 @@ class Inquiry {
   }
 
   void decide() {
-    result_.within_tolerance = base_.rms_held_out <= 1.0;
+    result_.within_tolerance = worst_held_out(base_) <= 1.0;
     if (result_.within_tolerance) {
       for (const Tried& t : singles_)
         if (t.error() < surely_better * base_.rms_held_out)
           result_.significant_but_immaterial.push_back(t.ids().front());
       return;
     }
-    if (!singles_.empty() && singles_.front().error() <= as_good_as_within()) {
-      found_ = near_best(singles_);
-      result_.verdict = found_.size() == 1 ? Verdict::effect : Verdict::ambiguous;
-      return;
+    if (!singles_.empty()) {
+      std::vector<const Tried*> near = near_best(singles_);
+      const auto is_within = [&](const Tried* t) { return t->worst() <= as_good_as_within(); };
+      if (std::any_of(near.begin(), near.end(), is_within) && is_believable(singles_.front())) {
+        found_ = std::move(near);
+        result_.verdict = found_.size() == 1 ? Verdict::effect : Verdict::ambiguous;
+        return;
+      }
     }
     const auto shown = std::find_if(singles_.begin(), singles_.end(),
                                     [](const Tried& t) { return t.shown != nullptr; });
     if (shown != singles_.end()) {
       found_ = {&*shown};
       result_.verdict = Verdict::effect_like;
-      result_.course = course_of(recorded_.means, base_.fit.residual);
+      result_.course = course_of_worst(base_);
       return;
     }
     if (options_.pairs) try_pairs();
-    if (!pairs_.empty() && pairs_.front().error() <= 1.0 &&
+    if (!pairs_.empty() && pairs_.front().worst() <= 1.0 && is_believable(pairs_.front()) &&
         comes_near * pairs_.front().error() <= singles_.front().error()) {
       found_ = causes_first(near_best(pairs_));
       result_.verdict = Verdict::several_effects;
@@ -269,8 +355,24 @@ class Inquiry {
                                                most_of_it * base * base;
     if (like) found_ = {&singles_.front()};
     result_.verdict = like ? Verdict::effect_like : Verdict::not_in_catalogue;
-    const Approximation& best = like ? singles_.front().fit : base_;
-    result_.course = course_of(recorded_.means, best.fit.residual);
+    result_.course = course_of_worst(like ? singles_.front().fit : base_);
+  }
+
+  /// A size that a fit drives to its bound explains nothing, where all that is known of an effect
+  /// is a factor or a heat.
+  [[nodiscard]] bool is_believable(const Tried& t) const {
+    return !subject_->is_costly() || t.is_within_bounds(base_.names.size());
+  }
+
+  /// Of the channel that errs most.
+  [[nodiscard]] Course course_of_worst(const Approximation& a) const {
+    const std::size_t worst = worst_channel(a.channel_held_out);
+    const std::vector<Means::Mean>& all = recorded_.means.list;
+    std::vector<double> left;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].channel == worst) left.push_back(a.fit.residual[static_cast<Eigen::Index>(i)]);
+    return course_of(means_of_channel(worst),
+                     Eigen::Map<const Eigen::VectorXd>(left.data(), std::ssize(left)));
   }
 
   /// Pairs that meet the tolerance on the rows that they were fitted to: others cannot on those
@@ -278,21 +380,20 @@ class Inquiry {
   void try_pairs() {
     if (singles_.empty()) return;
     const double most = std::min(1.0, singles_.front().error() / comes_near);
-    const std::size_t count = candidates_.size() * (candidates_.size() - 1) / 2;
-    std::size_t done = 0;
-    for (std::size_t i = 0; i < candidates_.size(); ++i)
-      for (std::size_t j = i + 1; j < candidates_.size(); ++j) {
-        step(0.5 + 0.4 * static_cast<double>(done++) / static_cast<double>(count),
-             "refitting with pairs of effects");
-        Tried t{.on = {&candidates_[i], &candidates_[j]}};
-        ApproximationOptions from = search();
-        from.random_starts = 8;
-        from.polished = 2;
-        t.fit = approximate_with(base_, recorded_, t.on, from);
-        if (!(t.fit.rms <= most)) continue;
-        hold_out(t.fit, recorded_);
-        pairs_.push_back(std::move(t));
-      }
+    std::vector<const Candidate*> members;
+    if (subject_->is_costly()) {
+      for (std::size_t k = 0; k < std::min(costly_members, singles_.size()); ++k)
+        if (!singles_[k].on.empty()) members.push_back(singles_[k].on.front());
+    } else {
+      for (const Candidate& c : candidates_) members.push_back(&c);
+    }
+    std::vector<std::vector<const Candidate*>> sets;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      for (std::size_t j = i + 1; j < members.size(); ++j) sets.push_back({members[i], members[j]});
+    ApproximationOptions from = search();
+    from.random_starts = 8;
+    from.polished = 2;
+    pairs_ = fits_with(sets, from, most, 0.5, 0.9);
     sort(pairs_);
   }
 
@@ -304,8 +405,8 @@ class Inquiry {
     }
     for (const Candidate* c : t.on)
       if (c->id == effect.id) effect.acts_on = c->acts_on;
-    effect.rmse = {in_SI(t.fit.rms)};
-    effect.rmse_held_out = {in_SI(t.error())};
+    effect.rmse = in_SI(t.fit.channel_rms);
+    effect.rmse_held_out = in_SI(t.fit.channel_held_out);
     const ApproximationErrors errors = errors_of(t.fit, recorded_);
     for (std::size_t k = 0; k < t.fit.parameters.size(); ++k) {
       Parameter p = t.fit.parameters[k];
@@ -347,9 +448,12 @@ class Inquiry {
     if (found_.empty()) return;
     const Tried& best = *found_.front();
     result_.base = ranked(best, 0).base;
-    ChannelDiagnosis& d = result_.channels.front();
-    d.rmse_after = in_SI(best.fit.rms);
-    d.rmse_held_out_after = in_SI(best.error());
+    const std::vector<double> after = in_SI(best.fit.channel_rms),
+                              held_out_after = in_SI(best.fit.channel_held_out);
+    for (std::size_t c = 0; c < told_.size(); ++c) {
+      result_.channels[c].rmse_after = after[c];
+      result_.channels[c].rmse_held_out_after = held_out_after[c];
+    }
     if (best.shown)
       result_.messages.push_back(best.shown->datum + ": " + best.shown->correction);
     else
@@ -362,11 +466,12 @@ class Inquiry {
 
   /// What the readings are made of, with the best.
   void explain(const Tried& best) {
-    const std::vector<RowError>& rows = result_.channels.front().baseline.errors;
     const auto at_rows = [&](const Subject& subject) {
       const std::vector<double> all = predict(subject, record_);
       std::vector<double> list;
-      for (const RowError& e : rows) list.push_back(all[e.row]);
+      for (std::size_t c = 0; c < told_.size(); ++c)
+        for (const RowError& e : result_.channels[c].baseline.errors)
+          list.push_back(all[told_[c] * record_.rows() + e.row]);
       return list;
     };
     const std::shared_ptr<const Subject> with = fitted(best.fit);
@@ -390,9 +495,14 @@ class Inquiry {
     result_.verdict_is_explained = true;
   }
 
-  [[nodiscard]] std::string error(double value) const {
-    return reading_text(*channel().channel, in_SI(value));
+  /// On parts held out; of several channels the worst.
+  [[nodiscard]] std::string error(const Approximation& a) const {
+    const std::size_t worst = worst_channel(a.channel_held_out);
+    const record::Channel& of = *channels_[worst].channel;
+    return reading_text(of, in_SI(a.channel_held_out[worst], worst)) +
+           (told_.size() > 1 ? fmt::format(" of {}", of.words) : "");
   }
+  [[nodiscard]] std::string error(const Tried& t) const { return error(t.fit); }
 
   [[nodiscard]] std::string found_text() const {
     std::vector<std::string> names;
@@ -401,10 +511,11 @@ class Inquiry {
   }
 
   [[nodiscard]] std::string sentence() const {
-    const std::string tolerance = reading_text(*channel().channel, channel().tolerance);
+    const Measured& worst = channels_[worst_channel(base_.channel_held_out)];
+    const std::string tolerance = reading_text(*worst.channel, worst.tolerance);
     const std::string base =
         fmt::format("on parts held out the refitted model errs by {}, of {} tolerated",
-                    error(base_.rms_held_out), tolerance);
+                    error(base_), tolerance);
     switch (result_.verdict) {
       case Verdict::nothing_missing:
         return fmt::format("Nothing is missing that matters: {}.{}", base,
@@ -418,34 +529,33 @@ class Inquiry {
         for (const Tried& t : singles_)
           if (!next && plain(t.ids().front()) != plain(best.ids().front())) next = &t;
         return fmt::format(
-            "Consistent with {}: {}; with it {}{}.", found_text(), base, error(best.error()),
-            next ? fmt::format(", next best {} {}", next->ids().front(), error(next->error()))
-                 : "");
+            "Consistent with {}: {}; with it {}{}.", found_text(), base, error(best),
+            next ? fmt::format(", next best {} {}", next->ids().front(), error(*next)) : "");
       }
       case Verdict::ambiguous:
         return fmt::format(
             "{}: {}; the first leaves {}, and the others come so near that this record "
             "cannot tell which of them it is.",
-            found_text(), base, error(found_.front()->error()));
+            found_text(), base, error(*found_.front()));
       case Verdict::several_effects:
         return fmt::format(
             "Consistent with {}: {}; no single effect brings it within (best {} {}), "
             "together {}.",
-            found_text(), base, singles_.front().ids().front(), error(singles_.front().error()),
-            error(found_.front()->error()));
+            found_text(), base, singles_.front().ids().front(), error(singles_.front()),
+            error(*found_.front()));
       case Verdict::effect_like:
         return fmt::format(
             "Something is missing that matters: {}; {} takes most of it, and leaves {}: "
             "more than one thing is missing, or another law.{}",
-            base, found_text(), error(found_.front()->error()), course_text());
+            base, found_text(), error(*found_.front()), course_text());
       case Verdict::not_in_catalogue:
         break;
     }
     return fmt::format("Something is missing that nothing in the catalogue explains: {}{}.{}", base,
-                       singles_.empty() ? ""
-                                        : fmt::format("; the nearest, {}, leaves {}",
-                                                      singles_.front().ids().front(),
-                                                      error(singles_.front().error())),
+                       singles_.empty()
+                           ? ""
+                           : fmt::format("; the nearest, {}, leaves {}",
+                                         singles_.front().ids().front(), error(singles_.front())),
                        course_text());
   }
 
@@ -473,6 +583,8 @@ class Inquiry {
   const DiagnoseOptions& options_;
   const Record& record_;
   std::shared_ptr<const Subject> subject_;
+  std::vector<Measured> channels_;  // with their tolerances
+  std::vector<std::size_t> told_;   // of these, in the results
   Recorded recorded_;
   std::vector<Candidate> candidates_;
   std::vector<Fault> faults_;

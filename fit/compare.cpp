@@ -13,6 +13,8 @@
 
 #include "fit/estimated_noise.h"
 #include "fit/gate.h"
+#include "fit/separable.h"
+#include "fit/verdict_text.h"
 #include "record/levels.h"
 #include "record/repeats.h"
 
@@ -237,7 +239,7 @@ std::string tolerance_text(const Comparison& c) {
   if (std::isnan(c.tolerance)) return {};
   return fmt::format(" It {} the tolerance of {:.3g} {}.",
                      c.rmse <= c.tolerance ? "is within" : "exceeds",
-                     c.tolerance / c.channel->factor, c.channel->unit);
+                     c.tolerance / c.channel->factor, unit_of_difference(*c.channel));
 }
 
 std::string statement_of(const Comparison& c) {
@@ -326,7 +328,8 @@ Judgement judged_by_tolerance(const Comparison& c) {
 /// Of a model that only comes near.
 std::string statement_beside(const Comparison& c) {
   const Channel& q = *c.channel;
-  std::string text = fmt::format("The misfit is {:.3g} {}", c.rmse / q.factor, q.unit);
+  std::string text =
+      fmt::format("The misfit is {:.3g} {}", c.rmse / q.factor, unit_of_difference(q));
   if (std::isfinite(c.noise.rms) && c.noise.rms > 0.0)
     text += fmt::format(", {:.2g} times the noise of a reading", c.rmse / c.noise.rms);
   if (!c.where.empty() && c.where.front().rmse > 1.2 * c.rmse)
@@ -386,7 +389,7 @@ Comparison compare(std::span<const double> predicted, const Record& record,
     throw std::invalid_argument("compare: one prediction per row is needed");
   if (record.rows() == 0) throw std::invalid_argument(record.source + ": no rows to compare with");
   Comparison result{.channel = measured.channel};
-  result.tolerance = measured.tolerance;
+  result.tolerance = tolerance_of(measured, record);
   result.begins = measured.begins;
   result.noise = noise_of(record, measured);
   find_errors(predicted, record, result);

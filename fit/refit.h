@@ -10,6 +10,7 @@ namespace raceway::fit {
 
 /// A mean of readings, predicted by a fit to the other parts of its record.
 struct HeldOutReading {
+  std::size_t channel = 0;  ///< of Subject::measured()
   std::size_t row = 0;      ///< of the record, in its middle
   int part = 0;             ///< that was held out
   double residual = unset;  ///< prediction minus reading [SI]

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "fit/least_squares.h"
+#include "fit/noise.h"
 
 namespace raceway::fit {
 namespace {
@@ -22,6 +23,14 @@ bool is_logarithmic(const Parameter& p) {
 
 }  // namespace
 
+double tolerance_of(const Measured& measured, const Record& record) {
+  if (std::isfinite(measured.tolerance) || !measured.approximate) return measured.tolerance;
+  if (!(measured.model_error > 0.0)) return unset;
+  const double noise =
+      std::isfinite(measured.std) ? measured.std : noise_of_neighbours(record, *measured.channel);
+  return std::isfinite(noise) ? std::hypot(measured.model_error, noise) : measured.model_error;
+}
+
 Means means_of(const Subject& subject, const Record& record, double width) {
   Means means;
   const std::vector<Blocking> blockings = subject.blockings(record);
@@ -30,8 +39,8 @@ Means means_of(const Subject& subject, const Record& record, double width) {
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const std::span<const double> read = record.values(*channels[c].channel);
     if (read.empty()) continue;
-    const double weight =
-        1.0 / (std::isfinite(channels[c].tolerance) ? channels[c].tolerance : 1.0);
+    const double tolerance = tolerance_of(channels[c], record);
+    const double weight = 1.0 / (std::isfinite(tolerance) ? tolerance : 1.0);
     std::map<std::tuple<int, int, long>, std::size_t> places;
     for (std::size_t k = 0; k < read.size(); ++k) {
       if (!std::isfinite(read[k])) continue;
@@ -42,7 +51,8 @@ Means means_of(const Subject& subject, const Record& record, double width) {
       const auto [found, is_new] =
           places.emplace(std::tuple(record.run_of(k), block, bin), means.list.size());
       if (is_new)
-        means.list.push_back({.measured = 0.0, .weight = weight, .time = 0.0, .block = block});
+        means.list.push_back(
+            {.measured = 0.0, .channel = c, .weight = weight, .time = 0.0, .block = block});
       Means::Mean& mean = means.list[found->second];
       mean.places.push_back(place);
       mean.measured += read[k];

@@ -15,6 +15,7 @@ struct Means {
   struct Mean {
     std::vector<Eigen::Index> places{};  ///< in the readings of a predictor
     double measured = unset;             ///< SI
+    std::size_t channel = 0;             ///< of Subject::measured()
     double weight = 1.0;                 ///< over that of others: 1/tolerance of its channel
     double time = unset;                 ///< middle of its rows [s]
     int block = -1;                      ///< that is held out; -1: none
@@ -22,6 +23,10 @@ struct Means {
   std::vector<Mean> list{};
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(list.size()); }
 };
+
+/// Error of a channel that does not matter [SI]: what somebody said, else what the model declares
+/// as its own coarseness together with the noise of a reading. NaN where neither was said.
+[[nodiscard]] double tolerance_of(const Measured& measured, const Record& record);
 
 /// Means over `width` [s], each within one run and one block; single rows where that is 0.
 [[nodiscard]] Means means_of(const Subject& subject, const Record& record, double width);

@@ -30,7 +30,7 @@ struct Measured {
   /// that nobody recorded. NaN where nothing is known.
   double most_scatter = unset;
   /// Up to this what the model leaves is its own coarseness, not something missing: it counts as
-  /// noise [SI].
+  /// noise, of what only approximates as tolerated [SI].
   double model_error = 0.0;
   /// Scatter of a single reading, where the model declares it [SI].
   double std = unset;
@@ -39,6 +39,8 @@ struct Measured {
   /// What a model leaves of it follows the rows before it, whatever is added (see
   /// Subject::approximates()): no test against noise says anything.
   bool approximate = false;
+  /// The zero of its readings says nothing: errors are told about their mean.
+  bool any_zero = false;
   /// Below this an error does not matter to whoever uses the model [SI]; NaN where nobody said.
   double tolerance = unset;
 };
@@ -165,6 +167,9 @@ class Subject {
   /// the noise of the sensor and follows the rows before it, for ever. It is fitted with all rows
   /// alike, and judged by what it leaves on parts of the record that no fit saw.
   [[nodiscard]] virtual bool approximates() const { return false; }
+  /// True where a prediction takes so long that a fit may ask for dozens, not thousands: one start,
+  /// few derivatives, parts held out by these. Of subjects that only approximate.
+  [[nodiscard]] virtual bool is_costly() const { return false; }
   /// What predictors of one record may share.
   [[nodiscard]] virtual std::shared_ptr<const void> prepare(const Record& record) const;
   /// By the values of the parameters of these names. `prepared` may be null; it and the record

@@ -21,8 +21,12 @@ std::string with_unit(double value, const std::string& unit, int digits) {
                                      : fmt::format("{:.{}g} {}", value, digits, unit);
 }
 
+std::string_view unit_of_difference(const Channel& channel) {
+  return channel.offset == 0.0 ? channel.unit : std::string_view("K");
+}
+
 std::string reading_text(const Channel& channel, double value, int digits) {
-  return fmt::format("{:.{}g} {}", value / channel.factor, digits, channel.unit);
+  return fmt::format("{:.{}g} {}", value / channel.factor, digits, unit_of_difference(channel));
 }
 
 std::string nothing_missing_text(const Diagnosis& d) {

@@ -15,6 +15,8 @@ namespace raceway::fit {
 
 /// "3.21 N", or "3.21" where the unit is "1".
 [[nodiscard]] std::string with_unit(double value, const std::string& unit, int digits = 3);
+/// K of a temperature in C.
+[[nodiscard]] std::string_view unit_of_difference(const Channel& channel);
 /// A reading in the unit of its channel, with it.
 [[nodiscard]] std::string reading_text(const Channel& channel, double value, int digits = 3);
 
