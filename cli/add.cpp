@@ -148,6 +148,12 @@ int run(const AddFlags& flags) {
         {.key = "EFFECT"});
   if (io::takes_correction(path, files)) return run_correction(flags, ids, files);
   io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
+  {
+    std::vector<std::string> given;
+    if (!flags.report.path.empty()) given.emplace_back("--report");
+    if (!flags.displacement.empty()) given.emplace_back("--displacement");
+    refuse_for_spindle(file.model, given);
+  }
   flags.tolerance.set(file);
   const record::Record data =
       open_records(files, path, *io::make_subject(file.model), flags.reading.options(file));

@@ -121,6 +121,11 @@ int run(const CalibrateFlags& flags) {
     io::require_writable(flags.output, if_exists);
   if (io::takes_correction(flags.model, flags.data)) return run_correction(flags);
   const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  {
+    std::vector<std::string> given;
+    if (!flags.displacement.empty()) given.emplace_back("--displacement");
+    refuse_for_spindle(file.model, given);
+  }
   const record::Record data = open_records(flags.data, flags.model, *io::make_subject(file.model),
                                            flags.reading.options(file));
   const auto subject = flags.per_record.subject(file.model, data);

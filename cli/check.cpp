@@ -175,6 +175,11 @@ int run(const CheckFlags& flags) {
   if (io::takes_correction(flags.model, data_files)) return check_corrections(flags, if_exists);
   const std::string& model = flags.model;
   const io::ModelFile file = open_model(model, Accepts::rig_or_shaft, Defaults::keep);
+  {
+    std::vector<std::string> given;
+    if (!flags.displacement.empty()) given.emplace_back("--displacement");
+    refuse_for_spindle(file.model, given);
+  }
   if (flags.data.empty()) return run_model(file, flags.json);
   const auto subject = io::make_subject(file.model);
   const record::Record data = open_data(flags.data, *subject, flags.reading.options(file));

@@ -32,6 +32,8 @@ namespace {
 
 using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured channel
 
+constexpr std::size_t many_channels = 3;  // that a table sums up before each is told
+
 struct CompareFlags {
   std::vector<std::string> files;  // models, then data
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
@@ -138,7 +140,32 @@ void print_worst(const fit::Comparison& c, const record::Record& data) {
   fmt::print("\n{}", worst.text(terminal_width()));
 }
 
+/// All channels of one model at a glance.
+void print_channels(const Comparisons& comparisons) {
+  TextTable table({{"channel", "", true},
+                   {"rows", ""},
+                   {"RMS", ""},
+                   {"bias", ""},
+                   {"largest", ""},
+                   {"noise", ""},
+                   {"tolerance", ""},
+                   {"unit", "", true},
+                   {"", "", true}});
+  for (const fit::Comparison& c : comparisons) {
+    const record::Channel& of = *c.channel;
+    const bool tolerated = !std::isnan(c.tolerance);
+    table.add({std::string(of.words), fmt::format("{}", c.rows), error_text(c.rmse, of),
+               difference(c.bias, c), error_text(c.max_abs, of), error_text(c.noise.rms, of, 2),
+               tolerated ? error_text(c.tolerance, of, 3) : "-", error_unit(of),
+               !tolerated              ? ""
+               : c.rmse <= c.tolerance ? "within"
+                                       : "beyond"});
+  }
+  fmt::print("{}\n", table.text(terminal_width()));
+}
+
 void print(const std::string& model, const Comparisons& comparisons, const record::Record& data) {
+  if (comparisons.size() >= many_channels) print_channels(comparisons);
   for (const fit::Comparison& c : comparisons) {
     if (&c != &comparisons.front()) fmt::print("\n");
     fmt::print("{} against {}: {} row{}, {}\n\n", model, data.source, c.rows,
@@ -257,6 +284,7 @@ std::size_t first_data(const std::vector<std::string>& files) {
 /// Why the model predicts nothing for a row.
 std::string why_not_predicted(const model::Model& model, const record::Record& data,
                               std::size_t row) {
+  if (model.spindle) return "the simulation ends there, without equilibrium or by thermal runaway";
   if (model.shaft) return "no equilibrium";
   const model::Row asked = model::rows_of(data)[row];
   const model::FrictionPrediction p =
@@ -387,6 +415,16 @@ int run(const CompareFlags& flags) {
       io::takes_correction(paths.front(), data))
     return compare_corrections(flags, paths, data);
   const std::vector<io::ModelFile> files = open_models(paths, flags.tolerance);
+  std::vector<std::string> given;
+  if (!flags.report.path.empty()) given.emplace_back("--report");
+  if (!flags.displacement.empty()) given.emplace_back("--displacement");
+  if (flags.zero != "mean") given.emplace_back("--zero");
+  for (const io::ModelFile& file : files) {
+    refuse_for_spindle(file.model, given);
+    if (file.model.spindle.has_value() != files.front().model.spindle.has_value())
+      throw io::InputError(file.source + ": a spindle is compared with spindles alone",
+                           {.file = file.source});
+  }
   std::vector<std::string> models;
   for (const io::ModelFile& file : files) models.push_back(file.source);
   const record::Record data =

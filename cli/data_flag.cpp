@@ -17,7 +17,10 @@ void DataFlag::declare(CLI::App& command) {
 io::ReadOptions DataFlag::options(const io::ModelFile& model) const {
   if (period.is_given())
     throw io::InputError(
-        "--from, --until: belong to records over time, of a model with [correction]",
+        model.model.spindle
+            ? "--from, --until: a spindle is simulated from the first row on, and held against all "
+              "of them; cut the file"
+            : "--from, --until: belong to records over time, of a model with [correction]",
         {.key = period.from.empty() ? "--until" : "--from"});
   io::ReadOptions result = options(model.columns);
   result.sensor = model.sensor;

@@ -296,6 +296,12 @@ Question ask(const DiagnoseFlags& flags) {
     return {asked.file.source, subject, subject, std::move(asked.data), {}, asked.file.defaults};
   }
   io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  {
+    std::vector<std::string> given;
+    if (!flags.report.path.empty()) given.emplace_back("--report");
+    if (!flags.displacement.empty()) given.emplace_back("--displacement");
+    refuse_for_spindle(file.model, given);
+  }
   flags.tolerance.set(file);
   Question question{.source = file.source};
   const auto model = io::make_subject(file.model);

@@ -11,6 +11,7 @@
 #include "io/doubts.h"
 #include "io/error.h"
 #include "io/plausible.h"
+#include "io/spindle_record.h"
 #include "model/ignored_data.h"
 #include "shaft/displacement_rows.h"
 
@@ -58,6 +59,18 @@ io::ModelFile open_model(const std::string& path, Accepts accepts, Defaults defa
   return file;
 }
 
+void refuse_for_spindle(const model::Model& model, const std::vector<std::string>& given) {
+  if (!model.spindle) return;
+  for (const std::string& flag : given) {
+    const std::string why =
+        flag == "--report"
+            ? "there is no page of a record of a spindle; --json has all numbers"
+            : "belongs to corrections; a spindle has one displacement, whose zero is "
+              "that of standstill as mounted";
+    throw io::InputError(fmt::format("{}: {}", flag, why), {.key = flag});
+  }
+}
+
 void tell_of_kelvin(const std::vector<double>& temperatures_C) {
   for (const double value : temperatures_C)
     if (const std::string note = io::looks_like_kelvin("--temperature", value); !note.empty())
@@ -101,6 +114,11 @@ record::Record open_one(const std::string& path, const model::ModelSubject& subj
                         const io::ReadOptions& options, bool of_several) {
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
+  if (const auto& spindle = subject.model().spindle) {
+    record::Record data = io::read_spindle_record(path, *spindle, options);
+    put(data, std::exchange(data.notes, {}), of_several ? path : std::string(), tell);
+    return data;
+  }
   record::Record data = io::read_record(path, subject, options);
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(std::move(note));

@@ -23,6 +23,10 @@ enum class Defaults { count, keep };
 [[nodiscard]] io::ModelFile open_model(const std::string& path, Accepts accepts = Accepts::rig,
                                        Defaults defaults = Defaults::count);
 
+/// Refuses flags that mean nothing for a record of a spindle; of a model of something else nothing.
+/// `given`: those that stand in the command line.
+void refuse_for_spindle(const model::Model& model, const std::vector<std::string>& given);
+
 /// What a page says of a model, with the numbers that it was used with.
 [[nodiscard]] io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used);
 

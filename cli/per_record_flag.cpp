@@ -22,6 +22,14 @@ void PerRecordFlag::declare(CLI::App& command) {
 
 std::shared_ptr<const fit::Subject> PerRecordFlag::subject(const model::Model& model,
                                                            const record::Record& data) const {
+  if (model.spindle) {
+    if (!names.empty())
+      throw io::InputError(
+          "--per-record: a spindle has one set of numbers for all its records; calibrate with each "
+          "record by itself",
+          {.key = "--per-record"});
+    return io::make_subject(model);  // runs of all records are simulated by themselves
+  }
   if (data.parts.empty()) {
     if (!names.empty())
       throw io::InputError(fmt::format("--per-record {}: {} is one record, whose parameters are "

@@ -159,14 +159,12 @@ Approximation approximation_of(std::shared_ptr<const Subject> subject,
 
 constexpr double settled = 1e-4;       // of what is costly: relative fall that is none, or
 constexpr double well_settled = 1e-6;  // where its numbers are kept
-constexpr double first_size = 0.1;     // share of the scale by which a candidate leaves neutral
+constexpr double hopeless = 0.9;       // of the misfit without a candidate
 
 /// The same of what is costly.
 Approximation costly_approximation(std::shared_ptr<const Subject> subject, const Recorded& recorded,
                                    const std::vector<std::string>& names,
-                                   const CostlyProblem& problem,
-                                   const std::vector<Eigen::VectorXd>& starts, double until) {
-  CostlyFit found = problem.from(starts, until);
+                                   const CostlyProblem& problem, CostlyFit found) {
   Approximation result = approximation_of(std::move(subject), names, problem.parameters(),
                                           std::move(found.fit), recorded.means);
   result.slope = std::move(found.slope);
@@ -181,24 +179,13 @@ Eigen::VectorXd starting_values(const std::vector<Parameter>& parameters) {
   return start;
 }
 
-/// As the candidates are switched on, and each of them a little to both sides of neutral.
-std::vector<Eigen::VectorXd> sizes_tried(const CostlyProblem& problem, const Approximation& base,
+/// Places of the sizes of candidates behind some other parameters.
+std::vector<std::size_t> places_of_sizes(std::size_t others,
                                          const std::vector<const Candidate*>& candidates) {
-  Eigen::VectorXd start = starting_values(problem.parameters());
-  start.head(base.fit.values.size()) = base.fit.values;
-  std::vector<Eigen::VectorXd> list{start};
-  for (const double by : {first_size, -first_size}) {
-    Eigen::VectorXd x = start;
-    std::size_t first = base.names.size();
-    for (const Candidate* c : candidates) {
-      const std::size_t k = first + c->size;
-      const double neutral = problem.parameters()[k].neutral;
-      x[static_cast<Eigen::Index>(k)] = problem.moved(k, neutral, by);
-      if (x[static_cast<Eigen::Index>(k)] == neutral)  // a bound
-        x[static_cast<Eigen::Index>(k)] = problem.moved(k, neutral, -by);
-      first += c->parameters.size();
-    }
-    if (x.allFinite() && x != list.back()) list.push_back(std::move(x));
+  std::vector<std::size_t> list;
+  for (const Candidate* c : candidates) {
+    list.push_back(others + c->size);
+    others += c->parameters.size();
   }
   return list;
 }
@@ -225,7 +212,7 @@ Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded
     const CostlyProblem costly(*subject, *recorded.record, recorded.prepared, recorded.means,
                                names);
     return costly_approximation(subject, recorded, names, costly,
-                                {starting_values(costly.parameters())}, settled);
+                                costly.from(starting_values(costly.parameters()), settled));
   }
   const Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names);
   const std::vector<Parameter>& parameters = problem.parameters();
@@ -352,9 +339,11 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
   if (subject->is_costly()) {
     const CostlyProblem costly(*subject, *recorded.record, recorded.prepared, recorded.means,
                                names);
-    std::vector<Eigen::VectorXd> starts = sizes_tried(costly, base, candidates);
-    for (const Eigen::VectorXd& other : options.starts) starts.push_back(other);
-    return costly_approximation(std::move(subject), recorded, names, costly, starts, settled);
+    return costly_approximation(
+        std::move(subject), recorded, names, costly,
+        costly.beyond({base.fit, base.slope}, starting_values(costly.parameters()),
+                      places_of_sizes(base.names.size(), candidates), settled,
+                      hopeless * base.fit.misfit));
   }
   const Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names);
   std::vector<const std::vector<double>*> only(base.names.size(), nullptr);
@@ -516,8 +505,8 @@ Approximation refined(const Approximation& a, const Recorded& by_means, Recorded
   rows = recorded(*a.subject, by_means.record, width);
   if (a.subject->is_costly()) {
     const CostlyProblem costly(*a.subject, *rows.record, rows.prepared, rows.means, a.names);
-    Approximation found =
-        costly_approximation(a.subject, rows, a.names, costly, {a.fit.values}, well_settled);
+    Approximation found = costly_approximation(a.subject, rows, a.names, costly,
+                                               costly.from(a.fit.values, well_settled));
     found.rms_held_out = a.rms_held_out;
     found.channel_held_out = a.channel_held_out;
     return found;

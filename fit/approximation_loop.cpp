@@ -178,7 +178,8 @@ class Inquiry {
     bool noise_is_known = true;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       const Measured& of = channels_[c];
-      if (std::isnan(base_.channel_held_out.at(c))) continue;  // not read
+      if (c >= base_.channel_held_out.size() || std::isnan(base_.channel_held_out[c]))
+        continue;  // not read
       told_.push_back(c);
       ChannelDiagnosis& d = result_.channels.emplace_back();
       d.baseline = compare(std::span(predicted).subspan(c * rows, rows), record_, of,
@@ -239,9 +240,33 @@ class Inquiry {
     for (const Candidate& c : candidates_)
       if (is_testable(c.id)) sets.push_back({&c});
     singles_ = fits_with(sets, search(), endless, 0.15, 0.5);
+    leave_out_what_is_not_felt();
     look_at_record();
     sort(singles_);
     result_.candidates_tried = static_cast<int>(singles_.size()) + options_.tried_before;
+  }
+
+  /// Over all its range it moves no channel by a share of its tolerance.
+  [[nodiscard]] bool is_felt(const Tried& t) const {
+    constexpr double least = 0.1;
+    const Approximation& fit = t.fit;
+    if (fit.slope.size() == 0) return true;
+    const std::size_t size = base_.names.size() + t.on.front()->size;
+    const Parameter& p = fit.parameters[size];
+    const auto column = fit.slope.col(static_cast<Eigen::Index>(size));
+    double square = 0.0;
+    for (Eigen::Index i = 0; i < column.size(); ++i)
+      square += std::pow(column[i] * recorded_.means.list[static_cast<std::size_t>(i)].weight, 2);
+    const double moved = std::sqrt(square / static_cast<double>(column.size()));
+    return !(moved * (p.upper - p.lower) < least);
+  }
+
+  void leave_out_what_is_not_felt() {
+    for (const Tried& t : singles_)
+      if (!is_felt(t))
+        result_.not_testable.push_back(
+            {t.on.front()->id, "whatever its size, nothing that was read would tell"});
+    std::erase_if(singles_, [&](const Tried& t) { return !is_felt(t); });
   }
 
   /// What the record cannot feel is not looked for where looking costs much.
@@ -417,6 +442,8 @@ class Inquiry {
         effect.base.push_back(std::move(p));
       } else if (p.name.starts_with(effect.id + ".")) {
         p.name.erase(0, effect.id.size() + 1);
+        if (subject_->is_costly())
+          p.plausible = !(p.value < p.plausible_lower || p.value > p.plausible_upper);
         effect.parameters.push_back(std::move(p));
       }
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "fit/least_squares.h"
 
@@ -9,9 +11,11 @@ namespace raceway::fit {
 namespace {
 
 constexpr int most_steps = 12;
-constexpr int most_attempts = 4;  // of one step, with rising damping
-constexpr double far_step = 1.5;  // on the scale of a parameter
-constexpr double difference = 0.01;
+constexpr int most_attempts = 4;         // of one step, with rising damping
+constexpr double far_step = 1.5;         // on the scale of a parameter
+constexpr double share_of_value = 0.02;  // of a difference on the scale of logarithms, or
+constexpr double share_of_size = 0.2;    // of a typical size
+constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double at_the_bound = 1e-4;
 
 bool spans_a_decade(const Parameter& p) {
@@ -44,21 +48,17 @@ CostlyProblem::CostlyProblem(const Subject& subject, const Record& record,
 
 double CostlyProblem::to_scale(std::size_t k, double value) const {
   const Parameter& p = parameters_[k];
-  if (spans_a_decade(p)) return std::log(value);
-  return std::isfinite(p.upper - p.lower) ? (value - p.lower) / (p.upper - p.lower)
-                                          : value / p.scale;
+  return spans_a_decade(p) ? std::log(value) : value / p.scale;
 }
 
 double CostlyProblem::from_scale(std::size_t k, double at) const {
   const Parameter& p = parameters_[k];
-  const double value = spans_a_decade(p)                  ? std::exp(at)
-                       : std::isfinite(p.upper - p.lower) ? p.lower + at * (p.upper - p.lower)
-                                                          : at * p.scale;
-  return std::clamp(value, p.lower, p.upper);
+  return std::clamp(spans_a_decade(p) ? std::exp(at) : at * p.scale, p.lower, p.upper);
 }
 
-double CostlyProblem::moved(std::size_t k, double value, double by) const {
-  return from_scale(k, to_scale(k, value) + by);
+double CostlyProblem::unit_of(std::size_t k, double value) const {
+  const Parameter& p = parameters_[k];
+  return spans_a_decade(p) ? value : p.scale;
 }
 
 SeparableFit CostlyProblem::at(const Eigen::VectorXd& values) const {
@@ -82,45 +82,75 @@ SeparableFit CostlyProblem::at(const Eigen::VectorXd& values) const {
   return fit;
 }
 
-/// Of the means, by the scales of the parameters.
-Eigen::MatrixXd CostlyProblem::differences(const SeparableFit& here) const {
-  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(means_.size(), here.values.size());
-  for (std::size_t k = 0; k < parameters_.size(); ++k) {
-    const auto place = static_cast<Eigen::Index>(k);
-    const double from = to_scale(k, here.values[place]);
-    for (const double by : {difference, -difference}) {
-      Eigen::VectorXd other = here.values;
-      other[place] = from_scale(k, from + by);
-      const double went = to_scale(k, other[place]) - from;
-      if (std::abs(went) < 0.5 * difference) continue;  // beyond a bound
-      const Eigen::VectorXd change = here.residual - at(other).residual;
-      if (!change.allFinite()) continue;
-      slope.col(place) = change / went;
-      break;
-    }
+Eigen::VectorXd CostlyProblem::difference(const SeparableFit& here, std::size_t k,
+                                          double by) const {
+  const auto place = static_cast<Eigen::Index>(k);
+  const double from = to_scale(k, here.values[place]);
+  for (const double way : {by, -by}) {
+    Eigen::VectorXd other = here.values;
+    other[place] = from_scale(k, from + way);
+    const double went = to_scale(k, other[place]) - from;
+    if (std::abs(went) < 0.5 * std::abs(by)) continue;  // beyond a bound
+    const Eigen::VectorXd change = here.residual - at(other).residual;
+    if (change.allFinite()) return change / went;
   }
+  return Eigen::VectorXd::Zero(means_.size());
+}
+
+Eigen::MatrixXd CostlyProblem::differences(const SeparableFit& here) const {
+  Eigen::MatrixXd slope(means_.size(), here.values.size());
+  for (std::size_t k = 0; k < parameters_.size(); ++k)
+    slope.col(static_cast<Eigen::Index>(k)) =
+        difference(here, k, spans_a_decade(parameters_[k]) ? share_of_value : share_of_size);
   return slope;
 }
 
-CostlyFit CostlyProblem::from(const std::vector<Eigen::VectorXd>& starts, double settled) const {
-  SeparableFit best;
-  for (const Eigen::VectorXd& start : starts) {
-    SeparableFit fit = at(start);
-    if (std::isfinite(fit.misfit) && !(best.misfit <= fit.misfit)) best = std::move(fit);
+CostlyFit CostlyProblem::from(const Eigen::VectorXd& start, double settled) const {
+  SeparableFit first = at(start);
+  if (!std::isfinite(first.misfit)) return {};
+  Eigen::MatrixXd slope = differences(first);
+  return descend(std::move(first), std::move(slope), true, settled, endless);
+}
+
+CostlyFit CostlyProblem::beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
+                                const std::vector<std::size_t>& sizes, double settled,
+                                double hopeless) const {
+  const Eigen::Index known = base.fit.values.size();
+  SeparableFit first = base.fit;
+  first.values = initial;
+  first.values.head(known) = base.fit.values;
+  first.at_bound.resize(parameters_.size(), false);
+  first.converged = false;
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(means_.size(), initial.size());
+  for (Eigen::Index k = 0; k < known; ++k)
+    slope.col(k) = base.slope.col(k) * unit_of(static_cast<std::size_t>(k), base.fit.values[k]);
+  for (const std::size_t k : sizes)
+    first.values[static_cast<Eigen::Index>(k)] = parameters_[k].neutral;
+  for (const std::size_t k : sizes) {
+    const auto place = static_cast<Eigen::Index>(k);
+    double by = to_scale(k, initial[place]) - to_scale(k, parameters_[k].neutral);
+    constexpr double none = 1e-9;
+    if (!(std::abs(by) > none))
+      by = spans_a_decade(parameters_[k]) ? 5.0 * share_of_value : share_of_size;
+    slope.col(place) = difference(first, k, by);
   }
-  if (!std::isfinite(best.misfit)) return {};
+  return descend(std::move(first), std::move(slope), false, settled, hopeless);
+}
+
+CostlyFit CostlyProblem::descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
+                                 double settled, double hopeless) const {
   const Eigen::Index n = best.values.size();
-  Eigen::MatrixXd slope = differences(best);
-  bool is_fresh = true;  // derivatives are those of here
   double damping = 1e-3;
   for (int step = 0; step < most_steps && !best.converged && n > 0; ++step) {
     ++best.iterations;
     Eigen::VectorXd here(n), lower(n), upper(n);
     for (Eigen::Index k = 0; k < n; ++k) {
       const auto place = static_cast<std::size_t>(k);
+      const Parameter& p = parameters_[place];
+      const double far = spans_a_decade(p) ? far_step : endless;
       here[k] = to_scale(place, best.values[k]);
-      lower[k] = std::max(-far_step, to_scale(place, parameters_[place].lower) - here[k]);
-      upper[k] = std::min(far_step, to_scale(place, parameters_[place].upper) - here[k]);
+      lower[k] = std::max(-far, to_scale(place, p.lower) - here[k]);
+      upper[k] = std::min(far, to_scale(place, p.upper) - here[k]);
     }
     double fall = 0.0;
     bool better = false;
@@ -149,7 +179,7 @@ CostlyFit CostlyProblem::from(const std::vector<Eigen::VectorXd>& starts, double
       }
     }
     if (better && fall > settled * best.misfit) continue;
-    if (is_fresh) {
+    if (is_fresh || best.misfit > hopeless) {
       best.converged = true;
     } else {
       slope = differences(best);
@@ -157,14 +187,9 @@ CostlyFit CostlyProblem::from(const std::vector<Eigen::VectorXd>& starts, double
       damping = 1e-3;
     }
   }
-  if (!is_fresh) slope = differences(best);
-  // By the values: log' = 1/value.
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Parameter& p = parameters_[static_cast<std::size_t>(k)];
-    slope.col(k) /= spans_a_decade(p)                  ? best.values[k]
-                    : std::isfinite(p.upper - p.lower) ? p.upper - p.lower
-                                                       : p.scale;
-  }
+  if (!is_fresh && !(best.misfit > hopeless)) slope = differences(best);
+  for (Eigen::Index k = 0; k < n; ++k)
+    slope.col(k) /= unit_of(static_cast<std::size_t>(k), best.values[k]);
   return {std::move(best), std::move(slope)};
 }
 

@@ -18,10 +18,10 @@ struct CostlyFit {
 
 /// Minimises the weighted sum of squares of means over the parameters of some names, all alike, by
 /// the method of Levenberg and Marquardt on a scale of logarithms where bounds span more than a
-/// decade. Derivatives are differences over a hundredth of that scale, so that neither the
-/// tolerance of a simulation nor the steps that it chooses show in them; between two sets of
-/// differences they are kept up by the update of rank one [Broyden1965]. Takes about three
-/// predictions for each parameter and six more.
+/// decade, otherwise of typical sizes. Derivatives are differences over a fiftieth or a fifth of
+/// that, so that neither the tolerance of a simulation nor the steps that it chooses show in them;
+/// between two sets of differences they are kept up by an update of rank one (Broyden 1965). Takes
+/// two predictions for each parameter and four more.
 class CostlyProblem {
  public:
   /// As of Separable.
@@ -30,14 +30,25 @@ class CostlyProblem {
                 const std::vector<std::string>& names);
 
   [[nodiscard]] const std::vector<Parameter>& parameters() const { return parameters_; }
-  /// From the best of some starts; `settled`: the relative fall of the misfit that is none.
-  [[nodiscard]] CostlyFit from(const std::vector<Eigen::VectorXd>& starts, double settled) const;
-  /// A value moved by a share of its scale: of the range, or of a factor e.
-  [[nodiscard]] double moved(std::size_t parameter, double value, double by) const;
+  /// `settled`: the relative fall of the misfit that is none.
+  [[nodiscard]] CostlyFit from(const Eigen::VectorXd& start, double settled) const;
+  /// From the end of a fit of the first of these parameters. The others are those of candidates,
+  /// `sizes` of them the places of what is neutral where it ended; `initial`: values away from
+  /// there. A misfit that stays above `hopeless` needs no exact derivatives.
+  [[nodiscard]] CostlyFit beyond(const CostlyFit& base, const Eigen::VectorXd& initial,
+                                 const std::vector<std::size_t>& sizes, double settled,
+                                 double hopeless) const;
 
  private:
   [[nodiscard]] SeparableFit at(const Eigen::VectorXd& values) const;
+  /// Of the means, by the scales of the parameters.
   [[nodiscard]] Eigen::MatrixXd differences(const SeparableFit& here) const;
+  [[nodiscard]] Eigen::VectorXd difference(const SeparableFit& here, std::size_t parameter,
+                                           double by) const;
+  [[nodiscard]] CostlyFit descend(SeparableFit best, Eigen::MatrixXd slope, bool is_fresh,
+                                  double settled, double hopeless) const;
+  /// One of the scale, in the unit of a parameter.
+  [[nodiscard]] double unit_of(std::size_t parameter, double value) const;
   [[nodiscard]] double to_scale(std::size_t parameter, double value) const;
   [[nodiscard]] double from_scale(std::size_t parameter, double at) const;
 

@@ -2,10 +2,12 @@
 
 #include "rig/rig_subject.h"
 #include "shaft/shaft_subject.h"
+#include "spindle/spindle_subject.h"
 
 namespace raceway::io {
 
 std::shared_ptr<const model::ModelSubject> make_subject(const model::Model& model) {
+  if (model.spindle) return std::make_shared<spindle::SpindleSubject>(model);
   if (model.shaft) return std::make_shared<shaft::ShaftSubject>(model);
   return std::make_shared<rig::RigSubject>(model);
 }

@@ -1,0 +1,219 @@
+#include "spindle/spindle_subject.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "model/own_data.h"
+#include "model/row.h"
+#include "record/spindle_channel.h"
+#include "spindle/record_rows.h"
+#include "spindle/spindle.h"
+
+namespace raceway::spindle {
+namespace {
+
+constexpr int parts_of_record = 8;  // of which each is held out
+
+/// What a sensor of the displacement makes of it, beside what moves.
+bool acts_on_reading(const effects::Effect& effect) {
+  return effect.description->reading != nullptr;
+}
+
+/// A run of a record: its rows, and what they ran under.
+struct RunRows {
+  std::vector<std::size_t> rows{};
+  std::vector<ProfileRow> profile{};
+};
+
+/// A run behind others of its record begins one row before its first: what lies between was not
+/// recorded.
+void begin_soon(RunRows& run, const fit::Record& record) {
+  const std::size_t first = run.rows.front();
+  if (run.profile.size() < 2 || first == 0 || record.part_of(first) != record.part_of(first - 1))
+    return;
+  const double begin = 2.0 * run.profile[0].time - run.profile[1].time;
+  for (ProfileRow& row : run.profile) row.time -= begin;
+}
+
+/// Runs in their order, each from rest at its first row.
+std::vector<RunRows> runs_of(const fit::Record& record) {
+  std::map<std::pair<std::size_t, int>, std::size_t> places;
+  std::vector<RunRows> runs;
+  for (std::size_t k = 0; k < record.rows(); ++k) {
+    const auto [found, is_new] =
+        places.emplace(std::pair(record.part_of(k), record.run_of(k)), runs.size());
+    if (is_new) runs.emplace_back();
+    runs[found->second].rows.push_back(k);
+  }
+  for (RunRows& run : runs) {
+    run.profile = profile_of(runs.size() > 1 ? record.picked(run.rows) : record);
+    begin_soon(run, record);
+  }
+  return runs;
+}
+
+/// One spindle simulated again and again.
+class SpindlePredictor : public fit::Predictor {
+ public:
+  SpindlePredictor(const model::Model& model, const fit::Record& record,
+                   std::vector<model::ParameterPlace> places)
+      : model_(model), record_(record), runs_(runs_of(record)), places_(std::move(places)) {
+    if (std::any_of(model_.effects.begin(), model_.effects.end(), acts_on_reading))
+      rows_ = model::rows_of(record);
+    for (const model::ParameterPlace& p : places_)
+      moves_heat_.push_back(p.effect() < 0 ||
+                            !acts_on_reading(model_.effects[static_cast<std::size_t>(p.effect())]));
+  }
+
+  void readings(std::span<const double> values, std::span<double> out) override {
+    std::vector<double> heat;
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      if (moves_heat_[k]) heat.push_back(values[k]);
+    try {
+      for (std::size_t k = 0; k < places_.size(); ++k) places_[k].set(model_, values[k]);
+      if (simulated_.empty() || heat != simulated_for_) simulate();
+      simulated_for_ = std::move(heat);
+    } catch (const std::invalid_argument&) {
+      if (places_.empty()) throw;  // it is the model as it is that cannot be
+      simulated_.clear();
+      std::fill(out.begin(), out.end(), unset);
+      return;
+    }
+    std::copy(simulated_.begin(), simulated_.end(), out.begin());
+    for (const effects::Effect& e : model_.effects) {
+      if (!acts_on_reading(e)) continue;
+      for (std::size_t row = 0; row < record_.rows(); ++row)
+        out[row] += e.description->reading(
+            {.value = simulated_[row], .point = rows_[row].point, .record = rows_[row].record},
+            e.values);
+    }
+  }
+
+ private:
+  void simulate() {
+    const std::size_t rows = record_.rows(), sensors = model_.spindle->sensors.size();
+    std::vector<double> all((1 + sensors) * rows, unset);
+    Simulator simulator(model_, effects::spindle_condition(model_.effects));
+    for (const RunRows& run : runs_) {
+      const Run result = simulator.simulate(run.profile);
+      for (std::size_t i = 0; i < std::min(result.moments.size(), run.rows.size()); ++i) {
+        const Moment& moment = result.moments[i];
+        all[run.rows[i]] = moment.displacement;
+        for (std::size_t s = 0; s < sensors; ++s)
+          all[(1 + s) * rows + run.rows[i]] = moment.sensors[s];
+      }
+    }
+    simulated_ = std::move(all);
+  }
+
+  model::Model model_;
+  const fit::Record& record_;
+  std::vector<RunRows> runs_;
+  std::vector<model::Row> rows_;  // of what effects on a reading see
+  std::vector<model::ParameterPlace> places_;
+  std::vector<bool> moves_heat_;
+  std::vector<double> simulated_, simulated_for_;
+};
+
+}  // namespace
+
+SpindleSubject::SpindleSubject(const model::Model& model) : ModelSubject(model) {
+  if (!model.spindle) throw std::invalid_argument("the model is of no spindle");
+}
+
+SpindleSubject::SpindleSubject(const model::Model& model, std::vector<std::string> waiting)
+    : ModelSubject(model, std::move(waiting)) {}
+
+std::unique_ptr<model::ModelSubject> SpindleSubject::make(model::Model model,
+                                                          std::vector<std::string> waiting) const {
+  return std::unique_ptr<ModelSubject>(new SpindleSubject(model, std::move(waiting)));
+}
+
+std::vector<fit::Measured> SpindleSubject::measured() const {
+  const model::Spindle& of = *model().spindle;
+  std::vector<fit::Measured> list{with_tolerance({.channel = &record::axial_displacement,
+                                                  .model_error = of.model_floor_displacement,
+                                                  .begins = "room temperature throughout",
+                                                  .approximate = true})};
+  for (const model::ThermometerPlace& sensor : of.sensors)
+    list.push_back(with_tolerance({.channel = &record::sensor_channel(sensor.name),
+                                   .model_error = of.model_floor_temperature,
+                                   .begins = "room temperature throughout",
+                                   .approximate = true}));
+  return list;
+}
+
+void SpindleSubject::require(const fit::Record& record) const {
+  for (const record::Channel* needed : {&record::time, &record::speed})
+    if (!record.complete(*needed))
+      throw std::invalid_argument(
+          fmt::format("{}: a spindle runs through time: {} of every row is needed", record.source,
+                      needed->name));
+  const std::vector<fit::Measured> all = measured();
+  if (std::none_of(all.begin(), all.end(),
+                   [&](const fit::Measured& m) { return record.has(*m.channel); })) {
+    std::vector<std::string_view> names;
+    for (const fit::Measured& m : all) names.push_back(m.channel->name);
+    throw std::invalid_argument(fmt::format("{}: holds nothing that the model predicts: {}",
+                                            record.source, fmt::join(names, ", ")));
+  }
+  (void)runs_of(record);
+}
+
+std::unique_ptr<fit::Predictor> SpindleSubject::predictor(
+    const fit::Record& record, const std::vector<std::string>& names,
+    const std::shared_ptr<const void>&) const {
+  return std::make_unique<SpindlePredictor>(active(), record, places(names));
+}
+
+std::vector<fit::Candidate> SpindleSubject::candidates() const {
+  std::vector<fit::Candidate> list = ModelSubject::candidates();
+  std::erase_if(list, [&](const fit::Candidate& c) {
+    const effects::Description* const d = description(c.id);
+    return !d || d->condition != nullptr;
+  });
+  return list;
+}
+
+std::vector<std::string> SpindleSubject::catalogue() const {
+  std::vector<std::string> ids = ModelSubject::catalogue();
+  const std::vector<std::string> data = model::own_data(model());
+  std::erase_if(ids, [&](const std::string& id) {
+    return std::find(data.begin(), data.end(), id) != data.end();
+  });
+  return ids;
+}
+
+std::string SpindleSubject::lacks(const std::string& id, const fit::Record& record) const {
+  if (std::string need = ModelSubject::lacks(id, record); !need.empty()) return need;
+  const effects::Description* const d = description(id);
+  if (d && d->condition)
+    return "a model of the sets alone, [arrangement] without [shaft] and [housing]: nothing but "
+           "heat and friction is looked for in a spindle";
+  if (d && d->spindle && model().spindle->network)
+    return "a model with a geometry, in place of [network]";
+  return {};
+}
+
+std::vector<fit::Blocking> SpindleSubject::blockings(const fit::Record& record) const {
+  if (record.rows() < static_cast<std::size_t>(2 * parts_of_record)) return {};
+  fit::Blocking blocking{.variable = "time", .block = {}, .blocks = parts_of_record};
+  for (std::size_t k = 0; k < record.rows(); ++k)
+    blocking.block.push_back(static_cast<int>(k * parts_of_record / record.rows()));
+  return {std::move(blocking)};
+}
+
+model::Expected SpindleSubject::expected() const {
+  model::Expected e;
+  e.defaults = {{&record::speed, unset, ""}};
+  e.measured = {&record::axial_displacement};
+  e.signed_inputs = {&record::axial_load};
+  return e;
+}
+
+}  // namespace raceway::spindle

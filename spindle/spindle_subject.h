@@ -1,0 +1,41 @@
+#pragma once
+
+#include "model/model_subject.h"
+
+namespace raceway::spindle {
+
+/// A spindle of which the axial displacement and temperatures are measured over time: all of them
+/// together, each weighed by its noise and by how near such a model can come.
+class SpindleSubject : public model::ModelSubject {
+ public:
+  /// Throws std::invalid_argument for a model without spindle.
+  explicit SpindleSubject(const model::Model& model);
+
+  /// The displacement of the nose, then a temperature for each sensor of the model, in its order.
+  [[nodiscard]] std::vector<fit::Measured> measured() const override;
+  /// Time that rises within every run, speed, and at least one of what is measured.
+  void require(const fit::Record& record) const override;
+  [[nodiscard]] bool has_memory() const override { return true; }
+  [[nodiscard]] bool approximates() const override { return true; }
+  [[nodiscard]] bool is_costly() const override { return true; }
+  /// Every run is simulated by itself, from the temperature of its room throughout.
+  [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
+      const fit::Record& record, const std::vector<std::string>& names,
+      const std::shared_ptr<const void>& prepared) const override;
+
+  /// Without numbers of the bearings: in a spindle they do what friction and preload do.
+  [[nodiscard]] std::vector<fit::Candidate> candidates() const override;
+  [[nodiscard]] std::vector<std::string> catalogue() const override;
+  [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
+  /// Eight parts, one after the other, with as many rows each.
+  [[nodiscard]] std::vector<fit::Blocking> blockings(const fit::Record& record) const override;
+
+  [[nodiscard]] model::Expected expected() const override;
+
+ private:
+  SpindleSubject(const model::Model& model, std::vector<std::string> waiting);
+  [[nodiscard]] std::unique_ptr<ModelSubject> make(model::Model model,
+                                                   std::vector<std::string> waiting) const override;
+};
+
+}  // namespace raceway::spindle
