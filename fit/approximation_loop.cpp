@@ -136,9 +136,10 @@ class Inquiry {
       throw std::invalid_argument(
           fmt::format("{} readings of {} at {} different minutes: a verdict needs {} or more",
                       count, channel().channel->words, count, least));
-    bool one_way = true;
-    for (std::size_t c = 0; c < channels_.size(); ++c) one_way = one_way && goes_one_way(c);
-    if (one_way)
+    bool all_go_one_way = true;
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      all_go_one_way = all_go_one_way && goes_one_way(c);
+    if (all_go_one_way)
       throw std::invalid_argument(
           "this record cannot validate a model: it goes from one state to another once, so that no "
           "part of it can be held out and told from the rest; record a cool-down with it, or a "
@@ -246,11 +247,11 @@ class Inquiry {
     result_.candidates_tried = static_cast<int>(singles_.size()) + options_.tried_before;
   }
 
-  /// Over all its range it moves no channel by a share of its tolerance.
+  /// It takes nothing, and over all its range moves no channel by a share of its tolerance.
   [[nodiscard]] bool is_felt(const Tried& t) const {
-    constexpr double least = 0.1;
+    constexpr double least = 0.1, nothing = 1e-4;
     const Approximation& fit = t.fit;
-    if (fit.slope.size() == 0) return true;
+    if (fit.slope.size() == 0 || fit.rms < (1.0 - nothing) * base_.rms) return true;
     const std::size_t size = base_.names.size() + t.on.front()->size;
     const Parameter& p = fit.parameters[size];
     const auto column = fit.slope.col(static_cast<Eigen::Index>(size));

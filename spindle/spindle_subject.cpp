@@ -57,12 +57,31 @@ std::vector<RunRows> runs_of(const fit::Record& record) {
   return runs;
 }
 
+/// What all simulations of a record share: its runs, and the time steps of the model as it was.
+struct SpindleSeries {
+  std::vector<RunRows> runs{};
+  std::vector<std::vector<double>> step_ends{};  ///< by run; empty where that did not get through
+};
+
+std::shared_ptr<const SpindleSeries> series_of(const model::Model& model,
+                                               const fit::Record& record) {
+  auto series = std::make_shared<SpindleSeries>();
+  series->runs = runs_of(record);
+  for (const RunRows& run : series->runs) {
+    Run first = Simulator(model).simulate(run.profile);
+    series->step_ends.push_back(first.report.converged() ? std::move(first.step_ends)
+                                                         : std::vector<double>());
+  }
+  return series;
+}
+
 /// One spindle simulated again and again.
 class SpindlePredictor : public fit::Predictor {
  public:
   SpindlePredictor(const model::Model& model, const fit::Record& record,
+                   std::shared_ptr<const SpindleSeries> series,
                    std::vector<model::ParameterPlace> places)
-      : model_(model), record_(record), runs_(runs_of(record)), places_(std::move(places)) {
+      : model_(model), record_(record), series_(std::move(series)), places_(std::move(places)) {
     if (std::any_of(model_.effects.begin(), model_.effects.end(), acts_on_reading))
       rows_ = model::rows_of(record);
     for (const model::ParameterPlace& p : places_)
@@ -98,9 +117,12 @@ class SpindlePredictor : public fit::Predictor {
   void simulate() {
     const std::size_t rows = record_.rows(), sensors = model_.spindle->sensors.size();
     std::vector<double> all((1 + sensors) * rows, unset);
-    Simulator simulator(model_, effects::spindle_condition(model_.effects));
-    for (const RunRows& run : runs_) {
-      const Run result = simulator.simulate(run.profile);
+    Simulator simulator(model_);
+    for (std::size_t r = 0; r < series_->runs.size(); ++r) {
+      const RunRows& run = series_->runs[r];
+      Run result = simulator.simulate(run.profile, nullptr, series_->step_ends[r]);
+      if (!result.report.converged() && !series_->step_ends[r].empty())
+        result = simulator.simulate(run.profile);  // too large a step for these values
       for (std::size_t i = 0; i < std::min(result.moments.size(), run.rows.size()); ++i) {
         const Moment& moment = result.moments[i];
         all[run.rows[i]] = moment.displacement;
@@ -113,7 +135,7 @@ class SpindlePredictor : public fit::Predictor {
 
   model::Model model_;
   const fit::Record& record_;
-  std::vector<RunRows> runs_;
+  std::shared_ptr<const SpindleSeries> series_;
   std::vector<model::Row> rows_;  // of what effects on a reading see
   std::vector<model::ParameterPlace> places_;
   std::vector<bool> moves_heat_;
@@ -165,10 +187,21 @@ void SpindleSubject::require(const fit::Record& record) const {
   (void)runs_of(record);
 }
 
+std::shared_ptr<const void> SpindleSubject::prepare(const fit::Record& record) const {
+  return series_of(active(), record);
+}
+
 std::unique_ptr<fit::Predictor> SpindleSubject::predictor(
     const fit::Record& record, const std::vector<std::string>& names,
-    const std::shared_ptr<const void>&) const {
-  return std::make_unique<SpindlePredictor>(active(), record, places(names));
+    const std::shared_ptr<const void>& prepared) const {
+  auto series = std::static_pointer_cast<const SpindleSeries>(prepared);
+  if (!series) {
+    auto alone = std::make_shared<SpindleSeries>();
+    alone->runs = runs_of(record);
+    alone->step_ends.resize(alone->runs.size());
+    series = std::move(alone);
+  }
+  return std::make_unique<SpindlePredictor>(active(), record, std::move(series), places(names));
 }
 
 std::vector<fit::Candidate> SpindleSubject::candidates() const {
@@ -184,7 +217,9 @@ std::vector<std::string> SpindleSubject::catalogue() const {
   std::vector<std::string> ids = ModelSubject::catalogue();
   const std::vector<std::string> data = model::own_data(model());
   std::erase_if(ids, [&](const std::string& id) {
-    return std::find(data.begin(), data.end(), id) != data.end();
+    const effects::Description* const d = description(id);
+    return std::find(data.begin(), data.end(), id) != data.end() ||
+           (d && !d->for_shaft && !d->for_spindle);  // of a rig
   });
   return ids;
 }
@@ -193,8 +228,8 @@ std::string SpindleSubject::lacks(const std::string& id, const fit::Record& reco
   if (std::string need = ModelSubject::lacks(id, record); !need.empty()) return need;
   const effects::Description* const d = description(id);
   if (d && d->condition)
-    return "a model of the sets alone, [arrangement] without [shaft] and [housing]: nothing but "
-           "heat and friction is looked for in a spindle";
+    return "a model of the sets alone, without [shaft] and [housing]: heat and friction are looked "
+           "for in a spindle";
   if (d && d->spindle && model().spindle->network)
     return "a model with a geometry, in place of [network]";
   return {};

@@ -18,6 +18,8 @@ class SpindleSubject : public model::ModelSubject {
   [[nodiscard]] bool has_memory() const override { return true; }
   [[nodiscard]] bool approximates() const override { return true; }
   [[nodiscard]] bool is_costly() const override { return true; }
+  /// The time steps of the model as it is, which fits keep to.
+  [[nodiscard]] std::shared_ptr<const void> prepare(const fit::Record& record) const override;
   /// Every run is simulated by itself, from the temperature of its room throughout.
   [[nodiscard]] std::unique_ptr<fit::Predictor> predictor(
       const fit::Record& record, const std::vector<std::string>& names,
