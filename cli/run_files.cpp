@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 7> written_flags{
-    "output", "report", "plot", "save", "correction", "end-state", "field"};
+constexpr std::array<std::string_view, 7> written_flags{"output",     "report",    "plot", "save",
+                                                        "correction", "end-state", "field"};
 constexpr std::array<std::string_view, 2> improve_their_model{"calibrate", "add"};
 
 struct Files {

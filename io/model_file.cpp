@@ -126,7 +126,8 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
   std::optional<model::Spindle> spindle;
   if (of_spindle)
     spindle = read_spindle(tables, bearing, shaft ? &*shaft : nullptr, notes_on_spindle);
-  std::vector<effects::Effect> effects = read_effects(tables, shaft ? &*shaft : nullptr, of_spindle);
+  std::vector<effects::Effect> effects =
+      read_effects(tables, shaft ? &*shaft : nullptr, of_spindle);
   const bearing::EquilibriumOptions solver =
       read_solver(tables, spindle_keys("solver", of_spindle));
   Names written = bearings.written();

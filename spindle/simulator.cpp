@@ -253,14 +253,8 @@ class StepSizes {
 
 }  // namespace
 
-effects::SpindleCondition spindle_condition(const model::Model& model) {
-  effects::SpindleCondition condition;
-  for (const effects::Effect& effect : model.effects)
-    if (effect.description->spindle) effect.description->spindle(effect.values, condition);
-  return condition;
-}
-
-Simulator::Simulator(const model::Model& model) : Simulator(model, spindle_condition(model)) {}
+Simulator::Simulator(const model::Model& model)
+    : Simulator(model, effects::spindle_condition(model.effects)) {}
 Simulator::Simulator(const model::Model& model, const effects::SpindleCondition& condition) {
   if (!model.spindle) throw std::invalid_argument("the model is no spindle");
   parts_ = std::make_unique<Parts>(model, condition);

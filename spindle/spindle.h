@@ -104,9 +104,6 @@ struct FieldCell {
   double temperature = unset;                         ///< [K]
 };
 
-/// What the effects of a model change of the spindle itself; effects on friction are not among it.
-[[nodiscard]] effects::SpindleCondition spindle_condition(const model::Model& model);
-
 /// A spindle made ready to be simulated: cells, conductances, sets as mounted. Not for several
 /// threads at once; a copy for each is cheap.
 class Simulator {

@@ -1,3 +1,5 @@
+#include "io/spindle_record.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -6,7 +8,6 @@
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
 #include "io/model_file.h"
-#include "io/spindle_record.h"
 #include "io/subject.h"
 
 // Records of a spindle with a known hidden effect, made by a detailed model of another kind
