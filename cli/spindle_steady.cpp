@@ -101,7 +101,8 @@ std::vector<io::SteadyState> steady_states(spindle::Simulator& simulator,
                                            const std::vector<spindle::Inputs>& asked) {
   std::vector<io::SteadyState> list;
   for (const spindle::Inputs& inputs : asked) {
-    io::SteadyState s{.inputs = inputs};
+    io::SteadyState s;
+    s.inputs = inputs;
     s.moment = simulator.steady(inputs, s.report);
     if (s.report.converged() && simulator.sets())
       s.axial_stiffness = simulator.sets()->axial_stiffness;

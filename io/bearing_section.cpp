@@ -30,6 +30,10 @@ constexpr Key poisson_ratio{"poisson_ratio", "", 0, 0.49};
 constexpr Key density{"density_kg_m3", "kg/m3", 500, 20000};
 constexpr Key thermal_expansion{"thermal_expansion_1e6_K", "1e-6/K", 0, 50};
 
+/// Of what a segment of a spindle may be made of; balls and rings need neither.
+constexpr std::array heat_of_solids{Key{"conductivity_W_mK", "W/(m K)", 0.05, 2000},
+                                    Key{"heat_capacity_J_kgK", "J/(kg K)", 50, 5000}};
+
 template <std::size_t count>
 Names names_of(const std::array<Key, count>& keys) {
   Names names;
@@ -114,7 +118,11 @@ void BearingReader::read_material(const toml::key& key, const toml::node& node) 
   const Section s(tables_.source(), "material." + name, node.as_table());
   const Names known =
       names_of(std::array{elastic_modulus, poisson_ratio, density, thermal_expansion});
-  s.allow_only(known);
+  Names with_heat = known;
+  for (const std::string& name_of_heat : names_of(heat_of_solids))
+    with_heat.push_back(name_of_heat);
+  s.allow_only(with_heat);
+  for (const Key& heat : heat_of_solids) (void)s.number(heat);
   const Material material{.name = name,
                           .elastic_modulus = s.required(elastic_modulus) * GPa,
                           .poisson_ratio = s.required(poisson_ratio),

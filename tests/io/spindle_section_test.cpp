@@ -196,7 +196,7 @@ struct WrongSpindle {
 TEST(SpindleSection, WhatCannotBeIsRefusedWithItsPlace) {
   const std::vector<WrongSpindle> cases{
       {"length_mm = 50.0\ndiameter_mm = 104.0", "length_mm = 0.0\ndiameter_mm = 104.0",
-       "length_mm = 0.0 mm: must be from"},
+       "length_mm = 0 mm: must be from"},
       {"diameter_mm = 60.0", "diameter_mm = 30.0", "must be below the diameter"},
       {"front_position_mm = [60.0, 90.0]", "front_position_mm = [60.0]", "must be a list of 2"},
       {"front_position_mm = [60.0, 90.0]", "front_position_mm = [60.0, 70.0]", "one width apart"},
