@@ -62,6 +62,12 @@ io::DeflectionResult solve_deflection(const DeflectionFlags& f, const model::Mod
   return r;
 }
 
+/// As text, zero where rounding left it.
+std::string across(double first, double second, double force) {
+  const double value = std::hypot(first, second);
+  return number(value < 1e-9 * std::abs(force) ? 0.0 : value);
+}
+
 void print(const DeflectionFlags& f, const model::Model& model, const BeamOfModel& b,
            const io::DeflectionResult& r) {
   const bearing::Arrangement& a = b.sets.arrangement();
@@ -98,8 +104,8 @@ void print(const DeflectionFlags& f, const model::Model& model, const BeamOfMode
       flattest = std::fmin(flattest, ball.inner_contact_angle);
       steepest = std::fmax(steepest, ball.inner_contact_angle);
     }
-    table.add({io::bearing_place(a, i), number(load[0]), number(std::hypot(load[1], load[2])),
-               number(std::hypot(load[3], load[4])), number(least), number(most),
+    table.add({io::bearing_place(a, i), number(load[0]), across(load[1], load[2], r.force),
+               across(load[3], load[4], r.force), number(least), number(most),
                number(flattest / degree), number(steepest / degree),
                fmt::format("{}", e.lost_balls()), number(e.stiffness(0, 0) / N_per_um),
                number(e.stiffness(1, 1) / N_per_um),
