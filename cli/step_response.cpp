@@ -204,18 +204,24 @@ correction::Model chosen_model(const StepFlags& flags, const spindle::StepRespon
   return of_one.rms <= of_two.rms ? one : two;
 }
 
+std::string name_of_model(const model::Model* model, const std::string& source) {
+  if (!model) return source;
+  if (model->spindle && !model->spindle->name.empty()) return model->spindle->name;
+  return model->name.empty() ? source : model->name;
+}
+
 void write_correction_of(const StepFlags& flags, const spindle::StepResponses& responses,
                          const model::Model* model, const std::string& source) {
   const StepParts parts = step_parts(responses, model, flags.temperature);
   tell(parts.notes);
   try {
-    const io::StepCorrection written = io::step_correction(
-        chosen_model(flags, responses, model,
-                     {.name = model && !model->name.empty() ? model->name : source,
-                      .power = parts.power,
-                      .kinematic = parts.kinematic,
-                      .law = step_law_of(flags.law)}),
-        flags.correction);
+    const io::StepCorrection written =
+        io::step_correction(chosen_model(flags, responses, model,
+                                         {.name = name_of_model(model, source),
+                                          .power = parts.power,
+                                          .kinematic = parts.kinematic,
+                                          .law = step_law_of(flags.law)}),
+                            flags.correction);
     io::write_step_correction(written, flags.correction, flags.force);
     std::string tables;
     for (const auto& [file, text] : written.tables) tables += (tables.empty() ? "" : ", ") + file;
@@ -308,7 +314,7 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("STATE");
   command
       .add_option("--import", flags->import,
-                  "CSV with load_case, time_s, axial_displacement_um, power_W or speed_rpm")
+                  "CSV with load_case, time_s, axial_displacement_um, and power_W or\nspeed_rpm")
       ->type_name("FILE");
   command
       .add_option("--load-case", flags->load_cases,
@@ -319,8 +325,7 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("TIME,LENGTH");
   add_number(
       command, "--temperature", flags->temperature, temperature_range,
-      "of the lubricant [C], for the power of imported_steps speeds; default: [rig] of the model, "
-      "else 40");
+      "of the lubricant [C], for the power at imported speeds;\ndefault: [rig] of MODEL, else 40");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
   command
@@ -337,7 +342,7 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("NUMBER");
   command
       .add_option("--programme", flags->programme,
-                  "CSV with time_s and speed_rpm: the correction against the whole simulation")
+                  "CSV with time_s, speed_rpm: the correction against the simulation")
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");

@@ -61,9 +61,9 @@ record::Record trial_programme(double fastest) {
 
 std::string superposition_text(const Superposition& s) {
   constexpr double one_hour = 3600.0;
-  return fmt::format("{:.3g} um rms, {:.3g} um at most (after {:.2f} h) of {:.3g} to {:.3g} um",
-                     s.rms / um, s.largest / um, s.time_of_largest / one_hour, s.lowest / um,
-                     s.highest / um);
+  return fmt::format("{:.3g} um rms, {:.3g} um at most (after {:.2f} h), of a travel of {:.3g} um",
+                     s.rms / um, s.largest / um, s.time_of_largest / one_hour,
+                     (s.highest - s.lowest) / um);
 }
 
 }  // namespace raceway::io

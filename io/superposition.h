@@ -32,7 +32,7 @@ struct Superposition {
 /// Half hours at shares of the fastest speed [rad/s], with rests: what no step response has seen.
 [[nodiscard]] record::Record trial_programme(double fastest);
 
-/// "0.42 um rms, 1.9 um at most (after 3.2 h) of 1.2 to 57.3 um".
+/// "0.42 um rms, 1.9 um at most (after 3.20 h), of a travel of 57.3 um".
 [[nodiscard]] std::string superposition_text(const Superposition& s);
 
 }  // namespace raceway::io
