@@ -125,6 +125,75 @@ TEST(StepResponseCommand, WritesACorrectionThatCorrectRuns) {
   EXPECT_THAT(again.err, HasSubstr("exists already"));
 }
 
+// The power is then that of the model's friction, as `displacement` says it.
+TEST(StepResponseCommand, TakesThePowerOfImportedSpeedsFromTheModel) {
+  const std::string model = RACEWAY_SOURCE_DIR "/data/spindles/two_against_one.toml";
+  const ScratchFolder scratch;
+  std::string rows = "time_s,axial_displacement_um,speed_rpm\n";
+  for (int minutes = 5; minutes <= 240; minutes += 5)
+    rows += fmt::format("{},{:.9f},6000\n", 60 * minutes, -30.0 * std::expm1(-minutes / 40.0));
+  const json steps = parsed(
+      run("step-response " + model + " --import " + scratch.write("fe.csv", rows) + " --json"));
+  const json shaft = parsed(run("displacement " + model + " --speed 6000 --json"));
+  const json& step = steps["rows"][0];
+  EXPECT_EQ(step["power_end_W"], shaft["rows"][0]["power_loss_W"]);
+  EXPECT_EQ(step["kinematic_um"], shaft["rows"][0]["axial_displacement_um"]);
+  EXPECT_NEAR(step["K_um"].get<double>(), 30.0, 1e-4);
+  EXPECT_NEAR(step["T_min"].get<double>(), 40.0, 1e-3);
+}
+
+const char* const small_spindle = R"(
+[bearing]
+catalogue = "S 6014 C"
+[lubricant]
+viscosity_40C_mm2_s = 20.0
+viscosity_100C_mm2_s = 4.4
+[arrangement]
+layout = "O"
+front = 2
+rear = 1
+mounting = "rigid"
+preload_N = 300
+front_position_mm = [60, 90]
+rear_position_mm = [290]
+[shaft]
+bore_mm = 36
+segment = [{length_mm = 50, diameter_mm = 104}, {length_mm = 50, diameter_mm = 70},
+           {length_mm = 180, diameter_mm = 82}, {length_mm = 20, diameter_mm = 70},
+           {length_mm = 75, diameter_mm = 60}]
+[housing]
+start_mm = 40
+length_mm = 275
+outer_diameter_mm = 180
+flange_mm = 120
+[solver]
+cells = "coarse"
+)";
+
+// A step that the correction was made of comes out of it as it came out of the simulation.
+TEST(StepResponseCommand, MakesACorrectionOfASpindle) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write("spindle.toml", small_spindle);
+  std::string programme = "time_s,speed_rpm\n";
+  for (int minutes = 0; minutes <= 240; minutes += 2)
+    programme += fmt::format("{},3000\n", 60 * minutes);
+  const std::string day = scratch.write("day.csv", programme);
+  const std::string correction = scratch.file("correction.toml");
+  const Result r = run("step-response " + model + " --speed 0:4500:1500 --lags two --correction " +
+                       correction + " --programme " + day + " --json");
+  ASSERT_EQ(r.status, 0) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("0 rpm is rest"));
+  EXPECT_THAT(r.err, HasSubstr("correction_fast.csv, "));
+  const json document = parsed(r);
+  ASSERT_EQ(document["rows"].size(), 3U);
+  EXPECT_TRUE(document["two_needed"].get<bool>());
+  EXPECT_LT(document["superposition"]["rms_um"].get<double>(), 0.1);
+  const json& step = document["rows"][1];
+  const std::vector<double> u = corrected(scratch, correction, day);
+  EXPECT_NEAR(u.back(), step["end_um"].get<double>() + step["kinematic_um"].get<double>(), 0.3);
+  EXPECT_GT(step["highest_front_force_N"], step["front_force_N"]);
+}
+
 TEST(StepResponseCommand, SaysWhatIsMissing) {
   const ScratchFolder scratch;
   const std::string fe = scratch.write(
