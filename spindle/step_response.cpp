@@ -85,14 +85,13 @@ void check_step_options(std::span<const double> speeds, const StepOptions& optio
 }  // namespace
 
 StepResponses step_responses(const model::Model& model, std::span<const double> speeds,
-                             const StepOptions& options,
-                             const effects::SpindleCondition& condition) {
+                             const StepOptions& options) {
   check_step_options(speeds, options);
   StepResponses result;
   result.steps.resize(speeds.size());
   const auto fastest =
       static_cast<std::size_t>(std::max_element(speeds.begin(), speeds.end()) - speeds.begin());
-  const Simulator simulator(model, condition);
+  const Simulator simulator(model);
   tbb::parallel_for(std::size_t{0}, speeds.size(), [&](std::size_t k) {
     Simulator own = simulator;
     std::vector<ProfileRow> profile;

@@ -48,7 +48,7 @@ struct StepOptions {
 };
 
 /// Simulates a step to each of these speeds [rad/s] from rest at the ambient temperature, side by
-/// side, and fits lags to them.
+/// side and with the effects of the model, and fits lags to them.
 ///
 /// The power is not constant in a step: it may fall by half as the oil thins. That at the end goes
 /// with gain and time constant.
@@ -56,8 +56,7 @@ struct StepOptions {
 /// than three rows. A step that did not converge has a status and no fit.
 [[nodiscard]] StepResponses step_responses(const model::Model& model,
                                            std::span<const double> speeds,
-                                           const StepOptions& options = {},
-                                           const effects::SpindleCondition& condition = {});
+                                           const StepOptions& options = {});
 
 /// Gain and time constant of each step that has them, at its power at the end: of one lag, or of
 /// the faster or the slower of two.
