@@ -7,6 +7,7 @@
 namespace spindle_study {
 
 inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double rpm = pi / 30.0;  ///< [rad/s]
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double steel_expansion = 11.5e-6;  ///< [1/K]
 

@@ -7,7 +7,7 @@
 namespace spindle_study {
 namespace {
 
-constexpr double rpm = pi / 30.0, um = 1e-6;
+constexpr double um = 1e-6;
 
 // data/reference/spindle_reference.json: set_warm_25deg_0, _8000; tolerance 1e-5 as there.
 TEST(SpindleStudySet, WarmSetsOfTheReferenceAreMet) {

@@ -138,10 +138,10 @@ inline double rough_contact(const Fit& fit, double roughness, double slope, doub
 }
 
 /// Friction moment of one bearing under an axial load: Palmgren with F_b = 0.9 F_a cot α0 and
-/// f1 = z (F_b/C0)^y [N m]; viscosity mm²/s, speed rpm.
-inline double palmgren(double f0, double z, double y, double viscosity, double rpm, double force,
-                       const BearingData& b) {
-  const double stirred = viscosity * rpm;
+/// f1 = z (F_b/C0)^y [N m]; viscosity mm²/s, revolutions in a minute.
+inline double palmgren(double f0, double z, double y, double viscosity, double revolutions,
+                       double force, const BearingData& b) {
+  const double stirred = viscosity * revolutions;
   const double d = b.pitch_diameter * 1e3;
   const double viscous =
       f0 * d * d * d * (stirred >= 2000.0 ? 1e-7 * std::pow(stirred, 2.0 / 3.0) : 160e-7);

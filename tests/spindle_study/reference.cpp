@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double rpm = pi / 30.0, ambient = 293.15, zero_C = 273.15;
+constexpr double ambient = 293.15, zero_C = 273.15;
 
 json outputs(const json& cases, const std::string& id) {
   for (const json& c : cases)

@@ -12,7 +12,7 @@ namespace {
 
 using correction_study::Random;
 
-constexpr double rpm = pi / 30.0, hour = 3600.0, mm = 1e-3, um = 1e-6;
+constexpr double hour = 3600.0, mm = 1e-3, um = 1e-6;
 constexpr double noise_K = 0.1, noise_m = 0.3 * um;  // of readings
 constexpr double floor_K = 0.5, floor_m = 1.0 * um;  // of a model of this kind
 

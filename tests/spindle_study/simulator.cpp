@@ -7,7 +7,6 @@
 namespace spindle_study {
 namespace {
 
-constexpr double rpm = pi / 30.0;
 constexpr double ten_thousand = 10000.0 * rpm;
 constexpr double water_heat = 998.0 * 4182.0;  // [J/(m³ K)]
 constexpr double ring_conductivity = 46.0;

@@ -10,8 +10,6 @@
 namespace spindle_study {
 namespace {
 
-constexpr double rpm = pi / 30.0;
-
 // Of another program, at the bars of its cases.
 TEST(SpindleStudySimulator, SteadyStatesOfTheReferenceAreMet) {
   for (const Compared& f : steady_states()) EXPECT_TRUE(f.good()) << line(f);
