@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -401,21 +402,66 @@ class Inquiry {
                      Eigen::Map<const Eigen::VectorXd>(left.data(), std::ssize(left)));
   }
 
+  [[nodiscard]] std::vector<std::vector<const Candidate*>> all_pairs() const {
+    std::vector<std::vector<const Candidate*>> sets;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      for (std::size_t j = i + 1; j < candidates_.size(); ++j)
+        sets.push_back({&candidates_[i], &candidates_[j]});
+    return sets;
+  }
+
+  /// Those of the best few, and the best with what takes most of what it leaves, by derivatives.
+  [[nodiscard]] std::vector<std::vector<const Candidate*>> promising_pairs() const {
+    if (singles_.front().on.empty()) return {};
+    std::vector<const Candidate*> members;
+    for (const Tried& t : singles_)
+      if (!t.on.empty() && members.size() < costly_members) members.push_back(t.on.front());
+    std::vector<std::vector<const Candidate*>> sets;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      for (std::size_t j = i + 1; j < members.size(); ++j) sets.push_back({members[i], members[j]});
+    for (const Candidate* partner : partners_of(singles_.front())) {
+      const bool is_new = std::find(members.begin(), members.end(), partner) == members.end();
+      if (is_new) sets.push_back({members.front(), partner});
+    }
+    return sets;
+  }
+
+  /// Candidates by how far the misfit of `best` would fall with them, the most first; a few.
+  [[nodiscard]] std::vector<const Candidate*> partners_of(const Tried& best) const {
+    const std::vector<Means::Mean>& means = recorded_.means.list;
+    Eigen::VectorXd weight(recorded_.means.size());
+    for (Eigen::Index i = 0; i < weight.size(); ++i)
+      weight[i] = means[static_cast<std::size_t>(i)].weight;
+    const Eigen::MatrixXd own = weight.asDiagonal() * best.fit.slope;
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(own);
+    const auto without_own = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+      return v - own * qr.solve(v);
+    };
+    const Eigen::VectorXd left = without_own(weight.cwiseProduct(best.fit.fit.residual));
+    std::vector<std::pair<double, const Candidate*>> falls;
+    for (const Tried& t : singles_) {
+      if (t.on.empty() || t.on.front() == best.on.front()) continue;
+      const auto size = static_cast<Eigen::Index>(base_.names.size() + t.on.front()->size);
+      const Eigen::VectorXd column =
+          without_own(weight.cwiseProduct(Eigen::VectorXd(t.fit.slope.col(size))));
+      const double square = column.squaredNorm();
+      if (square > 0.0) falls.emplace_back(std::pow(column.dot(left), 2) / square, t.on.front());
+    }
+    std::stable_sort(falls.begin(), falls.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<const Candidate*> list;
+    for (std::size_t k = 0; k < std::min(costly_members, falls.size()); ++k)
+      list.push_back(falls[k].second);
+    return list;
+  }
+
   /// Pairs that meet the tolerance on the rows that they were fitted to: others cannot on those
   /// that they did not see.
   void try_pairs() {
     if (singles_.empty()) return;
     const double most = std::min(1.0, singles_.front().error() / comes_near);
-    std::vector<const Candidate*> members;
-    if (subject_->is_costly()) {
-      for (std::size_t k = 0; k < std::min(costly_members, singles_.size()); ++k)
-        if (!singles_[k].on.empty()) members.push_back(singles_[k].on.front());
-    } else {
-      for (const Candidate& c : candidates_) members.push_back(&c);
-    }
-    std::vector<std::vector<const Candidate*>> sets;
-    for (std::size_t i = 0; i < members.size(); ++i)
-      for (std::size_t j = i + 1; j < members.size(); ++j) sets.push_back({members[i], members[j]});
+    const std::vector<std::vector<const Candidate*>> sets =
+        subject_->is_costly() ? promising_pairs() : all_pairs();
     ApproximationOptions from = search();
     from.random_starts = 8;
     from.polished = 2;
