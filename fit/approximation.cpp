@@ -157,9 +157,9 @@ Approximation approximation_of(std::shared_ptr<const Subject> subject,
   return result;
 }
 
-constexpr double settled = 1e-4;       // of what is costly: relative fall that is none, or
-constexpr double well_settled = 1e-6;  // where its numbers are kept
-constexpr double hopeless = 0.9;       // of the misfit without a candidate
+constexpr double settled_misfit = 1e-4;  // of what is costly: relative fall that is none, or
+constexpr double well_settled = 1e-6;    // where its numbers are kept
+constexpr double hopeless = 0.9;         // of the misfit without a candidate
 
 /// The same of what is costly.
 Approximation costly_approximation(std::shared_ptr<const Subject> subject, const Recorded& recorded,
@@ -212,7 +212,7 @@ Approximation approximate(std::shared_ptr<const Subject> subject, const Recorded
     const CostlyProblem costly(*subject, *recorded.record, recorded.prepared, recorded.means,
                                names);
     return costly_approximation(subject, recorded, names, costly,
-                                costly.from(starting_values(costly.parameters()), settled));
+                                costly.from(starting_values(costly.parameters()), settled_misfit));
   }
   const Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names);
   const std::vector<Parameter>& parameters = problem.parameters();
@@ -342,7 +342,7 @@ Approximation approximate_with(const Approximation& base, const Recorded& record
     return costly_approximation(
         std::move(subject), recorded, names, costly,
         costly.beyond({base.fit, base.slope}, starting_values(costly.parameters()),
-                      places_of_sizes(base.names.size(), candidates), settled,
+                      places_of_sizes(base.names.size(), candidates), settled_misfit,
                       hopeless * base.fit.misfit));
   }
   const Separable problem(*subject, *recorded.record, recorded.prepared, recorded.means, names);

@@ -156,8 +156,8 @@ AddResult add_approximation(const Subject& subject, std::span<const std::string>
   parts.variable = "time";
   for (const std::size_t c : read) {
     const Measured& channel = channels[c];
-    const auto of_channel = [&](const std::vector<double>& all) {
-      return std::span(all).subspan(c * record.rows(), record.rows());
+    const auto of_channel = [&](const std::vector<double>& values) {
+      return std::span(values).subspan(c * record.rows(), record.rows());
     };
     ChannelGain& gain = result.channels.emplace_back();
     gain.before = compare(of_channel(before), record, channel, static_cast<int>(base.names.size()));

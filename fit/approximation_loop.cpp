@@ -26,7 +26,7 @@ constexpr double most_of_it = 0.5;       // of a mean square
 constexpr double one_way =
     1.3;  // length of the way over its span: below it the record warms up once
 constexpr double surely_better = 0.95;  // of the held-out error
-constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr std::size_t costly_members = 4;  // of pairs: the best singles
 
 /// "second-time-constant" of "second-time-constant:ambient".
@@ -241,7 +241,7 @@ class Inquiry {
     std::vector<std::vector<const Candidate*>> sets;
     for (const Candidate& c : candidates_)
       if (is_testable(c.id)) sets.push_back({&c});
-    singles_ = fits_with(sets, search(), endless, 0.15, 0.5);
+    singles_ = fits_with(sets, search(), no_limit, 0.15, 0.5);
     leave_out_what_is_not_felt();
     look_at_record();
     sort(singles_);

@@ -13,8 +13,8 @@ namespace raceway::fit {
 namespace {
 
 constexpr int most_tries = 60;
-constexpr double small_step = 1e-6;  // of a derivative, on the scale of a parameter
-constexpr double settled = 1e-9;     // relative fall of the misfit that is none
+constexpr double small_step = 1e-6;      // of a derivative, on the scale of a parameter
+constexpr double settled_misfit = 1e-9;  // relative fall of the misfit that is none
 constexpr double decade = 10.0;
 
 bool is_logarithmic(const Parameter& p) {
@@ -222,7 +222,7 @@ SeparableFit Separable::from(const Eigen::VectorXd& start, int left_out,
         damping *= 6.0;
       }
     }
-    if (!better || fall <= settled * best.misfit) best.converged = true;
+    if (!better || fall <= settled_misfit * best.misfit) best.converged = true;
   }
   return best;
 }
