@@ -22,7 +22,7 @@ namespace {
 constexpr double comes_near = 1.2;       // of the error of the best
 constexpr double half_an_hour = 1800.0;  // in which what is left forgets itself [s]
 constexpr double decided = 20.0;         // lambda from which two are told apart
-constexpr double most_of_it = 0.5;       // of a mean square
+constexpr double much_of_it = 0.5;       // of a mean square
 constexpr double one_way =
     1.3;  // length of the way over its span: below it the record warms up once
 constexpr double surely_better = 0.95;  // of the held-out error
@@ -308,7 +308,7 @@ class Inquiry {
     const double lambda = recorded_.duration / half_an_hour * (ratio * ratio - 1.0);
     const double taken = base * base - other.error() * other.error();
     return (ratio <= comes_near || lambda < decided) &&
-           taken >= most_of_it * (base * base - best.error() * best.error());
+           taken >= much_of_it * (base * base - best.error() * best.error());
   }
 
   /// The best and all that come near it, without other forms of the same.
@@ -379,7 +379,7 @@ class Inquiry {
     }
     const double base = base_.rms_held_out;
     const bool like = !singles_.empty() && singles_.front().error() * singles_.front().error() <=
-                                               most_of_it * base * base;
+                                               much_of_it * base * base;
     if (like) found_ = {&singles_.front()};
     result_.verdict = like ? Verdict::effect_like : Verdict::not_in_catalogue;
     result_.course = course_of_worst(like ? singles_.front().fit : base_);

@@ -10,7 +10,7 @@
 namespace raceway::fit {
 namespace {
 
-constexpr int most_steps = 12;
+constexpr int most_descents = 12;
 constexpr int most_attempts = 4;         // of one step, with rising damping
 constexpr double far_step = 1.5;         // on the scale of a parameter
 constexpr double share_of_value = 0.02;  // of a difference on the scale of logarithms, or
@@ -141,7 +141,7 @@ CostlyFit CostlyProblem::descend(SeparableFit best, Eigen::MatrixXd slope, bool 
                                  double settled, double hopeless) const {
   const Eigen::Index n = best.values.size();
   double damping = 1e-3;
-  for (int step = 0; step < most_steps && !best.converged && n > 0; ++step) {
+  for (int step = 0; step < most_descents && !best.converged && n > 0; ++step) {
     ++best.iterations;
     Eigen::VectorXd here(n), lower(n), upper(n);
     for (Eigen::Index k = 0; k < n; ++k) {

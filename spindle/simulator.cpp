@@ -18,7 +18,7 @@ constexpr double first_step = 10.0, shortest_step = 1e-3, longest_step = 600.0;
 constexpr double step_tolerance = 0.01;
 /// Room, machine and coolant may wander by this between two rows without a step boundary [K].
 constexpr double wandering = 0.5;
-constexpr int most_steps = 200000;
+constexpr int most_time_steps = 200000;
 
 bool near(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= wandering;
@@ -317,7 +317,7 @@ Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
     }
     std::size_t holding = row;
     while (time < end) {
-      if (report.steps + report.rejected > most_steps) return end_with(Status::step_limit);
+      if (report.steps + report.rejected > most_time_steps) return end_with(Status::step_limit);
       while (holding + 1 < after && profile[holding].time <= time) ++holding;
       const double dt = sizes.take(time, end);
       const double drift = p.last.structure_time + (time - p.last.time);

@@ -14,7 +14,7 @@
 namespace raceway::fit {
 namespace {
 
-constexpr Channel drive{.name = "drive_V", .unit = "V"}, sun{.name = "sun_W", .unit = "W"};
+constexpr Channel drive_voltage{.name = "drive_V", .unit = "V"}, sun{.name = "sun_W", .unit = "W"};
 constexpr Channel first{
     .name = "first_K", .words = "first", .unit = "K", .role = record::Role::measured};
 constexpr Channel second{.name = "second_um",
@@ -22,7 +22,7 @@ constexpr Channel second{.name = "second_um",
                          .unit = "um",
                          .factor = um,
                          .role = record::Role::measured};
-constexpr std::size_t rows = 480;
+constexpr std::size_t row_count = 480;
 constexpr double minute = 60.0;
 
 ///   600 s dx/dt = gain u + heat u + 5 sun s - x,   3000 s dy/dt = loss x + leak - y
@@ -104,7 +104,7 @@ struct Simulation : Predictor {
     for (std::size_t k = 0; k < values.size(); ++k) of.at[names[k]] = values[k];
     double x = 0.0, y = 0.0;
     for (std::size_t i = 0; i < record.rows(); ++i) {
-      const double u = record.value(drive, i), s = record.value(sun, i);
+      const double u = record.value(drive_voltage, i), s = record.value(sun, i);
       const double odd = of.at["strange"] * std::sin(0.05 * static_cast<double>(i));
       x += minute / 600.0 *
            (of.at["gain"] * u + of.at["heat.W"] * u * u + 5.0 * of.at["sun.W"] * s + odd - x);
@@ -127,20 +127,20 @@ Record recorded_with(const std::map<std::string, double>& truth) {
   std::normal_distribution<double> noise(0.0, 0.1);
   std::vector<double> u, s, t;
   constexpr double levels[] = {0.0, 2.0, 1.0, 3.0, 0.5, 2.5, 0.0, 1.5};
-  for (std::size_t k = 0; k < rows; ++k) {
+  for (std::size_t k = 0; k < row_count; ++k) {
     u.push_back(levels[k / 60]);
     s.push_back(k / 90 % 2 ? 0.2 : 1.0);
     t.push_back(minute * static_cast<double>(k + 1));
   }
   Record record;
   record.source = "made";
-  record.set(record::time, t), record.set(drive, u), record.set(sun, s);
+  record.set(record::time, t), record.set(drive_voltage, u), record.set(sun, s);
   Chain chain;
   for (const auto& [name, value] : truth) chain.at[name] = value;
   std::vector<double> y = predict(chain, record);
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] += noise(random) * (i < rows ? 1.0 : um);
-  record.set(first, {y.begin(), y.begin() + rows});
-  record.set(second, {y.begin() + rows, y.end()});
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] += noise(random) * (i < row_count ? 1.0 : um);
+  record.set(first, {y.begin(), y.begin() + row_count});
+  record.set(second, {y.begin() + row_count, y.end()});
   return record;
 }
 
