@@ -159,28 +159,28 @@ class Joiner {
   }
 
   void add_open(const OpenFace& face) {
-    using Side = OpenFace::Side;
+    using FaceSide = OpenFace::Side;
     const Cell& c = cell(face.cell);
     const Joint joint{face.cell, -1, face.area, face.half};
-    const double place = face.side == Side::front  ? c.start
-                         : face.side == Side::rear ? c.end
-                                                   : 0.5 * (c.start + c.end);
+    const double place = face.side == FaceSide::front  ? c.start
+                         : face.side == FaceSide::rear ? c.end
+                                                       : 0.5 * (c.start + c.end);
     switch (c.body) {
       case Body::inner_ring:
-        if (face.side == Side::outer) bearing(c.bearing).inner_raceway.push_back(joint);
+        if (face.side == FaceSide::outer) bearing(c.bearing).inner_raceway.push_back(joint);
         break;
       case Body::outer_ring:
-        if (face.side == Side::inner) bearing(c.bearing).outer_raceway.push_back(joint);
+        if (face.side == FaceSide::inner) bearing(c.bearing).outer_raceway.push_back(joint);
         break;
       case Body::spacer:
         break;
       case Body::shaft:
-        if (face.side == Side::inner) break;  // its bore is closed
+        if (face.side == FaceSide::inner) break;  // its bore is closed
         if (place < layout_.housing_start - same_place) layout_.nose.push_back(joint);
         if (place > layout_.last_bearing_rear + same_place) layout_.rear.push_back(joint);
         break;
       case Body::housing:
-        if (face.side == Side::inner) break;
+        if (face.side == FaceSide::inner) break;
         if (!face.radial()) {
           layout_.housing_ends.push_back(joint);
         } else if (std::abs(place - s_.housing.flange) < 0.5 * s_.housing.flange_length) {

@@ -83,21 +83,21 @@ void add_faces(const Grid& grid, Mesh& mesh) {
     const auto cell = [&](int index) -> const Cell& {
       return mesh.cells[static_cast<std::size_t>(index)];
     };
-    using Side = OpenFace::Side;
-    if (grid.at(c.column - 1, c.row) < 0) mesh.open.push_back({k, Side::front, across, axial});
+    using FaceSide = OpenFace::Side;
+    if (grid.at(c.column - 1, c.row) < 0) mesh.open.push_back({k, FaceSide::front, across, axial});
     if (const int next = grid.at(c.column + 1, c.row); next >= 0)
       mesh.touches.push_back({k, next, true, across, axial, cell(next).half_axial_resistance()});
     else
-      mesh.open.push_back({k, Side::rear, across, axial});
+      mesh.open.push_back({k, FaceSide::rear, across, axial});
     const double inner = 2.0 * pi * c.inner_radius * c.length();
     const double outer = 2.0 * pi * c.outer_radius * c.length();
     if (c.inner_radius > 0.0 && grid.at(c.column, c.row - 1) < 0)
-      mesh.open.push_back({k, Side::inner, inner, c.inner_half_resistance()});
+      mesh.open.push_back({k, FaceSide::inner, inner, c.inner_half_resistance()});
     if (const int next = grid.at(c.column, c.row + 1); next >= 0)
       mesh.touches.push_back(
           {k, next, false, outer, c.outer_half_resistance(), cell(next).inner_half_resistance()});
     else
-      mesh.open.push_back({k, Side::outer, outer, c.outer_half_resistance()});
+      mesh.open.push_back({k, FaceSide::outer, outer, c.outer_half_resistance()});
   }
 }
 
