@@ -32,7 +32,8 @@ spindle::State read_spindle_state(const std::string& path) {
       fail(fmt::format("{} is missing or no number", key));
     return document[key].get<double>();
   };
-  spindle::State state{.time = number("time_s"), .structure_time = number("structure_time_s")};
+  spindle::State state{
+      .time = number("time_s"), .structure_time = number("structure_time_s"), .temperatures = {}};
   const auto list = document.find("temperatures_C");
   if (list == document.end() || !list->is_array() || list->empty())
     fail("temperatures_C is missing or no list");

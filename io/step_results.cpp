@@ -47,11 +47,11 @@ bool steps_were_read(const spindle::StepResponses& responses) {
 
 json step_line_json(const spindle::StraightLine& line, const char* unit, double factor) {
   const std::string slope = fmt::format("slope_{}_W", unit),
-                    offset = fmt::format("offset_{}", unit);
+                    intercept = fmt::format("offset_{}", unit);
   return {{slope, line.slope / factor},
-          {offset, line.offset / factor},
+          {intercept, line.offset / factor},
           {slope + "_std", line.slope_std / factor},
-          {offset + "_std", line.offset_std / factor}};
+          {intercept + "_std", line.offset_std / factor}};
 }
 
 json step_power_json(const spindle::PowerLaw& law, const char* unit, double factor) {

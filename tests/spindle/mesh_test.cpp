@@ -54,7 +54,7 @@ void heat_evenly(const Mesh& mesh, HeatPaths& p, double per_volume) {
         per_volume * mesh.cells[k].section() * mesh.cells[k].length();
 }
 
-using Side = OpenFace::Side;
+using FaceSide = OpenFace::Side;
 
 TEST(Cells, ABarHeatedWithinExpandsAsItsClosedForm) {
   const ReferenceCase& c = reference_case("bar_heat");
@@ -79,9 +79,9 @@ TEST(Cells, APinIsTheFinOfItsClosedForm) {
       make_mesh(std::vector{region(length, 0.0, 0.5 * d, solid(c.in("lam")))}, length / 200.0, 1.0);
   HeatPaths p = paths_in(mesh);
   for (const OpenFace& f : mesh.open) {
-    if (f.side == Side::front) hold(p, f, Reservoir::air);  // the base, at 1
+    if (f.side == FaceSide::front) hold(p, f, Reservoir::air);  // the base, at 1
     // A fin is of one temperature across: no resistance within it.
-    if (f.side == Side::outer)
+    if (f.side == FaceSide::outer)
       p.outlets.push_back({f.cell, Reservoir::machine, c.in("h") * f.area});
   }
   const Vector t = settled(p);
@@ -96,8 +96,8 @@ TEST(Cells, AnAnnulusResistsAsItsLogarithm) {
                 1.0, 0.004);
   HeatPaths p = paths_in(mesh);
   for (const OpenFace& f : mesh.open) {
-    if (f.side == Side::inner) hold(p, f, Reservoir::air);
-    if (f.side == Side::outer) hold(p, f, Reservoir::machine);
+    if (f.side == FaceSide::inner) hold(p, f, Reservoir::air);
+    if (f.side == FaceSide::outer) hold(p, f, Reservoir::machine);
   }
   c.holds("R_K_W", -1.0 / p.outflow(settled(p))[0]);
 }
@@ -110,7 +110,7 @@ TEST(Cells, AHollowCylinderHeatedWithinIsAsHotAsItsClosedForm) {
   HeatPaths p = paths_in(mesh);
   heat_evenly(mesh, p, c.in("q_W_m3"));
   for (const OpenFace& f : mesh.open)
-    if (f.side == Side::outer) hold(p, f, Reservoir::machine, c.in("h_out"));
+    if (f.side == FaceSide::outer) hold(p, f, Reservoir::machine, c.in("h_out"));
   c.holds("T_in_above_ambient_K", settled(p)[0]);
 }
 
@@ -121,7 +121,7 @@ TEST(Cells, AFiniteCylinderIsTheBesselSeries) {
                               radius / 40.0);
   HeatPaths p = paths_in(mesh);
   for (const OpenFace& f : mesh.open)
-    hold(p, f, f.side == Side::front ? Reservoir::air : Reservoir::machine);
+    hold(p, f, f.side == FaceSide::front ? Reservoir::air : Reservoir::machine);
   const Vector t = settled(p);
   const auto at = [&](double z, double r) {
     // Bilinear between the middles of cells.

@@ -9,13 +9,14 @@
 #include <cmath>
 #include <vector>
 
+#include "spindle/step_fit.h"
 #include "tests/spindle/reference.h"
 
 namespace raceway::spindle {
 namespace {
 
 /// Step responses of a cooled spindle by another program.
-std::vector<AtPower> cooled() {
+std::vector<AtPower> steps_of_case() {
   std::vector<AtPower> points;
   const nlohmann::json rows = reference("step_responses_cooled")["outputs"]["rows"];
   for (const nlohmann::json& row : rows)
@@ -27,7 +28,7 @@ std::vector<AtPower> cooled() {
 // Least squares of the printed rows: nine digits on both sides.
 TEST(PowerLaws, LinesAreTheChordsOfTheReference) {
   const nlohmann::json out = reference("step_responses_cooled")["outputs"];
-  const PowerLaws laws = fit_power_laws(cooled());
+  const PowerLaws laws = fit_power_laws(steps_of_case());
   const auto near_ratio = [](double a, const nlohmann::json& b) { return a / b.get<double>(); };
   EXPECT_NEAR(near_ratio(laws.gain_line.slope / um, out["K_of_P"]["slope_um_W"]), 1.0, 1e-6);
   EXPECT_NEAR(near_ratio(laws.gain_line.offset / um, out["K_of_P"]["offset_um"]), 1.0, 1e-6);
@@ -37,13 +38,13 @@ TEST(PowerLaws, LinesAreTheChordsOfTheReference) {
               1e-6);
 }
 
-// SPINDLE.md: K ~ P^0.82, T ~ P^-0.23, and K(0) of the line, 4.8 um, is no physics.
+// As the case says: K ~ P^0.82, T ~ P^-0.23, and K(0) of the line, 4.8 um, is no physics.
 TEST(PowerLaws, APowerFollowsACooledSpindleCloserThanALine) {
-  const PowerLaws laws = fit_power_laws(cooled());
+  const PowerLaws laws = fit_power_laws(steps_of_case());
   EXPECT_NEAR(laws.gain_power.exponent, 0.82, 0.005);
   EXPECT_NEAR(laws.time_power.exponent, -0.23, 0.005);
   double line = 0.0;
-  for (const AtPower& p : cooled())
+  for (const AtPower& p : steps_of_case())
     line += std::pow(laws.gain_line(p.power) / p.gain - 1.0, 2) / 5.0;
   EXPECT_LT(laws.gain_power.rms, 0.2 * std::sqrt(line));
   EXPECT_GT(laws.gain_line.slope_std, 0.0);
@@ -87,11 +88,11 @@ TEST(MonotoneCurve, IsThatOfBoost) {
 }
 
 TEST(MonotoneCurve, TurnsNowhereButAtItsPoints) {
-  const MonotoneCurve curve = gain_curve(cooled());
+  const MonotoneCurve curve = gain_curve(steps_of_case());
   EXPECT_EQ(curve(0.0), 0.0);
   for (double P = 1.0; P < 668.0; P += 1.0) ASSERT_GT(curve(P), curve(P - 1.0));
-  for (const AtPower& p : cooled()) EXPECT_DOUBLE_EQ(curve(p.power), p.gain);
-  const MonotoneCurve time = time_curve(cooled(), 700.0);
+  for (const AtPower& p : steps_of_case()) EXPECT_DOUBLE_EQ(curve(p.power), p.gain);
+  const MonotoneCurve time = time_curve(steps_of_case(), 700.0);
   EXPECT_EQ(time(0.0), 700.0);
   for (double P = 1.0; P < 668.0; P += 1.0) ASSERT_LT(time(P), time(P - 1.0));
   EXPECT_EQ(time(1000.0), time(668.580347));

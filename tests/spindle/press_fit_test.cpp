@@ -63,7 +63,7 @@ TEST(PressFit, OfTwoMaterialsIsThatOfTheReference) {
 TEST(PressFit, NoCaseOfItsKindIsLeftOut) { EXPECT_EQ(reference_cases("press_").size(), 3u); }
 
 TEST(PressFit, ASeatOf6MicrometresIsLooseAt13664RevolutionsPerMinute) {
-  // SPINDLE.md section 4, to the digits printed there.
+  // To the digits printed with the case.
   EXPECT_FALSE(press_fit(shaft(), ring(), 6 * um, 13663 * rpm).loose());
   const PressFit fit = press_fit(shaft(), ring(), 6 * um, 13665 * rpm);
   EXPECT_TRUE(fit.loose());

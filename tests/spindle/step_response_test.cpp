@@ -15,7 +15,7 @@ namespace raceway::spindle {
 namespace {
 
 /// Steps to 2000 to 10 000 rpm, simulated once for all tests.
-const StepResponses& cooled() {
+const StepResponses& cooled_responses() {
   static const StepResponses responses = [] {
     std::vector<double> speeds;
     const nlohmann::json rows = reference("step_responses_cooled")["outputs"]["rows"];
@@ -35,9 +35,9 @@ TEST(StepResponses, OfACooledSpindleAreThoseOfAnotherProgram) {
   const nlohmann::json c = reference("step_responses_cooled");
   const double tolerance = c["tolerance_rel"];
   const nlohmann::json rows = c["outputs"]["rows"];
-  ASSERT_EQ(cooled().steps.size(), rows.size());
+  ASSERT_EQ(cooled_responses().steps.size(), rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const StepResponse& step = cooled().steps[k];
+    const StepResponse& step = cooled_responses().steps[k];
     const nlohmann::json& row = rows[k];
     ASSERT_TRUE(step.converged()) << row["rpm"];
     EXPECT_NEAR(ratio(step.power_end, row["P_end_W"]), 1.0, tolerance) << row["rpm"];
@@ -53,14 +53,14 @@ TEST(StepResponses, OfACooledSpindleAreThoseOfAnotherProgram) {
     EXPECT_GT(step.highest_force, 1.02 * (1.0 - tolerance) * force["end"].get<double>());
     EXPECT_GT(step.power_start, step.power_end) << "the oil thins";
   }
-  const StepResponse& fastest = cooled().steps.back();
+  const StepResponse& fastest = cooled_responses().steps.back();
   EXPECT_GT(fastest.power_start, 1.3 * fastest.power_end);
 }
 
 TEST(StepResponses, HaveTheLawsOfAnotherProgram) {
   const nlohmann::json c = reference("step_responses_cooled");
   const double tolerance = c["tolerance_rel"];
-  const PowerLaws laws = fit_power_laws(at_powers(cooled().steps));
+  const PowerLaws laws = fit_power_laws(at_powers(cooled_responses().steps));
   const nlohmann::json out = c["outputs"];
   EXPECT_NEAR(ratio(laws.gain_line.slope / um, out["K_of_P"]["slope_um_W"]), 1.0, tolerance);
   EXPECT_NEAR(ratio(laws.time_line.offset / one_minute, out["T_of_P"]["offset_min"]), 1.0,
@@ -71,8 +71,8 @@ TEST(StepResponses, HaveTheLawsOfAnotherProgram) {
 
 // A hot spindle at rest loses what it has gained: K of the way back is that of the way out.
 TEST(StepResponses, CoolDownFromTheFastestOne) {
-  const StepResponse& fastest = cooled().steps.back();
-  const StepFit& down = cooled().cool_down.fit;
+  const StepResponse& fastest = cooled_responses().steps.back();
+  const StepFit& down = cooled_responses().cool_down.fit;
   EXPECT_NEAR(down.one.gain / fastest.end, 1.0, 0.05);
   EXPECT_GT(down.one.time_constant, fastest.fit.one.time_constant);
   EXPECT_TRUE(down.settled);
@@ -85,7 +85,7 @@ TEST(StepResponses, LeaveMoreToOneLagWithoutCoolant) {
   const StepResponses uncooled = step_responses(base_spindle(), speeds, options);
   ASSERT_TRUE(uncooled.steps.front().converged());
   const StepFit& fit = uncooled.steps.front().fit;
-  EXPECT_GT(fit.rms, 3.0 * cooled().steps[2].fit.rms);
+  EXPECT_GT(fit.rms, 3.0 * cooled_responses().steps[2].fit.rms);
   EXPECT_LT(fit.rms_of_two, 0.5 * fit.rms);
   EXPECT_TRUE(need_two(uncooled.steps));
   // At rest nothing stirs the air at the shaft: both lags of the step fall slower than they rose.
@@ -98,8 +98,8 @@ TEST(StepResponses, DoNotDependOnTheirNumberOrOrder) {
   StepOptions options;
   options.cool_down = false;
   const StepResponses two = step_responses(base_spindle(), turned, options);
-  EXPECT_EQ(two.steps[1].fit.one.gain, cooled().steps.front().fit.one.gain);
-  EXPECT_EQ(two.steps[0].fit.one.gain, cooled().steps.back().fit.one.gain);
+  EXPECT_EQ(two.steps[1].fit.one.gain, cooled_responses().steps.front().fit.one.gain);
+  EXPECT_EQ(two.steps[0].fit.one.gain, cooled_responses().steps.back().fit.one.gain);
   EXPECT_FALSE(two.cool_down.known());
 }
 
