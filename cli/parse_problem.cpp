@@ -51,7 +51,9 @@ std::optional<FlagProblem> flag_problem(const CLI::App& command, std::span<char*
     if (option == nullptr)
       return FlagProblem{
           flag, flag + ": no such flag" + flag_suggestion(command, is_long ? flag : argument)};
-    if (!seen.insert(option).second) return FlagProblem{flag, flag + " is given twice"};
+    const bool again = !seen.insert(option).second;
+    if (again && option->get_multi_option_policy() != CLI::MultiOptionPolicy::TakeAll)
+      return FlagProblem{flag, flag + " is given twice"};
     if (option->get_items_expected_max() == 0) continue;
     std::string value = argument.substr(flag.size());  // =VALUE, or VALUE after a short flag
     if (value.empty() && i + 1 < arguments.size() &&

@@ -320,7 +320,8 @@ Run setup_step_response(CLI::App& command) {
       .add_option("--load-case", flags->load_cases,
                   "a time history of two columns with its load, 50W=a.csv; again for each")
       ->type_name("LOAD=FILE")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_option("--units", flags->units, "of time histories; default s,um")
       ->type_name("TIME,LENGTH");
   add_number(

@@ -28,9 +28,9 @@ struct BearingHeat {
 
 /// The sets of a spindle at the temperatures of its rings: balance, forces, friction heat.
 ///
-/// Each bearing has its own ring temperatures (thermal_shift(), balls at the mean of the rings); the
-/// lubricant is at the mean of the rings, as in the data with a known answer. Friction follows the
-/// axial forces of the warm sets, or those of the cold ones at that speed.
+/// Each bearing has its own ring temperatures (thermal_shift(), balls at the mean of the rings);
+/// the lubricant is at the mean of the rings, as in the data with a known answer. Friction follows
+/// the axial forces of the warm sets, or those of the cold ones at that speed.
 class WarmSets {
  public:
   /// Throws std::invalid_argument where the sets cannot be mounted.

@@ -91,6 +91,14 @@ std::string first_difference(const std::vector<std::string>& shown,
   return skip || at == printed.size() ? "" : "not shown: " + printed[at];
 }
 
+/// The command with more time than people wait for: sanitizers and a loaded machine take it.
+std::string with_time(std::string command) {
+  const std::string diagnose = "raceway diagnose ";
+  if (command.starts_with(diagnose) && command.find("--time-limit") == std::string::npos)
+    command.insert(diagnose.size(), "--time-limit 3600 ");
+  return command;
+}
+
 class Page : public testing::TestWithParam<const char*> {};
 
 TEST_P(Page, PrintsWhatItShows) {
@@ -107,7 +115,7 @@ TEST_P(Page, PrintsWhatItShows) {
   for (const Session& s : sessions) {
     SCOPED_TRACE(std::string(GetParam()) + ":" + std::to_string(s.line) + ": " + s.command);
     const Result r = run_shell("cd '" + scratch.path().string() +
-                               "'; PATH=$PWD/build/release:$PATH; " + s.command);
+                               "'; PATH=$PWD/build/release:$PATH; " + with_time(s.command));
     // What stderr has is left out of a page unless the command sends it to stdout.
     std::vector<std::string> shown = s.shown;
     if (s.command.find("2>&1") == std::string::npos)
