@@ -21,7 +21,7 @@ def run_day(*flags):
     with tempfile.TemporaryDirectory() as folder:
         out = folder + "/run.csv"
         subprocess.run([PROGRAM, "spindle", MODEL, "--speed-profile", DAY, "-o", out, "--quiet",
-                        *flags], check=True)
+                        *flags], check=True, capture_output=True)
         with open(out, encoding="utf-8") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     return {key: [float(row[key]) for row in rows] for key in rows[0]}
@@ -35,11 +35,11 @@ def panel(index, title, lines, top, step):
         y = y_end - HEIGHT * value / top
         out.append(f'<path stroke="#ddd" d="M {LEFT} {y:.1f} h {WIDTH}"/>')
         out.append(f'<text x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{value}</text>')
-    for hour in range(0, 10):
-        x = LEFT + WIDTH * hour / 9
+    for hour in range(0, 9):
+        x = LEFT + WIDTH * hour / 8
         out.append(f'<text x="{x:.1f}" y="{y_end + 16}" text-anchor="middle">{hour} h</text>')
     for colour, times, values, dash in lines:
-        points = " ".join(f"{LEFT + WIDTH * t / 32400:.1f} {y_end - HEIGHT * v / top:.1f}"
+        points = " ".join(f"{LEFT + WIDTH * t / 28800:.1f} {y_end - HEIGHT * v / top:.1f}"
                           for t, v in zip(times, values))
         out.append(f'<path fill="none" stroke="{colour}" stroke-width="1.6"{dash} d="M {points}"/>')
     return out
