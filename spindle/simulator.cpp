@@ -154,8 +154,8 @@ struct Simulator::Parts {
   }
 
   /// The spindle where the watched numbers are `seen`; false where the sets have no balance.
-  bool moment_at(double time, const Vector& seen, const Inputs& inputs,
-                 const std::array<double, reservoirs>& out, Moment& m) {
+  bool moment_at(double time, const Vector& seen, const std::array<double, reservoirs>& out,
+                 Moment& m) {
     m.time = time;
     m.sensors.assign(seen.data() + felt + 1, seen.data() + seen.size());
     m.heat.air = out[0], m.heat.machine = out[1], m.heat.coolant = out[2];
@@ -165,7 +165,7 @@ struct Simulator::Parts {
       const Vector s = seen.head(felt) + felt_offset();
       Vector given(coupling->given_count());
       if (!coupling->evaluate(s, given)) return false;
-      fill_sets(s, seen[felt] + nose_offset, inputs, m);
+      fill_sets(s, seen[felt] + nose_offset, m);
     }
     m.heat.stored = m.heat.friction + m.heat.drive - out[0] - out[1] - out[2];
     return true;
@@ -175,7 +175,7 @@ struct Simulator::Parts {
     return flow.coupling()->felt(Vector::Zero(flow.paths().size()));
   }
 
-  void fill_sets(const Vector& s, double nose, const Inputs&, Moment& m) {
+  void fill_sets(const Vector& s, double nose, Moment& m) {
     const WarmSets& sets = flow.coupling()->sets();
     m.set_position = sets.sets().position - sets.rest();
     m.kinematic_displacement = sets.cold_sets().position - sets.rest();
@@ -302,7 +302,7 @@ Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
       for (; written < after && profile[written].time <= until; ++written) {
         Moment m;
         const double at = profile[written].time;
-        if (!p.moment_at(at, seen_at(at), profile[written].inputs, out_at(at), m)) return false;
+        if (!p.moment_at(at, seen_at(at), out_at(at), m)) return false;
         run.moments.push_back(std::move(m));
         follow_force(run.moments.back().front_force, at);
       }
@@ -397,7 +397,7 @@ Moment Simulator::steady(const Inputs& inputs, Report& report) {
   if (report.converged()) {
     const Vector seen = p.watched * flow.temperatures();
     const auto out = flow.paths().outflow(flow.temperatures());
-    if (!p.moment_at(std::numeric_limits<double>::infinity(), seen, inputs, out, m))
+    if (!p.moment_at(std::numeric_limits<double>::infinity(), seen, out, m))
       report.status = Status::no_equilibrium;
     const double turnover = std::max(1e-9, std::abs(m.heat.friction) + std::abs(m.heat.drive));
     report.energy_error = std::abs(m.heat.stored) / turnover;

@@ -285,8 +285,7 @@ void ThermalSystem::set_inputs(const Inputs& inputs, double machine_rise) {
                      source->position + 0.5 * source->length);
   };
   const double ratio = inputs.speed / (10000.0 * rpm);
-  const double between = 0.5 * (l.last_bearing_rear + l.first_bearing_front);
-  const double rear_end = l.mesh.cells.empty() ? 0.0 : 1e3;  // beyond every shaft
+  constexpr double rear_end = 1e3;  // beyond every shaft [m]
   double motor = std::isnan(inputs.motor_heat) ? 0.0 : inputs.motor_heat;
   if (std::isnan(inputs.motor_heat) && spindle_.motor) motor = heat_of(*spindle_.motor);
   motor += condition_.motor_heat * std::pow(ratio, condition_.motor_heat_exponent);
@@ -294,7 +293,7 @@ void ThermalSystem::set_inputs(const Inputs& inputs, double machine_rise) {
     const BearingPlace& front = l.bearings[spindle_.front_positions.size() - 1];
     const bool two = !spindle_.rear_positions.empty();
     const double from = front.position + 0.5 * front.width;
-    const double to = two ? spindle_.rear_positions.front() - 0.5 * front.width : 2.0 * between;
+    const double to = two ? spindle_.rear_positions.front() - 0.5 * front.width : l.housing_end;
     const auto [low, high] = place(spindle_.motor, from, to);
     const double share = spindle_.motor ? spindle_.motor->rotor_share : 0.5;
     add_source(l.source(Body::shaft, low, high), share * motor);

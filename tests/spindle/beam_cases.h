@@ -1,23 +1,17 @@
 #pragma once
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "model/spindle.h"
 #include "record/units.h"
+#include "tests/spindle/reference.h"
 
 namespace raceway::spindle::test {
 
-/// A case of data/reference/spindle_reference.json.
-inline nlohmann::json beam_case(const std::string& id) {
-  std::ifstream file(RACEWAY_SOURCE_DIR "/data/reference/spindle_reference.json");
-  for (const nlohmann::json& c : nlohmann::json::parse(file))
-    if (c.at("id") == id) return c;
-  throw std::runtime_error("no case " + id);
-}
+/// A case of beams.
+inline nlohmann::json beam_case(const std::string& id) { return reference(id); }
 
 inline model::SolidMaterial beam_material(const nlohmann::json& in) {
   model::SolidMaterial m;

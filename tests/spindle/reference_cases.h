@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "tests/spindle/reference.h"
 
 namespace raceway::spindle {
 
@@ -27,9 +28,8 @@ struct ReferenceCase {
 
 inline const std::vector<ReferenceCase>& reference_cases() {
   static const std::vector<ReferenceCase> cases = [] {
-    std::ifstream file(RACEWAY_SOURCE_DIR "/data/reference/spindle_reference.json");
     std::vector<ReferenceCase> list;
-    for (const auto& c : nlohmann::json::parse(file))
+    for (const auto& c : references())
       list.push_back({c.at("id"), c.at("inputs"), c.at("outputs"), c.value("tolerance_rel", 0.0)});
     return list;
   }();

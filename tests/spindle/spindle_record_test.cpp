@@ -48,8 +48,8 @@ Errors errors_on(const fit::Subject& subject, const record::Record& record) {
 }
 
 constexpr double true_f0 = 0.6;
-// What is left of a temperature: noise of 0.1 K, and 0.3 to 0.4 K of the mesh at the rear seat,
-// where the housing is read 0.3 K too cold.
+// What is left of the worst sensor, that at the rear bearing, which the model reads 0.3 K too cold;
+// why is not known. The aim is 0.3 K.
 constexpr double reached_K = 0.42;
 constexpr double reached_um = 0.7;
 
