@@ -88,9 +88,9 @@ struct Seat {
   double slope = 0.15;                   ///< mean, of the surfaces [1]
   double hardness = 3e9;                 ///< of the softer one [Pa]
   double shoulder_conductance = 8000.0;  ///< ring against shoulder or next ring [W/(m² K)]
-  /// Of a face of a ring that a collar of the shaft or of the housing faces over the gap between
-  /// the rings [W/(m² K)].
-  double collar_conductance = 6000.0;
+  /// Of a face of an outer ring that a collar of the shaft runs against [W/(m² K)]. As a shoulder,
+  /// an assumption: over an open gap of 0.1 mm air conducts 270.
+  double collar_conductance = 8000.0;
   double outer_conductance = unset;  ///< of the outer seats, whatever the rest says [W/(m² K)]
 };
 

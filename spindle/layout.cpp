@@ -139,7 +139,9 @@ class Joiner {
     if (between(Body::shaft, Body::housing))
       throw std::invalid_argument(fmt::format(
           "shaft: touches the housing at {:.6g} mm behind the nose face", 1e3 * a.start));
-    if (between(Body::shaft, Body::inner_ring) && !t.axial) {
+    if (between(Body::spacer, Body::inner_ring)) {
+      layout_.clamped.push_back(joint);
+    } else if (between(Body::shaft, Body::inner_ring) && !t.axial) {
       bearing(b.bearing).inner_seat.push_back(joint);
     } else if (between(Body::outer_ring, Body::housing) && !t.axial) {
       bearing(a.bearing).outer_seat.push_back(joint);

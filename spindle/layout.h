@@ -43,6 +43,7 @@ struct Layout {
   Mesh mesh;
   std::vector<BearingPlace> bearings;  ///< front set first
   Joints shoulders, collars;
+  Joints clamped;  ///< spacers between rings, ground and pressed together: no barrier
   Joints housing_cylinder, housing_ends, nose, rear, flange;
   Joints gap;
   Joints coolant_walls;
