@@ -32,8 +32,6 @@ namespace {
 
 using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured channel
 
-constexpr std::size_t many_channels = 3;  // that a table sums up before each is told
-
 struct CompareFlags {
   std::vector<std::string> files;  // models, then data
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
@@ -164,10 +162,28 @@ void print_channels(const Comparisons& comparisons) {
   fmt::print("{}\n", table.text(terminal_width()));
 }
 
+/// Of many channels those that stand out of what is tolerated, or else the one that is nearest to
+/// it: the others have their line in print_channels().
+std::vector<const fit::Comparison*> told_in_full(const Comparisons& comparisons) {
+  std::vector<const fit::Comparison*> told;
+  const auto share = [](const fit::Comparison& c) {
+    return c.rmse / (std::isnan(c.tolerance) ? c.noise.rms : c.tolerance);
+  };
+  const fit::Comparison* worst = &comparisons.front();
+  for (const fit::Comparison& c : comparisons) {
+    if (comparisons.size() < many_channels || !(share(c) <= 1.0)) told.push_back(&c);
+    if (share(c) > share(*worst)) worst = &c;
+  }
+  if (told.empty()) told.push_back(worst);
+  return told;
+}
+
 void print(const std::string& model, const Comparisons& comparisons, const record::Record& data) {
   if (comparisons.size() >= many_channels) print_channels(comparisons);
-  for (const fit::Comparison& c : comparisons) {
-    if (&c != &comparisons.front()) fmt::print("\n");
+  const std::vector<const fit::Comparison*> told = told_in_full(comparisons);
+  for (const fit::Comparison* one : told) {
+    const fit::Comparison& c = *one;
+    if (one != told.front()) fmt::print("\n");
     fmt::print("{} against {}: {} row{}, {}\n\n", model, data.source, c.rows,
                c.rows == 1 ? "" : "s", c.channel->words);
     print_summary(c);

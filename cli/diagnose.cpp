@@ -63,13 +63,34 @@ std::string size_text(const std::vector<fit::Parameter>& parameters) {
 /// Where a tolerance alone decides there is no likelihood.
 bool has_gains(const fit::Diagnosis& d) { return !std::isnan(d.needed_gain); }
 
+/// The channel that errs most on rows left out, of what is tolerated or else of its noise.
+struct WorstChannel {
+  double share = unset;
+  std::string_view words = {};
+};
+
+WorstChannel worst_channel(const std::vector<double>& errors, const fit::Diagnosis& d) {
+  WorstChannel worst;
+  for (std::size_t k = 0; k < std::min(errors.size(), d.channels.size()); ++k) {
+    const fit::ChannelDiagnosis& c = d.channels[k];
+    const double share = errors[k] / (d.tolerance_limited() ? c.tolerance : c.noise.rms);
+    if (std::isnan(worst.share) || share > worst.share) worst = {share, c.channel().words};
+  }
+  return worst;
+}
+
 /// Errors of every channel, then what it is and how much it gains.
 TextTable effects_table(const fit::Diagnosis& d) {
   std::vector<TextTable::Column> columns{{"effect", "", true}, {"", "", true}};
   if (has_gains(d)) columns.push_back({"gain", ""});
-  for (const fit::ChannelDiagnosis& c : d.channels) {
-    columns.push_back({"RMS", error_unit(c.channel())});
-    columns.push_back({"held out", error_unit(c.channel())});
+  if (d.channels.size() >= many_channels) {
+    columns.push_back({"held out", d.tolerance_limited() ? "of tolerance" : "of noise"});
+    columns.push_back({"worst in", "", true});
+  } else {
+    for (const fit::ChannelDiagnosis& c : d.channels) {
+      columns.push_back({"RMS", error_unit(c.channel())});
+      columns.push_back({"held out", error_unit(c.channel())});
+    }
   }
   columns.push_back({"size", "", true});
   if (has_gains(d)) columns.push_back({"gain, | needed", "", true});
@@ -90,9 +111,15 @@ void print_effects(const fit::Diagnosis& d) {
     const double gain = std::abs(e.gain) < 0.005 ? 0.0 : e.gain;
     std::vector<std::string> row{e.id, e.in_verdict ? "<-" : ""};
     if (has_gains(d)) row.push_back(number(gain, 3));
-    for (std::size_t k = 0; k < d.channels.size(); ++k) {
-      row.push_back(channel_error(e.rmse, k, d));
-      row.push_back(channel_error(e.rmse_held_out, k, d));
+    if (d.channels.size() >= many_channels) {
+      const WorstChannel worst = worst_channel(e.rmse_held_out, d);
+      row.push_back(number(worst.share, 3));
+      row.emplace_back(worst.words);
+    } else {
+      for (std::size_t k = 0; k < d.channels.size(); ++k) {
+        row.push_back(channel_error(e.rmse, k, d));
+        row.push_back(channel_error(e.rmse_held_out, k, d));
+      }
     }
     row.push_back(size_text(e.parameters));
     if (has_gains(d)) row.push_back(e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar);
@@ -222,13 +249,44 @@ void print_ladder(const fit::Diagnosis& d, const fit::ChannelDiagnosis& c) {
   fmt::print("{}", ladder.text(terminal_width()));
 }
 
+/// The same of many channels, a line each.
+void print_channels(const fit::Diagnosis& d) {
+  const bool tolerated = d.tolerance_limited();
+  std::vector<TextTable::Column> columns{{"RMS error", "", true}, {"before", ""}, {"after", ""}};
+  if (tolerated) {
+    columns.push_back({"held out,", "before"});
+    columns.push_back({"held out,", "after"});
+  }
+  columns.push_back({"noise", ""});
+  if (tolerated) columns.push_back({"tolerance", ""});
+  columns.push_back({"unit", "", true});
+  TextTable table(columns);
+  for (const fit::ChannelDiagnosis& c : d.channels) {
+    const record::Channel& of = c.channel();
+    const auto text = [&](double error) { return error_text(error, of, error_digits); };
+    std::vector<std::string> row{std::string(of.words), text(c.rmse_before), text(c.rmse_after)};
+    if (tolerated) {
+      row.push_back(text(c.rmse_held_out_before));
+      row.push_back(text(c.rmse_held_out_after));
+    }
+    row.push_back(text(c.noise.rms));
+    if (tolerated) row.push_back(text(c.tolerance));
+    row.emplace_back(error_unit(of));
+    table.add(std::move(row));
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
 void print(const fit::Diagnosis& d) {
   fmt::print("{}\n{}\n\n", in_colour(d.headline, Colour::strong), d.sentence);
   fmt::print("verdict: {}{}\n\n", fit::name(d.verdict),
              std::isnan(d.p_value) ? ""
              : d.p_value < 1e-300  ? " (p of the misfit < 1e-300)"
                                    : fmt::format(" (p of the misfit {:.1g})", d.p_value));
-  for (const fit::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
+  if (d.channels.size() >= many_channels)
+    print_channels(d);
+  else
+    for (const fit::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
   print_effects(d);
   fmt::print("\n");
   print_verdict_details(d);

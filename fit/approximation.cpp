@@ -572,6 +572,32 @@ double spacing_of(const Means& means) {
 
 }  // namespace
 
+namespace {
+
+/// What a model's own coarseness may add along each of these directions of weighed errors: as much
+/// as an error of the declared size does that follows them throughout a channel; errors of
+/// different channels taken as independent. More readings do not make it smaller.
+Eigen::VectorXd coarseness(const Subject& subject, const Means& means,
+                           const Eigen::MatrixXd& directions) {
+  const std::vector<Measured> measured = subject.measured();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(directions.cols());
+  for (std::size_t c = 0; c < measured.size(); ++c) {
+    if (!(measured[c].model_error > 0.0)) continue;
+    double weight = 0.0;
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(directions.cols());
+    for (Eigen::Index i = 0; i < means.size(); ++i) {
+      const Means::Mean& mean = means.list[static_cast<std::size_t>(i)];
+      if (mean.channel != c) continue;
+      weight += mean.weight * mean.weight;
+      share += directions.row(i).transpose().cwiseAbs2();
+    }
+    sum += measured[c].model_error * measured[c].model_error * weight * share;
+  }
+  return sum;
+}
+
+}  // namespace
+
 ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) {
   ApproximationErrors result;
   const Means& means = recorded.means;
@@ -597,14 +623,16 @@ ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) 
   Eigen::MatrixXd columns = w.asDiagonal() * slope(Eigen::all, moving);
   const Eigen::VectorXd length = columns.colwise().norm();
   columns = columns * length.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const Eigen::VectorXd& s = svd.singularValues();
   result.condition = s[0] / s[s.size() - 1];
   const double freedom =
       std::max(1.0, static_cast<double>(r.size() - static_cast<Eigen::Index>(moving.size())));
   const double variance = w.cwiseProduct(r).squaredNorm() / freedom * sum;
-  const Eigen::MatrixXd v = svd.matrixV() * s.cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd inner = variance * (v * v.transpose());
+  const Eigen::VectorXd spread =
+      Eigen::VectorXd::Constant(s.size(), variance) + coarseness(*a.subject, means, svd.matrixU());
+  const Eigen::MatrixXd v = svd.matrixV() * (spread.cwiseSqrt().cwiseQuotient(s)).asDiagonal();
+  const Eigen::MatrixXd inner = v * v.transpose();
   for (std::size_t i = 0; i < moving.size(); ++i)
     for (std::size_t j = 0; j < moving.size(); ++j) {
       const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);

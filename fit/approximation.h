@@ -72,7 +72,8 @@ void hold_out(Approximation& approximation, const Recorded& recorded);
 [[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
                                     Recorded& rows);
 
-/// Standard errors of all parameters, widened for what is left following the rows before it.
+/// Standard errors of all parameters, widened for what is left following the rows before it, and by
+/// what the model declares as its own error.
 struct ApproximationErrors {
   Eigen::MatrixXd covariance{};
   double condition = unset;         ///< of the columns, each of unit length

@@ -228,10 +228,14 @@ std::string where_text(const ErrorRange& range) {
   if (range.is_run())
     return range.run.empty() ? "in rows without run_id"
                              : fmt::format("in {} {}", range.channel->words, range.run);
-  const std::string from = fmt::format("{:.4g}", range.channel->in_unit(range.from));
-  const std::string to = fmt::format("{:.4g}", range.channel->in_unit(range.to));
-  return from == to ? fmt::format("at {} {}", from, range.channel->place)
-                    : fmt::format("at {} to {} {}", from, to, range.channel->place);
+  const Channel& of = *range.channel;
+  const std::string from = fmt::format("{:.4g}", of.in_unit(range.from));
+  const std::string to = fmt::format("{:.4g}", of.in_unit(range.to));
+  const std::string place = !of.place.empty() ? std::string(of.place)
+                            : of.unit == "1"  ? fmt::format("of {}", of.words)
+                                              : fmt::format("{} of {}", of.unit, of.words);
+  return from == to ? fmt::format("at {} {}", from, place)
+                    : fmt::format("at {} to {} {}", from, to, place);
 }
 
 /// What a tolerance says of the misfit; empty where there is none.

@@ -66,11 +66,25 @@ std::string names(const std::vector<std::string>& ids, const char* last) {
   return joined(words, last);
 }
 
+/// Of many channels the two that erred most, by name.
 std::string errors(const Diagnosis& d) {
+  constexpr std::size_t few = 2;
+  std::vector<const ChannelDiagnosis*> told;
+  for (const ChannelDiagnosis& c : d.channels) told.push_back(&c);
+  const bool named = told.size() > few;
+  if (named) {
+    const auto share = [](const ChannelDiagnosis* c) {
+      return c->rmse_before / (std::isnan(c->tolerance) ? c->noise.rms : c->tolerance);
+    };
+    std::stable_sort(told.begin(), told.end(),
+                     [&](const auto* a, const auto* b) { return share(a) > share(b); });
+    told.resize(few);
+  }
   std::vector<std::string> texts;
-  for (const ChannelDiagnosis& c : d.channels)
-    texts.push_back(fmt::format("{:.3g} -> {}", c.rmse_before / c.channel().factor,
-                                reading_text(c.channel(), c.rmse_after)));
+  for (const ChannelDiagnosis* c : told)
+    texts.push_back(fmt::format("{:.3g} -> {}{}", c->rmse_before / c->channel().factor,
+                                reading_text(c->channel(), c->rmse_after),
+                                named ? fmt::format(" of {}", c->channel().words) : ""));
   return "error " + joined(texts, "and");
 }
 

