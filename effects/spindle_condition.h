@@ -19,6 +19,8 @@ struct SpindleCondition {
   double motor_heat_exponent = 1.0, drive_heat_exponent = 1.0;
   /// Of a sleeve that the model lacks, from the housing to the inlet (else the ambient) [W/K].
   double sleeve_conductance = 0.0;
+  /// How far it goes: 0 between the sets, 1 over their bearings to the outermost faces [1].
+  double sleeve_reach = 1.0;
   /// Rise of the machine at the flange [K], approached with a time constant [s].
   double structure_rise = 0.0, structure_time = 3600.0;
   /// Share of the way from friction by the model's own choice of preload to the other one [1].

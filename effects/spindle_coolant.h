@@ -12,6 +12,8 @@ namespace raceway::effects {
 ///
 ///   q = G (T_housing - T_in),   T_in of the inlet, of the ambient where the model has no coolant
 ///
+/// spread over the length that it covers: between the sets and `reach` of their bearings.
+///
 /// Source:   a film towards a fluid of one temperature, definition. 2 l/min of water carry 140 W/K.
 /// Domain:   G >= 0. It does not know when a pump is off: a record that says so tells it apart.
 struct SleeveCoolant {
@@ -31,12 +33,20 @@ struct SleeveCoolant {
                                                    .lower = 0.0,
                                                    .upper = 5000.0,
                                                    .plausible_lower = 2.0,
-                                                   .plausible_upper = 500.0}};
+                                                   .plausible_upper = 500.0},
+                                         Parameter{.name = "reach",
+                                                   .unit = "1",
+                                                   .initial = 0.5,
+                                                   .lower = 0.0,
+                                                   .upper = 1.0,
+                                                   .plausible_lower = 0.0,
+                                                   .plausible_upper = 1.0}};
   static constexpr std::array needs{Need::time};
   static constexpr bool follows_heat = true;
 
   static void spindle(std::span<const double> values, SpindleCondition& c) {
     c.sleeve_conductance += values[0];
+    c.sleeve_reach = values[1];
   }
 };
 

@@ -129,11 +129,19 @@ void ThermalSystem::add_fixed() {
   set_links(add_links(layout_.collars), spindle_.seat.collar_conductance);
 }
 
-/// A sleeve that nobody told of: around the housing between the bearings' outer faces, at the
-/// diameter of the coolant's channel, else in the middle of the wall.
+/// A sleeve that nobody told of: around the housing between the sets and as far over their bearings
+/// as it reaches, at the diameter of the coolant's channel, else in the middle of the wall. Without
+/// a rear set to the end of the housing.
 void ThermalSystem::add_sleeve(const effects::SpindleCondition& condition) {
   if (!(condition.sleeve_conductance > 0.0)) return;
-  const double from = layout_.first_bearing_front, to = layout_.last_bearing_rear;
+  const BearingPlace& front = layout_.bearings[spindle_.front_positions.size() - 1];
+  const bool two = !spindle_.rear_positions.empty();
+  const double inner_from = front.position + 0.5 * front.width;
+  const double inner_to =
+      two ? spindle_.rear_positions.front() - 0.5 * front.width : layout_.housing_end;
+  const double outer_to = two ? layout_.last_bearing_rear : layout_.housing_end;
+  const double from = std::lerp(inner_from, layout_.first_bearing_front, condition.sleeve_reach);
+  const double to = std::lerp(inner_to, outer_to, condition.sleeve_reach);
   double low = 1e9, high = 0.0;
   for (const Cell& c : layout_.mesh.cells)
     if (c.body == Body::housing) {
@@ -142,15 +150,15 @@ void ThermalSystem::add_sleeve(const effects::SpindleCondition& condition) {
     }
   const double radius = spindle_.coolant ? 0.5 * spindle_.coolant->diameter : 0.5 * (low + high);
   double sum = 0.0;
-  std::vector<std::pair<int, double>> at;
+  std::vector<std::pair<int, double>> at;  // cell and the length of it that is covered
   for (std::size_t k = 0; k < layout_.mesh.size(); ++k) {
     const Cell& c = layout_.mesh.cells[k];
-    const double middle = 0.5 * (c.start + c.end);
-    if (c.body != Body::housing || middle < from || middle > to || radius < c.inner_radius ||
+    const double covered = std::min(c.end, to) - std::max(c.start, from);
+    if (c.body != Body::housing || !(covered > 0.0) || radius < c.inner_radius ||
         radius >= c.outer_radius)
       continue;
-    at.emplace_back(static_cast<int>(k), c.length());
-    sum += c.length();
+    at.emplace_back(static_cast<int>(k), covered);
+    sum += covered;
   }
   for (const auto& [cell, length] : at)
     paths_.outlets.push_back(

@@ -44,7 +44,7 @@ TEST(SpindleEffects, ChangeOneNumberEachAndInTheUnitOfTheirParameter) {
     EXPECT_EQ(with({{id, values}}), wanted) << id;
   };
   using C = SpindleCondition;
-  expect("coolant", {25.0}, [](C& c) { c.sleeve_conductance = 25.0; });
+  expect("coolant", {25.0, 0.25}, [](C& c) { c.sleeve_conductance = 25.0, c.sleeve_reach = 0.25; });
   expect("seat-conductance", {0.15}, [](C& c) { c.outer_seat_factor = 0.15; });
   expect("motor-heat", {400.0}, [](C& c) { c.motor_heat = 400.0; });
   expect("drive-heat", {150.0}, [](C& c) { c.drive_heat = 150.0; });
