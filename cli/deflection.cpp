@@ -20,10 +20,11 @@ namespace raceway::cli {
 namespace {
 
 constexpr NumberRange at_range{0.0, 1e5, "mm"};
+constexpr NumberRange moment_load_range{-1e5, 1e5, "N m"};
 
 struct DeflectionFlags {
   std::string model, output, direction = "radial", coolant = "on";
-  double force_N = unset, at_mm = 0.0, speed_rpm = 0.0;
+  double force_N = 0.0, axial_force_N = 0.0, moment_Nm = 0.0, at_mm = 0.0, speed_rpm = 0.0;
   bool warm = false, json = false, force = false;
 };
 
@@ -34,7 +35,7 @@ double tangent_displacement(const BeamOfModel& b, const io::DeflectionResult& r)
   for (const spindle::Spring& s :
        spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings))
     in_y.push_back(s.y);
-  const spindle::BeamLoad load[] = {{.position = r.at, .force = r.force}};
+  const spindle::BeamLoad load[] = {{.position = r.at, .force = r.force, .moment = -r.moment}};
   const spindle::Deflection d = spindle::deflect(b.beam, b.places, in_y, load);
   return d.found ? b.beam.at(r.at, d.shape)[0] : unset;
 }
@@ -45,13 +46,20 @@ io::DeflectionResult solve_deflection(const DeflectionFlags& f, const model::Mod
                          .force = f.force_N,
                          .at = f.at_mm * mm,
                          .axial = f.direction == "axial",
+                         .axial_force = f.axial_force_N,
+                         .moment = f.moment_Nm,
                          .sets = {},
                          .shaft = {}};
   r.sets = b.sets.at(inputs_at(model, r.speed, f.coolant == "on"), f.warm);
   if (!r.sets.converged()) return r;
   r.tangent = tangent_displacement(b, r);
   spindle::ShaftLoad load{.position = r.at};
-  (r.axial ? load.axial : load.radial) = r.force;
+  if (r.axial) {
+    load.axial = r.force;
+  } else {
+    // θ = dv/ds counts rearwards: a force in front of its place turns the shaft against it.
+    load.radial = r.force, load.axial = r.axial_force, load.moment = -r.moment;
+  }
   r.shaft = spindle::solve_loaded_shaft(b.beam, b.sets.arrangement(), b.places, r.sets.condition,
                                         load, model.solver);
   if (!r.shaft.report.converged()) return r;
@@ -63,23 +71,29 @@ io::DeflectionResult solve_deflection(const DeflectionFlags& f, const model::Mod
 }
 
 /// As text, zero where rounding left it.
-std::string across(double first, double second, double force) {
+std::string across(double first, double second, const io::DeflectionResult& r) {
   const double value = std::hypot(first, second);
-  return number(value < 1e-9 * std::abs(force) ? 0.0 : value);
+  const double load = std::abs(r.force) + std::abs(r.axial_force) + std::abs(r.moment);
+  return number(value < 1e-9 * load ? 0.0 : value);
 }
 
 void print(const DeflectionFlags& f, const model::Model& model, const BeamOfModel& b,
            const io::DeflectionResult& r) {
   const bearing::Arrangement& a = b.sets.arrangement();
-  fmt::print("Deflection of {} under {:.6g} N {} at {:.6g} mm, {:.6g} rpm, {}\n", model.name,
-             r.force, f.direction, f.at_mm, f.speed_rpm, f.warm ? "warm" : "cold");
+  fmt::print("Deflection of {} under {} at {:.6g} mm, {:.6g} rpm, {}\n", model.name,
+             io::load_words(r), f.at_mm, f.speed_rpm, f.warm ? "warm" : "cold");
   if (r.sets.converged())
     fmt::print(
         "preload {:.4g} N as mounted; at this speed, without the force: front {} N, rear {} N\n",
         a.preload(), number(r.sets.equilibrium.front_force), number(r.sets.equilibrium.rear_force));
   if (!r.converged()) return;
-  fmt::print("displacement where it acts {:.4f} um, {} N/um (first {} N/um)\n", r.displacement / um,
-             number(r.stiffness() / N_per_um), number(r.force / r.tangent / N_per_um));
+  if (std::isnan(r.stiffness()))
+    fmt::print("displacement where it acts {:.4f} um ({:.4f} um by the stiffness without load)\n",
+               r.displacement / um, r.tangent / um);
+  else
+    fmt::print("displacement where it acts {:.4f} um, {} N/um (first {} N/um)\n",
+               r.displacement / um, number(r.stiffness() / N_per_um),
+               number(r.force / r.tangent / N_per_um));
   if (!r.axial) fmt::print("nose {:.4f} um, slope {:.3f} urad\n", r.nose / um, r.slope * 1e6);
   fmt::print("\n");
   TextTable table({{"bearing", "", true},
@@ -104,11 +118,10 @@ void print(const DeflectionFlags& f, const model::Model& model, const BeamOfMode
       flattest = std::fmin(flattest, ball.inner_contact_angle);
       steepest = std::fmax(steepest, ball.inner_contact_angle);
     }
-    table.add({io::bearing_place(a, i), number(load[0]), across(load[1], load[2], r.force),
-               across(load[3], load[4], r.force), number(least), number(most),
-               number(flattest / degree), number(steepest / degree),
-               fmt::format("{}", e.lost_balls()), number(e.stiffness(0, 0) / N_per_um),
-               number(e.stiffness(1, 1) / N_per_um),
+    table.add({io::bearing_place(a, i), number(load[0]), across(load[1], load[2], r),
+               across(load[3], load[4], r), number(least), number(most), number(flattest / degree),
+               number(steepest / degree), fmt::format("{}", e.lost_balls()),
+               number(e.stiffness(0, 0) / N_per_um), number(e.stiffness(1, 1) / N_per_um),
                number(r.sets.bearings[i].stiffness(1, 1) / N_per_um)});
   }
   fmt::print("{}", table.text(terminal_width()));
@@ -121,9 +134,14 @@ int run(const DeflectionFlags& f) {
   const bool to_file = !f.output.empty() && f.output != "-";
   const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(f.output, if_exists);
-  if (f.force_N == 0.0)
-    throw io::InputError("raceway deflection: --force = 0 N: a force is needed",
+  if (f.force_N == 0.0 && f.moment_Nm == 0.0)
+    throw io::InputError("raceway deflection: --force = 0 N: a force or a --moment is needed",
                          {.key = "--force"});
+  if (f.direction == "axial" && (f.axial_force_N != 0.0 || f.moment_Nm != 0.0))
+    throw io::InputError(
+        fmt::format("raceway deflection: --{} goes with a radial --force, which may be 0",
+                    f.moment_Nm != 0.0 ? "moment" : "axial-force"),
+        {.key = "--direction"});
   const io::ModelFile file = open_model(f.model, Accepts::shaft);
   BeamOfModel b = beam_of(file, f.at_mm * mm);
   const io::DeflectionResult r = solve_deflection(f, file.model, b);
@@ -155,8 +173,11 @@ Run setup_deflection(CLI::App& command) {
       ->required()
       ->type_name("");
   add_number(command, "--force", flags->force_N, signed_load_range,
-             "[N]; axial: positive towards the tool")
-      ->required();
+             "[N]; axial: positive towards the tool; default 0");
+  add_number(command, "--axial-force", flags->axial_force_N, signed_load_range,
+             "[N] beside a radial force, positive towards the tool");
+  add_number(command, "--moment", flags->moment_Nm, moment_load_range,
+             "[N m] at the same place; positive: as the force further in front, at the tool");
   add_number(command, "--at", flags->at_mm, at_range, "[mm] behind the nose face; default 0");
   command.add_option("--direction", flags->direction, "radial or axial; default radial")
       ->check(CLI::IsMember({"radial", "axial"}))
@@ -171,7 +192,10 @@ Run setup_deflection(CLI::App& command) {
       ->type_name("FILE");
   command.add_flag("--replace", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway deflection spindle.toml --force 1000 --speed 8000 --warm");
+  command.footer(
+      "Example:\n  raceway deflection spindle.toml --force 1000 --axial-force -300 --moment 100 "
+      "--speed 8000 "
+      "--warm");
   return [flags] { return run(*flags); };
 }
 

@@ -355,7 +355,11 @@ class Inquiry {
     }
     if (!singles_.empty()) {
       std::vector<const Tried*> near = near_best(singles_);
-      const auto is_within = [&](const Tried* t) { return t->worst() <= as_good_as_within(); };
+      // What is beyond the tolerance by chance has at least taken as much of the misfit.
+      const double slack = as_good_as_within(), base = worst_held_out(base_);
+      const auto is_within = [&](const Tried* t) {
+        return t->worst() <= 1.0 || (t->worst() <= slack && slack * t->worst() <= base);
+      };
       if (std::any_of(near.begin(), near.end(), is_within) && is_believable(singles_.front())) {
         found_ = std::move(near);
         result_.verdict = found_.size() == 1 ? Verdict::effect : Verdict::ambiguous;

@@ -227,6 +227,13 @@ std::string campbell_json(const Arrangement& a, const std::vector<ModesAtSpeed>&
       {{"model", printable(source)}, {"preload_N", a.preload()}, {"rows", std::move(rows)}});
 }
 
+std::string load_words(const DeflectionResult& r) {
+  std::string words = fmt::format("{:.6g} N {}", r.force, r.axial ? "axial" : "radial");
+  if (r.axial_force != 0.0) words += fmt::format(", {:.6g} N axial", r.axial_force);
+  if (r.moment != 0.0) words += fmt::format(", {:.6g} N m", r.moment);
+  return words;
+}
+
 std::string deflection_json(const Arrangement& a, const DeflectionResult& r,
                             std::string_view source) {
   json document = {{"model", printable(source)}, {"speed_rpm", r.speed / rpm},
@@ -235,6 +242,8 @@ std::string deflection_json(const Arrangement& a, const DeflectionResult& r,
   const bool sets = r.sets.converged();
   document["unloaded_front_force_N"] = sets ? r.sets.equilibrium.front_force : unset;
   document["unloaded_rear_force_N"] = sets ? r.sets.equilibrium.rear_force : unset;
+  document["axial_force_N"] = r.axial ? r.force : r.axial_force;
+  document["moment_Nm"] = r.moment;
   document["displacement_um"] = r.displacement / um;
   document["nose_displacement_um"] = r.nose / um;
   document["nose_slope_urad"] = r.slope / microradian;
@@ -257,7 +266,7 @@ std::string deflection_text(const spindle::Beam& beam, const DeflectionResult& r
                             std::string_view source, std::string_view model_text) {
   fmt::memory_buffer out;
   head(out,
-       fmt::format("Bending line of the shaft under {:.6g} N at {:.6g} mm, {:.6g} rpm", r.force,
+       fmt::format("Bending line of the shaft under {} at {:.6g} mm, {:.6g} rpm", load_words(r),
                    r.at / mm, r.speed / rpm),
        source, model_text);
   fmt::format_to(std::back_inserter(out), "position_mm,radial_displacement_um,slope_urad\n");

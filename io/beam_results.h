@@ -44,6 +44,10 @@ struct ModesAtSpeed {
 struct DeflectionResult {
   double speed = 0.0, force = unset, at = 0.0;  ///< [rad/s], [N], [m]
   bool axial = false;
+  double axial_force = 0.0;  ///< beside a radial one, towards the tool [N]
+  /// In the plane of a radial force, at its place, in the sense of the same force further in front
+  /// [N m].
+  double moment = 0.0;
   spindle::SetsAtSpeed sets;    ///< without the force
   spindle::LoadedShaft shaft;   ///< under it; not run where the sets have no balance
   double displacement = unset;  ///< where the force acts, in its direction [m]
@@ -52,8 +56,14 @@ struct DeflectionResult {
   double tangent = unset;  ///< displacement where the force acts, by the unloaded stiffness [m]
   [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }
   [[nodiscard]] std::string status() const;
-  [[nodiscard]] double stiffness() const { return force / displacement; }  ///< [N/m]
+  /// Of one force alone; NaN of several loads together [N/m].
+  [[nodiscard]] double stiffness() const {
+    return axial_force == 0.0 && moment == 0.0 ? force / displacement : unset;
+  }
 };
+
+/// "1000 N radial, -200 N axial, 50 N m".
+[[nodiscard]] std::string load_words(const DeflectionResult& result);
 
 [[nodiscard]] std::string deflection_json(const bearing::Arrangement& arrangement,
                                           const DeflectionResult& result, std::string_view source);

@@ -75,6 +75,30 @@ TEST_F(BeamCommands, DeflectionTellsPreloadStiffnessAndWhatEachBearingCarries) {
   }
 }
 
+// A force at the nose is the same force 40 mm behind it, still in front of all bearings, and the
+// moment of 40 mm.
+TEST_F(BeamCommands, AForceInFrontIsAForceAndAMoment) {
+  const json at_nose = parsed(raceway("deflection", "--force 1000 --speed 8000 --json"));
+  const json behind =
+      parsed(raceway("deflection", "--force 1000 --at 40 --moment 40 --speed 8000 --json"));
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const char* key : {"radial_load_N", "moment_Nm", "largest_inner_load_N"})
+      EXPECT_NEAR(behind["bearings"][i][key].get<double>(),
+                  at_nose["bearings"][i][key].get<double>(), 1e-4)
+          << key;
+  EXPECT_TRUE(behind["stiffness_N_um"].is_null());
+}
+
+TEST_F(BeamCommands, ACuttingForceHasAnAxialPart) {
+  const json d = parsed(raceway("deflection", "--force 500 --axial-force -200 --json"));
+  EXPECT_EQ(d["report"]["status"], "converged");
+  EXPECT_NEAR(d["front_force_N"].get<double>() - d["rear_force_N"].get<double>(), 200.0, 1e-3)
+      << "what pushes the shaft rearwards lies on the front set of an O";
+  const Result axial = raceway("deflection", "--force 100 --direction axial --moment 5");
+  EXPECT_EQ(axial.status, 1);
+  EXPECT_THAT(axial.err, HasSubstr("--moment goes with a radial --force"));
+}
+
 TEST_F(BeamCommands, AxialDeflectionIsThatOfTheSets) {
   const json with = parsed(raceway("displacement", "--speed 4000 --axial-load 100 --json"));
   const json without = parsed(raceway("displacement", "--speed 4000 --json"));
