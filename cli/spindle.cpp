@@ -10,11 +10,14 @@
 #include "cli/commands.h"
 #include "cli/data_flag.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
 #include "cli/spindle_steady.h"
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/spindle_record.h"
+#include "io/spindle_report.h"
+#include "spindle/drawn_run.h"
 #include "spindle/record_rows.h"
 
 namespace raceway::cli {
@@ -26,6 +29,7 @@ struct SpindleFlags {
   bool steady = false, json = false, force = false;
   double ambient = unset;
   DataFlag reading;
+  ReportFlag report;
 
   [[nodiscard]] io::IfExists if_exists() const {
     return force ? io::IfExists::replace : io::IfExists::refuse;
@@ -49,6 +53,7 @@ void check_flags(const SpindleFlags& f) {
     fail("--json and --output - both write to stdout; take one", "--output");
   for (const std::string& path : {f.output, f.end_state, f.field})
     if (!path.empty() && path != "-") io::require_writable(path, f.if_exists());
+  f.report.check(f.force);
 }
 
 io::ModelFile open_spindle(const std::string& path) {
@@ -91,6 +96,24 @@ spindle::Simulator simulator_of(const io::ModelFile& file) {
   }
 }
 
+/// Sections for the page, of up to a dozen of the speeds that have a steady state.
+std::vector<io::DrawnField> fields_of(spindle::Simulator& simulator,
+                                      const std::vector<io::SteadyState>& states) {
+  constexpr std::size_t most = 12;
+  std::vector<const io::SteadyState*> found;
+  for (const io::SteadyState& s : states)
+    if (s.report.converged()) found.push_back(&s);
+  std::vector<io::DrawnField> fields;
+  const std::size_t count = std::min(most, found.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const io::SteadyState& s = *found[count == 1 ? 0 : k * (found.size() - 1) / (count - 1)];
+    spindle::Report report;
+    static_cast<void>(simulator.steady(s.inputs, report));
+    fields.push_back({.speed = s.inputs.speed, .cells = simulator.field(simulator.state())});
+  }
+  return fields;
+}
+
 int run_steady(const SpindleFlags& f, const io::ModelFile& file) {
   const std::vector<double> speeds = axis(f.speed, "--speed");
   require_all(speeds, speed_range, "--speed");
@@ -116,6 +139,12 @@ int run_steady(const SpindleFlags& f, const io::ModelFile& file) {
     put_document(io::spindle_steady_json(file.model, states, mesh));
   else if (f.output != "-")
     print_steady(file.model, states, mesh);
+  f.report.write(
+      [&] {
+        return io::spindle_steady_report(of_page(file, file.model), states,
+                                         fields_of(simulator, states), mesh, words(mesh));
+      },
+      f.force);
   bool all = true;
   for (const io::SteadyState& s : states) {
     if (s.report.converged()) continue;
@@ -192,6 +221,22 @@ void print_run(const model::Model& model, const spindle::Run& run, std::size_t a
   fmt::print("{}\n", words(mesh));
 }
 
+std::string page_of(const SpindleFlags& f, const io::ModelFile& file, spindle::Simulator& simulator,
+                    std::span<const spindle::ProfileRow> profile, const spindle::State* start,
+                    const spindle::Run& run, const io::MeshEstimate& mesh) {
+  const spindle::DrawnRun drawn = spindle::drawn_run(simulator, profile, start, run);
+  std::vector<io::DrawnField> fields;
+  for (const spindle::State& state : drawn.states) {
+    const auto row = std::lower_bound(drawn.rows.begin(), drawn.rows.end(), state.time,
+                                      [](const auto& r, double time) { return r.time < time; });
+    fields.push_back({.time = state.time,
+                      .speed = row == drawn.rows.end() ? unset : row->inputs.speed,
+                      .cells = simulator.field(state)});
+  }
+  return io::spindle_run_report(of_page(file, file.model), f.profile, profile.size(), run, drawn,
+                                fields, mesh, words(mesh));
+}
+
 int run_profile(const SpindleFlags& f, const io::ModelFile& file) {
   const std::vector<spindle::ProfileRow> profile = read_profile(f, file);
   const std::optional<spindle::State> start = read_start(f, profile.front().time);
@@ -206,7 +251,7 @@ int run_profile(const SpindleFlags& f, const io::ModelFile& file) {
   const auto fastest = std::max_element(
       profile.begin(), profile.end(),
       [](const auto& a, const auto& b) { return a.inputs.speed < b.inputs.speed; });
-  const io::MeshEstimate mesh = f.json || f.output != "-"
+  const io::MeshEstimate mesh = f.json || f.output != "-" || !f.report.path.empty()
                                     ? mesh_estimate(file.model, fastest->inputs)
                                     : io::MeshEstimate{.cells = simulator.cells()};
   put_file(f, f.output, io::spindle_run_text(file.model, profile, run, file.text),
@@ -216,6 +261,9 @@ int run_profile(const SpindleFlags& f, const io::ModelFile& file) {
     put_document(io::spindle_run_json(file.model, profile, run, mesh));
   else if (f.output != "-")
     print_run(file.model, run, profile.size(), mesh);
+  f.report.write(
+      [&] { return page_of(f, file, simulator, profile, start ? &*start : nullptr, run, mesh); },
+      f.force);
   if (run.report.converged()) return done;
   warn(fmt::format("{}: {} at {:.6g} s; {} of {} rows are there", spindle::name(run.report.status),
                    run.report.message, run.end.time, run.moments.size(), profile.size()));
@@ -265,9 +313,10 @@ Run setup_spindle(CLI::App& command) {
   flags->reading.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->report.declare(command);
   command.footer(
       "Examples:\n  raceway spindle my.toml --speed 6000 --steady\n"
-      "  raceway spindle my.toml --speed-profile day.csv -o run.csv");
+      "  raceway spindle my.toml --speed-profile day.csv -o run.csv --report page.html");
   return [flags] { return run(*flags); };
 }
 

@@ -104,8 +104,10 @@ std::vector<io::SteadyState> steady_states(spindle::Simulator& simulator,
     io::SteadyState s;
     s.inputs = inputs;
     s.moment = simulator.steady(inputs, s.report);
-    if (s.report.converged() && simulator.sets())
+    if (s.report.converged() && simulator.sets()) {
       s.axial_stiffness = simulator.sets()->axial_stiffness;
+      s.bearings = simulator.sets()->bearings;
+    }
     list.push_back(std::move(s));
   }
   return list;

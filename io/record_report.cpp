@@ -22,9 +22,8 @@ namespace raceway::io {
 namespace {
 
 constexpr double an_hour = 3600.0;
-constexpr double far_apart = 10.0;       // of the usual time between rows: a gap
-constexpr double between_runs = 0.02;    // of all time, where runs are drawn one after the other
-constexpr std::size_t extremes = 20000;  // rows kept for them, of more rows than a page holds
+constexpr double far_apart = 10.0;     // of the usual time between rows: a gap
+constexpr double between_runs = 0.02;  // of all time, where runs are drawn one after the other
 
 /// When rows are drawn [s]. Runs whose clocks begin anew stand one after the other.
 struct Axis {
@@ -95,7 +94,7 @@ class Page {
         {"responses", responses(model)}};
     if (record_.has(channel)) {
       one["measured"] = measured(channel);
-      keep_extremes(residual(channel, predicted));
+      columns_.keep_extremes(residual(channel, predicted));
       one["held_out_parts"] = held_out_parts(*drawn.subject);
     }
     if (!drawn.held_out.empty()) one["held_out"] = held_out(drawn);
@@ -115,33 +114,10 @@ class Page {
     return {values.begin(), values.end()};
   }
 
-  /// A column, and where it is highest and lowest in each stretch of the record.
-  void add_column(const std::string& name, std::vector<double> values) {
-    keep_extremes(values);
-    columns_.add(name, std::move(values));
-  }
-
   std::string add_um(const std::string& name, std::vector<double> values) {
     for (double& v : values) v /= um;
-    add_column(name + "_um", std::move(values));
+    columns_.add_course(name + "_um", std::move(values));
     return name + "_um";
-  }
-
-  void keep_extremes(const std::vector<double>& values) {
-    constexpr std::size_t columns = 20;
-    const std::size_t stretches = extremes / 2 / columns;
-    for (std::size_t s = 0; s < stretches; ++s) {
-      std::size_t low = values.size(), high = low;
-      for (std::size_t k = s * values.size() / stretches; k < (s + 1) * values.size() / stretches;
-           ++k) {
-        if (std::isnan(values[k])) continue;
-        if (low == values.size() || values[k] < values[low]) low = k;
-        if (high == values.size() || values[k] > values[high]) high = k;
-      }
-      if (low == values.size()) continue;
-      columns_.keep(low);
-      columns_.keep(high);
-    }
   }
 
   void add_inputs() {
@@ -149,7 +125,7 @@ class Page {
       if (!c.channel->is_input()) continue;
       std::vector<double> values = c.values;
       for (double& v : values) v = value_in_unit(*c.channel, v);
-      add_column(std::string(c.channel->name), std::move(values));
+      columns_.add_course(std::string(c.channel->name), std::move(values));
       inputs_.emplace_back(c.channel->name);
     }
   }
@@ -160,7 +136,7 @@ class Page {
     measured_.push_back(name);
     std::vector<double> values = vector_of(record_.values(channel));
     for (double& v : values) v /= um;
-    add_column(name, std::move(values));
+    columns_.add_course(name, std::move(values));
     return name;
   }
 
@@ -202,7 +178,7 @@ class Page {
     const std::string name = "power_of_" + c.name + "_W";
     const bool known = std::find(inputs_.begin(), inputs_.end(), name) != inputs_.end();
     if (known) return name;
-    add_column(name, *series.input(c.input));
+    columns_.add_course(name, *series.input(c.input));
     inputs_.push_back(name);
     return name;
   }

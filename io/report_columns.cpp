@@ -32,6 +32,22 @@ void ReportColumns::add(std::string name, std::vector<double> values) {
   columns_.push_back({std::move(name), std::move(values)});
 }
 
+void ReportColumns::keep_extremes(const std::vector<double>& values) {
+  constexpr std::size_t stretches = 500;
+  for (std::size_t s = 0; s < stretches; ++s) {
+    std::size_t low = values.size(), high = low;
+    for (std::size_t k = s * values.size() / stretches; k < (s + 1) * values.size() / stretches;
+         ++k) {
+      if (std::isnan(values[k])) continue;
+      if (low == values.size() || values[k] < values[low]) low = k;
+      if (high == values.size() || values[k] > values[high]) high = k;
+    }
+    if (low == values.size()) continue;
+    keep(low);
+    keep(high);
+  }
+}
+
 std::vector<std::size_t> ReportColumns::kept() const {
   const std::size_t varying = std::max<std::size_t>(
       1,

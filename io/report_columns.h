@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raceway::io {
@@ -17,6 +18,13 @@ class ReportColumns {
   void add(std::string name, std::vector<double> values);
   /// Keeps these rows too when others are left out.
   void keep(std::size_t row) { wanted_.push_back(row); }
+  /// Keeps those where `values` are highest and lowest in each of 500 stretches of the rows.
+  void keep_extremes(const std::vector<double>& values);
+  /// Both, for what is drawn over time.
+  void add_course(std::string name, std::vector<double> values) {
+    keep_extremes(values);
+    add(std::move(name), std::move(values));
+  }
 
   /// `{"total": rows, "rows": those kept, "columns": [{"name": ..., "values": [...]}]}`
   [[nodiscard]] std::string json() const;

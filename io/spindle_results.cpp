@@ -16,43 +16,6 @@ namespace {
 using spindle::Inputs;
 using spindle::Moment;
 
-/// A column of a run with its value, in the unit of its name.
-struct RunColumn {
-  std::string name;
-  double value;
-};
-
-std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inputs,
-                                   const Moment& m) {
-  std::vector<RunColumn> list{{"speed_rpm", inputs.speed / rpm}};
-  if (!model.spindle->network) {
-    list.push_back({"axial_displacement_um", m.displacement / um});
-    list.push_back({"kinematic_displacement_um", m.kinematic_displacement / um});
-    list.push_back({"thermal_displacement_um", m.thermal_displacement() / um});
-    list.push_back({"front_force_N", m.front_force});
-    list.push_back({"rear_force_N", m.rear_force});
-  }
-  list.push_back({"friction_power_W", m.heat.friction});
-  list.push_back({"drive_heat_W", m.heat.drive});
-  list.push_back({"heat_to_coolant_W", m.heat.coolant});
-  list.push_back({"heat_to_air_W", m.heat.air});
-  list.push_back({"heat_to_machine_W", m.heat.machine});
-  list.push_back({"heat_stored_W", m.heat.stored});
-  const std::vector<model::ThermometerPlace>& sensors = model.spindle->sensors;
-  for (std::size_t k = 0; k < sensors.size(); ++k)
-    list.push_back(
-        {sensors[k].name + "_temperature_C", k < m.sensors.size() ? celsius(m.sensors[k]) : unset});
-  if (model.spindle->network) return list;
-  for (std::size_t k = 0; k < model.shaft->arrangement.bearings().size(); ++k) {
-    const spindle::BearingState b = k < m.bearings.size() ? m.bearings[k] : spindle::BearingState{};
-    const std::string label = bearing_label(model, k);
-    list.push_back({label + "_inner_ring_temperature_C", celsius(b.inner_ring_temperature)});
-    list.push_back({label + "_outer_ring_temperature_C", celsius(b.outer_ring_temperature)});
-    list.push_back({label + "_force_N", b.force});
-  }
-  return list;
-}
-
 json row_json(const std::vector<RunColumn>& columns) {
   json row = json::object();
   for (const RunColumn& c : columns) row[c.name] = c.value;
@@ -98,6 +61,37 @@ void put_row(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) {
 }
 
 }  // namespace
+
+std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inputs,
+                                   const Moment& m) {
+  std::vector<RunColumn> list{{"speed_rpm", inputs.speed / rpm}};
+  if (!model.spindle->network) {
+    list.push_back({"axial_displacement_um", m.displacement / um});
+    list.push_back({"kinematic_displacement_um", m.kinematic_displacement / um});
+    list.push_back({"thermal_displacement_um", m.thermal_displacement() / um});
+    list.push_back({"front_force_N", m.front_force});
+    list.push_back({"rear_force_N", m.rear_force});
+  }
+  list.push_back({"friction_power_W", m.heat.friction});
+  list.push_back({"drive_heat_W", m.heat.drive});
+  list.push_back({"heat_to_coolant_W", m.heat.coolant});
+  list.push_back({"heat_to_air_W", m.heat.air});
+  list.push_back({"heat_to_machine_W", m.heat.machine});
+  list.push_back({"heat_stored_W", m.heat.stored});
+  const std::vector<model::ThermometerPlace>& sensors = model.spindle->sensors;
+  for (std::size_t k = 0; k < sensors.size(); ++k)
+    list.push_back(
+        {sensors[k].name + "_temperature_C", k < m.sensors.size() ? celsius(m.sensors[k]) : unset});
+  if (model.spindle->network) return list;
+  for (std::size_t k = 0; k < model.shaft->arrangement.bearings().size(); ++k) {
+    const spindle::BearingState b = k < m.bearings.size() ? m.bearings[k] : spindle::BearingState{};
+    const std::string label = bearing_label(model, k);
+    list.push_back({label + "_inner_ring_temperature_C", celsius(b.inner_ring_temperature)});
+    list.push_back({label + "_outer_ring_temperature_C", celsius(b.outer_ring_temperature)});
+    list.push_back({label + "_force_N", b.force});
+  }
+  return list;
+}
 
 std::string bearing_label(const model::Model& model, std::size_t bearing) {
   const std::size_t front = model.shaft->arrangement.front_count();

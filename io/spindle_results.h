@@ -26,7 +26,20 @@ struct SteadyState {
   spindle::Moment moment;
   spindle::Report report;
   double axial_stiffness = unset;  ///< of the warm sets [N/m]
+  /// Of each bearing, front set first; empty where there is none.
+  std::vector<bearing::BearingInSet> bearings = {};
 };
+
+/// A column of a run with its value, in the unit of its name.
+struct RunColumn {
+  std::string name;
+  double value;
+};
+
+/// What files and pages say of one moment; all names, whatever the moment has.
+[[nodiscard]] std::vector<RunColumn> run_columns(const model::Model& model,
+                                                 const spindle::Inputs& inputs,
+                                                 const spindle::Moment& moment);
 
 /// `run.csv`: a row for each row of the programme that was reached. `model_text` is that of the
 /// file.

@@ -266,7 +266,7 @@ Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator::~Simulator() = default;
 
 Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
-                        std::span<const double> step_ends) {
+                        std::span<const double> step_ends, std::span<const double> keep) {
   Parts& p = *parts_;
   HeatFlow& flow = p.flow;
   Run run;
@@ -349,6 +349,10 @@ Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
       const double began = time;
       time = end - (time + dt) < 1e-9 * dt ? end : time + dt;
       run.step_ends.push_back(time);
+      while (run.kept.size() < keep.size() && keep[run.kept.size()] <= time) {
+        p.remember(time);
+        run.kept.push_back(p.last);
+      }
       if (flow.coupling()) follow_force(flow.coupling()->sets().sets().front_force, time);
       const bool written_all = write(
           time,

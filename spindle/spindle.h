@@ -91,6 +91,7 @@ struct Run {
   std::vector<Moment> moments = {};    ///< one for each row of the programme
   std::vector<double> step_ends = {};  ///< of the time steps [s]
   State end = {};
+  std::vector<State> kept = {};  ///< those that were asked for and reached
   Report report = {};
   double highest_front_force = 0.0;      ///< over all steps [N]
   double time_of_highest_force = unset;  ///< [s]
@@ -119,8 +120,11 @@ class Simulator {
 
   /// From `start`, or from the ambient temperature throughout. `step_ends`: those of another run of
   /// the same programme, taken as they are; fits so see no other steps as parameters change.
+  /// `keep`: rising times [s], of each the state at the end of the first step that reaches it is
+  /// kept.
   [[nodiscard]] Run simulate(std::span<const ProfileRow> profile, const State* start = nullptr,
-                             std::span<const double> step_ends = {});
+                             std::span<const double> step_ends = {},
+                             std::span<const double> keep = {});
   /// The state to which these inputs lead.
   [[nodiscard]] Moment steady(const Inputs& inputs, Report& report);
   /// Temperatures of the last call.

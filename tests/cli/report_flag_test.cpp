@@ -21,8 +21,11 @@ class Report : public testing::Test {
   std::string model_ = scratch_.write("my.toml", model_text);
   std::string data_ = scratch_.write("rig.csv", data_text);
   std::string shaft_ = std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/two_against_one.toml";
+  std::string spindle_ = std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/small.toml";
   std::string page_ = scratch_.file("page.html");
 };
+
+constexpr const char* programme = "time_s,speed_rpm\n0,0\n1800,4000\n3600,0\n";
 
 constexpr const char* moved =
     "speed_rpm,axial_displacement_um\n2000,0.2\n5000,1.9\n8000,4.1\n10000,5.4\n";
@@ -43,7 +46,9 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
         "add " + model_ + " lubricant-drag --data " + data_,
         "table " + model_ + " --speed 0:1000:500 --axial-load 100",
         "displacement " + shaft_ + " --speed 0:1000:500",
-        "compare " + shaft_ + " " + scratch_.write("u.csv", moved)}) {
+        "compare " + shaft_ + " " + scratch_.write("u.csv", moved),
+        "spindle " + spindle_ + " --speed 2000 --steady",
+        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", programme)}) {
     expect_refused(run(command + " --report " + scratch_.file("no/such/page.html")),
                    "there is no folder");
     expect_refused(run(command + " --report " + old), "exists already; --force replaces it");
@@ -80,6 +85,22 @@ TEST_F(Report, OfADisplacementIsWrittenAndReplacedByForceAlone) {
   scratch_.write("page.html", "of another day");
   EXPECT_EQ(run(command + " --force").status, 0);
   EXPECT_TRUE(file_text(page_) == first) << "other bytes";
+}
+
+TEST_F(Report, OfASpindleIsWrittenBesideWhatTheCommandPrints) {
+  for (const std::string& command :
+       {"spindle " + spindle_ + " --speed 2000:6000:2000 --steady",
+        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", programme)}) {
+    const Result plain = run(command), r = run(command + " --report " + page_);
+    EXPECT_EQ(r.status, 0) << r.err;
+    EXPECT_EQ(r.out, plain.out);
+    EXPECT_THAT(r.err, HasSubstr("page.html written"));
+    const std::string first = file_text(page_);
+    expect_refused(run(command + " --report " + page_), "exists already; --force replaces it");
+    EXPECT_EQ(run(command + " --json --force --report " + page_).out, run(command + " --json").out);
+    EXPECT_TRUE(file_text(page_) == first) << "other bytes";
+    std::remove(page_.c_str());
+  }
 }
 
 TEST_F(Report, OfARefusedEffectShowsWhy) {

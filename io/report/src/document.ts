@@ -295,6 +295,65 @@ export interface DisplacementReport extends Common {
   law_curve?: [number, number][];
 }
 
+/// How a simulation of a spindle ended.
+export interface SpindleEnd {
+  status: string;
+  message: string;
+  steps: number;
+  rejected: number;
+  energy_error: number | null;
+}
+
+/// Half of a spindle, cut along its axis, with the temperatures of its cells at some moments.
+export interface Section {
+  cells: { part: string[]; start_mm: number[]; end_mm: number[]; inner_radius_mm: number[]; outer_radius_mm: number[] };
+  bearings: {
+    label: string;
+    position_mm: number;
+    width_mm: number;
+    bore_mm: number;
+    outer_diameter_mm: number;
+    inner_ring_shoulder_mm: number;
+    outer_ring_shoulder_mm: number;
+    ball_diameter_mm: number;
+    pitch_diameter_mm: number;
+    contact_angle_deg: number;
+    pressed_rearwards: boolean;
+  }[];
+  sensors: { name: string; position_mm: number; radius_mm: number }[];
+  flange: { position_mm: number; length_mm: number };
+  channel?: { start_mm: number; end_mm: number; diameter_mm: number; width_mm: number; depth_mm: number; pitch_mm: number };
+  moments: { time_s: number | null; speed_rpm: number | null; temperature_C: number[] }[];
+}
+
+interface SpindlePage extends Common {
+  model: string;
+  mesh: string; // what the command says of its cells
+  network: boolean;
+  has_coolant: boolean;
+  bearings: string[]; // front_1, rear_1: columns of bearings begin so
+  sensors: string[]; // and those of sensors
+  section?: Section; // not of a network
+}
+
+export interface SpindleRunReport extends SpindlePage {
+  kind: 'spindle_run';
+  programme: string;
+  results: { spindle: string; report: SpindleEnd; highest_front_force: { force_N: number; time_s: number | null } };
+  rows_asked: number;
+  rows_reached: number;
+  ended_at_s: number | null;
+  inputs: string[];
+}
+
+export interface SpindleSteadyReport extends SpindlePage {
+  kind: 'spindle_steady';
+  results: { spindle: string };
+  preload_N?: number;
+  coolant_on: boolean;
+  reports: { status: string; in_words: string }[]; // row by row
+}
+
 /// What a step of an input does: lags, each gain (1 − exp(−t/T)).
 export interface StepResponse {
   name: string;
@@ -353,7 +412,7 @@ interface RecordPage extends Common {
 export type RecordReport = RecordPage &
   ({ command: 'compare'; results: CompareReport['results'] } | { command: 'diagnose'; results: Diagnosis } | { command: 'add'; results: Added } | { command: 'correct'; results: Corrected });
 
-export type Report = CompareReport | DiagnoseReport | AddReport | TableReport | DisplacementReport | RecordReport;
+export type Report = CompareReport | DiagnoseReport | AddReport | TableReport | DisplacementReport | RecordReport | SpindleRunReport | SpindleSteadyReport;
 export type ReportOfRows = CompareReport | DiagnoseReport | AddReport;
 
 export function readDocument(): Report {

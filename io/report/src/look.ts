@@ -64,7 +64,7 @@ export const symbols = [
 ];
 export const dashes = ['solid', 'dashed', 'dotted', [8, 3, 2, 3]];
 
-const viridis = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b', '#fde725'];
+export const viridis = ['#440154', '#482878', '#3e4989', '#31688e', '#26828e', '#1f9e89', '#35b779', '#6ece58', '#b5de2b', '#fde725'];
 
 function channels(colour: string): number[] {
   return [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
@@ -81,9 +81,15 @@ export function ordered(count: number, l: Look): string[] {
   const [from, to] = l.dark ? [0.34, 1.0] : [0.0, l.print ? 0.62 : 0.8];
   return Array.from({ length: count }, (_, k) => {
     const at = (from + ((to - from) * (count === 1 ? 0.4 : k / (count - 1)))) * (viridis.length - 1);
-    const index = Math.min(viridis.length - 2, Math.floor(at));
-    return mix(viridis[index] as string, viridis[index + 1] as string, at - index);
+    return level(at / (viridis.length - 1));
   });
+}
+
+/// Colour at a share of the whole scale of levels, where a scale beside it says what it means.
+export function level(share: number): string {
+  const at = Math.min(1, Math.max(0, share)) * (viridis.length - 1);
+  const index = Math.min(viridis.length - 2, Math.floor(at));
+  return mix(viridis[index] as string, viridis[index + 1] as string, at - index);
 }
 
 /// Colour of a value in [-1, 1].

@@ -4,12 +4,15 @@ import { readDocument, Rows } from './document';
 import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, Diagnosis, DisplacementReport, Report, TableReport } from './document';
 import { drawAll } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
+import { drawnSpeeds } from './line_figure';
 import { overSpeed } from './over_speed';
 import { beforeAfter, changes, ladder, noiseSources } from './ladder';
 import type { Floor } from './ladder';
 import { grid, header, notes, section } from './page';
 import { record } from './record';
-import { drawnSpeeds, lawFigures, shaftFigures } from './shaft';
+import { lawFigures, shaftFigures } from './shaft';
+import { spindleRun } from './spindle_run';
+import { spindleSteady } from './spindle_steady';
 import { tableFigures } from './stribeck';
 import { capital, dash, el, number, plain, probability, shortPaths, signed, unitText, valueList, withUnit } from './text';
 import { verdicts } from './verdicts';
@@ -261,6 +264,10 @@ function build(report: Report): (Node | undefined)[] {
       return displacement(report);
     case 'record':
       return record(report);
+    case 'spindle_run':
+      return spindleRun(report);
+    case 'spindle_steady':
+      return spindleSteady(report);
   }
 }
 

@@ -1,47 +1,16 @@
 // A record over time: measured and predicted above the inputs, what is added by what, what is left.
 import { areas, band, legend, valueAxis } from './chart';
 import type { Option } from './chart';
-import type { Table } from './figure';
-import { Figure, tooltip } from './figure';
+import { Figure } from './figure';
 import type { Look } from './look';
 import { dashes, look } from './look';
 import type { RecordView } from './record_view';
-import { stretches, thinnedCourse } from './thin';
+import { stretches } from './thin';
 import { capital, quantity } from './text';
+import { frame, left, lines, paper, places, right, rowTooltip, stacked, table, timeAxis } from './time_panels';
 
-const left = 56;
-const right = 18;
 const mostColoured = 6; // inputs of one kind
 const mostRuns = 12; // that are named
-const paper = 0.68; // of the height of a panel
-
-function table(view: RecordView, columns: [string, ArrayLike<number>][]): Table {
-  const known = (v: number | undefined) => (v === undefined || !Number.isFinite(v) ? null : v);
-  return {
-    columns: ['line', 'time [s]', ...columns.map(([name]) => name)],
-    rows: Array.from({ length: view.rows.count }, (_, k) => k)
-      .filter((k) => (view.hours[k] as number) >= view.span[0] && (view.hours[k] as number) <= view.span[1])
-      .map((k) => [view.rows.at('line', k), known(view.rows.at('time_s', k)), ...columns.map(([, values]) => known(values[k]))]),
-  };
-}
-
-/// The tooltip of the row under the pointer, wherever in the picture that is.
-function rowTooltip(view: RecordView, l: Look, lines: (row: number) => (string | [string, string])[]): Option {
-  const base = tooltip(l, (hit) => {
-    const first = (Array.isArray(hit) ? hit[0] : hit) as { axisValue?: number | string } | undefined;
-    return first?.axisValue === undefined ? null : lines(view.nearest(Number(first.axisValue)));
-  });
-  return { ...base, trigger: 'axis', axisPointer: { type: 'line', animation: false, lineStyle: { color: l.muted } } };
-}
-
-function timeAxis(view: RecordView, l: Look, more: Option = {}): Option {
-  return valueAxis(`${view.axisName} [h]`, l, 'x', { scale: true, min: view.span[0], max: view.span[1], splitLine: { show: false }, ...more, axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMinLabel: view.span[0] === 0, showMaxLabel: false, ...(more.axisLabel as object) } });
-}
-
-/// The rows at which a held value changes, and the ends: a step between near points would be drawn askew.
-function turns(rows: number[], values: Float64Array): number[] {
-  return rows.filter((row, k) => k === 0 || k === rows.length - 1 || values[row] !== values[rows[k - 1] as number]);
-}
 
 /// Runs with their names, shaded in turn.
 function runMarks(view: RecordView, l: Look): Option {
@@ -55,17 +24,6 @@ function runMarks(view: RecordView, l: Look): Option {
     return from <= to ? [[{ name, xAxis: from, itemStyle: { color: run % 2 ? 'transparent' : l.band, opacity: 0.5 } }, { xAxis: to }]] : [];
   });
   return { markArea: { silent: true, animation: false, label: { color: l.muted, fontSize: 11, position: 'insideTopLeft' }, data } };
-}
-
-/// A line with its single points, which no line would show.
-function lines(view: RecordView, name: string, values: Float64Array, width: number, colour: string, more: Option = {}, readings = false): Option[] {
-  const list = view.course(values, width, readings).map((rows) => (more.step ? turns(rows, values) : rows));
-  const single = list.filter((rows) => rows.length === 1).map((rows) => rows[0] as number);
-  const { xAxisIndex = 0, yAxisIndex = 0 } = more;
-  return [
-    { type: 'line', name, symbol: 'none', silent: true, itemStyle: { color: colour }, lineStyle: { color: colour, width: 1.8 }, data: view.line(values, list), ...more },
-    ...(single.length ? [{ type: 'scatter', name, silent: true, symbolSize: 4, itemStyle: { color: colour }, xAxisIndex, yAxisIndex, z: 5, data: single.map((k) => [view.hours[k], values[k]]) }] : []),
-  ];
 }
 
 /// Readings as points: nothing is drawn where nothing was read.
@@ -126,24 +84,6 @@ function panels(view: RecordView, l: Look): Panel[] {
   });
 }
 
-/// Where the panels of a picture stand, one below the other.
-interface Place {
-  legend: Option;
-  top: number;
-  height: number;
-}
-
-function places(all: { names: string[]; icons?: (string | undefined)[]; height: number }[], width: number, l: Look): { list: Place[]; height: number } {
-  let at = 0;
-  const list = all.map(({ names, icons, height }) => {
-    const own = legend(names, width, l, icons);
-    const place = { legend: { ...own.option, top: at }, top: at + own.height + 24, height };
-    at = place.top + height + 14;
-    return place;
-  });
-  return { list, height: at + 28 };
-}
-
 function mainNames(view: RecordView): { names: string[]; icons: (string | undefined)[] } {
   const models = view.together().map((m) => view.label(m));
   const read = view.hasReadings();
@@ -186,13 +126,9 @@ export function overTime(view: RecordView): HTMLElement {
             }),
           ),
         );
-        const lowest = list.length - 1;
         return {
-          legend: list.map((p) => p.legend),
-          grid: list.map((p) => ({ left, right, top: p.top, height: p.height })),
-          axisPointer: { link: [{ xAxisIndex: 'all' }] },
+          ...frame(view, l, list),
           tooltip: rowTooltip(view, l, (row) => [...view.tell(row), ...view.tellInputs(row)]),
-          xAxis: list.map((_, k) => timeAxis(view, l, { gridIndex: k, ...(k < lowest ? { name: '', axisLabel: { show: false } } : {}) })),
           yAxis: [
             valueAxis('displacement [µm]', l, 'y', { gridIndex: 0 }),
             ...below.map((p, k) => valueAxis(p.title, l, 'y', { gridIndex: k + 1, splitNumber: p.height < 60 ? 1 : 3, ...(p.onOff ? { min: 0, max: 1, interval: 1 } : {}) })),
@@ -203,28 +139,6 @@ export function overTime(view: RecordView): HTMLElement {
       table: () => table(view, [...(view.chosen.measured ? ([['measured [µm]', view.measured()]] as [string, Float64Array][]) : []), ...view.together().map((m): [string, Float64Array] => [`${m.name} [µm]`, view.predicted(m)]), ...view.report.inputs.map((name): [string, Float64Array] => [name, view.rows.get(name)])]),
     }),
   );
-}
-
-/// Shares above zero stand on each other, those below hang from each other.
-function stacked(view: RecordView, width: number): { name: string; up: [number, number, number][][]; down: [number, number, number][][] }[] {
-  const shares = view.shares();
-  const total = view.predicted();
-  const list = thinnedCourse(stretches(view.hours, total, view.piece, view.span), view.hours, [total, ...shares.map((s) => s.values)], view.span, Math.max(100, Math.round(width / 3)));
-  const result = shares.map(({ name }) => ({ name, up: list.map((): [number, number, number][] => []), down: list.map((): [number, number, number][] => []) }));
-  list.forEach((rows, p) => {
-    for (const k of rows) {
-      let above = 0;
-      let under = 0;
-      const x = view.hours[k] as number;
-      shares.forEach(({ values }, s) => {
-        const v = values[k] as number;
-        const of = result[s] as (typeof result)[number];
-        (of.up[p] as [number, number, number][]).push([x, above, (above += Math.max(v, 0))]);
-        (of.down[p] as [number, number, number][]).push([x, (under += Math.min(v, 0)), under - Math.min(v, 0)]);
-      });
-    }
-  });
-  return result;
 }
 
 export function contributions(view: RecordView): HTMLElement {
@@ -241,7 +155,7 @@ export function contributions(view: RecordView): HTMLElement {
         const inner = width - left - right;
         // What is left of many channels is no kind of its own.
         const colours = (k: number) => (k < mostColoured ? (l.kinds[k % l.kinds.length] as string) : l.muted);
-        const parts = stacked(view, inner);
+        const parts = stacked(view, view.shares(), view.predicted(), inner);
         const total = view.predicted().map((_, k) => sum(k));
         const read = view.hasReadings();
         const names = [...parts.map((p) => p.name), 'sum', ...(read ? ['measured'] : [])];

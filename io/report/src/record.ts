@@ -6,7 +6,7 @@ import { contributions, overTime, residualOverTime } from './over_time';
 import { grid, header, notes, section } from './page';
 import { RecordView } from './record_view';
 import { steps } from './steps';
-import { dash, el, number, plain, shortPaths, signed, unitText, valueList } from './text';
+import { dash, el, number, plain, plainCeiling, shortPaths, signed, unitText, valueList } from './text';
 import { verdicts } from './verdicts';
 
 /// An error of the ladder [µm]; what is not known is null.
@@ -31,12 +31,6 @@ function field(of: object, name: string): number | null {
 
 function um(value: number | null | undefined): string {
   return value === null || value === undefined ? dash : `${number(value, 3)} µm`;
-}
-
-/// The next round number above.
-function plainCeiling(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(value));
-  return power * ([1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((m) => m * power > 1.05 * value) ?? 12);
 }
 
 /// Errors of models or effects, against what is tolerated and what the sensor scatters.

@@ -1,17 +1,10 @@
 // A record over time with the corrections that are drawn over it, and what the reader has chosen.
 import type { ModelOverTime, RecordReport } from './document';
-import { Rows } from './document';
 import type { Figure } from './figure';
 import { choice } from './figure';
-import { longGap, stretches, thinnedCourse } from './thin';
-import type { Stretches } from './thin';
 import { capital, el, number, plain, quantity, signed } from './text';
-
-/// What is added to a displacement, by rows.
-export interface Share {
-  name: string;
-  values: Float64Array;
-}
+import type { Share } from './time_panels';
+import { TimeView } from './time_view';
 
 interface Stretch {
   label: string;
@@ -20,20 +13,13 @@ interface Stretch {
 
 const mostShares = 6; // that stay readable on top of each other
 
-export class RecordView {
-  readonly rows: Rows;
-  readonly hours: Float64Array;
-  readonly piece: Float64Array;
+export class RecordView extends TimeView {
   readonly spans: Stretch[];
-  span: [number, number];
   private readonly figures: Figure[] = [];
 
   constructor(readonly report: RecordReport, public model: number) {
-    this.rows = new Rows(report.rows);
-    this.hours = this.rows.get('hours');
-    this.piece = this.rows.get('piece');
+    super(report.rows);
     this.spans = this.findSpans();
-    this.span = (this.spans[0] as Stretch).span;
   }
 
   get chosen(): ModelOverTime {
@@ -87,33 +73,6 @@ export class RecordView {
     return [...new Set(parts.flatMap((p) => p.inputs))];
   }
 
-  /// A column in stretches without a gap, thinned for a picture of this width. `readings`: read now
-  /// and then, with gaps of their own.
-  course(values: Float64Array, width: number, readings = false): Stretches {
-    const list = stretches(this.hours, values, this.piece, this.span, readings ? longGap(this.hours, values) : Infinity);
-    return thinnedCourse(list, this.hours, [values], this.span, Math.max(100, Math.round(width)));
-  }
-
-  /// Points of a line; an empty one between stretches.
-  line(values: Float64Array, list: Stretches): [number, number | null][] {
-    return list.flatMap((rows): [number, number | null][] => {
-      const last = rows[rows.length - 1] as number;
-      return [...rows.map((k): [number, number] => [this.hours[k] as number, values[k] as number]), [this.hours[last] as number, null]];
-    });
-  }
-
-  /// The row nearest to a time.
-  nearest(hours: number): number {
-    let low = 0;
-    let high = this.rows.count - 1;
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if ((this.hours[middle] as number) <= hours) low = middle;
-      else high = middle;
-    }
-    return hours - (this.hours[low] as number) <= (this.hours[high] as number) - hours ? low : high;
-  }
-
   tell(row: number): (string | [string, string])[] {
     const lines: (string | [string, string])[] = [`line ${plain(this.rows.at('line', row))}`, ['time', `${number(this.hours[row], 4)} h`]];
     if (this.report.runs.length > 1) lines.push(['run', this.report.runs[this.rows.at('run', row)] ?? '']);
@@ -128,7 +87,7 @@ export class RecordView {
     return shown.map((name): [string, string] => [quantity(name).label, `${plain(this.rows.at(name, row), 5)} ${quantity(name).unit}`]);
   }
 
-  get axisName(): string {
+  override get axisName(): string {
     return this.report.runs_in_sequence ? 'time, runs one after the other' : 'time';
   }
 

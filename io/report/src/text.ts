@@ -37,6 +37,12 @@ export function plain(value: number | null | undefined, digits = 6): string {
   return String(Number(value.toPrecision(digits))).replace('-', '−');
 }
 
+/// The next round number above.
+export function plainCeiling(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * ([1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((m) => m * power > 1.05 * value) ?? 12);
+}
+
 /// With a sign, and so many decimals.
 export function fixed(value: number, decimals: number): string {
   const text = value.toFixed(decimals);
@@ -60,7 +66,11 @@ const units: [string, string][] = [
   ['_MPa', 'MPa'],
   ['_m_min', 'm/min'],
   ['_deg', '°'],
+  ['_mm', 'mm'],
   ['_um', 'µm'],
+  ['_Hz', 'Hz'],
+  ['_min', 'min'],
+  ['_K', 'K'],
   ['_N', 'N'],
   ['_C', '°C'],
   ['_W', 'W'],

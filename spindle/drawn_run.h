@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "spindle/spindle.h"
+
+namespace raceway::spindle {
+
+/// A run as pictures want it: its rows with the ends of all time steps between them, and the
+/// temperatures of all cells at a few times.
+struct DrawnRun {
+  std::vector<ProfileRow> rows;
+  std::vector<Moment> moments;  ///< one for each row
+  std::vector<State> states;    ///< rising in time, that of the highest force among them
+};
+
+/// Simulates `run` of `profile` once more, in the same steps. `states`: how many at most, evenly
+/// over its time; the last one is where it ended.
+[[nodiscard]] DrawnRun drawn_run(Simulator& simulator, std::span<const ProfileRow> profile,
+                                 const State* start, const Run& run, std::size_t states = 12);
+
+}  // namespace raceway::spindle

@@ -1,0 +1,191 @@
+// Pages of the commands of a spindle, written by the built program, in Chromium: see pages.mjs.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { csvOf, documentOf, figures, file, marks, open, raceway, results, ROOT, tableOf, write } from './pages.mjs';
+
+const spindles = join(ROOT, 'data/spindles');
+const model = join(spindles, 'externally_driven.toml');
+const seats = join(spindles, 'seats/model.toml');
+
+before(() => {
+  write('run', 'spindle', model, '--speed-profile', join(spindles, 'day.csv'));
+  writeFileSync(file('few.csv'), 'time_s,speed_rpm,coolant_on,ambient_temperature_C\n3600,3000,1,20\n7200,5000,0,22\n14400,0,1,23\n');
+  write('few', 'spindle', seats, '--speed-profile', file('few.csv'));
+  write('steady', 'spindle', seats, '--speed', '6000', '--steady');
+  write('speeds', 'spindle', model, '--speed', '2000:10000:2000', '--steady');
+  const text = readFileSync(model, 'utf8').replace('externally driven, 70 mm, two against one', 'a <img src=x onerror=alert(1)>');
+  writeFileSync(
+    file('network.toml'),
+    `${text.slice(0, text.indexOf('[shaft]'))}[[network.node]]\nname = "rotor"\ncapacity_J_K = 900\nheat_W = 40\n[[network.node]]\nname = "body"\ncapacity_J_K = 20000\n[[network.link]]\nfrom = "rotor"\nto = "body"\nconductance_W_K = 5\n[[network.link]]\nfrom = "body"\nto = "ambient"\nconductance_W_K = 2\n`,
+  );
+  write('network', 'spindle', file('network.toml'), '--speed-profile', file('few.csv'));
+});
+
+/// Painted pixels / 1000 of canvases, shapes of the rest.
+const expected = {
+  run: { section: 400, nose: 8, forces: 8, temperatures: 8, heat: 40 },
+  few: { section: 400, nose: 8, forces: 8, temperatures: 8, heat: 20 },
+  steady: { section: 400, heat: 6, temperatures: 6 },
+  speeds: { section: 400, nose: 3, forces: 2, heat: 3, stiffness: 1, rings: 3, 'bearing-forces': 3, friction: 3, 'contact-angles': 3, 'ball-loads': 3, pressures: 3 },
+  network: { temperatures: 4, heat: 20 },
+};
+
+for (const [name, least] of Object.entries(expected))
+  for (const colorScheme of ['light', 'dark'])
+    test(`${name}, ${colorScheme}: opens without a message or a request, every picture has its marks, on a phone as well`, async () => {
+      const { page, faults, close } = await open(name, { colorScheme });
+      assert.deepEqual(await figures(page), Object.keys(least));
+      const drawn = async (share) => {
+        for (const [id, count] of Object.entries(least)) assert.ok((await marks(page, id)) >= share * count, `${id}: ${await marks(page, id)} of ${count}`);
+      };
+      await drawn(1);
+      await page.setViewportSize({ width: 390, height: 844 });
+      await page.waitForFunction(() => [...document.querySelectorAll('.chart > div')].every((chart) => chart.clientWidth < 390));
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390, name);
+      await drawn(0.2); // of the pixels that there are
+      assert.deepEqual(faults, []);
+      await close();
+    });
+
+const near = (value, wanted, share, what) => assert.ok(Math.abs(value - wanted) <= share * Math.abs(wanted) + 1e-6, `${what}: ${value} ${wanted}`);
+const column = (d, name) => {
+  const c = d.rows.columns.find((one) => one.name === name);
+  assert.ok(c, name);
+  return c.values ?? Array.from({ length: d.rows.rows }, () => c.constant);
+};
+
+for (const name of ['run', 'few'])
+  test(`${name}: has the numbers that --json prints, and every row of the programme`, async () => {
+    const { page, faults, close } = await open(name);
+    const d = await documentOf(page);
+    const printed = results[name];
+    assert.deepEqual(d.results, { ...printed, rows_asked: 0, rows: [] });
+    assert.equal(d.rows_asked, printed.rows.length);
+    const time = column(d, 'time_s');
+    for (const row of printed.rows) {
+      const at = time.reduce((best, t, k) => (Math.abs(t - row.time_s) < Math.abs(time[best] - row.time_s) ? k : best), 0);
+      near(time[at], row.time_s, 1e-6, 'time');
+      for (const key of Object.keys(row)) if (key !== 'time_s') near(column(d, key)[at], row[key], 2e-6, key);
+    }
+    const text = await page.textContent('main');
+    const { force_N: force } = printed.highest_front_force;
+    assert.ok(text.includes(`${force.toPrecision(4)} N`), `${force}`);
+    assert.deepEqual(faults, []);
+    await close();
+  });
+
+test('run: the highest force is marked where it was, beyond that at the end', async () => {
+  const { page, close } = await open('run');
+  await page.click('#forces button:text-is("SVG")'); // also saves without a fault
+  const svg = await page.evaluate(() => document.querySelector('#forces .chart').innerHTML.length);
+  assert.ok(svg > 100);
+  const { results: r } = await documentOf(page);
+  const { rows, columns } = await csvOf(page, 'forces');
+  const at = columns.findIndex((c) => c.startsWith('force of a set, front set'));
+  const highest = rows.reduce((best, row) => (Number(row[at]) > Number(best[at]) ? row : best));
+  near(Number(highest[at]), r.highest_front_force.force_N, 1e-6, 'force');
+  near(Number(highest[0]), r.highest_front_force.time_s, 1e-6, 'time');
+  await close();
+});
+
+test('heat in is heat out and stored, at all times', async () => {
+  const { page, close } = await open('few');
+  const { rows } = await csvOf(page, 'heat');
+  for (const row of rows) {
+    const [friction, drive, coolant, air, machine, stored] = row.slice(1).map(Number);
+    assert.ok(Math.abs(friction + drive - coolant - air - machine - stored) < 1e-3 * (1 + Math.abs(coolant)), row.join());
+  }
+  await close();
+});
+
+test('the cross-section is that of --field, to scale, at a choice of moments', async () => {
+  raceway('spindle', seats, '--speed-profile', file('few.csv'), '-o', file('few_run.csv'), '--field', file('field.csv'));
+  const field = readFileSync(file('field.csv'), 'utf8').split('\n').filter((line) => line && !line.startsWith('#')).slice(1).map((line) => line.split(','));
+  const { page, faults, close } = await open('few');
+  const select = page.locator('#section select');
+  const moments = await select.locator('option').allTextContents();
+  assert.equal(moments.length, 12);
+  assert.ok(moments.some((text) => text.includes('highest front force')));
+  await select.selectOption({ index: moments.length - 1 });
+  assert.match(await page.textContent('#section .note'), /^4\.00 h, 0 rpm, the end: /);
+  const { rows } = await csvOf(page, 'section');
+  assert.equal(rows.length, field.length);
+  rows.forEach((row, k) => {
+    const [position, radius, part, temperature] = field[k];
+    assert.equal(row[0], part);
+    near(Number(row[1]), Number(position), 1e-4, 'position');
+    near(Number(row[2]), Number(radius), 1e-4, 'radius');
+    assert.ok(Math.abs(Number(row[3]) - Number(temperature)) < 0.006, `${row[3]} ${temperature}`);
+  });
+  // A ball is round and as large as its diameter says.
+  const { section } = await documentOf(page);
+  const { cells, bearings } = section;
+  const scale = await page.$eval('#section svg', (svg) => {
+    const paths = [...svg.querySelectorAll('path')].filter((p) => (p.getAttribute('d') ?? '').includes('A'));
+    return paths.map((p) => p.getBBox()).filter((b) => b.width > 12).map((b) => [b.width, b.height]);
+  });
+  assert.ok(scale.length >= bearings.length, `${scale.length} balls`);
+  for (const [w, h] of scale) assert.ok(Math.abs(w - h) < 0.5, `${w} x ${h}`);
+  assert.ok(Math.max(...cells.end_mm) === 375);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('steady: the table of bearings and the heat are those that the command prints', async () => {
+  const { page, faults, close } = await open('steady');
+  const [state] = results.steady.steady;
+  const bars = await tableOf(page, 'heat');
+  const sum = (direction) => bars.filter((row) => row[2] === direction).reduce((total, row) => total + row[1], 0);
+  near(sum('in'), state.friction_power_W + state.drive_heat_W, 1e-6, 'in');
+  near(sum('out'), sum('in'), 1e-6, 'out');
+  const rings = await tableOf(page, 'temperatures');
+  near(rings.find((row) => row[0] === 'front 1, inner ring')[1], state.front_1_inner_ring_temperature_C, 1e-6, 'ring');
+  const table = await page.$$eval('#bearings tbody tr', (all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+  assert.equal(table.length, 3);
+  near(Number(table[2][3]), state.rear_1_force_N, 1e-3, 'force');
+  assert.ok((await page.textContent('main')).includes(`${state.axial_stiffness_N_um.toPrecision(4)} N/µm`));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('a run that ends early says when, why, and how much of it is there', async () => {
+  writeFileSync(file('fast.csv'), 'time_s,speed_rpm\n0,0\n7200,30000\n');
+  try {
+    raceway('spindle', model, '--speed-profile', file('fast.csv'), '--report', file('runaway.html'));
+    assert.fail('it should not converge');
+  } catch (error) {
+    assert.equal(error.status, 2);
+  }
+  const { page, faults, close } = await open('runaway');
+  assert.equal(await page.textContent('#verdict'), 'thermal runaway');
+  assert.match(await page.textContent('#sentence'), /ended after 13\.\d s by thermal runaway: .*1 of 2 rows are there/);
+  assert.ok((await marks(page, 'nose')) > 5);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('names are data, never markup', async () => {
+  const { page, faults, close } = await open('network');
+  assert.equal(await page.locator('img').count(), 0);
+  assert.ok((await page.textContent('#sentence')).includes('<img'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('on paper no picture is cut, and each fits on a page', async () => {
+  for (const name of ['run', 'steady', 'speeds']) {
+    const { page, faults, close } = await open(name);
+    await page.emulateMedia({ media: 'print' });
+    await page.waitForFunction(() => document.querySelector('#section .chart > div').clientWidth === 676);
+    for (const id of await figures(page)) {
+      const { tall, drawn } = await page.$eval(`#${id}`, (figure) => ({ tall: figure.offsetHeight, drawn: figure.querySelector('.chart').offsetHeight }));
+      assert.ok(tall < 1030, `${id}: ${tall}`); // A4 less its margins
+      const lowest = await page.$eval(`#${id} .chart`, (chart) => Math.max(...[...chart.querySelectorAll('svg text')].map((t) => t.getBoundingClientRect().bottom - chart.getBoundingClientRect().top), 0));
+      assert.ok(lowest <= drawn + 1, `${id}: text to ${lowest} of ${drawn}`);
+    }
+    assert.deepEqual(faults, []);
+    await close();
+  }
+});
