@@ -150,7 +150,6 @@ int run(const AddFlags& flags) {
   io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
   {
     std::vector<std::string> given;
-    if (!flags.report.path.empty()) given.emplace_back("--report");
     if (!flags.displacement.empty()) given.emplace_back("--displacement");
     refuse_for_spindle(file.model, given);
   }
@@ -163,6 +162,7 @@ int run(const AddFlags& flags) {
   fit::AddResult result = added(*subject, ids, data, path);
   const std::vector<io::ModelOfPage> facts{of_page(file, output.model(result.calibration))};
   const auto page = [&](const fit::AddResult& r) {
+    if (subject->approximates()) return io::record_add_report(file.source, data, r, {}, facts);
     return io::add_report(file.source, data, r, facts);
   };
   return finish(flags, file.source, std::move(result), data, page,

@@ -432,7 +432,6 @@ int run(const CompareFlags& flags) {
     return compare_corrections(flags, paths, data);
   const std::vector<io::ModelFile> files = open_models(paths, flags.tolerance);
   std::vector<std::string> given;
-  if (!flags.report.path.empty()) given.emplace_back("--report");
   if (!flags.displacement.empty()) given.emplace_back("--displacement");
   if (flags.zero != "mean") given.emplace_back("--zero");
   for (const io::ModelFile& file : files) {
@@ -449,6 +448,7 @@ int run(const CompareFlags& flags) {
   warn_of_other_sensors(files);
   std::vector<model::Model> compared;
   std::vector<Comparisons> comparisons;
+  std::vector<io::DrawnModel> drawn;
   std::shared_ptr<const fit::Subject> subject;
   for (const io::ModelFile& file : files) {
     try {
@@ -456,6 +456,9 @@ int run(const CompareFlags& flags) {
       subject = one.subject;
       compared.push_back(model_of(*subject));
       comparisons.push_back(fit::compare(*subject, data, one.fitted));
+      drawn.push_back({.name = file.source, .subject = subject, .tolerances = {}});
+      for (const fit::Comparison& c : comparisons.back())
+        drawn.back().tolerances.push_back(c.tolerance);
     } catch (const std::invalid_argument& e) {
       refuse_data(file.source, data, e);
     }
@@ -473,7 +476,12 @@ int run(const CompareFlags& flags) {
   std::vector<io::ModelOfPage> facts;
   for (std::size_t i = 0; i < files.size(); ++i) facts.push_back(of_page(files[i], compared[i]));
   flags.report.write(
-      [&] { return io::comparison_report(models, compared, comparisons, data, facts); },
+      [&] {
+        if (subject->approximates())
+          return io::record_report("compare", io::comparison_json(models, comparisons, data), data,
+                                   drawn, facts, model::changes_between(compared));
+        return io::comparison_report(models, compared, comparisons, data, facts);
+      },
       flags.force);
   return done;
 }

@@ -356,7 +356,6 @@ Question ask(const DiagnoseFlags& flags) {
   io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
   {
     std::vector<std::string> given;
-    if (!flags.report.path.empty()) given.emplace_back("--report");
     if (!flags.displacement.empty()) given.emplace_back("--displacement");
     refuse_for_spindle(file.model, given);
   }
@@ -390,7 +389,8 @@ int run(const DiagnoseFlags& flags) {
   flags.report.write(
       [&] {
         if (asked.subject->approximates())
-          return io::record_diagnosis_report(asked.source, asked.data, diagnosis, asked.defaults);
+          return io::record_diagnosis_report(asked.source, asked.data, diagnosis, asked.defaults,
+                                             asked.facts);
         return io::diagnosis_report(asked.source, *asked.model, asked.data, diagnosis, asked.facts);
       },
       flags.force);

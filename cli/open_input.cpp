@@ -61,14 +61,11 @@ io::ModelFile open_model(const std::string& path, Accepts accepts, Defaults defa
 
 void refuse_for_spindle(const model::Model& model, const std::vector<std::string>& given) {
   if (!model.spindle) return;
-  for (const std::string& flag : given) {
-    const std::string why =
-        flag == "--report"
-            ? "there is no page of a record of a spindle; --json has all numbers"
-            : "belongs to corrections; a spindle has one displacement, whose zero is "
-              "that of standstill as mounted";
-    throw io::InputError(fmt::format("{}: {}", flag, why), {.key = flag});
-  }
+  for (const std::string& flag : given)
+    throw io::InputError(fmt::format("{}: belongs to corrections; a spindle has one displacement, "
+                                     "whose zero is that of standstill as mounted",
+                                     flag),
+                         {.key = flag});
 }
 
 void tell_of_kelvin(const std::vector<double>& temperatures_C) {

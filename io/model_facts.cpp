@@ -31,4 +31,16 @@ json model_facts(const std::vector<ModelOfPage>& models) {
   return list;
 }
 
+json changes_json(const std::vector<model::ModelChanges>& changes) {
+  json list = json::array();
+  for (const model::ModelChanges& c : changes) {
+    json numbers = json::array();
+    for (const model::ChangedNumber& n : c.numbers)
+      numbers.push_back(
+          {{"name", n.name}, {"unit", n.unit}, {"before", n.before}, {"after", n.after}});
+    list.push_back({{"added", c.added}, {"removed", c.removed}, {"numbers", numbers}});
+  }
+  return list;
+}
+
 }  // namespace raceway::io

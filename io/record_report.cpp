@@ -11,6 +11,7 @@
 #include "correction/simulation.h"
 #include "correction/step_response.h"
 #include "io/diagnosis_results.h"
+#include "io/model_facts.h"
 #include "io/number_text.h"
 #include "io/report.h"
 #include "io/report_columns.h"
@@ -77,28 +78,12 @@ class Page {
     add_inputs();
   }
 
+  /// A correction with its displacement, or what else is predicted with each of its channels.
   void add(const DrawnModel& drawn) {
-    const correction::Model& model = correction::model_of(*drawn.subject);
-    const std::string number = std::to_string(models_.size());
-    const record::Channel& channel = *model.displacement;
-    const std::vector<double> predicted = fit::predict(*drawn.subject, record_);
-    json one = {
-        {"name", drawn.name},
-        {"displacement", channel.name},
-        {"in_words", channel.words},
-        {"predicted", add_um("predicted_" + number, predicted)},
-        {"tolerance_um", model.tolerance / um},
-        {"initial_state", model.initial_state == correction::InitialState::free ? "free" : "rest"},
-        {"defaults", drawn.defaults},
-        {"parts", parts(model, number)},
-        {"responses", responses(model)}};
-    if (record_.has(channel)) {
-      one["measured"] = measured(channel);
-      columns_.keep_extremes(residual(channel, predicted));
-      one["held_out_parts"] = held_out_parts(*drawn.subject);
-    }
-    if (!drawn.held_out.empty()) one["held_out"] = held_out(drawn);
-    models_.push_back(std::move(one));
+    if (dynamic_cast<const correction::CorrectionSubject*>(drawn.subject.get()))
+      add_correction(drawn);
+    else
+      add_channels(drawn);
   }
 
   void finish() {
@@ -110,6 +95,57 @@ class Page {
   }
 
  private:
+  /// What pages say of one channel of a model. `channel_of_subject`: its place in measured().
+  json channel_json(const DrawnModel& drawn, const record::Channel& channel,
+                    std::size_t channel_of_subject, const std::vector<double>& predicted,
+                    double tolerance) {
+    const std::string number = std::to_string(models_.size());
+    json one = {
+        {"name", drawn.name},
+        {"displacement", channel.name},
+        {"in_words", channel.words},
+        {"unit", channel.key_unit()},
+        {"predicted", add_readings("predicted_" + number, channel, predicted)},
+        {"tolerance", tolerance / channel.factor},
+        {"defaults", drawn.defaults},
+    };
+    if (record_.has(channel)) {
+      one["measured"] = measured(channel);
+      columns_.keep_extremes(residual(channel, predicted));
+      one["held_out_parts"] = held_out_parts(*drawn.subject);
+    }
+    if (json held = held_out(drawn, channel_of_subject, channel); !held.empty())
+      one["held_out"] = std::move(held);
+    return one;
+  }
+
+  void add_correction(const DrawnModel& drawn) {
+    const correction::Model& model = correction::model_of(*drawn.subject);
+    const std::string number = std::to_string(models_.size());
+    json one = channel_json(drawn, *model.displacement, 0, fit::predict(*drawn.subject, record_),
+                            model.tolerance);
+    one["initial_state"] = model.initial_state == correction::InitialState::free ? "free" : "rest";
+    one["parts"] = parts(model, number);
+    one["responses"] = responses(model);
+    models_.push_back(std::move(one));
+  }
+
+  void add_channels(const DrawnModel& drawn) {
+    const std::vector<double> all = fit::predict(*drawn.subject, record_);
+    const std::vector<fit::Measured> measured = drawn.subject->measured();
+    std::size_t read = 0;
+    for (std::size_t c = 0; c < measured.size(); ++c) {
+      if (!record_.has(*measured[c].channel)) continue;
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(c * record_.rows());
+      const double tolerance = read < drawn.tolerances.size() ? drawn.tolerances[read] : unset;
+      ++read;
+      models_.push_back(channel_json(
+          drawn, *measured[c].channel, c,
+          std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(record_.rows())),
+          tolerance));
+    }
+  }
+
   static std::vector<double> vector_of(std::span<const double> values) {
     return {values.begin(), values.end()};
   }
@@ -118,6 +154,14 @@ class Page {
     for (double& v : values) v /= um;
     columns_.add_course(name + "_um", std::move(values));
     return name + "_um";
+  }
+
+  std::string add_readings(const std::string& name, const record::Channel& channel,
+                           std::vector<double> values) {
+    for (double& v : values) v = channel.in_unit(v);
+    const std::string column = fmt::format("{}_{}", name, channel.key_unit());
+    columns_.add_course(column, std::move(values));
+    return column;
   }
 
   void add_inputs() {
@@ -135,7 +179,7 @@ class Page {
     if (std::find(measured_.begin(), measured_.end(), name) != measured_.end()) return name;
     measured_.push_back(name);
     std::vector<double> values = vector_of(record_.values(channel));
-    for (double& v : values) v /= um;
+    for (double& v : values) v = channel.in_unit(v);
     columns_.add_course(name, std::move(values));
     return name;
   }
@@ -224,16 +268,19 @@ class Page {
     return list;
   }
 
-  [[nodiscard]] json held_out(const DrawnModel& drawn) const {
+  [[nodiscard]] json held_out(const DrawnModel& drawn, std::size_t channel_of_subject,
+                              const record::Channel& channel) const {
     json hours = json::array(), parts = json::array(), errors = json::array(),
          pieces = json::array();
     for (const fit::HeldOutReading& r : drawn.held_out) {
+      if (r.channel != channel_of_subject) continue;
       hours.push_back(axis_.time[r.row] / an_hour);
       pieces.push_back(axis_.piece[r.row]);
       parts.push_back(r.part + 1);
-      errors.push_back(with_digits(r.residual / um, 7));
+      errors.push_back(with_digits(r.residual / channel.factor, 7));
     }
-    return {{"hours", hours}, {"piece", pieces}, {"part", parts}, {"residual_um", errors}};
+    if (hours.empty()) return {};
+    return {{"hours", hours}, {"piece", pieces}, {"part", parts}, {"residual", errors}};
   }
 
   Document& document_;
@@ -251,10 +298,13 @@ std::string joined_ids(const std::vector<std::string>& ids) {
 }  // namespace
 
 std::string record_report(const std::string& command, const std::string& results,
-                          const record::Record& record, const std::vector<DrawnModel>& models) {
+                          const record::Record& record, const std::vector<DrawnModel>& models,
+                          const std::vector<ModelOfPage>& facts,
+                          const std::vector<model::ModelChanges>& changes) {
   Document document("record");
   document.add("command", command);
-  document.add("assumed", json::array());
+  document.add("assumed", model_facts(facts));
+  document.add("steps", changes_json(changes));
   document.add_text("results", results);
   Page page(document, record);
   for (const DrawnModel& one : models) page.add(one);
@@ -264,26 +314,34 @@ std::string record_report(const std::string& command, const std::string& results
 
 std::string record_diagnosis_report(const std::string& model_file, const record::Record& record,
                                     const fit::Diagnosis& d,
-                                    const std::vector<std::string>& defaults) {
+                                    const std::vector<std::string>& defaults,
+                                    const std::vector<ModelOfPage>& facts) {
   std::vector<DrawnModel> models;
+  std::vector<double> tolerances;
+  for (const fit::ChannelDiagnosis& c : d.channels) tolerances.push_back(c.tolerance);
   for (const fit::Refit& refit : d.refits)
     models.push_back(
         {.name = models.empty() ? "refitted, nothing added" : "with " + joined_ids(d.sets.front()),
          .subject = refit.subject,
          .held_out = refit.held_out,
-         .defaults = defaults});
-  return record_report("diagnose", diagnosis_json(model_file, record, d), record, models);
+         .defaults = defaults,
+         .tolerances = tolerances});
+  return record_report("diagnose", diagnosis_json(model_file, record, d), record, models, facts);
 }
 
 std::string record_add_report(const std::string& model_file, const record::Record& record,
-                              const fit::AddResult& r, const std::vector<std::string>& defaults) {
+                              const fit::AddResult& r, const std::vector<std::string>& defaults,
+                              const std::vector<ModelOfPage>& facts) {
   std::vector<DrawnModel> models;
+  std::vector<double> tolerances;
+  for (const fit::ChannelGain& c : r.channels) tolerances.push_back(c.tolerance);
   for (const fit::Refit& refit : r.refits)
     models.push_back({.name = models.empty() ? "before, refitted" : "after",
                       .subject = refit.subject,
                       .held_out = refit.held_out,
-                      .defaults = defaults});
-  return record_report("add", add_json(model_file, record, r), record, models);
+                      .defaults = defaults,
+                      .tolerances = tolerances});
+  return record_report("add", add_json(model_file, record, r), record, models, facts);
 }
 
 }  // namespace raceway::io

@@ -120,14 +120,6 @@ json explanations_json(const fit::Diagnosis& d, ReportRows& rows) {
   return list;
 }
 
-json step_json(const model::ModelChanges& changes) {
-  json numbers = json::array();
-  for (const model::ChangedNumber& n : changes.numbers)
-    numbers.push_back(
-        {{"name", n.name}, {"unit", n.unit}, {"before", n.before}, {"after", n.after}});
-  return {{"added", changes.added}, {"removed", changes.removed}, {"numbers", numbers}};
-}
-
 }  // namespace
 
 std::string comparison_report(const std::vector<std::string>& model_files,
@@ -137,10 +129,7 @@ std::string comparison_report(const std::vector<std::string>& model_files,
   Document document("compare");
   document.add("assumed", model_facts(facts));
   document.add_text("results", comparison_json(model_files, comparisons, record));
-  json steps = json::array();
-  for (std::size_t i = 1; i < models.size(); ++i)
-    steps.push_back(step_json(model::model_changes(models[i - 1], models[i])));
-  document.add("steps", std::move(steps));
+  document.add("steps", changes_json(model::changes_between(models)));
   const fit::Comparison& last = comparisons.back().front();
   ReportRows rows(record, *last.channel, rows_read(record, *last.channel));
   rows.add_std(std_of_rows(last, record, rows));

@@ -35,4 +35,11 @@ ModelChanges model_changes(const Model& before, const Model& after) {
   return changes;
 }
 
+std::vector<ModelChanges> changes_between(const std::vector<Model>& models) {
+  std::vector<ModelChanges> changes;
+  for (std::size_t i = 1; i < models.size(); ++i)
+    changes.push_back(model_changes(models[i - 1], models[i]));
+  return changes;
+}
+
 }  // namespace raceway::model

@@ -24,4 +24,7 @@ struct ModelChanges {
 
 [[nodiscard]] ModelChanges model_changes(const Model& before, const Model& after);
 
+/// From each of them to the next.
+[[nodiscard]] std::vector<ModelChanges> changes_between(const std::vector<Model>& models);
+
 }  // namespace raceway::model

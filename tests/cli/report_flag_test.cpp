@@ -103,6 +103,19 @@ TEST_F(Report, OfASpindleIsWrittenBesideWhatTheCommandPrints) {
   }
 }
 
+TEST_F(Report, OfARecordOfASpindleIsThatOfARecordOverTime) {
+  const std::string folder = std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/seats/";
+  const std::string command = "compare " + folder + "model.toml " + folder + "test.csv --report ";
+  const Result r = run(command + page_);
+  EXPECT_EQ(r.status, 0) << r.err;
+  const json page = page_document(page_);
+  EXPECT_EQ(page["kind"], "record");
+  ASSERT_EQ(page["models"].size(), 7u) << "the displacement and six sensors";
+  EXPECT_EQ(page["models"][0]["unit"], "um");
+  EXPECT_EQ(page["models"][6]["displacement"], "front_outer_ring_temperature_C");
+  EXPECT_EQ(page["models"][6]["unit"], "C");
+}
+
 TEST_F(Report, OfARefusedEffectShowsWhy) {
   const std::string rig = std::string(RACEWAY_SOURCE_DIR) + "/tests/hidden_effect/rigs/dev-08/";
   const Result r = run("add " + rig + "model.toml torque-time-drift --data " + rig +

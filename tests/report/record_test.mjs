@@ -136,8 +136,8 @@ test('diagnose: errors on parts that no fit saw are drawn, and are those of the 
   const { page, close } = await open('diagnose');
   const { models, results: d } = await documentOf(page);
   assert.deepEqual(models.map((m) => m.name), ['refitted, nothing added', 'with ambient-drift']);
-  near(rms(models[0].held_out.residual_um), d.rmse_held_out_um, 1e-5, 'without');
-  near(rms(models[1].held_out.residual_um), d.effects[0].rmse_held_out_um, 1e-5, 'with');
+  near(rms(models[0].held_out.residual), d.rmse_held_out_um, 1e-5, 'without');
+  near(rms(models[1].held_out.residual), d.effects[0].rmse_held_out_um, 1e-5, 'with');
   const parts = await tableOf(page, 'residual');
   assert.deepEqual(parts.map((row) => row[0]), [1, 2, 3, 4, 5, 6, 7, 8]);
   const counts = parts.map(([part]) => models[1].held_out.part.filter((p) => p === part).length);

@@ -20,6 +20,12 @@ before(() => {
     file('network.toml'),
     `${text.slice(0, text.indexOf('[shaft]'))}[[network.node]]\nname = "rotor"\ncapacity_J_K = 900\nheat_W = 40\n[[network.node]]\nname = "body"\ncapacity_J_K = 20000\n[[network.link]]\nfrom = "rotor"\nto = "body"\nconductance_W_K = 5\n[[network.link]]\nfrom = "body"\nto = "ambient"\nconductance_W_K = 2\n`,
   );
+  const [train, later] = ['train.csv', 'test.csv'].map((what) => join(spindles, 'seats', what));
+  raceway('add', seats, 'seat-conductance', '--data', train, '-o', file('better.toml'), '--quiet');
+  write('compare', 'compare', seats, file('better.toml'), later);
+  write('alone', 'compare', seats, later);
+  write('diagnose', 'diagnose', seats, train, '--no-pairs');
+  write('add', 'add', seats, 'seat-conductance', '--data', train);
   write('network', 'spindle', file('network.toml'), '--speed-profile', file('few.csv'));
 });
 
@@ -30,6 +36,10 @@ const expected = {
   steady: { section: 400, heat: 6, temperatures: 6 },
   speeds: { section: 400, nose: 3, forces: 2, heat: 3, stiffness: 1, rings: 3, 'bearing-forces': 3, friction: 3, 'contact-angles': 3, 'ball-loads': 3, pressures: 3 },
   network: { temperatures: 4, heat: 20 },
+  compare: { ladder: 2, channels: 14, 'over-time': 8, residual: 10 },
+  alone: { channels: 7, 'over-time': 8, residual: 10 },
+  diagnose: { channels: 21, ladder: 20, 'over-time': 8, residual: 10 },
+  add: { channels: 14, 'over-time': 8, residual: 10 },
 };
 
 for (const [name, least] of Object.entries(expected))
@@ -146,6 +156,57 @@ test('steady: the table of bearings and the heat are those that the command prin
   assert.equal(table.length, 3);
   near(Number(table[2][3]), state.rear_1_force_N, 1e-3, 'force');
   assert.ok((await page.textContent('main')).includes(`${state.axial_stiffness_N_um.toPrecision(4)} N/µm`));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+const rms = (list) => Math.sqrt(list.reduce((sum, v) => sum + v * v, 0) / list.length);
+
+test('compare: errors of each channel are those of --json, and of the rows behind the pictures', async () => {
+  const { page, faults, close } = await open('compare');
+  const printed = results.compare;
+  assert.deepEqual((await documentOf(page)).results, printed);
+  const bars = await tableOf(page, 'channels');
+  assert.equal(bars.length, 7);
+  printed.models[1].channels.forEach((c, k) => {
+    assert.equal(bars[k][0], c.quantity.replaceAll('_', ' '));
+    assert.deepEqual(bars[k].slice(2, 4), printed.models.map((m) => m.channels[k].rmse));
+    assert.equal(bars[k][4], c.tolerance_um ?? c.tolerance_K);
+  });
+  assert.match(await page.textContent('#sentence'), /^7 of 7 channels within their tolerance with better\.toml; all together 1\.\d+ → 0\.\d+ times the tolerance/);
+  assert.ok((await page.textContent('#steps')).includes('+ seat-conductance'));
+  // Each channel can be chosen, and has its own rows.
+  const channel = page.locator('#choices select').first();
+  const offered = await channel.locator('option').allTextContents();
+  assert.deepEqual(offered, printed.models[1].channels.map((c) => c.quantity.replaceAll('_', ' ')));
+  for (const [k, label] of [[0, 'axial displacement'], [6, 'front outer ring temperature']]) {
+    await channel.selectOption({ label });
+    assert.ok((await page.textContent('#residual h3')).includes(label));
+    const { columns, rows } = await csvOf(page, 'residual');
+    const at = columns.findIndex((c) => c.startsWith(`better.toml, ${label}`));
+    assert.ok(columns[at].endsWith(k === 0 ? '[µm]' : '[K]'), columns[at]);
+    near(rms(rows.map((row) => Number(row[at]))), printed.models[1].channels[k].rmse, 1e-4, label);
+    const over = await csvOf(page, 'over-time');
+    assert.ok(over.columns.includes(`measured [${k === 0 ? 'µm' : '°C'}]`), over.columns.join());
+  }
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('diagnose: verdict, each channel before, after and held out, and effects in their order', async () => {
+  const { page, faults, close } = await open('diagnose');
+  const d = results.diagnose;
+  assert.equal(await page.textContent('#verdict'), 'one effect');
+  assert.equal(await page.textContent('#sentence'), d.headline);
+  const bars = await tableOf(page, 'channels');
+  d.channels.forEach((c, k) => assert.deepEqual(bars[k].slice(2, 5), [c.rmse_before, c.rmse_after, c.rmse_held_out_um ?? c.rmse_held_out_K]));
+  const ladder = await tableOf(page, 'ladder');
+  assert.deepEqual(ladder.slice(1).map((row) => row[0].replace(' (verdict)', '')), d.effects.map((e) => e.id));
+  assert.ok(ladder[1][2] < 0.5 && ladder[0][2] > 1, `${ladder[1][2]} ${ladder[0][2]}`);
+  // Errors that no fit saw are drawn, and are those of the table.
+  const { models } = await documentOf(page);
+  assert.equal(models.length, 14);
+  near(rms(models[0].held_out.residual), d.channels[0].rmse_held_out_um, 0.02, 'held out');
   assert.deepEqual(faults, []);
   await close();
 });

@@ -57,6 +57,9 @@ export interface ErrorRange {
 export interface Comparison {
   model: string;
   data: string;
+  quantity: string;
+  unit: string; // of errors
+  channels?: Comparison[]; // of what has several
   rows: number;
   rows_not_predicted: number[];
   rmse: number;
@@ -97,6 +100,7 @@ export interface RankedEffect {
   parameters: Record<string, Size>;
   base_parameters: BaseShifts;
   indistinguishable_from: string[];
+  channels?: { quantity: string; rmse: number; rmse_cross_validated: number | null }[]; // where there are several
 }
 
 export interface Detectable {
@@ -132,6 +136,7 @@ export interface Diagnosis {
   rmse_after: number;
   noise: { rms: number; relative: number; absolute: number; correlation: number; run_share: number };
   baseline: Comparison;
+  channels?: { quantity: string; unit: string; rmse_before: number; rmse_after: number; noise: { rms: number } }[]; // where there are several
   effects: RankedEffect[];
   explanations: string[][];
   base_parameters: BaseShifts;
@@ -368,21 +373,22 @@ export interface StepResponse {
   changed_by: string[];
 }
 
-/// A correction over a record: names of columns, and what else is drawn of it.
+/// A correction, or one channel of a spindle, over a record: names of columns, and what else is drawn of it.
 export interface ModelOverTime {
   name: string;
   displacement: string;
   in_words: string;
+  unit: string; // of the columns, as their names have it
   predicted: string;
   measured?: string;
-  tolerance_um: number | null;
-  initial_state: string;
+  tolerance: number | null;
+  initial_state?: string;
   defaults: string[];
-  parts: { name: string; column: string; inputs: string[] }[];
-  responses: StepResponse[];
+  parts?: { name: string; column: string; inputs: string[] }[]; // of a correction
+  responses?: StepResponse[];
   held_out_parts?: { part: number; from_h: number; to_h: number }[];
   /// Errors of a fit to the other parts, at means of readings.
-  held_out?: { hours: number[]; piece: number[]; part: number[]; residual_um: number[] };
+  held_out?: { hours: number[]; piece: number[]; part: number[]; residual: number[] };
 }
 
 /// What `correct` says of one displacement.
@@ -407,6 +413,7 @@ interface RecordPage extends Common {
   inputs: string[];
   runs: string[];
   runs_in_sequence: boolean; // their clocks begin anew: drawn one after the other
+  steps: Step[]; // between models of spindles
 }
 
 export type RecordReport = RecordPage &

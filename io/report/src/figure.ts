@@ -47,7 +47,7 @@ export interface Table {
 
 export interface FigureSpec {
   id: string;
-  title: string;
+  title: string | (() => string);
   note?: string | (() => string);
   wide?: boolean;
   height?: number | ((width: number) => number);
@@ -72,6 +72,7 @@ const printWide = 676;
 export class Figure {
   readonly element: HTMLElement;
   private readonly canvas = el('div', { class: 'chart' });
+  private readonly title = el('h3', {});
   private readonly note = el('p', { class: 'note' });
   private readonly numbers: HTMLDetailsElement;
   private chart: ECharts | undefined;
@@ -87,7 +88,7 @@ export class Figure {
       return b;
     };
     const saving = el('div', { class: 'saving' }, picture('PNG'), picture('SVG'), button);
-    const head = el('div', { class: 'head' }, el('h3', {}, spec.title));
+    const head = el('div', { class: 'head' }, this.title);
     if (spec.controls?.length) head.append(el('div', { class: 'controls' }, ...spec.controls));
     this.element = el('figure', { class: spec.wide ? 'wide' : '', id: spec.id }, head);
     if (spec.note) this.element.append(this.note);
@@ -99,8 +100,9 @@ export class Figure {
 
   private tell(): void {
     const { note = '', title } = this.spec;
+    this.title.textContent = typeof title === 'string' ? title : title();
     this.note.textContent = typeof note === 'string' ? note : note();
-    this.canvas.setAttribute('aria-label', `${title}. ${this.note.textContent}`.trim());
+    this.canvas.setAttribute('aria-label', `${this.title.textContent}. ${this.note.textContent}`.trim());
   }
 
   /// Draws with the look of the moment; anew where a choice has changed.

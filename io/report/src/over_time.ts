@@ -6,7 +6,7 @@ import type { Look } from './look';
 import { dashes, look } from './look';
 import type { RecordView } from './record_view';
 import { stretches } from './thin';
-import { capital, quantity } from './text';
+import { capital, number, quantity } from './text';
 import { frame, left, lines, paper, places, right, rowTooltip, stacked, table, timeAxis } from './time_panels';
 
 const mostColoured = 6; // inputs of one kind
@@ -100,8 +100,8 @@ export function overTime(view: RecordView): HTMLElement {
   return view.add(
     new Figure({
       id: 'over-time',
-      title: `${capital(view.chosen.in_words)}, measured and predicted, and what drives it`,
-      note: () => `Points: measured. Lines: predicted, broken where no row is. Below, on the same axis, the inputs: in colour those that drive ${view.together().length > 1 ? `“${view.chosen.name}”` : 'the model'}${view.drivers().length > mostColoured ? ' most' : ''}.`,
+      title: () => `${capital(view.chosen.in_words)}, measured and predicted, and what drives it`,
+      note: () => `Points: measured. Lines: predicted, broken where no row is. Below, on the same axis, the inputs${view.chosen.parts ? `: in colour those that drive ${view.together().length > 1 ? `“${view.chosen.name}”` : 'the model'}${view.drivers().length > mostColoured ? ' most' : ''}` : ''}.`,
       wide: true,
       marks: 1e4,
       onPaper: 1,
@@ -130,24 +130,24 @@ export function overTime(view: RecordView): HTMLElement {
           ...frame(view, l, list),
           tooltip: rowTooltip(view, l, (row) => [...view.tell(row), ...view.tellInputs(row)]),
           yAxis: [
-            valueAxis('displacement [µm]', l, 'y', { gridIndex: 0 }),
+            valueAxis(`${quantity(view.chosen.displacement).label.replace(/^.*(temperature|displacement)/, '$1')} [${view.unit}]`, l, 'y', { gridIndex: 0 }),
             ...below.map((p, k) => valueAxis(p.title, l, 'y', { gridIndex: k + 1, splitNumber: p.height < 60 ? 1 : 3, ...(p.onOff ? { min: 0, max: 1, interval: 1 } : {}) })),
           ],
           series: [...main, ...inputs],
         };
       },
-      table: () => table(view, [...(view.chosen.measured ? ([['measured [µm]', view.measured()]] as [string, Float64Array][]) : []), ...view.together().map((m): [string, Float64Array] => [`${m.name} [µm]`, view.predicted(m)]), ...view.report.inputs.map((name): [string, Float64Array] => [name, view.rows.get(name)])]),
+      table: () => table(view, [...(view.chosen.measured ? ([[`measured [${view.unit}]`, view.measured()]] as [string, Float64Array][]) : []), ...view.together().map((m): [string, Float64Array] => [`${m.name} [${view.unit}]`, view.predicted(m)]), ...view.report.inputs.map((name): [string, Float64Array] => [name, view.rows.get(name)])]),
     }),
   );
 }
 
 export function contributions(view: RecordView): HTMLElement {
-  const sum = (k: number) => view.chosen.parts.reduce((s, p) => s + view.rows.at(p.column, k), 0);
+  const sum = (k: number) => (view.chosen.parts ?? []).reduce((s, p) => s + view.rows.at(p.column, k), 0);
   return view.add(
     new Figure({
       id: 'contributions',
       title: 'What adds up to it',
-      note: () => view.about(`what each channel and effect adds${view.chosen.parts.length > view.shares().length ? ', the largest apart' : ''}. Line: their sum. Points: measured, both less what the model takes for the zero of the reading.`),
+      note: () => view.about(`what each channel and effect adds${(view.chosen.parts ?? []).length > view.shares().length ? ', the largest apart' : ''}. Line: their sum. Points: measured, both less what the model takes for the zero of the reading.`),
       wide: true,
       marks: 1e4,
       height: (width) => (width < 480 ? 320 : 360),
@@ -173,7 +173,7 @@ export function contributions(view: RecordView): HTMLElement {
           ],
         };
       },
-      table: () => table(view, view.chosen.parts.map((p): [string, Float64Array] => [`${p.name} [µm]`, view.rows.get(p.column)])),
+      table: () => table(view, (view.chosen.parts ?? []).map((p): [string, Float64Array] => [`${p.name} [µm]`, view.rows.get(p.column)])),
     }),
   );
 }
@@ -184,7 +184,7 @@ function partRows(view: RecordView): { part: number; from: number; to: number; r
   const { held_out: held, held_out_parts: parts = [] } = view.chosen;
   return parts.map(({ part, from_h: from, to_h: to }) => {
     const errors = Array.from(residual.filter((r, k) => Number.isFinite(r) && (view.hours[k] as number) >= from && (view.hours[k] as number) <= to));
-    const unseen = held ? held.residual_um.filter((_, k) => held.part[k] === part) : [];
+    const unseen = held ? held.residual.filter((_, k) => held.part[k] === part) : [];
     const rms = (list: number[]) => Math.sqrt(list.reduce((s, e) => s + e * e, 0) / list.length);
     return { part, from, to, rms: rms(errors), mean: errors.reduce((s, e) => s + e, 0) / errors.length, most: errors.reduce((m, e) => Math.max(m, Math.abs(e)), 0), held: rms(unseen) };
   });
@@ -198,15 +198,15 @@ export function residualOverTime(view: RecordView): HTMLElement | undefined {
   return view.add(
     new Figure({
       id: 'residual',
-      title: 'What is left',
+      title: () => `What is left${view.chosen.parts ? '' : ` of the ${view.chosen.in_words}`}`,
       note: () =>
-        view.about(`predicted − measured. Shaded in turn: the eight parts of the record${held ? ', each predicted once more by a fit that did not see it, the simulation running through' : ' that a fit holds out; the table has the error on each'}.${view.chosen.tolerance_um === null ? '' : ` Band: the tolerance of ±${view.chosen.tolerance_um} µm, which is for the RMS.`}`),
+        view.about(`predicted − measured. Shaded in turn: the eight parts of the record${held ? ', each predicted once more by a fit that did not see it, the simulation running through' : ' that a fit holds out; the table has the error on each'}.${view.chosen.tolerance === null ? '' : ` Band: the tolerance of ±${number(view.chosen.tolerance, 3)} ${view.errorUnit}, which is for the RMS.`}`),
       wide: true,
       marks: 1e4,
       height: (width) => (width < 480 ? 320 : 340),
       option: (l, width) => {
         const inner = width - left - right;
-        const tolerance = view.chosen.tolerance_um;
+        const tolerance = view.chosen.tolerance;
         const names = [seen, ...(view.chosen.held_out ? [unseen] : []), ...(tolerance === null ? [] : ['tolerance'])];
         const top = legend(names, width, l, [undefined, ...(view.chosen.held_out ? [undefined] : []), 'rect']);
         const parts = (view.chosen.held_out_parts ?? []).filter((p) => p.to_h > view.span[0] && p.from_h < view.span[1]);
@@ -220,7 +220,7 @@ export function residualOverTime(view: RecordView): HTMLElement | undefined {
           },
         });
         if (view.chosen.held_out) {
-          const { hours, piece, residual_um: errors } = view.chosen.held_out;
+          const { hours, piece, residual: errors } = view.chosen.held_out;
           const own = stretches(hours, errors, piece, view.span);
           series.push({
             type: 'line',
@@ -239,15 +239,15 @@ export function residualOverTime(view: RecordView): HTMLElement | undefined {
           grid: { left, right, top: top.height + 26, bottom: 46 },
           tooltip: rowTooltip(view, l, (row) => view.tell(row)),
           xAxis: timeAxis(view, l),
-          yAxis: valueAxis('predicted − measured [µm]', l, 'y'),
+          yAxis: valueAxis(`predicted − measured [${view.errorUnit}]`, l, 'y'),
           series,
         };
       },
       table: () => ({
-        columns: ['part', 'from [h]', 'to [h]', 'RMS [µm]', 'mean [µm]', 'largest [µm]', ...(held ? ['RMS, fit to the others [µm]'] : [])],
+        columns: ['part', 'from [h]', 'to [h]', ...['RMS', 'mean', 'largest', ...(held ? ['RMS, fit to the others'] : [])].map((name) => `${name} [${view.errorUnit}]`)],
         rows: partRows(view).map((p) => [p.part, p.from, p.to, p.rms, p.mean, p.most, ...(held ? [Number.isFinite(p.held) ? p.held : null] : [])]),
       }),
-      csv: () => table(view, view.report.models.filter((m) => m.measured).map((m): [string, Float64Array] => [`${m.name} [µm]`, view.residual(m)])),
+      csv: () => table(view, view.report.models.filter((m) => m.measured && m.unit === view.chosen.unit).map((m): [string, Float64Array] => [`${m.name}${m.parts ? '' : `, ${m.in_words}`} [${view.errorUnit}]`, view.residual(m)])),
     }),
   );
 }

@@ -1,90 +1,13 @@
 // The page of a record over time, of compare, diagnose, add and correct with a correction.
-import { legend, sideAxis, threshold, valueAxis } from './chart';
-import type { Comparison, Corrected, Diagnosis, RecordReport, Size } from './document';
-import { Figure, tooltip } from './figure';
-import { contributions, overTime, residualOverTime } from './over_time';
+import type { Comparison, Corrected, Diagnosis, RecordReport } from './document';
 import { grid, header, notes, section } from './page';
+import { field, ladder, lengthOf, overTimeSection, sizes, um } from './record_parts';
+import type { Rung } from './record_parts';
 import { RecordView } from './record_view';
+import { spindleRecord } from './spindle_record';
 import { steps } from './steps';
-import { dash, el, number, plain, plainCeiling, shortPaths, signed, unitText, valueList } from './text';
+import { el, number, plain, shortPaths, signed, unitText, valueList } from './text';
 import { verdicts } from './verdicts';
-
-/// An error of the ladder [µm]; what is not known is null.
-interface Rung {
-  name: string;
-  rms: number | null;
-  held: number | null;
-  note?: string;
-}
-
-interface Limits {
-  tolerance: number | null;
-  noise: number | null;
-}
-
-type Fields = Record<string, unknown>;
-
-function field(of: object, name: string): number | null {
-  const value = (of as Fields)[name];
-  return typeof value === 'number' ? value : null;
-}
-
-function um(value: number | null | undefined): string {
-  return value === null || value === undefined ? dash : `${number(value, 3)} µm`;
-}
-
-/// Errors of models or effects, against what is tolerated and what the sensor scatters.
-function ladder(rungs: Rung[], { tolerance, noise }: Limits): Figure {
-  const held = rungs.some((r) => r.held !== null);
-  const names = ['on all readings', ...(held ? ['on parts that no fit saw'] : [])];
-  const values = [rungs.map((r) => r.rms), ...(held ? [rungs.map((r) => r.held)] : [])];
-  const most = Math.max(...values.flat().map((v) => v ?? 0));
-  const lines = [...(tolerance === null ? [] : [`the tolerance, ${um(tolerance)}`]), ...(noise === null ? [] : [`the noise of the sensor, ${um(noise)}`])];
-  return new Figure({
-    id: 'ladder',
-    title: rungs.length > 1 ? 'RMS error, one after the other' : 'RMS error',
-    note: lines.length ? `Dashed: ${lines.join('; ')}.` : 'No tolerance was given, and the noise is not known.',
-    wide: true,
-    height: 92 + rungs.length * (held ? 44 : 34),
-    onPaper: 0.62,
-    option: (l, width) => {
-      const top = legend(held ? names : [], width, l);
-      const side = sideAxis(rungs.map((r) => r.name), l, width);
-      // Two words beside each other would not be read.
-      const apart = ((width - side.left - 56) * Math.abs((tolerance ?? 0) - (noise ?? 0))) / Math.max(most, tolerance ?? 0, noise ?? 0);
-      const marks = [...(tolerance === null ? [] : [{ xAxis: tolerance, label: { formatter: 'tolerance' } }]), ...(noise === null ? [] : [{ xAxis: noise, label: { formatter: tolerance !== null && apart < 70 ? '' : 'noise' } }])];
-      return {
-        ...(held ? { legend: top.option } : {}),
-        grid: { left: side.left, right: 56, top: top.height + 24, bottom: 42 },
-        tooltip: tooltip(l, (hit) => {
-          const r = rungs[hit.dataIndex];
-          return r ? [r.name, ['on all readings', um(r.rms)], ...(held ? ([['on parts that no fit saw', um(r.held)]] as [string, string][]) : []), ...(r.note ? [r.note] : [])] : null;
-        }),
-        xAxis: valueAxis('RMS error [µm]', l, 'x', { scale: false, min: 0, ...(most < Math.max(tolerance ?? 0, noise ?? 0) ? { max: plainCeiling(Math.max(tolerance ?? 0, noise ?? 0)) } : {}) }),
-        yAxis: side.option,
-        series: names.map((name, k) => ({
-          type: 'bar',
-          name,
-          barMaxWidth: held ? 14 : 20,
-          itemStyle: { color: l.kinds[k], borderRadius: [0, 3, 3, 0], decal: k === 1 ? { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: [2, 5], rotation: -0.7, color: 'rgba(255,255,255,0.35)' } : undefined },
-          label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { value: number | null }) => (hit.value === null ? '' : number(hit.value, 3)) },
-          data: values[k],
-          ...(k === 0 && marks.length ? { markLine: { ...threshold(0, '', l), data: marks } } : {}),
-        })),
-      };
-    },
-    table: () => ({
-      columns: ['', 'RMS [µm]', ...(held ? ['RMS on parts that no fit saw [µm]'] : []), 'over the tolerance', 'numbers'],
-      rows: rungs.map((r) => [r.name, r.rms, ...(held ? [r.held] : []), tolerance === null ? null : ((r.held ?? r.rms) as number) / tolerance, r.note ?? '']),
-    }),
-  });
-}
-
-function sizes(parameters: Record<string, Size>): string {
-  return Object.entries(parameters)
-    .map(([name, p]) => `${name} = ${number(p.value, 3)}${p.std === null ? '' : ` ± ${number(p.std, 2)}`}${unitText(p.unit) ? ` ${unitText(p.unit)}` : ''}${p.at_bound ? ' (at its bound)' : ''}`)
-    .join(', ');
-}
 
 /// The refitted model, the explanations of the verdict, then every other effect.
 function rungsOf(d: Diagnosis): Rung[] {
@@ -112,26 +35,6 @@ function where(c: Comparison): HTMLElement | undefined {
   );
 }
 
-/// What the page has of more rows than it holds, and how it draws them.
-function thinned(view: RecordView): HTMLElement | undefined {
-  const { rows, total } = view.report.rows;
-  if (total <= 2000) return undefined;
-  return el(
-    'p',
-    { class: 'note', id: 'thinned' },
-    `${rows < total ? `This page holds ${rows} of ${total} rows: evenly spread, and the lowest and highest of every column in each stretch. ` : ''}Lines draw in each step of time, about a pixel wide, the first, the lowest, the highest and the last row, so that no extreme is lost; tables and CSV have every row of the page.`,
-  );
-}
-
-function overTimeSection(view: RecordView): HTMLElement {
-  return section('Over time', view.choices(view.report.command === 'correct' ? 'Displacement' : 'Model'), thinned(view), grid(overTime(view), contributions(view), residualOverTime(view)));
-}
-
-function lengthOf(view: RecordView): [string, string] {
-  const hours = (view.hours[view.rows.count - 1] ?? 0) - (view.hours[0] ?? 0);
-  return ['length', `${number(hours, 3)} h${view.report.runs.length > 1 ? `, ${view.report.runs.length} runs` : ''}`];
-}
-
 function compare(report: RecordReport & { command: 'compare' }): (Node | undefined)[] {
   const comparisons = 'models' in report.results ? report.results.models : [report.results];
   const last = comparisons[comparisons.length - 1] as Comparison;
@@ -139,7 +42,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
   report.models.forEach((m, k) => (m.name = files[k] as string));
   const view = new RecordView(report, comparisons.length - 1);
   const several = comparisons.length > 1;
-  const limits = { tolerance: view.chosen.tolerance_um, noise: last.noise.rms };
+  const limits = { tolerance: view.chosen.tolerance, noise: last.noise.rms };
   return [
     header(
       {
@@ -160,7 +63,7 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
 function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undefined)[] {
   const d = report.results;
   const view = new RecordView(report, report.models.length - 1);
-  const limits = { tolerance: view.chosen.tolerance_um, noise: d.noise.rms };
+  const limits = { tolerance: view.chosen.tolerance, noise: d.noise.rms };
   const held = [field(d, 'rmse_held_out_um'), d.explanations.length ? field(d.effects[0] ?? {}, 'rmse_held_out_um') : null];
   return [
     header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.headline, more: d.sentence }, [
@@ -186,7 +89,7 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
   const r = report.results;
   const view = new RecordView(report, report.models.length - 1);
   const parameters = Object.entries(r.calibration.parameters);
-  const limits = { tolerance: view.chosen.tolerance_um, noise: r.before.noise.rms };
+  const limits = { tolerance: view.chosen.tolerance, noise: r.before.noise.rms };
   return [
     header(
       {
@@ -230,7 +133,7 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
       ],
     ),
     overTimeSection(view),
-    read.length ? section('The error', grid(ladder(axes.map((a, k) => ({ name: report.models[k]?.name ?? a.displacement, rms: a.metrics.rmse_um, held: null })), { tolerance: view.chosen.tolerance_um, noise: null }))) : undefined,
+    read.length ? section('The error', grid(ladder(axes.map((a, k) => ({ name: report.models[k]?.name ?? a.displacement, rms: a.metrics.rmse_um, held: null })), { tolerance: view.chosen.tolerance, noise: null }))) : undefined,
     section('Step responses', grid(steps(view))),
     notes(r.messages),
   ];
@@ -255,5 +158,5 @@ export function record(report: RecordReport): (Node | undefined)[] {
         return correct(report);
     }
   };
-  return [...content(), taken(report)];
+  return report.models.some((m) => m.parts) || report.models.length === 0 ? [...content(), taken(report)] : spindleRecord(report);
 }

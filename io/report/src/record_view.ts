@@ -2,7 +2,7 @@
 import type { ModelOverTime, RecordReport } from './document';
 import type { Figure } from './figure';
 import { choice } from './figure';
-import { capital, el, number, plain, quantity, signed } from './text';
+import { capital, el, number, plain, quantity, signed, unitOfKey } from './text';
 import type { Share } from './time_panels';
 import { TimeView } from './time_view';
 
@@ -24,6 +24,13 @@ export class RecordView extends TimeView {
 
   get chosen(): ModelOverTime {
     return this.report.models[this.model] as ModelOverTime;
+  }
+  /// Units of a reading and of an error of the chosen model: °C, K.
+  get unit(): string {
+    return unitOfKey(this.chosen.unit);
+  }
+  get errorUnit(): string {
+    return this.chosen.unit === 'C' ? 'K' : this.unit;
   }
   predicted(of = this.chosen): Float64Array {
     return this.rows.get(of.predicted);
@@ -58,7 +65,7 @@ export class RecordView extends TimeView {
   /// The largest shares of the chosen model, and the rest as one; what is constant in none.
   shares(): Share[] {
     const size = (v: Float64Array) => v.reduce((sum, x) => sum + (Number.isFinite(x) ? x * x : 0), 0);
-    const all = this.chosen.parts.map((p) => ({ name: p.name, values: this.rows.get(p.column) })).sort((a, b) => size(b.values) - size(a.values));
+    const all = (this.chosen.parts ?? []).map((p) => ({ name: p.name, values: this.rows.get(p.column) })).sort((a, b) => size(b.values) - size(a.values));
     if (all.length <= mostShares + 1) return all;
     const rest = new Float64Array(this.rows.count);
     for (const { values } of all.slice(mostShares)) values.forEach((v, k) => (rest[k] = (rest[k] as number) + v));
@@ -69,7 +76,7 @@ export class RecordView extends TimeView {
   drivers(): string[] {
     const order = this.shares().map((s) => s.name);
     const place = (name: string) => (order.includes(name) ? order.indexOf(name) : order.length);
-    const parts = this.chosen.parts.slice().sort((a, b) => place(a.name) - place(b.name));
+    const parts = (this.chosen.parts ?? []).slice().sort((a, b) => place(a.name) - place(b.name));
     return [...new Set(parts.flatMap((p) => p.inputs))];
   }
 
@@ -77,9 +84,9 @@ export class RecordView extends TimeView {
     const lines: (string | [string, string])[] = [`line ${plain(this.rows.at('line', row))}`, ['time', `${number(this.hours[row], 4)} h`]];
     if (this.report.runs.length > 1) lines.push(['run', this.report.runs[this.rows.at('run', row)] ?? '']);
     const measured = this.measured()[row] as number;
-    if (this.chosen.measured) lines.push(['measured', Number.isFinite(measured) ? `${number(measured)} µm` : 'not read']);
-    for (const m of this.together()) lines.push([this.label(m), `${number(this.predicted(m)[row])} µm`]);
-    if (Number.isFinite(measured)) lines.push(['predicted − measured', `${signed(this.residual()[row] as number)} µm`]);
+    if (this.chosen.measured) lines.push(['measured', Number.isFinite(measured) ? `${number(measured)} ${this.unit}` : 'not read']);
+    for (const m of this.together()) lines.push([this.label(m), `${number(this.predicted(m)[row])} ${this.unit}`]);
+    if (Number.isFinite(measured)) lines.push(['predicted − measured', `${signed(this.residual()[row] as number)} ${this.errorUnit}`]);
     return lines;
   }
   tellInputs(row: number): [string, string][] {
@@ -119,13 +126,22 @@ export class RecordView extends TimeView {
   choices(label: string): HTMLElement {
     const bar = el('div', { class: 'choices', id: 'choices' });
     const { models } = this.report;
-    if (models.length > 1)
-      bar.append(
-        choice(label, models.map((m) => m.name), this.model, (k) => {
-          this.model = k;
-          this.redraw();
-        }),
-      );
+    const choose = (name: string, options: string[], chosen: number, model: (k: number) => number) => {
+      if (options.length > 1)
+        bar.append(
+          choice(name, options, chosen, (k) => {
+            this.model = model(k);
+            this.redraw();
+          }),
+        );
+    };
+    // Of spindles every model has every channel, one model after the other.
+    const channels = [...new Set(models.map((m) => m.displacement))];
+    const names = [...new Set(models.map((m) => m.name))];
+    if (models.length > Math.max(channels.length, names.length)) {
+      choose('Channel', channels.map((c) => models.find((m) => m.displacement === c)?.in_words ?? c), this.model % channels.length, (k) => this.model - (this.model % channels.length) + k);
+      choose(label, names, Math.floor(this.model / channels.length), (k) => (this.model % channels.length) + k * channels.length);
+    } else choose(models.some((m) => m.parts) ? label : 'Channel', channels.length > 1 && names.length === 1 ? models.map((m) => m.in_words) : models.map((m) => m.name), this.model, (k) => k);
     if (this.spans.length > 1)
       bar.append(
         choice('Time', this.spans.map((s) => s.label), 0, (k) => {

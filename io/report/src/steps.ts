@@ -84,9 +84,9 @@ function layout(list: StepResponse[], width: number, l: Look): { panels: Placed[
 }
 
 export function steps(view: RecordView): HTMLElement | undefined {
-  const all = () => view.chosen.responses;
+  const all = () => view.chosen.responses ?? [];
   const shown = () => all().slice().sort((a, b) => Math.abs(final(b)) - Math.abs(final(a))).slice(0, mostPanels);
-  if (view.report.models.every((m) => m.responses.length === 0)) return undefined;
+  if (view.report.models.every((m) => !m.responses?.length)) return undefined;
   return view.add(
     new Figure({
       id: 'steps',
