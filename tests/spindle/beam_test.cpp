@@ -29,23 +29,25 @@ model::ShaftBody bar(const json& in, double length) {
 }
 
 TEST(Beam, ElementIsThatOfAnotherProgram) {
-  const json c = beam_case("beam_element_ross"), &in = c.at("inputs"), &out = c.at("outputs");
-  const model::SolidMaterial material = beam_material(in);
-  const BeamElement e{.length = in.at("L_m"),
-                      .outer_diameter = in.at("d_m"),
-                      .bore = 0.0,
-                      .elastic_modulus = material.elastic_modulus,
-                      .poissons_ratio = material.poissons_ratio,
-                      .density = material.density};
-  const ElementMatrices m = element_matrices(e);
-  expect_of_beam(e.shear_ratio(), out.at("phi"), c);
-  expect_of_beam(m.stiffness(0, 0), out.at("K11"), c);
-  expect_of_beam(m.stiffness(0, 1), out.at("K12"), c);
-  expect_of_beam(m.stiffness(1, 1), out.at("K22"), c);
-  expect_of_beam(m.mass(0, 0), out.at("M11"), c);
-  expect_of_beam(m.mass(0, 1), out.at("M12"), c);
-  expect_of_beam(m.gyroscopic(0, 0), out.at("gyro11"), c);
-  expect_of_beam(m.gyroscopic(1, 1), out.at("gyro22"), c);
+  for (const json& c : references("beam_element_")) {
+    const json &in = c.at("inputs"), &out = c.at("outputs");
+    const model::SolidMaterial material = beam_material(in);
+    const BeamElement e{.length = in.at("L_m"),
+                        .outer_diameter = in.at("d_m"),
+                        .bore = 0.0,
+                        .elastic_modulus = material.elastic_modulus,
+                        .poissons_ratio = material.poissons_ratio,
+                        .density = material.density};
+    const ElementMatrices m = element_matrices(e);
+    expect_of_beam(e.shear_ratio(), out.at("phi"), c);
+    expect_of_beam(m.stiffness(0, 0), out.at("K11"), c);
+    expect_of_beam(m.stiffness(0, 1), out.at("K12"), c);
+    expect_of_beam(m.stiffness(1, 1), out.at("K22"), c);
+    expect_of_beam(m.mass(0, 0), out.at("M11"), c);
+    expect_of_beam(m.mass(0, 1), out.at("M12"), c);
+    expect_of_beam(m.gyroscopic(0, 0), out.at("gyro11"), c);
+    expect_of_beam(m.gyroscopic(1, 1), out.at("gyro22"), c);
+  }
 }
 
 TEST(Beam, ElementStoresNothingInRigidMotionAndHasItsMass) {
@@ -69,46 +71,54 @@ TEST(Beam, ElementStoresNothingInRigidMotionAndHasItsMass) {
 }
 
 TEST(Beam, CantileverBendsAsTheClosedFormSays) {
-  const json c = beam_case("cantilever"), &in = c.at("inputs");
-  const double length = in.at("L_m");
-  const Beam beam(bar(in, length), {});
-  const double end[] = {length};
-  // So stiff that the end does not move by a digit that is asked for, and the matrix keeps its own.
-  const PlaneSpring clamp[] = {{.radial = 1e17, .tilt = 1e15}};
-  const BeamLoad load[] = {{.position = 0.0, .force = in.at("force_N")}};
-  const Deflection d = deflect(beam, end, clamp, load);
-  ASSERT_TRUE(d.found);
-  expect_of_beam(d.shape[0], c.at("outputs").at("tip_m"), c);
+  for (const json& c : references("cantilever")) {
+    const json& in = c.at("inputs");
+    const double length = in.at("L_m");
+    const Beam beam(bar(in, length), {});
+    const double end[] = {length};
+    // So stiff that the end does not move by a digit that is asked for, and the matrix keeps its
+    // own.
+    const PlaneSpring clamp[] = {{.radial = 1e17, .tilt = 1e15}};
+    const BeamLoad load[] = {{.position = 0.0, .force = in.at("force_N")}};
+    const Deflection d = deflect(beam, end, clamp, load);
+    ASSERT_TRUE(d.found);
+    expect_of_beam(d.shape[0], c.at("outputs").at("tip_m"), c);
+  }
 }
 
 TEST(Beam, OverhungNoseIsExactAtNodesForAnyMesh) {
-  const json c = beam_case("overhung_nose_0"), &in = c.at("inputs");
-  const double a = in.at("overhang_m"), span = in.at("span_m");
-  const double places[] = {a, a + span};
-  const PlaneSpring springs[] = {{.radial = in.at("k_front_N_m")}, {.radial = in.at("k_rear_N_m")}};
-  const BeamLoad load[] = {{.position = 0.0, .force = in.at("force_N")}};
-  for (const double element : {5 * mm, 60 * mm, 1.0}) {
-    const Beam beam(bar(in, a + span), places, {.element_length = element});
-    const Deflection d = deflect(beam, places, springs, load);
-    ASSERT_TRUE(d.found);
-    expect_of_beam(d.shape[0], c.at("outputs").at("nose_m"), c);
+  for (const json& c : references("overhung_nose_")) {
+    const json& in = c.at("inputs");
+    const double a = in.at("overhang_m"), span = in.at("span_m");
+    const double places[] = {a, a + span};
+    const PlaneSpring springs[] = {{.radial = in.at("k_front_N_m")},
+                                   {.radial = in.at("k_rear_N_m")}};
+    const BeamLoad load[] = {{.position = 0.0, .force = in.at("force_N")}};
+    for (const double element : {5 * mm, 60 * mm, 1.0}) {
+      const Beam beam(bar(in, a + span), places, {.element_length = element});
+      const Deflection d = deflect(beam, places, springs, load);
+      ASSERT_TRUE(d.found);
+      expect_of_beam(d.shape[0], c.at("outputs").at("nose_m"), c);
+    }
   }
 }
 
 TEST(Beam, SpindleBendsAsTheReferenceDoes) {
-  const json c = beam_case("spindle_deflection_0"), &in = c.at("inputs");
-  const std::vector<double> places = bearing_places(in);
-  const Beam beam(spindle_shaft(in), places,
-                  {.element_length = in.at("element_mm").get<double>() * mm});
-  std::vector<PlaneSpring> springs;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    springs.push_back(
-        {.radial = in.at("radial_N_m").at(i), .tilt = in.at("tilt_Nm_rad").at(i), .coupling = 0});
-  const BeamLoad load[] = {{.position = 0.0, .force = in.at("force_N")}};
-  const Deflection d = deflect(beam, places, springs, load);
-  ASSERT_TRUE(d.found);
-  expect_of_beam(d.shape[0] / um, c.at("outputs").at("nose_um"), c);
-  expect_of_beam(d.shape[1] * 1e6, c.at("outputs").at("slope_urad"), c);
+  for (const json& c : references("spindle_deflection_")) {
+    const json& in = c.at("inputs");
+    const std::vector<double> places = bearing_places(in);
+    const Beam beam(spindle_shaft(in), places,
+                    {.element_length = in.at("element_mm").get<double>() * mm});
+    std::vector<PlaneSpring> springs;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      springs.push_back(
+          {.radial = in.at("radial_N_m").at(i), .tilt = in.at("tilt_Nm_rad").at(i), .coupling = 0});
+    const BeamLoad load[] = {{.position = 0.0, .force = in.at("force_N")}};
+    const Deflection d = deflect(beam, places, springs, load);
+    ASSERT_TRUE(d.found);
+    expect_of_beam(d.shape[0] / um, c.at("outputs").at("nose_um"), c);
+    expect_of_beam(d.shape[1] * 1e6, c.at("outputs").at("slope_urad"), c);
+  }
 }
 
 TEST(Beam, DisplacementUnderALoadElsewhereIsTheSameTheOtherWayRound) {

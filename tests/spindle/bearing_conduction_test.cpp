@@ -2,6 +2,7 @@
 
 #include "bearing/bearing_equilibrium.h"
 #include "spindle/contact.h"
+#include "tests/spindle/case_bearing.h"
 #include "tests/spindle/reference_cases.h"
 
 namespace raceway::spindle {
@@ -22,7 +23,8 @@ bearing::Bearing bearing_7014() {
 
 TEST(BearingConduction, IsThatOfTheReference) {
   for (const ReferenceCase& c : reference_cases("bearing_conduction_")) {
-    const BallConduction balls(bearing_7014(), c.in("lambda_ball"), c.in("lambda_ring"));
+    const BallConduction balls(*case_bearing(c.inputs.at("bearing")), c.in("lambda_ball"),
+                               c.in("lambda_ring"));
     const double load = c.in("ball_load_N");
     c.holds("inner_K_W", balls.resistance(Race::inner, load));
     c.holds("outer_K_W", balls.resistance(Race::outer, load));

@@ -7,6 +7,7 @@
 
 #include "spindle/modes.h"
 #include "tests/spindle/beam_cases.h"
+#include "tests/spindle/case_bearing.h"
 
 namespace raceway::spindle {
 namespace {
@@ -43,14 +44,15 @@ struct BentSpindle {
 };
 
 TEST(LoadedShaft, TangentStiffnessOfBearingsGivesTheModesOfTheReference) {
-  for (const char* id : {"tangent_stiffness_modes_0_150", "tangent_stiffness_modes_8000_150"}) {
-    const json c = test::beam_case(id), &in = c.at("inputs"), &out = c.at("outputs");
+  for (const json& c : references("tangent_stiffness_modes_")) {
+    const json &in = c.at("inputs"), &out = c.at("outputs");
     const double tolerance = c.at("tolerance_rel"), speed = in.at("rpm").get<double>() * rpm;
     const auto expect = [&](double value, const json& expected) {
       EXPECT_NEAR(value, expected.get<double>(), tolerance * std::abs(expected.get<double>()));
     };
-    const auto e = solve_bearing_equilibrium(
-        *bearing_of_15_degrees(), {.speed = speed, .axial_load = in.at("axial_load_each_N")});
+    const auto e =
+        solve_bearing_equilibrium(*case_bearing(in.at("bearing")),
+                                  {.speed = speed, .axial_load = in.at("axial_load_each_N")});
     ASSERT_TRUE(e.report.converged());
     expect(e.stiffness(0, 0) * um, out.at("axial_N_um"));
     expect(e.stiffness(1, 1) * um, out.at("radial_N_um"));

@@ -57,89 +57,94 @@ void heat_evenly(const Mesh& mesh, HeatPaths& p, double per_volume) {
 using FaceSide = OpenFace::Side;
 
 TEST(Cells, ABarHeatedWithinExpandsAsItsClosedForm) {
-  const ReferenceCase& c = reference_case("bar_heat");
-  const Mesh mesh = make_mesh(std::vector{region(c.in("L_m"), 0.0, 0.01, solid(c.in("lam")))},
-                              c.in("L_m") / 60.0, 1.0);
-  HeatPaths p = paths_in(mesh);
-  heat_evenly(mesh, p, c.in("q_W_m3"));
-  for (const OpenFace& f : mesh.open)
-    if (!f.radial()) hold(p, f, Reservoir::machine);
-  const Vector t = settled(p);
-  c.holds("dT_max_K", t.maxCoeff());
-  double elongation = 0.0;
-  for (std::size_t k = 0; k < mesh.size(); ++k)
-    elongation += c.in("alpha") * t[static_cast<Eigen::Index>(k)] * mesh.cells[k].length();
-  c.holds("elongation_um", elongation / um);
+  for (const ReferenceCase& c : reference_cases("bar_heat")) {
+    const Mesh mesh = make_mesh(std::vector{region(c.in("L_m"), 0.0, 0.01, solid(c.in("lam")))},
+                                c.in("L_m") / 60.0, 1.0);
+    HeatPaths p = paths_in(mesh);
+    heat_evenly(mesh, p, c.in("q_W_m3"));
+    for (const OpenFace& f : mesh.open)
+      if (!f.radial()) hold(p, f, Reservoir::machine);
+    const Vector t = settled(p);
+    c.holds("dT_max_K", t.maxCoeff());
+    double elongation = 0.0;
+    for (std::size_t k = 0; k < mesh.size(); ++k)
+      elongation += c.in("alpha") * t[static_cast<Eigen::Index>(k)] * mesh.cells[k].length();
+    c.holds("elongation_um", elongation / um);
+  }
 }
 
 TEST(Cells, APinIsTheFinOfItsClosedForm) {
-  const ReferenceCase& c = reference_case("pin_fin");
-  const double d = c.in("d_m"), length = c.in("L_m");
-  const Mesh mesh =
-      make_mesh(std::vector{region(length, 0.0, 0.5 * d, solid(c.in("lam")))}, length / 200.0, 1.0);
-  HeatPaths p = paths_in(mesh);
-  for (const OpenFace& f : mesh.open) {
-    if (f.side == FaceSide::front) hold(p, f, Reservoir::air);  // the base, at 1
-    // A fin is of one temperature across: no resistance within it.
-    if (f.side == FaceSide::outer)
-      p.outlets.push_back({f.cell, Reservoir::machine, c.in("h") * f.area});
+  for (const ReferenceCase& c : reference_cases("pin_fin")) {
+    const double d = c.in("d_m"), length = c.in("L_m");
+    const Mesh mesh = make_mesh(std::vector{region(length, 0.0, 0.5 * d, solid(c.in("lam")))},
+                                length / 200.0, 1.0);
+    HeatPaths p = paths_in(mesh);
+    for (const OpenFace& f : mesh.open) {
+      if (f.side == FaceSide::front) hold(p, f, Reservoir::air);  // the base, at 1
+      // A fin is of one temperature across: no resistance within it.
+      if (f.side == FaceSide::outer)
+        p.outlets.push_back({f.cell, Reservoir::machine, c.in("h") * f.area});
+    }
+    const Vector t = settled(p);
+    c.holds("tip", t[t.size() - 1]);
+    c.holds("base_W_K", -p.outflow(t)[0]);
   }
-  const Vector t = settled(p);
-  c.holds("tip", t[t.size() - 1]);
-  c.holds("base_W_K", -p.outflow(t)[0]);
 }
 
 TEST(Cells, AnAnnulusResistsAsItsLogarithm) {
-  const ReferenceCase& c = reference_case("annulus");
-  const Mesh mesh =
-      make_mesh(std::vector{region(c.in("width"), c.in("r_in"), c.in("r_out"), solid(c.in("lam")))},
-                1.0, 0.004);
-  HeatPaths p = paths_in(mesh);
-  for (const OpenFace& f : mesh.open) {
-    if (f.side == FaceSide::inner) hold(p, f, Reservoir::air);
-    if (f.side == FaceSide::outer) hold(p, f, Reservoir::machine);
+  for (const ReferenceCase& c : reference_cases("annulus")) {
+    const Mesh mesh = make_mesh(
+        std::vector{region(c.in("width"), c.in("r_in"), c.in("r_out"), solid(c.in("lam")))}, 1.0,
+        0.004);
+    HeatPaths p = paths_in(mesh);
+    for (const OpenFace& f : mesh.open) {
+      if (f.side == FaceSide::inner) hold(p, f, Reservoir::air);
+      if (f.side == FaceSide::outer) hold(p, f, Reservoir::machine);
+    }
+    c.holds("R_K_W", -1.0 / p.outflow(settled(p))[0]);
   }
-  c.holds("R_K_W", -1.0 / p.outflow(settled(p))[0]);
 }
 
 TEST(Cells, AHollowCylinderHeatedWithinIsAsHotAsItsClosedForm) {
-  const ReferenceCase& c = reference_case("hollow_cylinder_heat");
-  const double r_in = c.in("r_in"), r_out = c.in("r_out");
-  const Mesh mesh = make_mesh(std::vector{region(0.1, r_in, r_out, solid(c.in("lam")))}, 1.0,
-                              (r_out - r_in) / 20.0);
-  HeatPaths p = paths_in(mesh);
-  heat_evenly(mesh, p, c.in("q_W_m3"));
-  for (const OpenFace& f : mesh.open)
-    if (f.side == FaceSide::outer) hold(p, f, Reservoir::machine, c.in("h_out"));
-  c.holds("T_in_above_ambient_K", settled(p)[0]);
+  for (const ReferenceCase& c : reference_cases("hollow_cylinder_")) {
+    const double r_in = c.in("r_in"), r_out = c.in("r_out");
+    const Mesh mesh = make_mesh(std::vector{region(0.1, r_in, r_out, solid(c.in("lam")))}, 1.0,
+                                (r_out - r_in) / 20.0);
+    HeatPaths p = paths_in(mesh);
+    heat_evenly(mesh, p, c.in("q_W_m3"));
+    for (const OpenFace& f : mesh.open)
+      if (f.side == FaceSide::outer) hold(p, f, Reservoir::machine, c.in("h_out"));
+    c.holds("T_in_above_ambient_K", settled(p)[0]);
+  }
 }
 
 TEST(Cells, AFiniteCylinderIsTheBesselSeries) {
-  const ReferenceCase& c = reference_case("finite_cylinder_2d");
-  const double radius = c.in("radius"), height = c.in("height");
-  const Mesh mesh = make_mesh(std::vector{region(height, 0.0, radius, solid(46.0))}, height / 64.0,
-                              radius / 40.0);
-  HeatPaths p = paths_in(mesh);
-  for (const OpenFace& f : mesh.open)
-    hold(p, f, f.side == FaceSide::front ? Reservoir::air : Reservoir::machine);
-  const Vector t = settled(p);
-  const auto at = [&](double z, double r) {
-    // Bilinear between the middles of cells.
-    double sum = 0.0, weight = 0.0;
-    const double dz = height / 64.0, dr = radius / 40.0;
-    for (std::size_t k = 0; k < mesh.size(); ++k) {
-      const Cell& cell = mesh.cells[k];
-      const double wz = 1.0 - std::abs(0.5 * (cell.start + cell.end) - z) / dz;
-      const double wr = 1.0 - std::abs(cell.middle_radius() - r) / dr;
-      if (wz <= 0.0 || wr <= 0.0) continue;
-      sum += wz * wr * t[static_cast<Eigen::Index>(k)];
-      weight += wz * wr;
-    }
-    return sum / weight;
-  };
-  c.holds("T_axis_z20", at(0.02, 0.0));
-  c.holds("T_axis_z40", at(0.04, 0.0));
-  c.holds("T_r25_z20", at(0.02, 0.025));
+  for (const ReferenceCase& c : reference_cases("finite_cylinder_")) {
+    const double radius = c.in("radius"), height = c.in("height");
+    const Mesh mesh = make_mesh(std::vector{region(height, 0.0, radius, solid(46.0))},
+                                height / 64.0, radius / 40.0);
+    HeatPaths p = paths_in(mesh);
+    for (const OpenFace& f : mesh.open)
+      hold(p, f, f.side == FaceSide::front ? Reservoir::air : Reservoir::machine);
+    const Vector t = settled(p);
+    const auto at = [&](double z, double r) {
+      // Bilinear between the middles of cells.
+      double sum = 0.0, weight = 0.0;
+      const double dz = height / 64.0, dr = radius / 40.0;
+      for (std::size_t k = 0; k < mesh.size(); ++k) {
+        const Cell& cell = mesh.cells[k];
+        const double wz = 1.0 - std::abs(0.5 * (cell.start + cell.end) - z) / dz;
+        const double wr = 1.0 - std::abs(cell.middle_radius() - r) / dr;
+        if (wz <= 0.0 || wr <= 0.0) continue;
+        sum += wz * wr * t[static_cast<Eigen::Index>(k)];
+        weight += wz * wr;
+      }
+      return sum / weight;
+    };
+    c.holds("T_axis_z20", at(0.02, 0.0));
+    c.holds("T_axis_z40", at(0.04, 0.0));
+    c.holds("T_r25_z20", at(0.02, 0.025));
+  }
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ struct Rotor {
 };
 
 TEST(Modes, RotorOnTwoSpringsIsThatOfTheBook) {
-  for (const char* id : {"friswell_591_4000", "friswell_592_0", "friswell_591_refined"}) {
-    const json c = beam_case(id), &in = c.at("inputs");
+  for (const json& c : references("friswell_")) {
+    const json& in = c.at("inputs");
     const Rotor rotor(in.value("elements", 6));
     const Beam beam(rotor.body, rotor.ends, rotor.mesh);
     std::vector<Spring> springs;
@@ -116,54 +116,57 @@ TEST(Modes, WhirlOfTheModesSolvesTheEquationsOfMotion) {
 }
 
 TEST(Modes, PinnedBeamHasThoseOfTheClosedForm) {
-  const json c = beam_case("pinned_beam"), &in = c.at("inputs");
-  const double length = in.at("L_m");
-  const model::ShaftBody body{.segments = {{.length = length,
-                                            .diameter = in.at("d_m"),
-                                            .bore = 0.0,
-                                            .material = beam_material(in)}}};
-  const double ends[] = {0.0, length};
-  const Beam beam(body, ends, {.elements = 100});
-  EXPECT_EQ(beam.elements(), 100u);
-  const std::vector<Spring> springs{isotropic_spring(0.0, 1e13), isotropic_spring(length, 1e13)};
-  const Modes found = find_modes(beam, springs, in.at("rpm").get<double>() * rpm);
-  const json& expected = c.at("outputs").at("f_Hz");
-  ASSERT_EQ(found.modes.size(), 6u);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (const std::size_t twin : {2 * i, 2 * i + 1})
-      EXPECT_NEAR(found.modes[twin].frequency / hertz, expected.at(i).get<double>(),
-                  c.at("tolerance_rel").get<double>() * expected.at(i).get<double>());
-}
-
-void expect_spindle_modes(const std::string& id) {
-  const json c = beam_case(id), &in = c.at("inputs");
-  const std::vector<double> places = bearing_places(in);
-  model::ShaftBody body = spindle_shaft(in);
-  if (in.contains("disk_at_end")) {
-    const json& d = in.at("disk_at_end");
-    body.disks.push_back({.position = 375 * mm,
-                          .mass = d.at("mass_kg"),
-                          .diametral_inertia = d.at("Id_kgm2"),
-                          .polar_inertia = d.at("Ip_kgm2")});
-  }
-  const Beam beam(body, places, {.element_length = in.at("element_mm").get<double>() * mm});
-  std::vector<Spring> springs;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    springs.push_back(isotropic_spring(places[i], in.at("radial_N_m").at(i)));
-  for (const int speed : in.at("rpm")) {
-    const json& expected = c.at("outputs").at("f_Hz_" + std::to_string(speed));
-    const Modes found = find_modes(beam, springs, speed * rpm, static_cast<int>(expected.size()));
-    expect_modes(found, expected, hertz, c.at("tolerance_rel"));
-    for (std::size_t i = 0; i < found.modes.size(); ++i)
-      EXPECT_EQ(found.modes[i].whirl, speed == 0   ? Whirl::standing
-                                      : i % 2 == 0 ? Whirl::backward
-                                                   : Whirl::forward);
+  for (const json& c : references("pinned_beam")) {
+    const json& in = c.at("inputs");
+    const double length = in.at("L_m");
+    const model::ShaftBody body{.segments = {{.length = length,
+                                              .diameter = in.at("d_m"),
+                                              .bore = 0.0,
+                                              .material = beam_material(in)}}};
+    const double ends[] = {0.0, length};
+    const Beam beam(body, ends, {.elements = 100});
+    EXPECT_EQ(beam.elements(), 100u);
+    const std::vector<Spring> springs{isotropic_spring(0.0, 1e13), isotropic_spring(length, 1e13)};
+    const json& expected = c.at("outputs").at("f_Hz");
+    const Modes found = find_modes(beam, springs, in.at("rpm").get<double>() * rpm,
+                                   2 * static_cast<int>(expected.size()));
+    ASSERT_GE(found.modes.size(), 2 * expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      for (const std::size_t twin : {2 * i, 2 * i + 1})
+        EXPECT_NEAR(found.modes[twin].frequency / hertz, expected.at(i).get<double>(),
+                    c.at("tolerance_rel").get<double>() * expected.at(i).get<double>());
   }
 }
 
-TEST(Modes, SpindleHasThoseOfTheReference) { expect_spindle_modes("spindle_modes_0"); }
-
-TEST(Modes, PulleyAtTheRearHasThoseOfTheReference) { expect_spindle_modes("spindle_modes_pulley"); }
+TEST(Modes, SpindleHasThoseOfTheReference) {
+  for (const json& c : references("spindle_modes_")) {
+    const json& in = c.at("inputs");
+    const std::vector<double> places = bearing_places(in);
+    model::ShaftBody body = spindle_shaft(in);
+    if (in.contains("disk_at_end")) {
+      const json& d = in.at("disk_at_end");
+      body.disks.push_back({.position = 375 * mm,
+                            .mass = d.at("mass_kg"),
+                            .diametral_inertia = d.at("Id_kgm2"),
+                            .polar_inertia = d.at("Ip_kgm2")});
+    }
+    const Beam beam(body, places, {.element_length = in.at("element_mm").get<double>() * mm});
+    std::vector<Spring> springs;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      springs.push_back(isotropic_spring(
+          places[i], in.at("radial_N_m").at(i),
+          in.contains("tilt_Nm_rad") ? in["tilt_Nm_rad"].at(i).get<double>() : 0.0));
+    for (const int speed : in.at("rpm")) {
+      const json& expected = c.at("outputs").at("f_Hz_" + std::to_string(speed));
+      const Modes found = find_modes(beam, springs, speed * rpm, static_cast<int>(expected.size()));
+      expect_modes(found, expected, hertz, c.at("tolerance_rel"));
+      for (std::size_t i = 0; i < found.modes.size(); ++i)
+        EXPECT_EQ(found.modes[i].whirl, speed == 0   ? Whirl::standing
+                                        : i % 2 == 0 ? Whirl::backward
+                                                     : Whirl::forward);
+    }
+  }
+}
 
 TEST(Modes, SupportsOfTheShaftAreSprings) {
   const json c = beam_case("spindle_modes_0"), &in = c.at("inputs");

@@ -42,32 +42,33 @@ std::string refusal_of_step(const std::vector<double>& time,
 
 // The published laws sampled at nine digits; their numbers are given to 1e-5.
 TEST(StepFit, GivesThePublishedStepResponsesBack) {
-  const nlohmann::json c = reference("fe_import_seed");
-  const nlohmann::json& in = c["inputs"];
-  const nlohmann::json& out = c["outputs"];
-  const double tolerance = c["tolerance_rel"];
-  std::vector<double> time = numbers(in["time_min"]);
-  for (double& t : time) t *= one_minute;
-  std::vector<AtPower> points;
-  for (std::size_t k = 0; k < in["loads_W"].size(); ++k) {
-    std::vector<double> displacement = numbers(in["displacement_um"][k]);
-    for (double& u : displacement) u *= um;
-    const StepFit fit = fit_step(time, displacement);
-    const double K = out["K_um"][k], T = out["T_min"][k];
-    EXPECT_NEAR(fit.one.gain / um / K, 1.0, tolerance);
-    EXPECT_NEAR(fit.one.time_constant / one_minute / T, 1.0, tolerance);
-    EXPECT_LT(fit.rms, 1e-6 * um);  // rounding of nine digits
-    EXPECT_FALSE(fit.two_needed);
-    EXPECT_TRUE(fit.settled);
-    points.push_back({in["loads_W"][k], fit.one.gain, fit.one.time_constant});
+  for (const nlohmann::json& c : references("fe_import_")) {
+    const nlohmann::json& in = c["inputs"];
+    const nlohmann::json& out = c["outputs"];
+    const double tolerance = c["tolerance_rel"];
+    std::vector<double> time = numbers(in["time_min"]);
+    for (double& t : time) t *= one_minute;
+    std::vector<AtPower> points;
+    for (std::size_t k = 0; k < in["loads_W"].size(); ++k) {
+      std::vector<double> displacement = numbers(in["displacement_um"][k]);
+      for (double& u : displacement) u *= um;
+      const StepFit fit = fit_step(time, displacement);
+      const double K = out["K_um"][k], T = out["T_min"][k];
+      EXPECT_NEAR(fit.one.gain / um / K, 1.0, tolerance);
+      EXPECT_NEAR(fit.one.time_constant / one_minute / T, 1.0, tolerance);
+      EXPECT_LT(fit.rms, 1e-6 * um);  // rounding of nine digits
+      EXPECT_FALSE(fit.two_needed);
+      EXPECT_TRUE(fit.settled);
+      points.push_back({in["loads_W"][k], fit.one.gain, fit.one.time_constant});
+    }
+    const PowerLaws laws = fit_power_laws(points);
+    EXPECT_NEAR(laws.gain_line.slope / um / out["K_slope"].get<double>(), 1.0, tolerance);
+    EXPECT_NEAR(laws.gain_line.offset / um / out["K_offset"].get<double>(), 1.0, tolerance);
+    EXPECT_NEAR(laws.time_line.slope / one_minute / out["T_slope"].get<double>(), 1.0, tolerance);
+    EXPECT_NEAR(laws.time_line.offset / one_minute / out["T_offset"].get<double>(), 1.0, tolerance);
+    EXPECT_NEAR(laws.valid_to / out["valid_to_W"].get<double>(), 1.0, tolerance);
+    EXPECT_EQ(laws.valid_from, 0.0);
   }
-  const PowerLaws laws = fit_power_laws(points);
-  EXPECT_NEAR(laws.gain_line.slope / um / out["K_slope"].get<double>(), 1.0, tolerance);
-  EXPECT_NEAR(laws.gain_line.offset / um / out["K_offset"].get<double>(), 1.0, tolerance);
-  EXPECT_NEAR(laws.time_line.slope / one_minute / out["T_slope"].get<double>(), 1.0, tolerance);
-  EXPECT_NEAR(laws.time_line.offset / one_minute / out["T_offset"].get<double>(), 1.0, tolerance);
-  EXPECT_NEAR(laws.valid_to / out["valid_to_W"].get<double>(), 1.0, tolerance);
-  EXPECT_EQ(laws.valid_from, 0.0);
 }
 
 TEST(StepFit, FindsOneLagWhereverItLies) {
