@@ -8,7 +8,8 @@
 namespace raceway::spindle {
 namespace {
 
-/// On s, in K and um.
+/// On s, in K and um: what is missed, or the step that is left. Of rings that hardly anything cools
+/// the rounding of their heat alone misses more.
 constexpr double tolerance = 1e-8;
 /// What s may move by in one step: a bearing that warms by 20 K, or the like in um, is another one.
 constexpr double longest_step = 25.0;
@@ -50,8 +51,8 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
   if (!coupling_->evaluate(s, y)) return NewtonStatus::no_balance;
   Vector miss = free + response_ * y - s;
   double error = miss.lpNorm<Eigen::Infinity>();
-  bool fresh = false;
-  for (int k = 0; k < most_iterations && error > tolerance; ++k) {
+  bool fresh = false, arrived = error <= tolerance;
+  for (int k = 0; k < most_iterations && !arrived; ++k) {
     if (!known_) {
       if (!renew(s, y)) return NewtonStatus::no_balance;
       fresh = true;
@@ -60,6 +61,10 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
     Vector step = slope.partialPivLu().solve(miss);
     if (!step.allFinite()) return NewtonStatus::diverged;
     const double length = step.lpNorm<Eigen::Infinity>();
+    if (length <= tolerance) {
+      arrived = true;
+      break;
+    }
     if (length > longest_step) step *= longest_step / length;
     double error_after = error;
     bool better = false;
@@ -84,8 +89,9 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
     if (error_after > slow * error) known_ = false;
     fresh = false;
     error = error_after;
+    arrived = error <= tolerance;
   }
-  if (error > tolerance) return NewtonStatus::diverged;
+  if (!arrived) return NewtonStatus::diverged;
   temperatures = base + reach_ * y;
   given = y;
   felt = coupling_->felt(temperatures);

@@ -9,8 +9,11 @@ namespace raceway::spindle {
 namespace {
 
 /// Films and seats of a steady state no longer move temperatures by more [K].
-constexpr double settled = 1e-7;
-constexpr int most_rounds = 200;
+constexpr double settled = 1e-6;
+constexpr int most_rounds = 200, undamped_rounds = 20;
+/// A steady state is where one step of this length leads to itself [s]: what no heat reaches or
+/// leaves stays as it is, and no other body feels the step once it has settled.
+constexpr double long_run = 1e6;
 /// A step that turns over less is compared with this, as rounding of what is stored is larger [J].
 constexpr double least_turnover = 100.0;
 
@@ -97,7 +100,7 @@ Status HeatFlow::failed(NewtonStatus status) {
 }
 
 double HeatFlow::gain() {
-  if (!coupling_ || !newton_->factorise(paths(), 0.0)) return unset;
+  if (!coupling_ || !newton_->factorise(paths(), 1.0 / long_run)) return unset;
   return newton_->gain(felt_, given_);
 }
 
@@ -159,21 +162,22 @@ HeatFlow::Step HeatFlow::advance(const Inputs& inputs, double machine_rise, doub
 }
 
 Status HeatFlow::settle(const Inputs& inputs, double machine_rise, int& iterations) {
-  NewtonStatus status = NewtonStatus::converged;
+  Vector films = temperatures_;
   for (iterations = 0; iterations < most_rounds; ++iterations) {
-    prepare(inputs, machine_rise, temperatures_);
-    if (!newton_->factorise(paths(), 0.0)) return Status::no_equilibrium;
-    const Vector before = temperatures_;
+    prepare(inputs, machine_rise, films);
+    if (!newton_->factorise(paths(), 1.0 / long_run)) return Status::no_equilibrium;
+    const Vector stored = paths().capacity.cwiseProduct(temperatures_) / long_run;
     Vector next = temperatures_;
-    status = newton_->solve(paths().constant_inflow(), next, given_, felt_);
+    const NewtonStatus status =
+        newton_->solve(stored + paths().constant_inflow(), next, given_, felt_);
     if (status != NewtonStatus::converged) return failed(status);
     temperatures_ = std::move(next);
     if (felt_.size() > 0 && felt_.head(felt_.size() - 1).maxCoeff() > hottest_ring)
       return Status::thermal_runaway;
-    if ((temperatures_ - before).lpNorm<Eigen::Infinity>() < settled) {
-      const double loop = gain();
-      return loop >= 1.0 ? Status::thermal_runaway : Status::converged;
-    }
+    if ((temperatures_ - films).lpNorm<Eigen::Infinity>() < settled)
+      return gain() >= 1.0 ? Status::thermal_runaway : Status::converged;
+    // A seat at the edge of coming loose is loose and tight in turn: half the way ends that.
+    films += (iterations < undamped_rounds ? 1.0 : 0.5) * (temperatures_ - films);
   }
   return Status::step_limit;
 }

@@ -14,11 +14,11 @@ namespace {
 
 /// First step after a change of inputs, shortest one, and longest one unless the model says [s].
 constexpr double first_step = 10.0, shortest_step = 1e-3, longest_step = 600.0;
-/// Error of a step, of the warmest body [K].
-constexpr double step_tolerance = 0.01;
+/// Error of a step, of the warmest body; where a run only shows where it leads to [K].
+constexpr double step_tolerance = 0.01, tolerance_of_the_way = 1.0;
 /// Room, machine and coolant may wander by this between two rows without a step boundary [K].
 constexpr double wandering = 0.5;
-constexpr int most_time_steps = 200000;
+constexpr int most_time_steps = 200000, most_steps_of_the_way = 3000;
 
 bool near(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= wandering;
@@ -91,6 +91,8 @@ struct Simulator::Parts {
   Eigen::Index felt = 0;
   SparseMatrix watched;  // felt numbers, the nose's way by expansion [m], sensors
   double nose_offset = 0.0;
+  double tolerance = step_tolerance;  // of a step [K]
+  int most_steps = most_time_steps;
 
   Parts(const model::Model& m, const effects::SpindleCondition& c)
       : model(m), condition(c), flow(model, condition, model.spindle->cells) {
@@ -222,7 +224,8 @@ namespace {
 /// Step sizes: short after a jump, then as the error allows.
 class StepSizes {
  public:
-  StepSizes(double longest, std::span<const double> given) : longest_(longest), given_(given) {}
+  StepSizes(double longest, double tolerance, std::span<const double> given)
+      : longest_(longest), tolerance_(tolerance), given_(given) {}
 
   void jump() { next_ = std::min(first_step, longest_); }
   void shrink() { next_ *= 0.3; }
@@ -237,8 +240,8 @@ class StepSizes {
     return next_ > 0.5 * left ? 0.5 * left : next_;
   }
   [[nodiscard]] bool accept(double dt, double error) {
-    const double factor = 0.85 * std::cbrt(step_tolerance / std::max(error, 1e-6 * step_tolerance));
-    if (!held() && error > 2.0 * step_tolerance && dt > 10.0 * shortest_step) {
+    const double factor = 0.85 * std::cbrt(tolerance_ / std::max(error, 1e-6 * tolerance_));
+    if (!held() && error > 2.0 * tolerance_ && dt > 10.0 * shortest_step) {
       next_ = dt * std::clamp(factor, 0.2, 0.7);
       return false;
     }
@@ -247,7 +250,7 @@ class StepSizes {
   }
 
  private:
-  double longest_, next_ = first_step;
+  double longest_, tolerance_, next_ = first_step;
   std::span<const double> given_;
   std::size_t place_ = 0;
 };
@@ -274,7 +277,7 @@ Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
   p.begin(start, profile);
   const Programme programme(profile, p.last.time);
   StepSizes sizes(std::isnan(p.model.spindle->step) ? longest_step : p.model.spindle->step,
-                  step_ends);
+                  p.tolerance, step_ends);
   double time = p.last.time;
   report.energy_error = 0.0;
   const auto end_with = [&](Status status) {
@@ -318,7 +321,7 @@ Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
     }
     std::size_t holding = row;
     while (time < end) {
-      if (report.steps + report.rejected > most_time_steps) return end_with(Status::step_limit);
+      if (report.steps + report.rejected > p.most_steps) return end_with(Status::step_limit);
       while (holding + 1 < after && profile[holding].time <= time) ++holding;
       const double dt = sizes.take(time, end);
       const double drift = p.last.structure_time + (time - p.last.time);
@@ -389,11 +392,14 @@ Moment Simulator::steady(const Inputs& inputs, Report& report) {
     report.status = Status::no_equilibrium;
   } else {
     report.status = flow.settle(inputs, rise, report.steps);
-    if (report.status == Status::no_equilibrium || report.status == Status::step_limit) {
-      // From far away Newton's method finds no way: through time it does, or time shows why not.
+    if (!report.converged()) {
+      // From far away Newton's method finds no way, or a hot one: through time it does, or time
+      // shows why not.
       std::vector<ProfileRow> hours;
       for (int k = 1; k <= 40; ++k) hours.push_back({.time = 3600.0 * k, .inputs = inputs});
+      p.tolerance = tolerance_of_the_way, p.most_steps = most_steps_of_the_way;
       Run run = simulate(hours);
+      p.tolerance = step_tolerance, p.most_steps = most_time_steps;
       report.status = run.report.status;
       if (run.report.converged() && flow.set_inputs(inputs))
         report.status = flow.settle(inputs, rise, report.steps);

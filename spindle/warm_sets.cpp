@@ -12,6 +12,25 @@
 namespace raceway::spindle {
 namespace {
 
+/// Beyond these no balance is known: the range of add_expansion() [K], and what solve_arrangement()
+/// takes [m].
+constexpr double coldest = 50.0, hottest = 800.0;
+constexpr double largest_shift = 1 * mm, largest_elongation = 10 * mm;
+
+bool within_range(const SetsAsked& asked) {
+  const auto known = [](double t) { return t >= coldest && t <= hottest; };
+  return std::all_of(asked.inner_ring.begin(), asked.inner_ring.end(), known) &&
+         std::all_of(asked.outer_ring.begin(), asked.outer_ring.end(), known);
+}
+
+bool within_range(const bearing::ArrangementCondition& sets) {
+  return std::abs(sets.elongation) <= largest_elongation &&
+         std::all_of(sets.shifts.begin(), sets.shifts.end(), [](const bearing::RingShift& s) {
+           return std::max({std::abs(s.axial), std::abs(s.radial), std::abs(s.inner_length),
+                            std::abs(s.outer_length)}) <= largest_shift;
+         });
+}
+
 /// The steps of effects that change the friction moment of a bearing in its set.
 model::Steps friction_steps(const model::Model& model) {
   model::Steps steps(model);
@@ -68,6 +87,7 @@ bool WarmSets::set_inputs(const Inputs& inputs) {
 }
 
 bool WarmSets::solve(const SetsAsked& asked) {
+  if (!within_range(asked)) return false;
   asked_ = speed_;
   bearing::ArrangementCondition& sets = asked_.sets;
   sets.elongation += asked.elongation;
@@ -82,6 +102,7 @@ bool WarmSets::solve(const SetsAsked& asked) {
     shift.inner_length += warm.inner_length;
     shift.outer_length += warm.outer_length;
   }
+  if (!within_range(sets)) return false;
   bearing::ArrangementEquilibrium found = solve_arrangement(
       arrangement(), sets, model_.solver, sets_.report.converged() ? &sets_ : &cold_);
   if (!found.report.converged()) return false;
