@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "tests/cli/sample.h"
+#include "tests/io/spindle_text.h"
 
 namespace raceway::tests {
 namespace {
 
 using testing::HasSubstr;
 
-const std::string beam_spindle = R"([bearing]
-bore_mm = 70
+/// The shortest one with a bearing of its own, whose numbers are known.
+const std::string beam_spindle =
+    replaced(replaced(shortest_spindle, "catalogue = \"S 6014 C\"\n", R"(bore_mm = 70
 outer_diameter_mm = 110
 width_mm = 20
 ball_count = 20
@@ -23,32 +25,8 @@ contact_angle_deg = 15
 inner_conformity = 0.52
 outer_conformity = 0.52
 static_load_rating_N = 45000
-[lubricant]
-viscosity_40C_mm2_s = 20.0
-viscosity_100C_mm2_s = 4.4
-[friction]
-f0 = 0.6
-z = 0.0007
-y = 0.33
-[arrangement]
-layout = "O"
-front = 2
-rear = 1
-mounting = "rigid"
-preload_N = 300
-front_position_mm = [60, 90]
-rear_position_mm = [290]
-[shaft]
-bore_mm = 36
-segment = [{length_mm = 50, diameter_mm = 104}, {length_mm = 50, diameter_mm = 70},
-           {length_mm = 180, diameter_mm = 82}, {length_mm = 20, diameter_mm = 70},
-           {length_mm = 75, diameter_mm = 60}]
-[housing]
-start_mm = 40
-length_mm = 275
-outer_diameter_mm = 180
-flange_mm = 120
-)";
+)"),
+             "[arrangement]\n", "[friction]\nf0 = 0.6\nz = 0.0007\ny = 0.33\n[arrangement]\n");
 
 class BeamCommands : public testing::Test {
  protected:

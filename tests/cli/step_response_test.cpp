@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/cli/sample.h"
+#include "tests/io/spindle_text.h"
 
 namespace raceway::tests {
 namespace {
@@ -142,33 +143,7 @@ TEST(StepResponseCommand, TakesThePowerOfImportedSpeedsFromTheModel) {
   EXPECT_NEAR(step["T_min"].get<double>(), 40.0, 1e-3);
 }
 
-const char* const small_spindle = R"(
-[bearing]
-catalogue = "S 6014 C"
-[lubricant]
-viscosity_40C_mm2_s = 20.0
-viscosity_100C_mm2_s = 4.4
-[arrangement]
-layout = "O"
-front = 2
-rear = 1
-mounting = "rigid"
-preload_N = 300
-front_position_mm = [60, 90]
-rear_position_mm = [290]
-[shaft]
-bore_mm = 36
-segment = [{length_mm = 50, diameter_mm = 104}, {length_mm = 50, diameter_mm = 70},
-           {length_mm = 180, diameter_mm = 82}, {length_mm = 20, diameter_mm = 70},
-           {length_mm = 75, diameter_mm = 60}]
-[housing]
-start_mm = 40
-length_mm = 275
-outer_diameter_mm = 180
-flange_mm = 120
-[solver]
-cells = "coarse"
-)";
+const std::string small_spindle = shortest_spindle + "[solver]\ncells = \"coarse\"\n";
 
 // A step that the correction was made of comes out of it as it came out of the simulation.
 TEST(StepResponseCommand, MakesACorrectionOfASpindle) {
