@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -90,6 +91,10 @@ std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inpu
     list.push_back({label + "_outer_ring_temperature_C", celsius(b.outer_ring_temperature)});
     list.push_back({label + "_force_N", b.force});
   }
+  const bool measured = std::any_of(sensors.begin(), sensors.end(),
+                                    [](const auto& s) { return s.name == "coolant_outlet"; });
+  if (model.spindle->coolant && !measured)
+    list.push_back({"coolant_outlet_temperature_C", celsius(m.coolant_outlet)});
   return list;
 }
 

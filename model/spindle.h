@@ -144,8 +144,9 @@ struct ThermometerPlace {
   enum class Part { shaft, ring, housing, coolant };
   std::string name;  ///< gives the column NAME_temperature_C
   Part part = Part::housing;
-  double position = unset;  ///< behind the nose face [m]; NaN of coolant: its outlet
-  double radius = unset;    ///< [m]
+  /// Behind the nose face [m]. Coolant flows from the start of its channel to the end; NaN: outlet.
+  double position = unset;
+  double radius = unset;  ///< [m]
 };
 
 /// Bodies and conductances in place of a geometry, for experts and tests.

@@ -89,7 +89,8 @@ struct Simulator::Parts {
   HeatFlow flow;
   State last;
   Eigen::Index felt = 0;
-  SparseMatrix watched;  // felt numbers, the nose's way by expansion [m], sensors
+  // Felt numbers, the nose's way by expansion [m], sensors, the coolant where there is one.
+  SparseMatrix watched;
   double nose_offset = 0.0;
   double tolerance = step_tolerance;  // of a step [K]
   int most_steps = most_time_steps;
@@ -121,9 +122,12 @@ struct Simulator::Parts {
       for (const Share& s : shares) entries.emplace_back(row, s.cell, s.share);
       ++row;
     }
+    if (cooled()) entries.emplace_back(row++, flow.system()->coolant_node(), 1.0);
     watched.resize(row, nodes);
     watched.setFromTriplets(entries.begin(), entries.end());
   }
+
+  [[nodiscard]] bool cooled() const { return flow.system() && flow.system()->coolant_node() >= 0; }
 
   /// Of a network: every node.
   [[nodiscard]] std::vector<Shares> sensors() const {
@@ -135,10 +139,9 @@ struct Simulator::Parts {
     }
     for (const model::ThermometerPlace& place : model.spindle->sensors) {
       if (place.part == model::ThermometerPlace::Part::coolant) {
-        const int node = flow.system()->coolant_node();
-        if (node < 0)
+        if (!cooled())
           throw std::invalid_argument("sensor " + place.name + ": the spindle has no coolant");
-        list.push_back({{node, 1.0}});
+        list.push_back({{flow.system()->coolant_node(), 1.0}});
       } else {
         list.push_back(thermometer(flow.system()->layout().mesh, place));
       }
@@ -155,11 +158,31 @@ struct Simulator::Parts {
     return rise * (1.0 - tau / (to - from) * (std::exp(-from / tau) - std::exp(-to / tau)));
   }
 
+  /// The node is the mean of inlet and outlet; along its channel the coolant warms evenly.
+  void follow_coolant(const Inputs& inputs, double mean, Moment& m) const {
+    const model::Coolant& c = *model.spindle->coolant;
+    const double inlet =
+        std::isnan(inputs.coolant_inlet) ? c.inlet_temperature : inputs.coolant_inlet;
+    const bool flows = inputs.coolant_on && c.flow > 0.0;
+    const auto at = [&](double share) {
+      return flows ? inlet + 2.0 * share * (mean - inlet) : mean;
+    };
+    m.coolant_outlet = at(1.0);
+    for (std::size_t k = 0; k < model.spindle->sensors.size(); ++k) {
+      const model::ThermometerPlace& place = model.spindle->sensors[k];
+      if (place.part != model::ThermometerPlace::Part::coolant) continue;
+      const double share = (place.position - c.start) / (c.end - c.start);
+      m.sensors[k] = at(std::isnan(share) ? 1.0 : std::clamp(share, 0.0, 1.0));
+    }
+  }
+
   /// The spindle where the watched numbers are `seen`; false where the sets have no balance.
-  bool moment_at(double time, const Vector& seen, const std::array<double, reservoirs>& out,
-                 Moment& m) {
+  bool moment_at(double time, const Inputs& inputs, const Vector& seen,
+                 const std::array<double, reservoirs>& out, Moment& m) {
     m.time = time;
-    m.sensors.assign(seen.data() + felt + 1, seen.data() + seen.size());
+    const Eigen::Index last_sensor = seen.size() - (cooled() ? 1 : 0);
+    m.sensors.assign(seen.data() + felt + 1, seen.data() + last_sensor);
+    if (cooled()) follow_coolant(inputs, seen[last_sensor], m);
     m.heat.air = out[0], m.heat.machine = out[1], m.heat.coolant = out[2];
     m.heat.drive = flow.driven_heat();
     m.heat.friction = 0.0;
@@ -306,7 +329,7 @@ Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
       for (; written < after && profile[written].time <= until; ++written) {
         Moment m;
         const double at = profile[written].time;
-        if (!p.moment_at(at, seen_at(at), out_at(at), m)) return false;
+        if (!p.moment_at(at, profile[written].inputs, seen_at(at), out_at(at), m)) return false;
         run.moments.push_back(std::move(m));
         follow_force(run.moments.back().front_force, at);
       }
@@ -408,7 +431,7 @@ Moment Simulator::steady(const Inputs& inputs, Report& report) {
   if (report.converged()) {
     const Vector seen = p.watched * flow.temperatures();
     const auto out = flow.paths().outflow(flow.temperatures());
-    if (!p.moment_at(std::numeric_limits<double>::infinity(), seen, out, m))
+    if (!p.moment_at(std::numeric_limits<double>::infinity(), inputs, seen, out, m))
       report.status = Status::no_equilibrium;
     const double turnover = std::max(1e-9, std::abs(m.heat.friction) + std::abs(m.heat.drive));
     report.energy_error = std::abs(m.heat.stored) / turnover;

@@ -66,6 +66,8 @@ struct Moment {
   HeatBalance heat = {};
   std::vector<BearingState> bearings = {};  ///< front set first
   std::vector<double> sensors = {};         ///< [K], in the order of the model
+  /// What leaves the channel, T_in + 2 (T_mean - T_in), or what stands in it; NaN without one [K].
+  double coolant_outlet = unset;
   [[nodiscard]] double thermal_displacement() const {
     return displacement - kinematic_displacement;
   }

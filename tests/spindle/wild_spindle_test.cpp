@@ -8,8 +8,8 @@
 namespace raceway::spindle {
 namespace {
 
-// Optimised builds go through 10 000 spindles, others through every thirty-ninth of these. Even ones
-// are asked where they lead to, odd ones go through a programme.
+// Optimised builds go through 10 000 spindles, others through every thirty-ninth of these. Even
+// ones are asked where they lead to, odd ones go through a programme.
 #ifdef NDEBUG
 constexpr std::uint64_t wild_step = 1;
 #else
