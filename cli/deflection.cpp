@@ -9,8 +9,9 @@
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
 #include "cli/text_table.h"
-#include "io/beam_results.h"
+#include "io/beam_report.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/shaft_results.h"
@@ -26,18 +27,32 @@ struct DeflectionFlags {
   std::string model, output, direction = "radial", coolant = "on";
   double force_N = 0.0, axial_force_N = 0.0, moment_Nm = 0.0, at_mm = 0.0, speed_rpm = 0.0;
   bool warm = false, json = false, force = false;
+  ReportFlag report;
 };
 
-/// Displacement where the force acts, by the stiffness that the sets have without it.
-double tangent_displacement(const BeamOfModel& b, const io::DeflectionResult& r) {
-  if (r.axial) return r.force / r.sets.equilibrium.axial_stiffness;
+/// The bent shaft by the stiffness that the sets have without the force, each `stiffer` times as
+/// stiff; empty where nothing holds it.
+Eigen::VectorXd tangent_line(const BeamOfModel& b, const io::DeflectionResult& r,
+                             double stiffer = 1.0) {
+  if (r.axial || !r.sets.converged()) return {};
   std::vector<spindle::PlaneSpring> in_y;
   for (const spindle::Spring& s :
-       spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings))
+       spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings)) {
     in_y.push_back(s.y);
+    in_y.back().radial *= stiffer;
+    in_y.back().coupling *= stiffer;
+    in_y.back().tilt *= stiffer;
+  }
   const spindle::BeamLoad load[] = {{.position = r.at, .force = r.force, .moment = -r.moment}};
   const spindle::Deflection d = spindle::deflect(b.beam, b.places, in_y, load);
-  return d.found ? b.beam.at(r.at, d.shape)[0] : unset;
+  return d.found ? d.shape : Eigen::VectorXd();
+}
+
+/// Displacement where the force acts, by that stiffness.
+double tangent_displacement(const BeamOfModel& b, const io::DeflectionResult& r) {
+  if (r.axial) return r.force / r.sets.equilibrium.axial_stiffness;
+  const Eigen::VectorXd shape = tangent_line(b, r);
+  return shape.size() > 0 ? b.beam.at(r.at, shape)[0] : unset;
 }
 
 io::DeflectionResult solve_deflection(const DeflectionFlags& f, const model::Model& model,
@@ -134,6 +149,7 @@ int run(const DeflectionFlags& f) {
   const bool to_file = !f.output.empty() && f.output != "-";
   const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(f.output, if_exists);
+  f.report.check(f.force);
   if (f.force_N == 0.0 && f.moment_Nm == 0.0)
     throw io::InputError("raceway deflection: --force = 0 N: a force or a --moment is needed",
                          {.key = "--force"});
@@ -158,6 +174,14 @@ int run(const DeflectionFlags& f) {
     put_document(io::deflection_json(b.sets.arrangement(), r, file.source));
   else if (f.output.empty())
     print(f, file.model, b, r);
+  constexpr double rigid = 1e6;  // times as stiff
+  f.report.write(
+      [&] {
+        return io::deflection_report(of_page(file, file.model), b.sets.arrangement(), b.beam,
+                                     b.places, f.warm, r, tangent_line(b, r),
+                                     tangent_line(b, r, rigid));
+      },
+      f.force);
   tell({"the housing is rigid: what it gives way by is not in these displacements"});
   if (r.converged()) return done;
   warn(fmt::format("{:.6g} rpm: {}{}", f.speed_rpm, r.status(),
@@ -192,10 +216,10 @@ Run setup_deflection(CLI::App& command) {
       ->type_name("FILE");
   command.add_flag("--replace", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->report.declare(command);
   command.footer(
       "Example:\n  raceway deflection spindle.toml --force 1000 --axial-force -300 --moment 100 "
-      "--speed 8000 "
-      "--warm");
+      "--speed 8000 --warm");
   return [flags] { return run(*flags); };
 }
 

@@ -10,8 +10,9 @@
 #include "cli/commands.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
 #include "cli/text_table.h"
-#include "io/beam_results.h"
+#include "io/beam_report.h"
 #include "io/error.h"
 #include "io/output_file.h"
 
@@ -22,6 +23,7 @@ struct ModesFlags {
   std::string model, speed, output, shapes, coolant = "on";
   int count = 6;
   bool warm = false, json = false, force = false;
+  ReportFlag report;
 };
 
 std::vector<double> campbell_speeds(const ModesFlags& f) {
@@ -98,6 +100,7 @@ int run(const ModesFlags& f) {
   const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse;
   for (const std::string& path : {f.output, f.shapes})
     if (!path.empty() && path != "-") io::require_writable(path, if_exists);
+  f.report.check(f.force);
   const io::ModelFile file = open_model(f.model, Accepts::shaft);
   const std::vector<double> speeds = campbell_speeds(f);
   BeamOfModel b = beam_of(file, 0.0);
@@ -118,6 +121,12 @@ int run(const ModesFlags& f) {
     put_document(io::campbell_json(b.sets.arrangement(), results, file.source));
   else if (f.output.empty() && f.shapes.empty())
     print(f, file.model, b, results);
+  f.report.write(
+      [&] {
+        return io::modes_report(of_page(file, file.model), b.sets.arrangement(), b.beam, b.places,
+                                f.warm, results);
+      },
+      f.force);
   tell({"damping, and what gives way in the housing, are not modelled: damping_ratio is empty"});
   bool all = true;
   for (const io::ModesAtSpeed& r : results) {
@@ -153,7 +162,10 @@ Run setup_modes(CLI::App& command) {
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
-  command.footer("Example:\n  raceway modes spindle.toml --speed 0:20000:1000 -o campbell.csv");
+  flags->report.declare(command);
+  command.footer(
+      "Example:\n  raceway modes spindle.toml --speed 0:20000:1000 -o campbell.csv --report "
+      "page.html");
   return [flags] { return run(*flags); };
 }
 

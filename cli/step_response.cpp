@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
+#include "cli/report_flag.h"
 #include "cli/run_files.h"
 #include "cli/step_parts.h"
 #include "cli/text_table.h"
@@ -19,6 +20,7 @@
 #include "io/series_file.h"
 #include "io/step_correction.h"
 #include "io/step_import.h"
+#include "io/step_report.h"
 #include "io/step_results.h"
 #include "io/superposition.h"
 
@@ -34,6 +36,7 @@ struct StepFlags {
   std::vector<std::string> load_cases;
   double hours = 4.0, row = 120.0, temperature = unset;
   bool json = false, force = false;
+  ReportFlag report;
 
   [[nodiscard]] bool imports() const { return !import.empty() || !load_cases.empty(); }
 };
@@ -252,6 +255,7 @@ std::optional<io::Superposition> superposition_of(const StepFlags& flags,
 void require_step_files(const StepFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (!flags.output.empty() && flags.output != "-") io::require_writable(flags.output, if_exists);
+  flags.report.check(flags.force);
   if (flags.correction.empty()) return;
   const std::vector<std::string> tables = io::step_correction_tables(flags.correction);
   check_outputs(tables);
@@ -288,6 +292,14 @@ int run(const StepFlags& flags) {
   if (model) error = superposition_of(flags, *model);
   if (flags.json)
     put_document(io::step_responses_json(responses, laws, notes, error ? &*error : nullptr));
+  flags.report.write(
+      [&] {
+        std::vector<io::ModelOfPage> facts;
+        if (file) facts.push_back(of_page(*file, *model));
+        return io::step_report(source, responses, laws, notes, error ? &*error : nullptr,
+                               flags.programme, facts);
+      },
+      flags.force);
   bool all = !error || error->report.converged();
   for (const spindle::StepResponse& step : responses.steps) {
     if (step.converged()) continue;
@@ -347,6 +359,7 @@ Run setup_step_response(CLI::App& command) {
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
+  flags->report.declare(command);
   command.footer(
       "Example:\n  raceway step-response spindle.toml --speed 2000:10000:2000 -o steps.csv\n"
       "  raceway step-response --load-case 50W=a.csv --load-case 100W=b.csv --json");

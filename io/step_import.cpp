@@ -285,6 +285,8 @@ std::vector<spindle::StepResponse> fit_load_cases(const std::vector<LoadCase>& c
                        load.place);
     }
     step.status = spindle::Status::converged;
+    step.time = load.time;
+    step.displacement = load.displacement;
     steps.push_back(std::move(step));
   }
   return steps;

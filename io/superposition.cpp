@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "correction/simulation.h"
@@ -29,6 +30,9 @@ Superposition superposition(const model::Model& model, const correction::Model& 
   result.rows = predicted.size();
   for (std::size_t k = 0; k < predicted.size(); ++k) {
     const double u = run.moments[k].displacement, error = predicted[k] - u;
+    result.time.push_back(run.moments[k].time);
+    result.speed.push_back(speed[k]);
+    result.simulated.push_back(u);
     squares += error * error;
     result.lowest = std::fmin(result.lowest, u);
     result.highest = std::fmax(result.highest, u);
@@ -37,6 +41,7 @@ Superposition superposition(const model::Model& model, const correction::Model& 
     result.time_of_largest = run.moments[k].time;
   }
   result.rms = std::sqrt(squares / static_cast<double>(result.rows));
+  result.corrected = std::move(predicted);
   return result;
 }
 

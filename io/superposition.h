@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "correction/model.h"
 #include "model/model.h"
@@ -17,6 +18,8 @@ struct Superposition {
   double time_of_largest = unset;          ///< [s]
   double lowest = unset, highest = unset;  ///< displacement of the simulation [m]
   spindle::Report report = {};
+  /// Row by row: [s], [rad/s], [m].
+  std::vector<double> time = {}, speed = {}, simulated = {}, corrected = {};
 };
 
 /// Runs both over a programme: a record with time and speed. `inputs`: all else of the simulation.

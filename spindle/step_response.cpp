@@ -24,27 +24,16 @@ void add_step_rows(std::vector<ProfileRow>& profile, double from, const StepOpti
   }
 }
 
-/// Of moments as they are after `begin`, counted from its time, `part` of their displacement.
-template <typename Part>
-StepFit fit_moments(std::span<const Moment> moments, double begin, const Part& part) {
-  std::vector<double> time, displacement;
-  for (const Moment& m : moments) {
-    time.push_back(m.time - begin);
-    displacement.push_back(part(m));
-  }
-  return fit_step(time, displacement);
-}
-
 /// From the end of a step, by rows of a spindle that stands since `begin` [s].
 CoolDown cool_down_of(const StepResponse& step, std::span<const Moment> moments, double begin) {
   CoolDown down;
-  down.fit = fit_moments(moments, begin,
-                         [&](const Moment& m) { return step.end - m.thermal_displacement(); });
-  std::vector<double> time, left;
+  std::vector<double> time, left, way;
   for (const Moment& m : moments) {
     time.push_back(m.time - begin);
     left.push_back(m.thermal_displacement());
+    way.push_back(step.end - left.back());
   }
+  down.fit = fit_step(time, way);
   const StepFit& fit = step.fit;
   down.one = fit_decay(time, left, std::array{fit.one.gain}).front();
   if (std::isnan(fit.slow.gain)) return down;
@@ -67,7 +56,11 @@ StepResponse step_of(const Run& run, std::span<const Moment> moments, double spe
   step.end = last.thermal_displacement();
   step.front_force = first.front_force;
   step.highest_force = run.highest_front_force;
-  step.fit = fit_moments(moments, 0.0, [](const Moment& m) { return m.thermal_displacement(); });
+  for (const Moment& m : moments) {
+    step.time.push_back(m.time);
+    step.displacement.push_back(m.thermal_displacement());
+  }
+  step.fit = fit_step(step.time, step.displacement);
   return step;
 }
 

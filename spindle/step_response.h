@@ -23,6 +23,8 @@ struct StepResponse {
   StepFit fit = {};              ///< of the displacement less the kinematic one
   Status status = Status::not_run;
   std::string message = {};  ///< why there is no fit
+  /// What was fitted: since the step [s], less the kinematic part [m].
+  std::vector<double> time = {}, displacement = {};
   [[nodiscard]] bool converged() const { return status == Status::converged; }
 };
 

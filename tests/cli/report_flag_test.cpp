@@ -48,7 +48,9 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
         "displacement " + shaft_ + " --speed 0:1000:500",
         "compare " + shaft_ + " " + scratch_.write("u.csv", moved),
         "spindle " + spindle_ + " --speed 2000 --steady",
-        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", programme)}) {
+        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", programme),
+        "modes " + spindle_ + " --speed 2000", "step-response " + spindle_ + " --speed 2000",
+        "deflection " + spindle_ + " --force 100"}) {
     expect_refused(run(command + " --report " + scratch_.file("no/such/page.html")),
                    "there is no folder");
     expect_refused(run(command + " --report " + old), "exists already; --force replaces it");
@@ -90,7 +92,9 @@ TEST_F(Report, OfADisplacementIsWrittenAndReplacedByForceAlone) {
 TEST_F(Report, OfASpindleIsWrittenBesideWhatTheCommandPrints) {
   for (const std::string& command :
        {"spindle " + spindle_ + " --speed 2000:6000:2000 --steady",
-        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", programme)}) {
+        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", programme),
+        "modes " + spindle_ + " --speed 0:6000:2000",
+        "step-response " + spindle_ + " --speed 2000:6000:2000"}) {
     const Result plain = run(command), r = run(command + " --report " + page_);
     EXPECT_EQ(r.status, 0) << r.err;
     EXPECT_EQ(r.out, plain.out);

@@ -26,6 +26,13 @@ before(() => {
   write('alone', 'compare', seats, later);
   write('diagnose', 'diagnose', seats, train, '--no-pairs');
   write('add', 'add', seats, 'seat-conductance', '--data', train);
+  write('modes', 'modes', model, '--speed', '0:40000:2000');
+  write('warm', 'modes', model, '--speed', '2000:8000:2000', '--warm');
+  write('deflection', 'deflection', model, '--force', '1000', '--speed', '8000', '--warm');
+  write('axial', 'deflection', model, '--force', '200', '--direction', 'axial');
+  write('steps', 'step-response', model, '--speed', '2000:8000:2000', '--coolant', 'off', '--hours', '8', '--correction', file('correction.toml'), '--programme', join(spindles, 'day.csv'));
+  writeFileSync(file('fe.csv'), ['load_case,time_s,axial_displacement_um,power_W', ...[50, 100].flatMap((p) => Array.from({ length: 40 }, (_, k) => `<b>${p}</b>,${60 * k},${(p / 10) * (1 - Math.exp(-k / 9))},${p}`))].join('\n'));
+  write('imported', 'step-response', '--import', file('fe.csv'));
   write('network', 'spindle', file('network.toml'), '--speed-profile', file('few.csv'));
 });
 
@@ -36,6 +43,12 @@ const expected = {
   steady: { section: 400, heat: 6, temperatures: 6 },
   speeds: { section: 400, nose: 3, forces: 2, heat: 3, stiffness: 1, rings: 3, 'bearing-forces': 3, friction: 3, 'contact-angles': 3, 'ball-loads': 3, pressures: 3 },
   network: { temperatures: 4, heat: 20 },
+  modes: { campbell: 40, shapes: 20, radial: 5, axial: 5, forces: 5 },
+  warm: { campbell: 12, shapes: 20, radial: 5, axial: 5, forces: 5, rings: 3 },
+  deflection: { line: 20, balls: 20, stiffness: 9 },
+  axial: { balls: 20, stiffness: 9 },
+  steps: { courses: 8, left: 2, gain: 4, 'time-constant': 4, 'two-gains': 2, 'two-times': 2, superposition: 8 },
+  imported: { courses: 4, left: 1, gain: 2, 'time-constant': 2 },
   compare: { ladder: 2, channels: 14, 'over-time': 8, residual: 10 },
   alone: { channels: 7, 'over-time': 8, residual: 10 },
   diagnose: { channels: 21, ladder: 20, 'over-time': 8, residual: 10 },
@@ -211,6 +224,67 @@ test('diagnose: verdict, each channel before, after and held out, and effects in
   await close();
 });
 
+test('modes: every frequency is that of --json, crossings lie on their lines, shapes are those of --shapes', async () => {
+  const { page, faults, close } = await open('modes');
+  const { rows } = results.modes;
+  const table = await csvOf(page, 'campbell');
+  assert.deepEqual(table.rows.map((row) => [Number(row[0]), Number(row[2]), row[3]]), rows.flatMap((r) => r.modes.map((m) => [r.speed_rpm, m.frequency_Hz, m.whirl])));
+  const crossings = await page.$$eval('.list tbody tr', (all) => all.map((row) => [...row.children].map((c) => c.textContent)).filter((cells) => /^[12]×$/.test(cells[0])));
+  assert.ok(crossings.length > 0, 'twice per turn meets the first mode below 40 000 rpm');
+  for (const [order, , speed, frequency] of crossings) near(Number(frequency), (parseInt(order, 10) * Number(speed)) / 60, 2e-3, 'crossing');
+  raceway('modes', model, '--speed', '0', '--shapes', file('shapes.csv'));
+  const shapes = readFileSync(file('shapes.csv'), 'utf8').split('\n').filter((line) => /^0,1,/.test(line)).map((line) => line.split(','));
+  const drawn = await csvOf(page, 'shapes');
+  assert.equal(drawn.rows.length, shapes.length);
+  shapes.forEach((line, k) => {
+    near(Number(drawn.rows[k][0]), Number(line[4]), 1e-4, 'position');
+    assert.ok(Math.abs(Math.abs(Number(drawn.rows[k][1])) - Math.abs(Number(line[5]))) < 1e-4);
+  });
+  await page.locator('#shapes select').selectOption({ label: '40000 rpm' });
+  assert.match(await page.textContent('#shapes .note'), /^At 40000 rpm/);
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('deflection: the line goes through the displacement where the force acts, and rigid bearings leave less of it', async () => {
+  const { page, faults, close } = await open('deflection');
+  const r = results.deflection;
+  const { rows } = await csvOf(page, 'line');
+  near(Number(rows[0][1]), r.nose_displacement_um, 1e-4, 'nose');
+  near(Number(rows[0][2]), r.tangent_displacement_um, 1e-4, 'tangent');
+  assert.ok(Number(rows[0][3]) < Number(rows[0][1]) && Number(rows[0][3]) > 0, rows[0].join());
+  const balls = await tableOf(page, 'balls');
+  assert.deepEqual(balls.map((row) => row[2]), r.bearings.flatMap((b) => b.balls.map((ball) => ball.inner_load_N)));
+  const table = await page.$$eval('#bearings tbody tr', (all) => all.map((row) => [...row.children].map((c) => c.textContent)));
+  table.forEach((row, k) => near(Number(row[2]), r.bearings[k].radial_load_N, 1e-3, 'radial'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('steps: gains and laws are those of --json, and the programme has the error that the command says', async () => {
+  const { page, faults, close } = await open('steps');
+  const r = results.steps;
+  const gains = await tableOf(page, 'gain');
+  assert.deepEqual(gains.map((row) => row.slice(1)), r.rows.map((row) => [row.power_end_W, row.K_um]));
+  const { rows } = await csvOf(page, 'superposition');
+  assert.equal(rows.length, r.superposition.rows);
+  near(rms(rows.map((row) => Number(row[3]))), r.superposition.rms_um, 1e-4, 'rms');
+  const { rows: courses } = await csvOf(page, 'courses');
+  const last = courses.filter((row) => row[0] === '8000 rpm');
+  near(rms(last.map((row) => Number(row[3]) - Number(row[2]))), r.rows[3].fit_rms_um, 1e-2, 'what one time constant leaves');
+  near(rms(last.map((row) => Number(row[4]) - Number(row[2]))), r.rows[3].fit_rms_two_um, 5e-2, 'what two leave');
+  assert.deepEqual(faults, []);
+  await close();
+});
+
+test('imported steps: names of load cases are data', async () => {
+  const { page, faults, close } = await open('imported');
+  assert.equal(await page.locator('main b').count(), 0);
+  assert.ok((await page.textContent('main')).includes('<b>50</b>'));
+  assert.deepEqual(faults, []);
+  await close();
+});
+
 test('a run that ends early says when, why, and how much of it is there', async () => {
   writeFileSync(file('fast.csv'), 'time_s,speed_rpm\n0,0\n7200,30000\n');
   try {
@@ -236,10 +310,10 @@ test('names are data, never markup', async () => {
 });
 
 test('on paper no picture is cut, and each fits on a page', async () => {
-  for (const name of ['run', 'steady', 'speeds']) {
+  for (const name of ['run', 'steady', 'speeds', 'modes', 'deflection', 'steps', 'diagnose']) {
     const { page, faults, close } = await open(name);
     await page.emulateMedia({ media: 'print' });
-    await page.waitForFunction(() => document.querySelector('#section .chart > div').clientWidth === 676);
+    await page.waitForFunction(() => document.querySelector('figure.wide .chart > div').clientWidth === 676);
     for (const id of await figures(page)) {
       const { tall, drawn } = await page.$eval(`#${id}`, (figure) => ({ tall: figure.offsetHeight, drawn: figure.querySelector('.chart').offsetHeight }));
       assert.ok(tall < 1030, `${id}: ${tall}`); // A4 less its margins

@@ -359,6 +359,126 @@ export interface SpindleSteadyReport extends SpindlePage {
   reports: { status: string; in_words: string }[]; // row by row
 }
 
+/// Pieces of a shaft with bearings and disks, to be drawn along its axis.
+export interface ShaftPieces {
+  pieces: { start_mm: number; end_mm: number; diameter_mm: number; bore_mm: number }[];
+  bearings: { label: string; position_mm: number; pitch_diameter_mm: number; ball_diameter_mm: number }[];
+  disks: { position_mm: number; mass_kg: number }[];
+}
+
+export interface Mode {
+  frequency_Hz: number;
+  whirl: string;
+}
+
+/// A row of the Campbell diagram; forces and stiffness by name.
+export type CampbellRow = { speed_rpm: number; modes: (Mode & { mode: number })[]; report: { status: string; message?: string } } & Record<string, unknown>;
+
+interface BeamPage {
+  raceway_report: number;
+  program: string;
+  assumed: ModelFacts[];
+  model: string;
+  bearing: string;
+  warm: boolean;
+  shaft: ShaftPieces;
+  nodes_mm: number[];
+}
+
+export interface ModesReport extends BeamPage {
+  kind: 'modes';
+  weight_kg: number;
+  results: { preload_N: number; rows: CampbellRow[] };
+  bearings: string[];
+  shapes: { speed_rpm: number; modes: (Mode & { y: number[]; z: number[] })[] }[];
+}
+
+/// A bearing under load, with its balls in the order of their azimuth.
+export interface LoadedBearing {
+  place: string;
+  axial_load_N: number;
+  radial_load_N: number;
+  moment_Nm: number;
+  largest_inner_load_N: number;
+  least_inner_load_N: number;
+  largest_inner_contact_angle_deg: number | null;
+  least_inner_contact_angle_deg: number | null;
+  lost_balls: number;
+  axial_stiffness_N_um: number;
+  radial_stiffness_N_um: number;
+  balls: { azimuth_deg: number; inner_load_N: number; outer_load_N: number; inner_contact_angle_deg: number | null; outer_contact_angle_deg: number | null }[];
+}
+
+export interface DeflectionReport extends BeamPage {
+  kind: 'deflection';
+  results: {
+    speed_rpm: number;
+    force_N: number;
+    direction: string;
+    at_mm: number;
+    preload_N: number;
+    unloaded_front_force_N: number | null;
+    unloaded_rear_force_N: number | null;
+    displacement_um: number | null;
+    nose_displacement_um: number | null;
+    nose_slope_urad: number | null;
+    stiffness_N_um: number | null;
+    tangent_displacement_um: number | null;
+    bearings: LoadedBearing[];
+    report: { status: string; message?: string };
+  };
+  line: { total_um?: number[]; tangent_um?: number[]; stiff_um?: number[]; radial_stiffness_before_N_um?: number[] };
+}
+
+/// A step response as a row of steps.csv.
+export interface StepRow {
+  load_case?: string;
+  speed_rpm: number | null;
+  power_start_W: number | null;
+  power_end_W: number | null;
+  kinematic_um: number | null;
+  K_um: number | null;
+  T_min: number | null;
+  fit_rms_um: number | null;
+  K1_um: number | null;
+  T1_min: number | null;
+  K2_um: number | null;
+  T2_min: number | null;
+  fit_rms_two_um: number | null;
+  front_force_N: number | null;
+  highest_front_force_N: number | null;
+  two_needed: boolean;
+  settled: boolean;
+  status: string;
+  message?: string;
+}
+
+type Values = (number | null)[];
+
+export interface StepsReport {
+  raceway_report: number;
+  program: string;
+  kind: 'steps';
+  assumed: ModelFacts[];
+  source: string;
+  results: {
+    rows: StepRow[];
+    K_of_P: { slope_um_W: number | null; offset_um: number | null; slope_um_W_std: number | null; offset_um_std: number | null };
+    T_of_P: { slope_min_W: number | null; offset_min: number | null; slope_min_W_std: number | null; offset_min_std: number | null };
+    K_power_law: { factor_um: number | null; exponent: number | null; exponent_std: number | null; rms_percent: number | null };
+    T_power_law: { factor_min: number | null; exponent: number | null; exponent_std: number | null; rms_percent: number | null };
+    valid_from_W: number | null;
+    valid_to_W: number | null;
+    cool_down?: { K_um: number; T_min: number; fit_rms_um: number; T_at_rest_min: number | null };
+    superposition?: { rows: number; rms_um: number; largest_um: number; time_of_largest_s: number; lowest_um: number; highest_um: number; status: string };
+    notes: string[];
+  };
+  courses: { time_s: number[]; displacement_um: number[] }[];
+  laws: { power_W: number[]; K_line_um: Values; K_power_um: Values; K_curve_um: Values; T_line_min: Values; T_power_min: Values; T_curve_min: Values } | null;
+  programme?: string;
+  rows?: ColumnData; // of the programme
+}
+
 /// What a step of an input does: lags, each gain (1 − exp(−t/T)).
 export interface StepResponse {
   name: string;
@@ -419,12 +539,18 @@ interface RecordPage extends Common {
 export type RecordReport = RecordPage &
   ({ command: 'compare'; results: CompareReport['results'] } | { command: 'diagnose'; results: Diagnosis } | { command: 'add'; results: Added } | { command: 'correct'; results: Corrected });
 
-export type Report = CompareReport | DiagnoseReport | AddReport | TableReport | DisplacementReport | RecordReport | SpindleRunReport | SpindleSteadyReport;
+export type Report = CompareReport | DiagnoseReport | AddReport | TableReport | DisplacementReport | RecordReport | SpindleRunReport | SpindleSteadyReport | ModesReport | DeflectionReport | StepsReport;
 export type ReportOfRows = CompareReport | DiagnoseReport | AddReport;
 
 export function readDocument(): Report {
   const text = document.getElementById('document')?.textContent ?? '';
   return JSON.parse(text) as Report;
+}
+
+/// Numbers of rows that have names of their own, as columns.
+export function columnsOf(rows: Record<string, unknown>[]): ColumnData {
+  const names = [...new Set(rows.flatMap((r) => Object.keys(r).filter((name) => typeof r[name] === 'number')))];
+  return { total: rows.length, rows: rows.length, columns: names.map((name) => ({ name, values: rows.map((r) => (typeof r[name] === 'number' ? (r[name] as number) : null)) })) };
 }
 
 /// Columns of numbers by name; NaN where a number is not known.

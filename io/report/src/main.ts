@@ -1,10 +1,12 @@
 // Builds the page from the document inside it: one function for each command that writes reports.
+import { deflection } from './deflection';
 import { detectable, effectNodes, plan, ranking } from './diagnosis';
 import { readDocument, Rows } from './document';
 import type { AddReport, ColumnData, CompareReport, Comparison, DiagnoseReport, Diagnosis, DisplacementReport, Report, TableReport } from './document';
 import { drawAll } from './figure';
 import { choices, drawnNote, FitView, misfitMap, parity, residuals } from './fit_rows';
 import { drawnSpeeds } from './line_figure';
+import { modes } from './modes';
 import { overSpeed } from './over_speed';
 import { beforeAfter, changes, ladder, noiseSources } from './ladder';
 import type { Floor } from './ladder';
@@ -13,6 +15,7 @@ import { record } from './record';
 import { lawFigures, shaftFigures } from './shaft';
 import { spindleRun } from './spindle_run';
 import { spindleSteady } from './spindle_steady';
+import { stepResponses } from './step_responses';
 import { tableFigures } from './stribeck';
 import { capital, dash, el, number, plain, probability, shortPaths, signed, unitText, valueList, withUnit } from './text';
 import { verdicts } from './verdicts';
@@ -264,6 +267,12 @@ function build(report: Report): (Node | undefined)[] {
       return displacement(report);
     case 'record':
       return record(report);
+    case 'modes':
+      return modes(report);
+    case 'deflection':
+      return deflection(report);
+    case 'steps':
+      return stepResponses(report);
     case 'spindle_run':
       return spindleRun(report);
     case 'spindle_steady':

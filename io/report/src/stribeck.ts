@@ -1,4 +1,5 @@
 // A Stribeck table: torque, its parts and contact angles against speed, loads around the bearing.
+import { aroundOption } from './around';
 import { legend, valueAxis } from './chart';
 import type { Option } from './chart';
 import type { BearingState, TableReport } from './document';
@@ -375,48 +376,7 @@ function around(states: BearingState[]): Figure {
       const list = drawn();
       const names = list.map((s) => `${plain(s.speed_rpm)} rpm`);
       const colours = ordered(list.length, l);
-      const top = legend(names, width, l, list.map((_, k) => symbols[k % symbols.length]));
-      return {
-        legend: top.option,
-        tooltip: tooltip(l, (hit) => {
-          const [value, azimuth] = hit.value as [number, number];
-          return [hit.seriesName, ['azimuth', `${plain(azimuth, 4)}°`], [quantity(name()).label, withUnit(value, name())]];
-        }),
-        polar: { center: ['50%', top.height / 2 + 215], radius: Math.min(150, width / 2 - 44) },
-        angleAxis: {
-          type: 'value',
-          min: 0,
-          max: 360,
-          interval: 30,
-          startAngle: 0,
-          clockwise: false,
-          axisLabel: { color: l.muted, fontSize: 11, formatter: (v: number) => (v === 360 ? '' : `${v}°`) },
-          axisLine: { lineStyle: { color: l.muted } },
-          splitLine: { lineStyle: { color: l.rule } },
-        },
-        radiusAxis: {
-          type: 'value',
-          min: name().includes('angle') ? undefined : 0,
-          splitNumber: 3,
-          axisLabel: { color: l.ink, fontSize: 10, hideOverlap: true, backgroundColor: l.surface, formatter: (v: number) => plain(v, 5) },
-          axisLine: { lineStyle: { color: l.muted } },
-          splitLine: { lineStyle: { color: l.rule } },
-        },
-        series: list.map((s, k) => {
-          const points = s.azimuth_deg.map((azimuth, ball) => [s[name()][ball], azimuth]);
-          const first = points[0] as [number, number];
-          return {
-            type: 'line',
-            name: names[k],
-            coordinateSystem: 'polar',
-            symbol: symbols[k % symbols.length],
-            symbolSize: 6,
-            color: colours[k],
-            lineStyle: { width: 1.8, type: dashes[k % dashes.length] },
-            data: [...points, [first[0], first[1] + 360]],
-          };
-        }),
-      };
+      return aroundOption(list.map((r, k) => ({ name: names[k] as string, azimuth: r.azimuth_deg, values: r[name()] })), name(), colours, l, width);
     },
     table: () => ({
       columns: ['speed [rpm]', 'axial load [N]', 'radial load [N]', 'azimuth [°]', ...ballColumns.map((c) => axisTitle(c))],
