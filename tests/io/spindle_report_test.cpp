@@ -7,7 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/beam_report.h"
 #include "io/model_file.h"
+#include "io/step_report.h"
+#include "spindle/loaded_shaft.h"
 #include "tests/io/spindle_text.h"
 
 namespace raceway::io {
@@ -93,6 +96,90 @@ TEST_F(SpindleReport, OfASpeedWithoutSteadyStateHasNoNumbers) {
   EXPECT_TRUE(column(d, "friction_power_W")["values"][1].is_null());
   EXPECT_TRUE(column(d, "axial_displacement_um")["values"][1].is_null());
   EXPECT_GT(column(d, "friction_power_W")["values"][0], 10.0);
+}
+
+TEST_F(SpindleReport, OfModesHasTheRowsOfItsJsonAndShapesOfSlowestAndFastest) {
+  spindle::SetsOfSpindle sets(of_.model);
+  const std::vector<double> places = spindle::bearing_places(*of_.model.spindle);
+  const spindle::Beam beam(of_.model.spindle->shaft, places);
+  std::vector<ModesAtSpeed> speeds(12);
+  for (std::size_t k = 0; k < speeds.size(); ++k) {
+    ModesAtSpeed& m = speeds[k];
+    m.speed = 1000.0 * static_cast<double>(k) * rpm;
+    m.sets = sets.at({.speed = m.speed}, false);
+    m.springs = spindle::bearing_springs(sets.arrangement(), places, m.sets.bearings);
+    m.modes = spindle::find_modes(beam, m.springs, m.speed);
+  }
+  const json d = document_of(modes_report(of_, sets.arrangement(), beam, places, false, speeds));
+  EXPECT_EQ(d["kind"], "modes");
+  EXPECT_EQ(d["results"], json::parse(campbell_json(sets.arrangement(), speeds, of_.file)));
+  ASSERT_EQ(d["shapes"].size(), 8u);
+  EXPECT_EQ(d["shapes"].front()["speed_rpm"], 0.0);
+  EXPECT_NEAR(d["shapes"].back()["speed_rpm"].get<double>(), 11000.0, 1e-9);
+  for (const json& mode : d["shapes"].back()["modes"]) {
+    ASSERT_EQ(mode["y"].size(), beam.nodes().size());
+    ASSERT_EQ(mode["z"].size(), beam.nodes().size());
+  }
+  EXPECT_EQ(d["shaft"]["pieces"].size(), 5u);
+  EXPECT_EQ(d["shaft"]["pieces"].back()["end_mm"], d["nodes_mm"].back());
+  EXPECT_EQ(d["shaft"]["bearings"][2]["position_mm"], 290.0);
+}
+
+TEST_F(SpindleReport, OfAShaftWithoutBalanceHasNoLine) {
+  spindle::SetsOfSpindle sets(of_.model);
+  const std::vector<double> places = spindle::bearing_places(*of_.model.spindle);
+  const spindle::Beam beam(of_.model.spindle->shaft, places);
+  const DeflectionResult none{.force = 1e7, .sets = {}, .shaft = {}};
+  const json d =
+      document_of(deflection_report(of_, sets.arrangement(), beam, places, false, none, {}, {}));
+  EXPECT_EQ(d["kind"], "deflection");
+  EXPECT_TRUE(d["line"].empty());
+  EXPECT_TRUE(d["results"]["displacement_um"].is_null());
+}
+
+/// K = 0.1 um/W P + 1 um, T = 10 min - 0.02 min/W P: zero at 500 W.
+spindle::StepResponses steps_of(const std::vector<double>& powers) {
+  spindle::StepResponses responses;
+  for (const double power : powers) {
+    spindle::StepResponse step{
+        .speed = 1000 * rpm,
+        .power_start = power,
+        .power_end = power,
+        .kinematic = 0.0,
+        .end = 0.0,
+        .front_force = 300.0,
+        .highest_force = 300.0,
+        .fit = {.one = {.gain = (0.1 * power + 1.0) * um, .time_constant = 600.0 - 1.2 * power},
+                .rms = 0.0},
+        .status = spindle::Status::converged};
+    for (int k = 0; k < 50; ++k) {
+      step.time.push_back(120.0 * k);
+      step.displacement.push_back(displacement_at(step.fit.one, 120.0 * k));
+    }
+    responses.steps.push_back(std::move(step));
+  }
+  return responses;
+}
+
+TEST_F(SpindleReport, OfStepsDrawsLinesWhereTheyAreValidAlone) {
+  const spindle::StepResponses responses = steps_of({100.0, 300.0, 480.0});
+  const spindle::PowerLaws laws = spindle::fit_power_laws(at_powers(responses.steps));
+  ASSERT_NEAR(laws.valid_to, 500.0, 1e-6);
+  const json d = document_of(step_report("fe.csv", responses, laws, {"a note"}, nullptr, "", {}));
+  EXPECT_EQ(d["kind"], "steps");
+  EXPECT_EQ(d["results"]["notes"], json({"a note"}));
+  EXPECT_FALSE(d.contains("rows")) << "there is no programme";
+  const json& drawn = d["laws"];
+  ASSERT_EQ(drawn["power_W"].size(), drawn["T_line_min"].size());
+  for (std::size_t k = 0; k < drawn["power_W"].size(); ++k) {
+    const double power = drawn["power_W"][k];
+    EXPECT_EQ(drawn["T_line_min"][k].is_null(), power > 500.0) << power;
+    if (power > 500.0) continue;
+    EXPECT_NEAR(drawn["T_line_min"][k].get<double>(), 10.0 - 0.02 * power, 1e-4);
+  }
+  EXPECT_EQ(drawn["K_curve_um"][0], 0.0) << "no power, no way";
+  EXPECT_TRUE(drawn["K_power_um"][0].is_null());
+  EXPECT_EQ(d["courses"][2]["time_s"].size(), 50u);
 }
 
 }  // namespace

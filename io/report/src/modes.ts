@@ -94,7 +94,7 @@ function campbell(report: ModesReport, list: Track[], crossed: Crossing[]): Figu
       z: 3,
       itemStyle: { color: l.muted },
       lineStyle: { color: l.muted, width: 1.4, type: dashes[order === 1 ? 3 : 2] },
-      data: [[0, 0], { value: [0.55 * end, (order * 0.55 * end) / 60], label: { show: (order * end) / 60 > 0.3 * top, position: 'bottom', distance: 6, formatter: `${order}×`, color: l.ink, fontSize: 12 }, symbol: 'circle', symbolSize: 0.1 }, [end, (order * end) / 60]],
+      data: [[0, 0], { value: [0.55 * end, (order * 0.55 * end) / 60], label: { show: (order * end) / 60 > 0.1 * top, position: 'bottom', distance: 6, formatter: `${order}×`, color: l.ink, fontSize: 12 }, symbol: 'circle', symbolSize: 0.1 }, [end, (order * end) / 60]],
       showSymbol: true,
       showAllSymbol: true,
     };

@@ -83,12 +83,12 @@ function bearing(b: Section['bearings'][number], api: Api, scale: number, l: Loo
 }
 
 /// Turns of the coolant's channel, cut through.
-function turns(c: NonNullable<Section['channel']>, api: Api, l: Look): Shape[] {
+function turns(c: NonNullable<Section['channel']>, api: Api): Shape[] {
   const count = Math.max(1, Math.floor((c.end_mm - c.start_mm) / c.pitch_mm));
   const first = (c.start_mm + c.end_mm - count * c.pitch_mm) / 2 + c.pitch_mm / 2;
   return Array.from({ length: count }, (_, k) => {
     const middle = first + k * c.pitch_mm;
-    return box(api, [middle - c.width_mm / 2, (c.diameter_mm - c.depth_mm) / 2], [middle + c.width_mm / 2, (c.diameter_mm + c.depth_mm) / 2], { fill: 'none', stroke: l.surface, lineWidth: 1.4 });
+    return box(api, [middle - c.width_mm / 2, (c.diameter_mm - c.depth_mm) / 2], [middle + c.width_mm / 2, (c.diameter_mm + c.depth_mm) / 2], { fill: 'none', stroke: '#ffffff', lineWidth: 1.4 });
   });
 }
 
@@ -209,7 +209,7 @@ export function sectionFigure(section: Section, what: string, labels: string[], 
         series: [
           cells(section, now(), [least, most]),
           shapes('outline', 4, (api) => faces.map(([a, p, b, q]) => segment(api.coord([a as number, p as number]), api.coord([b as number, q as number]), { stroke: l.ink, lineWidth: 1 }))),
-          ...(section.channel ? [shapes('coolant', 5, (api) => turns(section.channel as NonNullable<Section['channel']>, api, l))] : []),
+          ...(section.channel ? [shapes('coolant', 5, (api) => turns(section.channel as NonNullable<Section['channel']>, api))] : []),
           shapes('bearings', 6, (api) => section.bearings.flatMap((b) => bearing(b, api, scale, l))),
           shapes('axis', 6, (api) => [segment(api.coord([from - 0.01 * (to - from), 0]), api.coord([to + 0.01 * (to - from), 0]), { stroke: l.muted, lineWidth: 1, lineDash: [12, 3, 2, 3] }), ...flange(section, api, l)]),
           {

@@ -199,7 +199,7 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
           ? report.network
             ? `${report.results.spindle} through ${hoursOf(report.ended_at_s ?? 0)}.`
             : `${report.results.spindle}: nose from ${place(extreme('axial_displacement_um', -1))} to ${place(extreme('axial_displacement_um', 1))}; front set up to ${number(high.force_N)} N at ${hoursOf(high.time_s ?? 0)}.`
-          : `${report.results.spindle}: ended after ${hoursOf(report.ended_at_s ?? 0)} by ${words(end.status)}: ${end.message}. ${reached} are there.`,
+          : `${report.results.spindle}: ended after ${hoursOf(report.ended_at_s ?? 0)}: ${end.message || words(end.status)}. ${reached} are there.`,
         more: `${report.mesh}.`,
       },
       facts,

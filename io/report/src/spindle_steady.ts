@@ -167,7 +167,7 @@ function overSpeed(report: SpindleSteadyReport, rows: Rows): Figure[] {
 export function spindleSteady(report: SpindleSteadyReport): (Node | undefined)[] {
   const rows = new Rows(report.rows);
   const one = report.reports.length === 1;
-  const failed = report.reports.flatMap((r, k) => (r.status === 'converged' || k >= rows.count ? [] : [`${plain(rows.at('speed_rpm', k))} rpm: ${words(r.status)}: ${r.in_words}`]));
+  const failed = report.reports.flatMap((r, k) => (r.status === 'converged' || k >= rows.count ? [] : [`${plain(rows.at('speed_rpm', k))} rpm: ${r.in_words || words(r.status)}`]));
   const found = failed.length < report.reports.length;
   let last = report.reports.length - 1;
   while (last > 0 && report.reports[last]?.status !== 'converged') --last;
