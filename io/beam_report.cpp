@@ -17,7 +17,7 @@ namespace {
 constexpr int shape_digits = 5;
 constexpr std::size_t drawn_shapes = 8;  // speeds of which the shapes are on the page
 
-double rounded(double value) { return with_digits(value, shape_digits); }
+double drawn_number(double value) { return with_digits(value, shape_digits); }
 
 /// The pieces of the shaft with its bearings and disks, as they are drawn below a line along it.
 json shaft_json(const model::Model& model, const bearing::Arrangement& arrangement,
@@ -25,21 +25,22 @@ json shaft_json(const model::Model& model, const bearing::Arrangement& arrangeme
   json pieces = json::array(), bearings = json::array(), disks = json::array();
   double start = 0.0;
   for (const model::Segment& s : model.spindle->shaft.segments) {
-    pieces.push_back({{"start_mm", rounded(start / mm)},
-                      {"end_mm", rounded((start + s.length) / mm)},
-                      {"diameter_mm", rounded(s.diameter / mm)},
-                      {"bore_mm", rounded(s.bore / mm)}});
+    pieces.push_back({{"start_mm", drawn_number(start / mm)},
+                      {"end_mm", drawn_number((start + s.length) / mm)},
+                      {"diameter_mm", drawn_number(s.diameter / mm)},
+                      {"bore_mm", drawn_number(s.bore / mm)}});
     start += s.length;
   }
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bearing::BearingGeometry& g = arrangement.bearings()[i].bearing->geometry();
     bearings.push_back({{"label", bearing_place(arrangement, i)},
-                        {"position_mm", rounded(places[i] / mm)},
-                        {"pitch_diameter_mm", rounded(g.pitch_diameter / mm)},
-                        {"ball_diameter_mm", rounded(g.ball_diameter / mm)}});
+                        {"position_mm", drawn_number(places[i] / mm)},
+                        {"pitch_diameter_mm", drawn_number(g.pitch_diameter / mm)},
+                        {"ball_diameter_mm", drawn_number(g.ball_diameter / mm)}});
   }
   for (const model::Disk& d : model.spindle->shaft.disks)
-    disks.push_back({{"position_mm", rounded(d.position / mm)}, {"mass_kg", rounded(d.mass)}});
+    disks.push_back(
+        {{"position_mm", drawn_number(d.position / mm)}, {"mass_kg", drawn_number(d.mass)}});
   return {{"pieces", std::move(pieces)},
           {"bearings", std::move(bearings)},
           {"disks", std::move(disks)}};
@@ -48,13 +49,13 @@ json shaft_json(const model::Model& model, const bearing::Arrangement& arrangeme
 /// Every other number of (v, θ) of all nodes.
 json deflections(const Eigen::VectorXd& shape, double unit) {
   json list = json::array();
-  for (Eigen::Index k = 0; k < shape.size(); k += 2) list.push_back(rounded(shape[k] / unit));
+  for (Eigen::Index k = 0; k < shape.size(); k += 2) list.push_back(drawn_number(shape[k] / unit));
   return list;
 }
 
 json nodes_json(const spindle::Beam& beam) {
   json list = json::array();
-  for (const double node : beam.nodes()) list.push_back(rounded(node / mm));
+  for (const double node : beam.nodes()) list.push_back(drawn_number(node / mm));
   return list;
 }
 
@@ -88,7 +89,7 @@ std::string modes_report(const ModelOfPage& of, const bearing::Arrangement& arra
   document.add("model", of.file);
   document.add("bearing", of.model.name);
   document.add("warm", warm);
-  document.add("weight_kg", rounded(beam.weight()));
+  document.add("weight_kg", drawn_number(beam.weight()));
   document.add_text("results", campbell_json(arrangement, speeds, of.file));
   json bearings = json::array();
   for (std::size_t i = 0; i < arrangement.bearings().size(); ++i)

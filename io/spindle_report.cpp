@@ -21,11 +21,11 @@ using spindle::Moment;
 
 constexpr int place_digits = 6;
 
-double in_mm(double metres) { return with_digits(metres / mm, place_digits); }
+double drawn_mm(double metres) { return with_digits(metres / mm, place_digits); }
 
 /// Of all cells one number each.
-json numbers_of(const std::vector<spindle::FieldCell>& cells,
-                double (*value)(const spindle::FieldCell&)) {
+json of_each_cell(const std::vector<spindle::FieldCell>& cells,
+                  double (*value)(const spindle::FieldCell&)) {
   json list = json::array();
   for (const spindle::FieldCell& c : cells) list.push_back(value(c));
   return list;
@@ -34,12 +34,13 @@ json numbers_of(const std::vector<spindle::FieldCell>& cells,
 json cells_json(const std::vector<spindle::FieldCell>& cells) {
   json parts = json::array();
   for (const spindle::FieldCell& c : cells) parts.push_back(c.part);
-  return {
-      {"part", std::move(parts)},
-      {"start_mm", numbers_of(cells, [](const auto& c) { return in_mm(c.start); })},
-      {"end_mm", numbers_of(cells, [](const auto& c) { return in_mm(c.end); })},
-      {"inner_radius_mm", numbers_of(cells, [](const auto& c) { return in_mm(c.inner_radius); })},
-      {"outer_radius_mm", numbers_of(cells, [](const auto& c) { return in_mm(c.outer_radius); })}};
+  return {{"part", std::move(parts)},
+          {"start_mm", of_each_cell(cells, [](const auto& c) { return drawn_mm(c.start); })},
+          {"end_mm", of_each_cell(cells, [](const auto& c) { return drawn_mm(c.end); })},
+          {"inner_radius_mm",
+           of_each_cell(cells, [](const auto& c) { return drawn_mm(c.inner_radius); })},
+          {"outer_radius_mm",
+           of_each_cell(cells, [](const auto& c) { return drawn_mm(c.outer_radius); })}};
 }
 
 /// Places and sizes of the bearings, as they are drawn into the section.
@@ -51,14 +52,14 @@ json drawn_bearings(const model::Model& model) {
   for (std::size_t i = 0; i < places.size() && i < a.bearings().size(); ++i) {
     const bearing::BearingGeometry& g = a.bearings()[i].bearing->geometry();
     list.push_back({{"label", bearing_label(model, i)},
-                    {"position_mm", in_mm(places[i])},
-                    {"width_mm", in_mm(s.bearing_width)},
-                    {"bore_mm", in_mm(g.bore)},
-                    {"outer_diameter_mm", in_mm(g.outer_diameter)},
-                    {"inner_ring_shoulder_mm", in_mm(s.inner_ring_shoulder)},
-                    {"outer_ring_shoulder_mm", in_mm(s.outer_ring_shoulder)},
-                    {"ball_diameter_mm", in_mm(g.ball_diameter)},
-                    {"pitch_diameter_mm", in_mm(g.pitch_diameter)},
+                    {"position_mm", drawn_mm(places[i])},
+                    {"width_mm", drawn_mm(s.bearing_width)},
+                    {"bore_mm", drawn_mm(g.bore)},
+                    {"outer_diameter_mm", drawn_mm(g.outer_diameter)},
+                    {"inner_ring_shoulder_mm", drawn_mm(s.inner_ring_shoulder)},
+                    {"outer_ring_shoulder_mm", drawn_mm(s.outer_ring_shoulder)},
+                    {"ball_diameter_mm", drawn_mm(g.ball_diameter)},
+                    {"pitch_diameter_mm", drawn_mm(g.pitch_diameter)},
                     {"contact_angle_deg", with_digits(g.contact_angle / degree, place_digits)},
                     {"pressed_rearwards", spindle::presses_rearwards(a, i)}});
   }
@@ -71,28 +72,29 @@ json section_json(const model::Model& model, std::span<const DrawnField> fields)
   for (const DrawnField& f : fields)
     moments.push_back({{"time_s", f.time},
                        {"speed_rpm", with_digits(f.speed / rpm, place_digits)},
-                       {"temperature_C", numbers_of(f.cells, [](const auto& c) {
+                       {"temperature_C", of_each_cell(f.cells, [](const auto& c) {
                           return std::round(100.0 * celsius(c.temperature)) / 100.0;
                         })}});
   json sensors = json::array();
   for (const model::ThermometerPlace& t : s.sensors)
     if (std::isfinite(t.position) && std::isfinite(t.radius))
-      sensors.push_back(
-          {{"name", t.name}, {"position_mm", in_mm(t.position)}, {"radius_mm", in_mm(t.radius)}});
-  json section{
-      {"cells", cells_json(fields.front().cells)},
-      {"bearings", drawn_bearings(model)},
-      {"sensors", std::move(sensors)},
-      {"flange",
-       {{"position_mm", in_mm(s.housing.flange)}, {"length_mm", in_mm(s.housing.flange_length)}}},
-      {"moments", std::move(moments)}};
+      sensors.push_back({{"name", t.name},
+                         {"position_mm", drawn_mm(t.position)},
+                         {"radius_mm", drawn_mm(t.radius)}});
+  json section{{"cells", cells_json(fields.front().cells)},
+               {"bearings", drawn_bearings(model)},
+               {"sensors", std::move(sensors)},
+               {"flange",
+                {{"position_mm", drawn_mm(s.housing.flange)},
+                 {"length_mm", drawn_mm(s.housing.flange_length)}}},
+               {"moments", std::move(moments)}};
   if (s.coolant)
-    section["channel"] = {{"start_mm", in_mm(s.coolant->start)},
-                          {"end_mm", in_mm(s.coolant->end)},
-                          {"diameter_mm", in_mm(s.coolant->diameter)},
-                          {"width_mm", in_mm(s.coolant->channel_width)},
-                          {"depth_mm", in_mm(s.coolant->channel_depth)},
-                          {"pitch_mm", in_mm(s.coolant->pitch)}};
+    section["channel"] = {{"start_mm", drawn_mm(s.coolant->start)},
+                          {"end_mm", drawn_mm(s.coolant->end)},
+                          {"diameter_mm", drawn_mm(s.coolant->diameter)},
+                          {"width_mm", drawn_mm(s.coolant->channel_width)},
+                          {"depth_mm", drawn_mm(s.coolant->channel_depth)},
+                          {"pitch_mm", drawn_mm(s.coolant->pitch)}};
   return section;
 }
 

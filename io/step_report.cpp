@@ -15,7 +15,7 @@ namespace {
 constexpr int drawn_digits = 6;
 constexpr double drawn_beyond = 1.15;  // of the largest power: how far laws are drawn
 
-json in_unit(const std::vector<double>& values, double unit) {
+json drawn_values(const std::vector<double>& values, double unit) {
   json list = json::array();
   for (const double v : values) list.push_back(with_digits(v / unit, drawn_digits));
   return list;
@@ -24,8 +24,8 @@ json in_unit(const std::vector<double>& values, double unit) {
 json courses_json(const std::vector<spindle::StepResponse>& steps) {
   json list = json::array();
   for (const spindle::StepResponse& s : steps)
-    list.push_back(
-        {{"time_s", in_unit(s.time, 1.0)}, {"displacement_um", in_unit(s.displacement, um)}});
+    list.push_back({{"time_s", drawn_values(s.time, 1.0)},
+                    {"displacement_um", drawn_values(s.displacement, um)}});
   return list;
 }
 
@@ -44,7 +44,7 @@ json law_courses(const spindle::StepResponses& responses, const spindle::PowerLa
   const auto course = [&](const std::function<double(double)>& law, double unit) {
     std::vector<double> values;
     for (const double p : power) values.push_back(law(p));
-    return in_unit(values, unit);
+    return drawn_values(values, unit);
   };
   const auto valid = [&](const spindle::StraightLine& line) {
     return [&laws, &line](double p) {
@@ -54,7 +54,7 @@ json law_courses(const spindle::StepResponses& responses, const spindle::PowerLa
   const auto positive = [](const spindle::PowerLaw& law) {
     return [&law](double p) { return p > 0.0 ? law(p) : unset; };
   };
-  return {{"power_W", in_unit(power, 1.0)},
+  return {{"power_W", drawn_values(power, 1.0)},
           {"K_line_um", course(valid(laws.gain_line), um)},
           {"K_power_um", course(positive(laws.gain_power), um)},
           {"K_curve_um", course([&](double p) { return gain(p); }, um)},

@@ -25,7 +25,7 @@ class Report : public testing::Test {
   std::string page_ = scratch_.file("page.html");
 };
 
-constexpr const char* programme = "time_s,speed_rpm\n0,0\n1800,4000\n3600,0\n";
+constexpr const char* short_programme = "time_s,speed_rpm\n0,0\n1800,4000\n3600,0\n";
 
 constexpr const char* moved =
     "speed_rpm,axial_displacement_um\n2000,0.2\n5000,1.9\n8000,4.1\n10000,5.4\n";
@@ -48,7 +48,7 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
         "displacement " + shaft_ + " --speed 0:1000:500",
         "compare " + shaft_ + " " + scratch_.write("u.csv", moved),
         "spindle " + spindle_ + " --speed 2000 --steady",
-        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", programme),
+        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", short_programme),
         "modes " + spindle_ + " --speed 2000", "step-response " + spindle_ + " --speed 2000",
         "deflection " + spindle_ + " --force 100"}) {
     expect_refused(run(command + " --report " + scratch_.file("no/such/page.html")),
@@ -92,7 +92,7 @@ TEST_F(Report, OfADisplacementIsWrittenAndReplacedByForceAlone) {
 TEST_F(Report, OfASpindleIsWrittenBesideWhatTheCommandPrints) {
   for (const std::string& command :
        {"spindle " + spindle_ + " --speed 2000:6000:2000 --steady",
-        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", programme),
+        "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", short_programme),
         "modes " + spindle_ + " --speed 0:6000:2000",
         "step-response " + spindle_ + " --speed 2000:6000:2000"}) {
     const Result plain = run(command), r = run(command + " --report " + page_);

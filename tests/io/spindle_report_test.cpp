@@ -25,7 +25,7 @@ json document_of(const std::string& page) {
   return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
 }
 
-json column(const json& document, const std::string& name) {
+json column_of_page(const json& document, const std::string& name) {
   for (const json& c : document["rows"]["columns"])
     if (c["name"] == name) return c;
   ADD_FAILURE() << "no column " << name;
@@ -64,7 +64,7 @@ TEST_F(SpindleReport, OfARunHasTheSectionAndTheColumnsOfItsCsv) {
                                "radial_load_N"}));
   for (const char* name : {"axial_displacement_um", "thermal_displacement_um", "front_force_N",
                            "heat_stored_W", "rear_1_inner_ring_temperature_C", "front_2_force_N"})
-    EXPECT_EQ(column(d, name)["values"].size(), d["rows"]["rows"]) << name;
+    EXPECT_EQ(column_of_page(d, name)["values"].size(), d["rows"]["rows"]) << name;
   const json& section = d["section"];
   const std::size_t cells = spindle::Simulator(of_.model).cells();
   EXPECT_EQ(section["cells"]["part"].size(), cells);
@@ -93,9 +93,9 @@ TEST_F(SpindleReport, OfASpeedWithoutSteadyStateHasNoNumbers) {
   const json d = document_of(spindle_steady_report(of_, states, {}, {}, "cells"));
   EXPECT_FALSE(d.contains("section"));
   EXPECT_EQ(d["reports"][1]["status"], "thermal_runaway");
-  EXPECT_TRUE(column(d, "friction_power_W")["values"][1].is_null());
-  EXPECT_TRUE(column(d, "axial_displacement_um")["values"][1].is_null());
-  EXPECT_GT(column(d, "friction_power_W")["values"][0], 10.0);
+  EXPECT_TRUE(column_of_page(d, "friction_power_W")["values"][1].is_null());
+  EXPECT_TRUE(column_of_page(d, "axial_displacement_um")["values"][1].is_null());
+  EXPECT_GT(column_of_page(d, "friction_power_W")["values"][0], 10.0);
 }
 
 TEST_F(SpindleReport, OfModesHasTheRowsOfItsJsonAndShapesOfSlowestAndFastest) {
