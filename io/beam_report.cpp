@@ -110,6 +110,7 @@ std::string deflection_report(const ModelOfPage& of, const bearing::Arrangement&
   document.add("model", of.file);
   document.add("bearing", of.model.name);
   document.add("warm", warm);
+  document.add("load", load_words(result));
   document.add_text("results", deflection_json(arrangement, result, of.file));
   document.add("shaft", shaft_json(of.model, arrangement, places));
   document.add("nodes_mm", nodes_json(beam));

@@ -22,7 +22,7 @@ function bendingLine(report: DeflectionReport): Figure {
   return new Figure({
     id: 'line',
     title: 'The line of the bent shaft',
-    note: 'What lies between the first line and that of bearings that do not give way is the share of the bearings; the rest is the shaft itself. Behind it the shaft, its diameters to a scale of their own; the arrow is the force.',
+    note: 'What lies between the first line and that of bearings that do not give way is the share of the bearings; the rest is the shaft itself. Behind it the shaft, its diameters to a scale of their own; the arrow is the radial force.',
     wide: true,
     height: 380,
     option: (l, width) => {
@@ -50,7 +50,7 @@ function bendingLine(report: DeflectionReport): Figure {
             // Points that answer the pointer and are not seen.
             data: nodes.map((x, n) => ({ value: [x, line.values[n]], itemStyle: { opacity: 0 } })),
           })),
-          {
+          ...(r.force_N === 0 ? [] : [{
             type: 'scatter',
             name: 'force',
             silent: true,
@@ -61,7 +61,7 @@ function bendingLine(report: DeflectionReport): Figure {
             symbolOffset: [0, r.force_N > 0 ? 16 : -16],
             itemStyle: { color: l.ink },
             data: [[r.at_mm, r.displacement_um]],
-          },
+          }]),
         ],
       };
     },
@@ -122,15 +122,16 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
   const found = r.report.status === 'converged' && r.displacement_um !== null;
   const um = (v: number | null) => (v === null ? dash : `${number(v)} µm`);
   const radial = r.direction === 'radial';
-  const under = `Shaft on ${report.bearing} under ${plain(r.force_N)} N ${r.direction} at ${plain(r.at_mm)} mm, ${plain(r.speed_rpm)} rpm, ${report.warm ? 'warm' : 'cold'}`;
+  const under = `Shaft on ${report.bearing} under ${report.load} at ${plain(r.at_mm)} mm, ${plain(r.speed_rpm)} rpm, ${report.warm ? 'warm' : 'cold'}`;
   const before = line.radial_stiffness_before_N_um ?? [];
-  const first = r.tangent_displacement_um === null ? NaN : r.force_N / r.tangent_displacement_um;
+  const first = r.tangent_displacement_um === null || r.stiffness_N_um === null ? NaN : r.force_N / r.tangent_displacement_um;
   const table = valueList(
     'Each bearing under the force',
     ['bearing', 'axial [N]', 'radial [N]', 'moment [N m]', 'ball from [N]', 'to [N]', 'angle from [°]', 'to [°]', 'balls lost', 'K axial [N/µm]', 'K radial [N/µm]', 'before [N/µm]'],
     r.bearings.map((b, k) => {
       // Zero where rounding left it.
-      const across = (v: number) => number(Math.abs(v) < 1e-9 * Math.abs(r.force_N) ? 0 : v);
+      const load = Math.abs(r.force_N) + Math.abs(r.axial_force_N ?? 0) + Math.abs(r.moment_Nm ?? 0);
+      const across = (v: number) => number(Math.abs(v) < 1e-9 * load ? 0 : v);
       return [words(b.place), number(b.axial_load_N), across(b.radial_load_N), across(b.moment_Nm), number(b.least_inner_load_N), number(b.largest_inner_load_N), number(b.least_inner_contact_angle_deg), number(b.largest_inner_contact_angle_deg), String(b.lost_balls), number(b.axial_stiffness_N_um), number(b.radial_stiffness_N_um), number(before[k])];
     }),
   );
@@ -141,14 +142,14 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
         command: 'deflection',
         files: shortPaths([report.model]),
         ...(found ? {} : { badge: [words(r.report.status), 'open'] as [string, string] }),
-        sentence: found ? `${under}: ${um(r.displacement_um)} where it acts, ${number(r.stiffness_N_um)} N/µm.` : `${under}: no balance${r.report.message ? `: ${r.report.message}` : ''}.`,
+        sentence: found ? `${under}: ${um(r.displacement_um)} where it acts${r.stiffness_N_um === null ? '' : `, ${number(r.stiffness_N_um)} N/µm`}.` : `${under}: no balance${r.report.message ? `: ${r.report.message}` : ''}.`,
       },
       found
         ? [
             ['preload as mounted', `${plain(r.preload_N, 4)} N`],
             ['front set without the force', `${number(r.unloaded_front_force_N)} N`],
             ['rear set', `${number(r.unloaded_rear_force_N)} N`],
-            ['first stiffness', `${number(first)} N/µm`],
+            ...(Number.isFinite(first) ? ([['first stiffness', `${number(first)} N/µm`]] as [string, string][]) : []),
             ...(radial ? ([['nose', um(r.nose_displacement_um)], ['slope of the nose', `${number(r.nose_slope_urad)} µrad`]] as [string, string][]) : []),
           ]
         : [],

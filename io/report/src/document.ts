@@ -411,9 +411,12 @@ export interface LoadedBearing {
 
 export interface DeflectionReport extends BeamPage {
   kind: 'deflection';
+  load: string; // in words
   results: {
     speed_rpm: number;
     force_N: number;
+    axial_force_N?: number;
+    moment_Nm?: number;
     direction: string;
     at_mm: number;
     preload_N: number;
