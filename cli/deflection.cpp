@@ -147,9 +147,9 @@ int run(const DeflectionFlags& f) {
     throw io::InputError("raceway deflection: --json and --output - both write to stdout; take one",
                          {.key = "--output"});
   const bool to_file = !f.output.empty() && f.output != "-";
-  const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse;
+  const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse_naming_replace;
   if (to_file) io::require_writable(f.output, if_exists);
-  f.report.check(f.force);
+  f.report.check(if_exists);
   if (f.force_N == 0.0 && f.moment_Nm == 0.0)
     throw io::InputError("raceway deflection: --force = 0 N: a force or a --moment is needed",
                          {.key = "--force"});
@@ -181,7 +181,7 @@ int run(const DeflectionFlags& f) {
                                      b.places, f.warm, r, tangent_line(b, r),
                                      tangent_line(b, r, rigid));
       },
-      f.force);
+      if_exists);
   tell({"the housing is rigid: what it gives way by is not in these displacements"});
   if (r.converged()) return done;
   warn(fmt::format("{:.6g} rpm: {}{}", f.speed_rpm, r.status(),

@@ -2,18 +2,9 @@
 
 #include "cli/open_input.h"
 #include "io/error.h"
-#include "io/output_file.h"
 #include "io/report.h"
 
 namespace raceway::cli {
-namespace {
-
-io::IfExists if_exists(bool replace) {
-  return replace ? io::IfExists::replace : io::IfExists::refuse;
-}
-
-}  // namespace
-
 void ReportFlag::declare(CLI::App& command) {
   command
       .add_option("--report", path,
@@ -23,19 +14,19 @@ void ReportFlag::declare(CLI::App& command) {
       ->type_name("FILE");
 }
 
-void ReportFlag::check(bool replace) const {
+void ReportFlag::check(io::IfExists if_exists) const {
   if (path.empty()) return;
   if (!io::report_available())
     throw io::InputError(
         "--report: this program was built without reports (-DRACEWAY_REPORT=OFF); with Node and "
         "npm installed, build it with -DRACEWAY_REPORT=ON",
         {.key = "--report"});
-  io::require_writable(path, if_exists(replace));
+  io::require_writable(path, if_exists);
 }
 
-void ReportFlag::write(const std::function<std::string()>& page, bool replace) const {
+void ReportFlag::write(const std::function<std::string()>& page, io::IfExists if_exists) const {
   if (path.empty()) return;
-  io::write_text(path, page(), if_exists(replace));
+  io::write_text(path, page(), if_exists);
   say(path + " written; open it in a browser");
 }
 

@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "io/output_file.h"
+
 namespace raceway::cli {
 
 /// `--report page.html` of a command: results as one page that opens in a browser.
@@ -13,9 +15,18 @@ struct ReportFlag {
   /// Declares the flag.
   void declare(CLI::App& command);
   /// Refuses what could not be written, before the long calculation.
-  void check(bool replace) const;
+  void check(io::IfExists if_exists) const;
+  void check(bool replace) const { check(either(replace)); }
   /// Writes the page, if one was asked for, and says so.
-  void write(const std::function<std::string()>& page, bool replace) const;
+  void write(const std::function<std::string()>& page, io::IfExists if_exists) const;
+  void write(const std::function<std::string()>& page, bool replace) const {
+    write(page, either(replace));
+  }
+
+ private:
+  static io::IfExists either(bool replace) {
+    return replace ? io::IfExists::replace : io::IfExists::refuse;
+  }
 };
 
 }  // namespace raceway::cli

@@ -101,8 +101,9 @@ class Part {
   std::FILE* file_ = nullptr;
 };
 
-std::string exists_already(const std::string& path) {
-  return path + ": exists already; --force replaces it";
+std::string exists_already(const std::string& path, IfExists if_exists) {
+  const bool force = if_exists == IfExists::refuse;
+  return path + ": exists already; " + (force ? "--force" : "--replace") + " replaces it";
 }
 
 }  // namespace
@@ -114,8 +115,8 @@ void require_writable(const std::string& path, IfExists if_exists) {
   if (fs::is_directory(status) || path.back() == '/')
     throw InputError(path + ": is a directory, a file to write is expected", {.file = path});
   if (is_stream(status)) return;
-  if (if_exists == IfExists::refuse && fs::exists(fs::symlink_status(path, ignored)))
-    throw InputError(exists_already(path), {.file = path});
+  if (if_exists != IfExists::replace && fs::exists(fs::symlink_status(path, ignored)))
+    throw InputError(exists_already(path, if_exists), {.file = path});
   const fs::path folder = folder_of(path);
   if (!fs::is_directory(folder, ignored))
     throw InputError(path + ": cannot be written: there is no folder " + folder.string(),
@@ -147,7 +148,8 @@ void write_text(const std::string& path, std::string_view text, IfExists if_exis
   if (fs::exists(status)) fs::permissions(part.path(), status.permissions(), error);
   if (part.take_name(target, if_exists, path)) return;
   if (errno == EEXIST)
-    throw InputError(exists_already(path) + " (it came during this run)", {.file = path});
+    throw InputError(exists_already(path, if_exists) + " (it came during this run)",
+                     {.file = path});
   throw InputError(path + ": cannot be written: " + reason(), {.file = path});
 }
 

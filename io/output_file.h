@@ -6,16 +6,17 @@
 
 namespace raceway::io {
 
-/// What to do where the file to be written exists already.
-enum class IfExists { refuse, replace };
+/// What to do where the file to be written exists already: `refuse` names --force as what replaces
+/// it, `refuse_naming_replace` --replace, of a command whose --force is a load.
+enum class IfExists { refuse, refuse_naming_replace, replace };
 
-/// Throws InputError where write_text() would: an existing file under `refuse`, a directory, a
-/// folder that is missing or not writable. To be asked before a long calculation.
+/// Throws InputError where write_text() would: an existing file that is not to be replaced, a
+/// directory, a folder that is missing or not writable. To be asked before a long calculation.
 void require_writable(const std::string& path, IfExists if_exists);
 
 /// Writes a whole file or nothing: into a file beside it first, which then takes its name. Keeps
-/// the permissions of a file it replaces. Under `refuse` a file that came meanwhile is kept. Throws
-/// InputError as above, and where the disk is full.
+/// the permissions of a file it replaces. A file that came meanwhile is kept unless it is to be
+/// replaced. Throws InputError as above, and where the disk is full.
 void write_text(const std::string& path, std::string_view text, IfExists if_exists);
 
 /// For a process that is told to stop: removes what is half written, and lets nothing more be

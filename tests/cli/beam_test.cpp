@@ -77,6 +77,16 @@ TEST_F(BeamCommands, ACuttingForceHasAnAxialPart) {
   EXPECT_THAT(axial.err, HasSubstr("--moment goes with a radial --force"));
 }
 
+// --force is the load here.
+TEST_F(BeamCommands, DeflectionNamesTheFlagThatReplacesAFile) {
+  const std::string taken = scratch_.write("line.csv", "kept");
+  const Result refused = raceway("deflection", "--force 100 -o " + taken);
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_THAT(refused.err, HasSubstr("--replace replaces it"));
+  EXPECT_EQ(file_text(taken), "kept");
+  EXPECT_EQ(raceway("deflection", "--force 100 --replace -o " + taken).status, 0);
+}
+
 TEST_F(BeamCommands, AxialDeflectionIsThatOfTheSets) {
   const json with = parsed(raceway("displacement", "--speed 4000 --axial-load 100 --json"));
   const json without = parsed(raceway("displacement", "--speed 4000 --json"));
