@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cctype>
 #include <memory>
-#include <regex>
 #include <stdexcept>
 #include <string>
 
@@ -13,18 +13,26 @@ namespace raceway::spindle {
 /// The bearing that a case describes in words: "D 11.9 mm, d_m 90 mm, Z 20, 15 deg, f 0.52", of
 /// steel. Friction asks for a static load rating, which no case has to do with.
 inline std::shared_ptr<const bearing::Bearing> case_bearing(const std::string& words) {
-  const auto number = [&](const char* pattern) {
-    std::smatch found;
-    if (!std::regex_search(words, found, std::regex(pattern)))
-      throw std::invalid_argument("bearing of a case: no " + std::string(pattern) + " in " + words);
-    return std::stod(found[1]);
+  const auto digit = [&](std::size_t at) {
+    return at < words.size() && std::isdigit(static_cast<unsigned char>(words[at])) != 0;
   };
-  const double conformity = number(R"(f (\d[\d.]*))");
+  // The number behind a name, a word of its own.
+  const auto number = [&](const std::string& name) {
+    for (std::size_t at = words.find(name); at != words.npos; at = words.find(name, at + 1))
+      if ((at == 0 || words[at - 1] == ' ') && digit(at + name.size()))
+        return std::stod(words.substr(at + name.size()));
+    throw std::invalid_argument("bearing of a case: no " + name + "in " + words);
+  };
+  const std::size_t degrees = words.find(" deg");
+  const std::size_t angle = degrees == words.npos ? words.npos : words.rfind(' ', degrees - 1);
+  if (angle == words.npos || !digit(angle + 1))
+    throw std::invalid_argument("bearing of a case: no angle in " + words);
+  const double conformity = number("f ");
   return std::make_shared<const bearing::Bearing>(
-      bearing::BearingGeometry{.ball_count = static_cast<int>(number(R"(Z (\d+))")),
-                               .ball_diameter = number(R"(D (\d[\d.]*))") * mm,
-                               .pitch_diameter = number(R"(d_m (\d[\d.]*))") * mm,
-                               .contact_angle = number(R"((\d[\d.]*) deg)") * degree,
+      bearing::BearingGeometry{.ball_count = static_cast<int>(number("Z ")),
+                               .ball_diameter = number("D ") * mm,
+                               .pitch_diameter = number("d_m ") * mm,
+                               .contact_angle = std::stod(words.substr(angle + 1)) * degree,
                                .inner_conformity = conformity,
                                .outer_conformity = conformity,
                                .static_load_rating = 45000.0},
