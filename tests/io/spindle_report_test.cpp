@@ -99,20 +99,20 @@ TEST_F(SpindleReport, OfASpeedWithoutSteadyStateHasNoNumbers) {
 }
 
 TEST_F(SpindleReport, OfModesHasTheRowsOfItsJsonAndShapesOfSlowestAndFastest) {
-  spindle::SetsOfSpindle sets(of_.model);
+  spindle::SetsOfSpindle mounted(of_.model);
   const std::vector<double> places = spindle::bearing_places(*of_.model.spindle);
   const spindle::Beam beam(of_.model.spindle->shaft, places);
   std::vector<ModesAtSpeed> speeds(12);
   for (std::size_t k = 0; k < speeds.size(); ++k) {
     ModesAtSpeed& m = speeds[k];
     m.speed = 1000.0 * static_cast<double>(k) * rpm;
-    m.sets = sets.at({.speed = m.speed}, false);
-    m.springs = spindle::bearing_springs(sets.arrangement(), places, m.sets.bearings);
+    m.sets = mounted.at({.speed = m.speed}, false);
+    m.springs = spindle::bearing_springs(mounted.arrangement(), places, m.sets.bearings);
     m.modes = spindle::find_modes(beam, m.springs, m.speed);
   }
-  const json d = document_of(modes_report(of_, sets.arrangement(), beam, places, false, speeds));
+  const json d = document_of(modes_report(of_, mounted.arrangement(), beam, places, false, speeds));
   EXPECT_EQ(d["kind"], "modes");
-  EXPECT_EQ(d["results"], json::parse(campbell_json(sets.arrangement(), speeds, of_.file)));
+  EXPECT_EQ(d["results"], json::parse(campbell_json(mounted.arrangement(), speeds, of_.file)));
   ASSERT_EQ(d["shapes"].size(), 8u);
   EXPECT_EQ(d["shapes"].front()["speed_rpm"], 0.0);
   EXPECT_NEAR(d["shapes"].back()["speed_rpm"].get<double>(), 11000.0, 1e-9);
@@ -126,12 +126,12 @@ TEST_F(SpindleReport, OfModesHasTheRowsOfItsJsonAndShapesOfSlowestAndFastest) {
 }
 
 TEST_F(SpindleReport, OfAShaftWithoutBalanceHasNoLine) {
-  spindle::SetsOfSpindle sets(of_.model);
+  spindle::SetsOfSpindle mounted(of_.model);
   const std::vector<double> places = spindle::bearing_places(*of_.model.spindle);
   const spindle::Beam beam(of_.model.spindle->shaft, places);
   const DeflectionResult none{.force = 1e7, .sets = {}, .shaft = {}};
   const json d =
-      document_of(deflection_report(of_, sets.arrangement(), beam, places, false, none, {}, {}));
+      document_of(deflection_report(of_, mounted.arrangement(), beam, places, false, none, {}, {}));
   EXPECT_EQ(d["kind"], "deflection");
   EXPECT_TRUE(d["line"].empty());
   EXPECT_TRUE(d["results"]["displacement_um"].is_null());
