@@ -46,7 +46,7 @@ struct SleeveCoolant {
 
   static void spindle(std::span<const double> values, SpindleCondition& c) {
     c.sleeve_conductance += values[0];
-    c.sleeve_reach = values[1];
+    if (values[0] > 0.0) c.sleeve_reach = values[1];  // of no sleeve it says nothing
   }
 };
 

@@ -50,7 +50,7 @@ TEST(SpindleSection, ShortestFileHasEveryDefaultNamed) {
        {"bearing.lubricant_conductance_W_K = 1.5 (default)",
         "spindle.preload_feedback = true (default)", "shaft.conductivity_W_mK = 42 (default)",
         "housing.flange_conductance_W_K = 4 (default)",
-        "seat.collar_conductance_W_m2K = 6000 (default)", "ambient.emissivity = 0.85 (default)",
+        "seat.collar_conductance_W_m2K = 8000 (default)", "ambient.emissivity = 0.85 (default)",
         "solver.cells = \"medium\" (default)", "rig.model_floor_K = 0.5 (default)",
         "rig.model_floor_um = 1 (default)"})
     EXPECT_THAT(file.defaults, Contains(one));
