@@ -78,4 +78,12 @@ double Lubricant::kinematic_viscosity(double temperature) const {
   return viscosity_of_z(z) * mm2_per_s;
 }
 
+double Lubricant::viscosity_slope(double temperature) const {
+  const double log_z = std::exp(offset_ - slope_ * std::log(temperature));
+  const double z = std::exp(log_z);
+  const double nu = viscosity_of_z(z);
+  const double z_of_nu = 1.0 - (1.84 + 1.02 * nu) * thin_oil_term(nu);  // dZ/dν
+  return z * log_z * slope_ / (temperature * z_of_nu * nu);
+}
+
 }  // namespace raceway::friction

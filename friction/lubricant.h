@@ -38,6 +38,8 @@ class Lubricant {
   Lubricant(double viscosity_40C, double viscosity_100C);
 
   [[nodiscard]] double kinematic_viscosity(double temperature) const;
+  /// -d ln ν/dT [1/K], the derivative of the first line; positive in its domain.
+  [[nodiscard]] double viscosity_slope(double temperature) const;
   [[nodiscard]] double viscosity_40C() const { return viscosity_40C_; }    ///< [m²/s]
   [[nodiscard]] double viscosity_100C() const { return viscosity_100C_; }  ///< [m²/s]
 
