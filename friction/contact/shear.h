@@ -1,0 +1,111 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "friction/contact/roelands.h"
+#include "record/units.h"
+
+namespace raceway::friction::contact {
+
+/// Shear stress at one point of a contact that slides at speed v, as traction.h needs it: τ(v)/v,
+/// finite at v = 0, and dτ/dv [Pa s/m]. A law below is asked once for a pressure, at_pressure(p),
+/// and what it returns for any number of speeds.
+struct ShearResponse {
+  double secant;   ///< τ/v
+  double tangent;  ///< dτ/dv, from 0 to the secant
+};
+
+/// Film that shears as oil does, with asperities that carry a share of the load [Pa].
+///
+///   τ = (1 - φ) min(τ0 asinh(η(p) v/(h_c τ0)), Γ p) + φ μ p v/sqrt(v² + ε²)
+///
+/// τ0 Eyring's stress, Γ the limiting traction, φ of asperity_share(), μ of boundary friction, ε a
+/// speed far below any slip that matters, which makes the direction of τ smooth where v changes
+/// sign: 1e-6 of the rolling speed.
+/// Source:   Eyring's law with a limiting stress, as in textbooks [Hamrock1994], print not seen;
+///           η(p) Roelands.
+/// Domain:   v >= 0, p >= 0, h_c > 0; φ = 1 takes no film at all (standstill).
+/// Accuracy: level of a film under 1 GPa 30 %; in bearings of full film the oil's rolling
+///           resistance is some 98 % of friction, and this the rest.
+struct FilmShear {
+  Roelands viscosity;
+  double film;               ///< h_c [m]
+  double eyring_stress;      ///< τ0 [Pa]
+  double limiting_traction;  ///< Γ [1]
+  double asperity_share;     ///< φ [1]
+  double boundary_friction;  ///< μ [1]
+  double small_speed;        ///< ε [m/s]
+
+  /// Steeper than any film that is not limited [s/m]; keeps what Roelands makes of absurd pressures
+  /// a number.
+  static constexpr double glass = 1e30;
+
+  struct Point {
+    double film_share, eyring_stress, steepness, limit, boundary, small_speed2;
+
+    [[nodiscard]] ShearResponse operator()(double speed2) const {
+      const double root = speed2 + small_speed2;
+      const double edge = root > 0.0 ? boundary / std::sqrt(root) : 0.0;
+      ShearResponse r{edge, edge * (root > 0.0 ? small_speed2 / root : 0.0)};
+      if (!(film_share > 0.0)) return r;
+      const double speed = std::sqrt(speed2);
+      const double x = steepness * speed;
+      if (x < 1e-4) {  // asinh(x)/x = 1 - x²/6 + ..., to rounding
+        const double newton = film_share * eyring_stress * steepness;
+        r.secant += newton * (1.0 - x * x / 6.0);
+        r.tangent += newton * (1.0 - x * x / 2.0);
+        return r;
+      }
+      const double length = std::sqrt(1.0 + x * x);
+      const double stress = eyring_stress * std::log(x + length);
+      const bool limited = stress > limit;
+      r.secant += film_share * (limited ? limit : stress) / speed;
+      r.tangent += limited ? 0.0 : film_share * eyring_stress * steepness / length;
+      return r;
+    }
+  };
+
+  [[nodiscard]] Point at_pressure(double pressure) const {
+    const bool any_film = asperity_share < 1.0 && film > 0.0;
+    return {
+        .film_share = any_film ? 1.0 - asperity_share : 0.0,
+        .eyring_stress = eyring_stress,
+        .steepness = any_film ? std::min(viscosity(pressure) / (film * eyring_stress), glass) : 0.0,
+        .limit = limiting_traction * pressure,
+        .boundary = asperity_share * boundary_friction * pressure,
+        .small_speed2 = small_speed * small_speed};
+  }
+};
+
+/// Dry friction, τ = μ p v/sqrt(v² + ε²): the limit of FilmShear at φ = 1, with closed forms.
+struct CoulombShear {
+  double friction_coefficient;  ///< μ [1]
+  double small_speed;           ///< ε [m/s], > 0
+
+  struct Point {
+    double stress, small_speed2;
+    [[nodiscard]] ShearResponse operator()(double speed2) const {
+      const double root = speed2 + small_speed2;
+      const double secant = stress / std::sqrt(root);
+      return {secant, secant * small_speed2 / root};
+    }
+  };
+  [[nodiscard]] Point at_pressure(double pressure) const {
+    return {friction_coefficient * pressure, small_speed * small_speed};
+  }
+};
+
+/// A film of one viscosity, τ = η v/h: the limit of FilmShear at small v, with closed forms.
+struct NewtonShear {
+  double viscosity;  ///< [Pa s]
+  double film;       ///< [m]
+
+  struct Point {
+    double slope;
+    [[nodiscard]] ShearResponse operator()(double) const { return {slope, slope}; }
+  };
+  [[nodiscard]] Point at_pressure(double) const { return {viscosity / film}; }
+};
+
+}  // namespace raceway::friction::contact
