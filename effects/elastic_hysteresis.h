@@ -1,41 +1,15 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
-#include "bearing/material.h"
 #include "effects/ball_sum.h"
 #include "effects/effect.h"
+#include "friction/contact/hysteresis.h"
 
 namespace raceway::effects {
 
-/// Rolling moment of one contact whose steel does not give back all of its deformation [N m].
-///
-///   M_h = 7.48e-7 (D/2)^0.33 Q^1.33 (1 - 3.519e-3 (R_z/R_x - 1)^0.8063) (E'_s/E')^(1/3)
-///
-/// Dimensional as published: [N m, m, N]. R_x and R_z are the equivalent radii in and across the
-/// rolling direction; E' is the modulus of the contact, E'_s that of steel on steel.
-/// Source:   [Houpert2002] as [Balan2015, eq. 9] quotes it; neither print was seen here, the
-///           equation of Balan was taken from notes on its text; a public ball screw program has
-///           k = R_y/R_x in the same formula. The last factor is derived: a loss in proportion to
-///           the elastic work is M_h = (3/16) α Q b, and b goes with (Q R_x/E')^(1/3) at a given
-///           shape. So one loss factor α of some per cent serves steel and ceramic balls alike,
-///           which is an assumption; the factor is exactly 1 for steel.
-/// Domain:   Q >= 0, R_z >= R_x. The bracket is an approximation that falls to zero at R_z/R_x =
-///           1100, in grooves of f < 0.5006; none beyond, so that rolling never gains power.
-/// Trap:     R_z/R_x is a ratio of radii (25 to 33 at f = 0.52), not that of the ellipse (7 to 9).
-[[nodiscard]] inline double hysteresis_moment(double ball_diameter, double load,
-                                              double radius_ratio, double contact_modulus) {
-  const double shape = 1.0 - 3.519e-3 * std::pow(radius_ratio - 1.0, 0.8063);
-  const bearing::Material steel = bearing::steel();
-  const double compliance =
-      (1.0 - steel.poisson_ratio * steel.poisson_ratio) / steel.elastic_modulus;
-  const double steel_modulus = 1.0 / (compliance + compliance);
-  return 7.48e-7 * std::pow(0.5 * ball_diameter, 0.33) * std::pow(load, 1.33) *
-         std::max(shape, 0.0) * std::cbrt(steel_modulus / contact_modulus);
-}
+using friction::contact::hysteresis_moment;
 
 /// Friction moment of the rolling contacts that lose by hysteresis [N m].
 ///
