@@ -18,7 +18,7 @@ struct SlidingEllipse {
   double load = unset;             ///< Q [N]
   double semi_major_axis = unset;  ///< a, along y [m]
   double semi_minor_axis = unset;  ///< b, along x [m]
-  /// Curvature of the sliding by rolling in a groove, ω_roll/(2 R), R = 2 f D/(2 f + 1) [1/(m s)].
+  /// Curvature of the sliding by rolling in a groove, ω_roll/(2 R), R by contact_shape.h [1/(m s)].
   double differential = 0.0;
   double spin = 0.0;  ///< ω_s, rotation about the normal [rad/s]
 
@@ -26,12 +26,6 @@ struct SlidingEllipse {
     return 1.5 * load / (pi * semi_major_axis * semi_minor_axis);
   }
 };
-
-/// Radius to which ball and groove are pressed across rolling, R = 2 f D/(2 f + 1) [m].
-/// Source: [Harris2006, vol. 2, ch. 5], harmonic mean of both radii. Domain: f > 0.
-[[nodiscard]] inline double pressed_radius(double conformity, double ball_diameter) {
-  return 2.0 * conformity * ball_diameter / (2.0 * conformity + 1.0);
-}
 
 /// Velocity of sliding at the centre of an ellipse [m/s].
 struct CentreSlip {
