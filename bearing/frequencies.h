@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cmath>
+
+#include "bearing/bearing_equilibrium.h"
+#include "bearing/kinematics.h"
+
+namespace raceway::bearing {
+
+/// Frequencies at which a damaged part of a bearing is heard, per shaft revolution [1]. Times the
+/// shaft's revolutions per second they are in Hz.
+struct BearingFrequencies {
+  double cage = unset;        ///< FTF, fundamental train: ω_m/ω, outer ring still
+  double outer_race = unset;  ///< BPFO, balls over a point of the outer race: Z m
+  double inner_race = unset;  ///< BPFI, balls over a point of the inner race: Z (1 - m)
+  double ball_spin = unset;   ///< BSF, revolutions of a ball about its axis, in the cage: ω_R/ω;
+                              ///< a spot on the ball strikes at twice that
+  [[nodiscard]] bool operator==(const BearingFrequencies&) const = default;
+};
+
+/// From one contact angle at both races, as catalogues print them.
+///
+///   FTF = (1 - g cos α)/2,   BSF = (1 - g² cos² α)/(2 g),   g = D/d_m
+///
+/// Source: rolling without slip; the limit of ball_speeds() at αi = αo, BSF the share of its ω_R
+/// that rolls, ω_R cos(α - β) (tested). Domain: g cos α < 1.
+[[nodiscard]] inline BearingFrequencies nominal_frequencies(const BearingGeometry& g,
+                                                            double contact_angle) {
+  const double ratio = g.diameter_ratio(), x = ratio * std::cos(contact_angle);
+  const double cage = 0.5 * (1.0 - x);
+  return {.cage = cage,
+          .outer_race = g.ball_count * cage,
+          .inner_race = g.ball_count * (1.0 - cage),
+          .ball_spin = 0.5 * (1.0 - x * x) / ratio};
+}
+
+/// From the balls as they run, at their own contact angles: the mean over all balls, which one cage
+/// makes of the orbits that differ under radial load.
+///
+/// Domain: converged equilibrium with a loaded ball, else NaN; at standstill the limit of slow
+/// rotation. A ball that touches no race says nothing.
+[[nodiscard]] inline BearingFrequencies running_frequencies(const Bearing& bearing,
+                                                            const BearingEquilibrium& equilibrium,
+                                                            RaceControl control) {
+  if (!equilibrium.report.converged()) return {};
+  double cage = 0.0, spin = 0.0, count = 0.0;
+  const Balls& balls = equilibrium.balls;
+  for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
+    if (!(balls.distinct()[k].outer_load > 0.0)) continue;
+    const BallSpeeds v = equilibrium.speeds(k, bearing, 1.0, control);
+    cage += balls.weight(k) * v.cage_speed;
+    spin += balls.weight(k) * v.ball_speed;
+    count += balls.weight(k);
+  }
+  cage /= count;
+  const double Z = bearing.geometry().ball_count;
+  return {.cage = cage,
+          .outer_race = Z * cage,
+          .inner_race = Z * (1.0 - cage),
+          .ball_spin = spin / count};
+}
+
+}  // namespace raceway::bearing
