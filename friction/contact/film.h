@@ -29,7 +29,7 @@ struct Film {
 ///   h_min/R_x = 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k))
 ///   U = η u/(E' R_x),   G = α E',   W = Q/(E' R_x²),   k = a/b, of the exact ellipse
 ///
-/// Source:   Hamrock and Dowson 1977 [Hamrock1994]; read in several public programs, which agree.
+/// Source:   [HamrockDowson1977]; read in several public programs, which agree.
 /// Domain:   Q > 0, rolling along the short axis; zero at standstill. Fitted for U from 1e-12 to
 ///           1e-11 about, W from 1e-7 to 1e-6, k from 1 to 8; spindle bearings exceed U tenfold.
 /// Accuracy: the formula to rounding; against measured films 10 to 20 %.
@@ -71,7 +71,7 @@ struct Film {
 ///   minimum  ((m - 1)/(m* - 1))^0.25,   m* = 1 + 3.34 ((R_x/b)² H_min)^0.56,   H = h/R_x
 ///
 /// m = distance of the oil's edge from the centre over b; H of the isothermal flooded film.
-/// Source:   Hamrock and Dowson 1977, part 4, from memory; no print or program was found to check.
+/// Source:   [HamrockDowson1977, part 4], from memory; no print or program was found to check.
 /// Domain:   m > 1; 1 where m >= m*, so that a film is never thicker than the flooded one.
 struct StarvationFactors {
   double central = 1.0, minimum = 1.0;
@@ -108,7 +108,7 @@ struct AsperityLaw {
 ///
 ///   φ = exp(-B Λ^C)
 ///
-/// Source:   Zhou and Hoeprich 1991, print not seen. The form is read in a published simulation of
+/// Source:   [ZhouHoeprich1991], print not seen. The form is read in a published simulation of
 ///           roller bearings, with B = 2.32, C = 0.97 for its raceways: both belong to the surface.
 ///           1.8 and 1.2 are from memory.
 /// Domain:   Λ >= 0. Accuracy: a factor of 2 of φ between finishes at Λ about 1.

@@ -33,8 +33,8 @@ struct OilDefaults {
   double pressure_viscosity_t;  ///< t [1]
 };
 
-/// Source:   textbook values of each kind, s and t by Gold et al. (Industrial Lubrication and
-///           Tribology 53 (2001)); all from memory, no print was seen.
+/// Source:   textbook values of each kind, s and t by [Gold2001]; all from memory, no print
+///           was seen.
 /// Accuracy: density 3 %, conductivity and α 15 %, limiting traction 30 % (it moves the torque of a
 ///           spindle bearing by less than 0.1 % below about 1.2 GPa).
 [[nodiscard]] constexpr OilDefaults oil_defaults(OilType type) {
@@ -65,7 +65,7 @@ inline constexpr double density_slope = 6.5e-4;
 ///
 ///   α = s ν^t,   α [1/GPa], ν [mm²/s]; converted here
 ///
-/// Source:   Gold et al. 2001, from memory, print not seen. Domain: ν > 0.
+/// Source:   [Gold2001], from memory, print not seen. Domain: ν > 0.
 /// Accuracy: 15 % for oils of one kind; 4 % of friction at most.
 [[nodiscard]] inline double pressure_viscosity(OilType type, double kinematic_viscosity) {
   const OilDefaults oil = oil_defaults(type);

@@ -40,7 +40,7 @@ struct RollingEllipse {
 ///             EHL = 1.544 β^(1/3) κ^-0.577 U^0.656 W^0.466 G^0.022
 ///
 /// with U, W, β, κ, M of moes_load(), G = α E'. Its power is rolling_power().
-/// Source:   Biboulet and Houpert, Proc. IMechE J 224 (2010) 777, part 2, eqs. 28 to 32; the
+/// Source:   [BibouletHoupert2010, part 2, eqs. 28 to 32]; the
 ///           limited inlet is Houpert's law of 1987; [Balan2015, eqs. 1 to 5] agrees. Read as text,
 ///           the layout of the print not seen.
 /// Domain:   Q > 0; zero at standstill, where its slope is infinite and is given as zero.
@@ -83,7 +83,7 @@ struct RollingEllipse {
 ///
 ///   φ = 1/(1 + 0.29 L^0.78),   L of thermal_loading()
 ///
-/// Source:   Aihara 1987, on tapered rollers, read in a published report; print not seen.
+/// Source:   [Aihara1987], on tapered rollers, read in a published report; print not seen.
 /// Domain:   L >= 0; 1 at L = 0. Measured up to L about 5; spindle bearings reach 10, where this is
 ///           an extrapolation that takes two thirds of the rolling force.
 [[nodiscard]] inline double thermal_rolling_factor(double loading) {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "bearing/geometry.h"
+
+/// How long a bearing lasts: ratings and lives of ISO 281 and ISO/TS 16281.
+namespace raceway::life {
+
+/// Factor f_c of the dynamic rating of radial and angular contact ball bearings of one row [1], as
+/// function of γ = D cos α/d_m, linear between hundredths.
+///
+/// Source:   [ISO281, table 2], print not seen; two transcripts that agree were read.
+/// Domain:   γ from 0.01 to 0.40; no number outside.
+/// Trap:     it belongs to grooves of f_i <= 0.52, f_o <= 0.53. Closer ones do not raise it; wider
+///           ones lower the true rating, which the standard leaves to ISO/TR 1281-1.
+[[nodiscard]] double rating_factor(double gamma);
+
+/// Dynamic radial load rating of one row of balls [N]: what 90 % of bearings carry for a million
+/// revolutions.
+///
+///   C = 1.3 f_c cos^0.7 α Z^(2/3) D^1.8              D <= 25.4 mm
+///   C = 1.3 f_c cos^0.7 α Z^(2/3) 3.647 D^1.4        D >  25.4 mm
+///
+/// Dimensional as published: D [mm], C [N]; converted here. α is the nominal contact angle.
+/// Source:   [ISO281, eqs. 1, 2, table 1 for 1.3], print not seen; read in transcripts.
+/// Domain:   α from 0 to 45 deg (a radial bearing) and γ of rating_factor(); no number outside.
+/// Accuracy: the formula to rounding; catalogues of good steel print up to 15 % more.
+[[nodiscard]] double dynamic_load_rating(const bearing::BearingGeometry& geometry);
+
+/// Steepest contact angle that counts as a radial bearing [rad].
+inline constexpr double steepest_radial_angle = 45.0 * degree;
+
+}  // namespace raceway::life

@@ -1,0 +1,43 @@
+#pragma once
+
+namespace raceway::life {
+
+/// Viscosity that a bearing asks for [m²/s].
+///
+///   ν1 = 45000 n^-0.83 d_m^-0.5     n < 1000 rpm
+///   ν1 = 4500 n^-0.5 d_m^-0.5       n >= 1000 rpm
+///
+/// Dimensional as published: ν1 [mm²/s], n [rpm], d_m [mm]; converted here.
+/// Source:   [ISO281, eqs. 28, 29], print not seen; read in two texts. The lines differ by 2.3 % at
+///           1000 rpm, as printed. Makers' diagrams read up to 16 % lower.
+/// Domain:   speed > 0; infinite at standstill.
+[[nodiscard]] double rated_viscosity(double speed, double pitch_diameter);
+
+/// κ = ν/ν1 [1].
+[[nodiscard]] double viscosity_ratio(double kinematic_viscosity, double speed,
+                                     double pitch_diameter);
+
+/// Life modification factor of radial ball bearings [1].
+///
+///   a_ISO = 0.1 (1 - (2.5671 - c κ^-p)^0.83 (e_C C_u/P)^(1/3))^-9.3, 50 at most
+///     0.1 <= κ < 0.4    c = 2.2649, p = 0.054381
+///     0.4 <= κ < 1      c = 1.9987, p = 0.19087
+///     1 <= κ <= 4       c = 1.9987, p = 0.071739;   κ above 4 counts as 4
+///
+/// `fatigue_ratio` = e_C C_u/P: cleanliness e_C from 0 to 1, fatigue load over equivalent load.
+/// Source:   [ISO281, eqs. 31 to 33], print not seen; read in two texts. One public program has p =
+///           0.019087 in the middle line, a misprint: its line would not meet the others.
+/// Domain:   κ >= 0.1, no number below; fatigue_ratio >= 0. Steel; undefined for hybrid bearings,
+///           whose makers take the same.
+[[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
+
+/// Factor a1 of a reliability [%] on a life of 90 % [1], linear between the printed values.
+///
+/// Source:   [ISO281:2007, table 12], from memory; no print or transcript was found to check.
+/// Domain:   90 to 99.95 %; no number outside.
+[[nodiscard]] double reliability_factor(double reliability_percent);
+
+/// Hours of a life in millions of revolutions at a speed [rad/s]; infinite at standstill.
+[[nodiscard]] double life_hours(double million_revolutions, double speed);
+
+}  // namespace raceway::life

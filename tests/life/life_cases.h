@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bearing/bearing.h"
+
+namespace raceway::life {
+
+/// Cases of data/reference/contact_reference.json whose ids begin so, whatever their number.
+inline std::vector<nlohmann::json> life_cases(std::string_view beginning) {
+  static const nlohmann::json file = [] {
+    std::ifstream in(RACEWAY_SOURCE_DIR "/data/reference/contact_reference.json");
+    return nlohmann::json::parse(in);
+  }();
+  std::vector<nlohmann::json> found;
+  for (const nlohmann::json& c : file.at("cases"))
+    if (c.at("id").get<std::string>().starts_with(beginning)) found.push_back(c);
+  if (found.empty()) throw std::runtime_error("no case begins with " + std::string(beginning));
+  return found;
+}
+
+/// `value` is that of `expected` within a share of it.
+inline void expect_share(double value, double expected, double tolerance,
+                         const std::string& where) {
+  EXPECT_NEAR(value, expected, tolerance * std::abs(expected)) << where;
+}
+
+/// A spindle bearing of 7014 size.
+inline bearing::BearingGeometry spindle_geometry() {
+  return {.ball_count = 18,
+          .ball_diameter = 12.7 * mm,
+          .pitch_diameter = 90 * mm,
+          .contact_angle = 25 * degree,
+          .inner_conformity = 0.525,
+          .outer_conformity = 0.515};
+}
+
+}  // namespace raceway::life
