@@ -6,10 +6,10 @@
 #include "bearing/bearing_equilibrium.h"
 #include "friction/contact/contact_shape.h"
 #include "friction/contact/film.h"
+#include "friction/contact/film_traction.h"
 #include "friction/contact/hysteresis.h"
 #include "friction/contact/oil.h"
 #include "friction/contact/rolling.h"
-#include "friction/contact/traction.h"
 #include "friction/skf.h"
 
 namespace raceway::friction::contact {
@@ -116,7 +116,7 @@ struct RaceFriction {
                           .asperity_share = c.asperity_share,
                           .boundary_friction = law.boundary_friction,
                           .small_speed = 1e-6 * motion.surface_speed};
-    const Traction traction = rolling_traction(ContactField<FilmShear>(ellipse, shear));
+    const Traction traction = film_traction(ellipse, shear);
     c.sliding = traction.power;
     c.mean_friction = traction.mean_friction;
     c.mean_slip = traction.mean_slip * film_speed;

@@ -140,21 +140,23 @@ struct Traction {
 
 /// Zero of a function that grows, by Newton's method kept inside a bracket; a step that does not
 /// halve the value is replaced by bisection, as dry friction turns within a millionth of a slip.
-/// value(v) returns {value, slope, size}; done where |value| <= 1e-11 size or no number lies
-/// between.
+/// value(v) returns {value, slope, size}; done where |value| <= tolerance size, or where the
+/// bracket is as narrow as `tolerance` of the first.
 struct GrowingValue {
   double value, slope, size;
 };
 template <class Value>
-[[nodiscard]] bool find_zero(const Value& value, double low, double high, double& v) {
+[[nodiscard]] bool find_zero(const Value& value, double low, double high, double& v,
+                             double tolerance = 1e-11) {
+  const double narrow = tolerance * (high - low);
   double before = std::numeric_limits<double>::infinity();
   for (int step = 0; step < 200; ++step) {
     const GrowingValue f = value(v);
-    if (std::abs(f.value) <= 1e-11 * f.size) return true;
+    if (std::abs(f.value) <= tolerance * f.size) return true;
     (f.value > 0.0 ? high : low) = v;
     const double newton = v - f.value / f.slope;
     const double middle = 0.5 * (low + high);
-    if (!(middle > low && middle < high)) return true;
+    if (!(high - low > narrow && middle > low && middle < high)) return true;
     const bool good = newton > low && newton < high && std::abs(f.value) < 0.5 * before;
     before = std::abs(f.value);
     v = good ? newton : middle;
@@ -227,9 +229,5 @@ template <class Field>
   const bool held = find_zero(value, 0.0, high, creep);
   return traction_at(field, slip, true, found && held);
 }
-
-/// Points that serve one contact of a bearing.
-template <class Shear>
-using ContactField = TractionField<Shear, 16, 24>;
 
 }  // namespace raceway::friction::contact

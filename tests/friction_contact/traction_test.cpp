@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "friction/contact/film_traction.h"
 #include "tests/friction_contact/contact_cases.h"
 
 namespace raceway::friction::contact {
@@ -124,7 +125,7 @@ TEST(Traction, OfOneViscosityIsTheClosedFormWithAnyNumberOfPoints) {
 
 TEST(Traction, OfBothSlidingsIsLessThanTheSumOfEach) {
   const auto power = [](const SlidingEllipse& e) {
-    return rolling_traction(ContactField<FilmShear>(e, film_shear(3e-7, 0.2))).power;
+    return rolling_traction(TractionField<FilmShear, 16, 24>(e, film_shear(3e-7, 0.2))).power;
   };
   SlidingEllipse spin = sample, differential = sample;
   spin.differential = 0.0;
@@ -134,7 +135,7 @@ TEST(Traction, OfBothSlidingsIsLessThanTheSumOfEach) {
 }
 
 TEST(Traction, OfTheHalfIsThatOfTheWholeWhereNothingIsHeldAcross) {
-  const ContactField<FilmShear> field(sample, film_shear(3e-7, 0.2));
+  const TractionField<FilmShear, 16, 24> field(sample, film_shear(3e-7, 0.2));
   const TractionSums half = field.sums({-0.01, 0.0}, false), whole = field.sums({-0.01, 0.0}, true);
   EXPECT_NEAR(half.power, whole.power, 1e-12 * whole.power);
   EXPECT_NEAR(half.along, whole.along, 1e-12 * whole.force);
@@ -180,13 +181,49 @@ TEST(Traction, TakesPowerAndNeverGivesItInTenThousandStates) {
     FilmShear shear = film_shear(between(1e-9, 3e-6), i % 3 == 0 ? 0.0 : between(1e-6, 1.0));
     shear.viscosity = Roelands(between(1e-3, 1.0), between(5e-9, 4e-8));
     shear.small_speed = 1e-6 * between(1e-3, 60.0);
-    const TractionField<FilmShear, 10, 16> field(e, shear);
-    const Traction t = rolling_traction(field);
+    const Traction t = film_traction(e, shear);
     ASSERT_TRUE(t.converged) << i;
     ASSERT_TRUE(t.power >= 0.0 && std::isfinite(t.power)) << i;
     ASSERT_LE(t.mean_friction, 0.1 + 1e-12) << i;
     ASSERT_GE(t.slip.along, -e.differential * e.semi_major_axis * e.semi_major_axis) << i;
     ASSERT_LE(t.slip.along, 0.0) << i;
+  }
+}
+
+TEST(Traction, SideBySideIsThatOfThePlainVersion) {
+  std::mt19937_64 random(11);
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<>()(random));
+  };
+  for (int i = 0; i < 600; ++i) {
+    SlidingEllipse e = sample;
+    e.load = between(1.0, 3000.0);
+    e.differential *= between(1e-3, 10.0);
+    e.spin = i % 4 == 0 ? 0.0 : between(0.1, 5e3);
+    FilmShear shear =
+        film_shear(i % 5 == 0 ? 0.0 : between(1e-8, 2e-6), i % 3 == 0 ? 0.0 : between(1e-4, 1.0));
+    if (i % 5 == 0) shear.asperity_share = 1.0;
+    const Traction fast = film_traction(e, shear);
+    const Traction plain = e.spin == 0.0
+                               ? rolling_traction(TractionField<FilmShear, 16, 24>(e, shear))
+                               : rolling_traction(TractionField<FilmShear, 12, 16>(e, shear));
+    ASSERT_TRUE(fast.converged && plain.converged) << i;
+    ASSERT_NEAR(fast.power, plain.power, 1e-6 * plain.power) << i;
+    ASSERT_NEAR(fast.spin_moment, plain.spin_moment, 1e-4 * plain.mean_friction * e.load * 6e-4);
+    ASSERT_NEAR(fast.mean_slip, plain.mean_slip, 1e-4 * plain.mean_slip) << i;
+    // |τ| turns within the small speed of asperities, which is below the 1e-6 of v_x0.
+    ASSERT_NEAR(fast.mean_friction, plain.mean_friction, 5e-3 * plain.mean_friction) << i;
+  }
+}
+
+TEST(Traction, OfAContactThatDoesNotSlideIsNothing) {
+  SlidingEllipse e = sample;
+  e.spin = e.differential = 0.0;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const Traction t = film_traction(e, film_shear(3e-7, share));
+    EXPECT_TRUE(t.converged);
+    EXPECT_EQ(t.power, 0.0);
+    EXPECT_EQ(t.mean_slip, 0.0);
   }
 }
 
@@ -196,7 +233,7 @@ TEST(Traction, IsSmoothInSpinAndLoad) {
   const auto log_power = [](double factor, bool spin) {
     SlidingEllipse e = sample;
     (spin ? e.spin : e.load) *= factor;
-    return std::log(rolling_traction(ContactField<FilmShear>(e, film_shear(3e-7, 0.1))).power);
+    return std::log(film_traction(e, film_shear(3e-7, 0.1)).power);
   };
   for (const bool spin : {true, false})
     for (double x = 0.2; x < 3.0; x *= 1.07) {
