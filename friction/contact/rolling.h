@@ -86,6 +86,8 @@ struct RollingEllipse {
 /// Source:   [Aihara1987], on tapered rollers, read in a published report; print not seen.
 /// Domain:   L >= 0; 1 at L = 0. Measured up to L about 5; spindle bearings reach 10, where this is
 ///           an extrapolation that takes two thirds of the rolling force.
+/// Trap:     above L of about 40 the force of a limited inlet times this falls as the oil grows
+///           thicker (flooded: 300), thick oil at the highest speeds; no one has measured there.
 [[nodiscard]] inline double thermal_rolling_factor(double loading) {
   if (!(loading > 0.0)) return 1.0;
   return 1.0 / (1.0 + 0.29 * std::pow(loading, 0.78));

@@ -143,6 +143,34 @@ TEST(BearingFriction, OfACatalogueScrewSupportIsThatOfTheReference) {
   }
 }
 
+TEST(BearingFriction, OfACatalogueScrewSupportMeetsThePrintWithTheBoundaryFrictionOfTheReference) {
+  for (const auto& c : contact_cases("catalogue_")) {
+    const auto& out = c.at("outputs");
+    if (!out.contains("mu_that_meets_print")) continue;
+    LoadedRun run(c.at("inputs"), bearing::steel(), 0.01);
+    run.law.boundary_friction = out.at("mu_that_meets_print");
+    const double printed = out.at("printed_torque_of_one_Nmm");
+    EXPECT_NEAR(run.friction().moment() / N_mm, printed, 3e-3 * printed) << c.at("id");
+  }
+}
+
+TEST(BearingFriction, StandsOnTheOuterControlOfTheReference) {
+  for (const auto& c : contact_cases("balanced_")) {
+    const auto& in = c.at("inputs");
+    const auto& out = c.at("outputs").at("outer_control");
+    const bool hybrid = in.at("ball") == "nitride";
+    const LoadedRun run(in, hybrid ? bearing::silicon_nitride() : bearing::steel(), in.at("rpm"));
+    const bearing::BallEquilibrium ball = run.equilibrium.balls[0];
+    const bearing::BallSpeeds v =
+        run.equilibrium.speeds(0, run.bearing, run.speed, bearing::RaceControl::outer);
+    const std::string id = c.at("id");
+    EXPECT_NEAR(v.pitch_angle / degree, out.at("beta_deg"), 1e-6) << id;
+    EXPECT_NEAR(ball.inner_contact_angle / degree, out.at("angle_inner_deg"), 1e-6) << id;
+    EXPECT_NEAR(ball.outer_contact_angle / degree, out.at("angle_outer_deg"), 1e-6) << id;
+    EXPECT_NEAR(run.equilibrium.displacement[0] / um, out.at("displacement_um"), 1e-5) << id;
+  }
+}
+
 nlohmann::json spindle_bearing() {
   return nlohmann::json::parse(R"({"geometry": {"D": 0.0127, "dm": 0.09, "Z": 18, "alpha0": 25.0,
     "fi": 0.525, "fo": 0.515}, "Fa": 500.0, "T_C": 40.0, "lubricant": "mineral", "nu40": 22.0,
@@ -203,6 +231,40 @@ TEST(BearingFriction, FactorsActOnTheirPartAlone) {
   EXPECT_LT(run.friction().inner.rolling, other.inner.rolling);
   run.law.inlet_over_b = 1.5;
   EXPECT_LT(run.friction().smallest_film, other.smallest_film);
+}
+
+TEST(BearingFriction, TakesPowerInEveryPartOfTenThousandRandomContacts) {
+  std::mt19937_64 random(3);
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<>()(random));
+  };
+  const nlohmann::json in = spindle_bearing();
+  const bearing::Bearing steel = bearing_of(in.at("geometry"), bearing::steel());
+  for (int i = 0; i < 10000; ++i) {
+    const double nu40 = between(5.0, 500.0) * mm2_per_s;
+    const Lubricant lubricant(nu40, nu40 * between(0.12, 0.3));
+    const OilType type = i % 3 == 0 ? OilType::mineral : i % 3 == 1 ? OilType::pao : OilType::ester;
+    const OilState oil = oil_state(lubricant, {.type = type}, kelvin(between(1.0, 150.0) - 10.0));
+    ContactLaw law;
+    law.supply = i % 2 == 0 ? Inlet::flooded : Inlet::limited;
+    law.replenishment = i % 5 == 0 ? 6e-8 : 0.0;
+    law.inlet_over_b = i % 4 == 0 ? between(1.05, 100.0) : unset;
+    law.composite_roughness = between(0.01, 1.0) * um;
+    const double speed = between(1e-3, 60000.0) * rpm;
+    const bearing::Race race = i % 2 == 0 ? bearing::Race::inner : bearing::Race::outer;
+    const RaceFriction friction = race_friction(steel, race, oil, law, speed);
+    const double rolling = speed * between(1.0, 5.0);
+    const ContactMotion motion{.surface_speed = rolling * 5e-3,
+                               .rolling = rolling,
+                               .spin = i % 7 == 0 ? 0.0 : rolling * between(1e-4, 1.0)};
+    const ContactFriction c = friction.contact(between(0.1, 20e3), motion);
+    ASSERT_TRUE(c.converged) << i;
+    ASSERT_TRUE(std::isfinite(c.power())) << i;
+    ASSERT_GT(c.sliding, 0.0) << i;
+    ASSERT_GE(c.rolling, 0.0) << i;  // none is left where K_rs starves it
+    ASSERT_GT(c.hysteresis, 0.0) << i;
+    ASSERT_LE(c.mean_friction, 0.1 + 1e-9) << i;
+  }
 }
 
 }  // namespace
