@@ -87,6 +87,9 @@ void hold_thrust(const LoadedRun& run, const nlohmann::json& out, const std::str
   contact("p_max_inner_GPa", i.peak_pressure / GPa);
   contact("p_max_outer_GPa", o.peak_pressure / GPa);
   contact("spin_inner_rad_s", i.spin);
+  // What friction must hold against the gyroscopic moment, which a full film cannot.
+  const bearing::BallEquilibrium ball = run.equilibrium.balls[0];
+  contact("holding_coefficient", ball.outer_friction / ball.outer_load);
   contact("mu_mean_inner", i.mean_friction, 5e-3);  // |τ| near the pole, of 12 x 16 points
   contact("slip_mean_inner_m_s", i.mean_slip, 1e-3);
 }
