@@ -7,7 +7,7 @@
 namespace raceway::bearing {
 namespace {
 
-Bearing spindle_bearing() {
+Bearing rolling_bearing() {
   return {{.ball_count = 18,
            .ball_diameter = 12.7 * mm,
            .pitch_diameter = 90 * mm,
@@ -34,7 +34,7 @@ TEST(Frequencies, OfACatalogueAreTheFourFormulas) {
 }
 
 TEST(Frequencies, OfBothRacesAddUpToTheBalls) {
-  const Bearing bearing = spindle_bearing();
+  const Bearing bearing = rolling_bearing();
   for (const double n : {10.0, 5000.0, 20000.0})
     for (const RaceControl control : {RaceControl::outer, RaceControl::inner}) {
       const auto solved = solve_bearing_equilibrium(
@@ -48,7 +48,7 @@ TEST(Frequencies, OfBothRacesAddUpToTheBalls) {
 }
 
 TEST(Frequencies, AtLowSpeedAreThoseOfTheRunningContactAngle) {
-  const Bearing bearing = spindle_bearing();
+  const Bearing bearing = rolling_bearing();
   const auto solved = solve_bearing_equilibrium(bearing, {.axial_load = 500.0});
   const BearingFrequencies running = running_frequencies(bearing, solved, RaceControl::outer);
   const BearingFrequencies nominal =
@@ -61,7 +61,7 @@ TEST(Frequencies, AtLowSpeedAreThoseOfTheRunningContactAngle) {
 }
 
 TEST(Frequencies, AreNoNumbersWithoutABalance) {
-  EXPECT_TRUE(std::isnan(running_frequencies(spindle_bearing(), {}, RaceControl::outer).cage));
+  EXPECT_TRUE(std::isnan(running_frequencies(rolling_bearing(), {}, RaceControl::outer).cage));
 }
 
 }  // namespace
