@@ -53,7 +53,7 @@ TEST(Rolling, IsThatOfTheReference) {
   }
 }
 
-RollingEllipse sample(double load, double speed) {
+RollingEllipse rolling_sample(double load, double speed) {
   const bearing::HertzContact hertz = ellipse_of(7.1e-3, 0.218, 2.286e11);
   return {.inlet = {0.019, 1.52e-8, speed, 2.286e11, 7.1e-3, load},
           .radius_across = 0.218,
@@ -77,7 +77,7 @@ TEST(Rolling, VanishesAtStandstillAndGrowsWithSpeedLoadAndViscosity) {
     EXPECT_EQ(rolling_force(sample(50.0, 0.0), supply), 0.0);
     for (const double u : {1e-3, 0.1, 10.0, 60.0})
       for (const double Q : {1.0, 30.0, 1000.0}) {
-        RollingEllipse e = sample(Q, u);
+        RollingEllipse e = rolling_sample(Q, u);
         const double force = rolling_force(e, supply);
         EXPECT_GT(force, 0.0);
         EXPECT_GT(rolling_force(sample(Q, 1.1 * u), supply), force);
