@@ -65,8 +65,9 @@ RollingEllipse rolling_sample(double load, double speed) {
 TEST(Rolling, GoesFromTheRigidToTheElasticLimitAsTheLoadGrows) {
   // Flooded, 0.77 and 1.8 lines: F/(E' R_x²) over (2a/R_x) goes from U^(2/3) to U^(3/4).
   const auto exponent = [](double load) {
-    const double low = rolling_force(sample(load, 1.0), Inlet::flooded);
-    return std::log(rolling_force(sample(load, 1.001), Inlet::flooded) / low) / std::log(1.001);
+    const double low = rolling_force(rolling_sample(load, 1.0), Inlet::flooded);
+    return std::log(rolling_force(rolling_sample(load, 1.001), Inlet::flooded) / low) /
+           std::log(1.001);
   };
   EXPECT_NEAR(exponent(1e-4), 2.0 / 3.0, 5e-3);
   EXPECT_NEAR(exponent(1e6), 0.75, 5e-3);
@@ -74,14 +75,14 @@ TEST(Rolling, GoesFromTheRigidToTheElasticLimitAsTheLoadGrows) {
 
 TEST(Rolling, VanishesAtStandstillAndGrowsWithSpeedLoadAndViscosity) {
   for (const Inlet supply : {Inlet::flooded, Inlet::limited}) {
-    EXPECT_EQ(rolling_force(sample(50.0, 0.0), supply), 0.0);
+    EXPECT_EQ(rolling_force(rolling_sample(50.0, 0.0), supply), 0.0);
     for (const double u : {1e-3, 0.1, 10.0, 60.0})
       for (const double Q : {1.0, 30.0, 1000.0}) {
         RollingEllipse e = rolling_sample(Q, u);
         const double force = rolling_force(e, supply);
         EXPECT_GT(force, 0.0);
-        EXPECT_GT(rolling_force(sample(Q, 1.1 * u), supply), force);
-        EXPECT_GT(rolling_force(sample(1.1 * Q, u), supply), force);
+        EXPECT_GT(rolling_force(rolling_sample(Q, 1.1 * u), supply), force);
+        EXPECT_GT(rolling_force(rolling_sample(1.1 * Q, u), supply), force);
         e.inlet.viscosity *= 1.1;
         EXPECT_GT(rolling_force(e, supply), force);
       }
