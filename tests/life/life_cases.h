@@ -2,28 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bearing/bearing.h"
+#include "tests/friction_contact/contact_cases.h"
 
 namespace raceway::life {
 
 /// Cases of data/reference/contact_reference.json whose ids begin so, whatever their number.
 inline std::vector<nlohmann::json> life_cases(std::string_view beginning) {
-  static const nlohmann::json file = [] {
-    std::ifstream in(RACEWAY_SOURCE_DIR "/data/reference/contact_reference.json");
-    return nlohmann::json::parse(in);
-  }();
-  std::vector<nlohmann::json> found;
-  for (const nlohmann::json& c : file.at("cases"))
-    if (c.at("id").get<std::string>().starts_with(beginning)) found.push_back(c);
-  if (found.empty()) throw std::runtime_error("no case begins with " + std::string(beginning));
-  return found;
+  return friction::contact::contact_cases(beginning);
 }
 
 /// `value` is that of `expected` within a share of it.
