@@ -63,11 +63,14 @@ class Balls {
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(count_); }
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
+  /// Which of distinct() ball k is like.
+  [[nodiscard]] std::size_t twin(std::size_t k) const {
+    return symmetry_ == Symmetry::thrust                     ? 0
+           : symmetry_ == Symmetry::mirror && 2 * k > size() ? size() - k
+                                                             : k;
+  }
   [[nodiscard]] BallEquilibrium operator[](std::size_t k) const {
-    const std::size_t twin = symmetry_ == Symmetry::thrust                     ? 0
-                             : symmetry_ == Symmetry::mirror && 2 * k > size() ? size() - k
-                                                                               : k;
-    BallEquilibrium ball = distinct_[twin];
+    BallEquilibrium ball = distinct_[twin(k)];
     ball.azimuth = azimuth_of_ball(static_cast<int>(k), count_);
     return ball;
   }

@@ -13,6 +13,7 @@
 #include "io/plausible.h"
 #include "io/spindle_record.h"
 #include "model/ignored_data.h"
+#include "model/steps.h"
 #include "shaft/displacement_rows.h"
 
 namespace raceway::cli {
@@ -78,17 +79,14 @@ void warn_of_ignored_data(const io::ModelFile& file) {
   const std::vector<std::string> ignored = model::ignored_by_friction(file.model, file.written);
   if (ignored.empty()) return;
   const friction::FrictionLaw law = file.model.law;
-  const friction::FrictionLaw other = law == friction::FrictionLaw::palmgren
-                                          ? friction::FrictionLaw::skf
-                                          : friction::FrictionLaw::palmgren;
-  const std::vector<std::string> taken = model::taken_in(other, ignored);
+  const std::vector<std::string> taken = model::taken_in(friction::FrictionLaw::skf, ignored);
+  const bool skf = !taken.empty() && law != friction::FrictionLaw::skf;
   warn(fmt::format(
-      "{}: in the friction torque {} ignores {} and running contact angles; {}an effect of the "
-      "balls, such as spin-friction, takes in all (docs/laws.md)",
+      "{}: in the friction torque {} ignores {}{}; {}law = \"contact\"{} all (docs/laws.md)",
       file.source, friction::name(law), fmt::join(ignored, ", "),
-      taken.empty() ? std::string()
-                    : fmt::format("law = \"{}\" takes in {}, ", friction::name(other),
-                                  fmt::join(taken, ", "))));
+      model::needs_equilibrium(file.model) ? "" : " and running contact angles",
+      skf ? fmt::format("law = \"skf\" takes in {}, ", fmt::join(taken, ", ")) : std::string(),
+      skf ? "" : " takes in"));
 }
 
 io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used) {

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "bearing/arrangement_equilibrium.h"
 #include "bearing/contact_pressure.h"
+#include "bearing/frequencies.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
+#include "cli/contact_statement.h"
 #include "cli/load_notes.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
@@ -14,6 +17,7 @@
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/results.h"
+#include "model/bearing_life.h"
 #include "model/heat_split.h"
 
 namespace raceway::cli {
@@ -75,6 +79,42 @@ void print_balls(const bearing::BearingEquilibrium& e) {
   fmt::print("{}", table.text(terminal_width()));
 }
 
+/// Parts of the torque; beside the first two the heat of the rings.
+void print_friction(const model::Model& model, const model::FrictionPrediction& friction,
+                    const friction::HeatSplit& heat) {
+  fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
+             number(friction.torque / N_mm), number(friction.power_loss));
+  const std::vector<std::string> names = torque_parts(model);
+  const std::vector<double> moments = moments_of_parts(model, friction);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    fmt::print("  {:<17} {:>10} N mm", names[i], number(moments[i] / N_mm));
+    if (i < 2)
+      fmt::print("      {} ring      {:>8} W", i == 0 ? "inner" : "outer",
+                 number(i == 0 ? heat.inner : heat.outer));
+    fmt::print("\n");
+  }
+  if (friction.contacts) fmt::print("{}\n", judgement(*friction.contacts));
+}
+
+void print_life(const model::Model& model, const bearing::OperatingPoint& point,
+                const model::FrictionPrediction& friction) {
+  const bearing::Bearing& bearing = friction.bearing ? *friction.bearing : model.bearing;
+  const model::BearingLife life = bearing_life(model.life, bearing, point, *friction.equilibrium,
+                                               friction.film.kinematic_viscosity);
+  const bearing::BearingFrequencies turns =
+      running_frequencies(bearing, *friction.equilibrium, model.solver.race_control);
+  constexpr double hour = 3600.0;
+  fmt::print("\nbasic life L10      {:>10} h       reference L10r    {:>8} h\n",
+             number(life.basic / hour), number(life.reference / hour));
+  fmt::print("modified life       {:>10} h       a_ISO             {:>8}\n",
+             life.hybrid ? "none" : number(life.modified / hour), number(life.modification));
+  fmt::print("kappa               {:>10}         static safety     {:>8}\n",
+             number(life.viscosity_ratio), number(life.static_safety));
+  fmt::print("cage speed          {:>10} rpm     ball over outer   {:>8} Hz\n",
+             number(turns.cage * point.speed / rpm),
+             number(turns.outer_race * point.speed / (2.0 * pi)));
+}
+
 void print(const model::Model& model, const bearing::OperatingPoint& p,
            const bearing::BearingEquilibrium& e, const model::FrictionPrediction& friction,
            const friction::HeatSplit& heat) {
@@ -96,15 +136,8 @@ void print(const model::Model& model, const bearing::OperatingPoint& p,
              number(pressure.inner / MPa), number(pressure.outer / MPa));
   if (model.solver.tilt == bearing::Tilt::free)
     fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[3] / mrad), number(u[4] / mrad));
-  fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
-             number(friction.torque / N_mm), number(friction.power_loss));
-  fmt::print("  load              {:>10} N mm      inner ring      {:>8} W\n",
-             number(friction.load / N_mm), number(heat.inner));
-  fmt::print("  viscous           {:>10} N mm      outer ring      {:>8} W\n",
-             number(friction.viscous / N_mm), number(heat.outer));
-  for (std::size_t i = 0; i < friction.effects.size(); ++i)
-    fmt::print("  {:<17} {:>10} N mm\n", model.effects[i].description->id,
-               number(friction.effects[i] / N_mm));
+  print_friction(model, friction, heat);
+  print_life(model, p, friction);
 }
 
 io::BandOfResult band_at(const model::Band& band, const bearing::OperatingPoint& point) {
@@ -180,6 +213,7 @@ int run(const SolveFlags& flags) {
                 .inner_pressure = pressure.inner,
                 .outer_pressure = pressure.outer});
     tell(notes.lines());
+    tell(notes_on_state(file.model, bearing, point, friction));
     return done;
   }
   complain(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",

@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <string_view>
 
 #include "bearing/contact_pressure.h"
 #include "cli/load_notes.h"
 #include "io/shaft_results.h"
+#include "model/bearing_life.h"
+#include "model/heat_split.h"
 #include "model/prediction.h"
 
 namespace raceway::cli {
@@ -16,10 +19,14 @@ namespace {
 constexpr std::string_view lost_balls = "lost_balls", inner_pressure = "inner_contact_pressure_MPa",
                            outer_pressure = "outer_contact_pressure_MPa";
 
+/// Beside those of every law; `life_h` is that of ISO/TS 16281.
+constexpr std::array<std::string_view, 8> contact_columns{
+    "film_min_um",       "lambda_min",        "kappa", "pressure_max_GPa", "slip_mean_m_s",
+    "inner_ring_heat_W", "outer_ring_heat_W", "life_h"};
+
 std::vector<std::string> bearing_columns(const model::Model& model) {
-  std::vector<std::string> names{"load_Nmm", "viscous_Nmm"};
-  for (const effects::Effect& e : model.effects)
-    names.push_back(std::string(e.description->id) + "_Nmm");
+  std::vector<std::string> names;
+  for (const std::string& part : torque_parts(model)) names.push_back(part + "_Nmm");
   for (const std::string_view name :
        {std::string_view("power_loss_W"), std::string_view("inner_contact_angle_min_deg"),
         std::string_view("inner_contact_angle_max_deg"),
@@ -27,7 +34,28 @@ std::vector<std::string> bearing_columns(const model::Model& model) {
         std::string_view("outer_contact_angle_max_deg"), inner_pressure, outer_pressure, lost_balls,
         std::string_view("axial_displacement_um")})
     names.emplace_back(name);
+  if (model.law == friction::FrictionLaw::contact)
+    names.insert(names.end(), contact_columns.begin(), contact_columns.end());
   return names;
+}
+
+/// The columns of the contact law of a bearing in balance.
+std::array<double, contact_columns.size()> contact_values(const model::Model& model,
+                                                          const bearing::OperatingPoint& point,
+                                                          const model::FrictionPrediction& p) {
+  const bearing::Bearing& bearing = p.bearing ? *p.bearing : model.bearing;
+  const model::BearingLife life =
+      bearing_life(model.life, bearing, point, *p.equilibrium, p.film.kinematic_viscosity);
+  const bearing::ContactPressure pressure = largest_pressure(bearing, *p.equilibrium);
+  const friction::HeatSplit heat = heat_split(model, point, *p.equilibrium, p);
+  return {p.contacts->friction.smallest_film,
+          p.contacts->friction.smallest_film_ratio,
+          life.viscosity_ratio,
+          std::fmax(pressure.inner, pressure.outer),
+          p.contacts->mean_slip,
+          heat.inner,
+          heat.outer,
+          life.reference};
 }
 
 std::vector<std::string> shaft_columns(const model::Model& model) {
@@ -64,14 +92,12 @@ void fill_shaft_point(const model::Model& model, const shaft::ShaftPrediction& p
   if (!e.bearings.empty()) out.columns[c] = p.displacement;
 }
 
-void fill_bearing_point(const model::Model& model, const model::FrictionPrediction& p,
-                        friction::TablePoint& out) {
+void fill_bearing_point(const model::Model& model, const bearing::OperatingPoint& point,
+                        const model::FrictionPrediction& p, friction::TablePoint& out) {
   out.status = p.status();
   out.friction_moment = p.torque;
   std::size_t c = 0;
-  out.columns[c++] = p.load;
-  out.columns[c++] = p.viscous;
-  for (const double moment : p.effects) out.columns[c++] = moment;
+  for (const double moment : moments_of_parts(model, p)) out.columns[c++] = moment;
   out.columns[c++] = p.power_loss;
   if (!p.equilibrium || !p.equilibrium->report.converged()) return;
   // NaN of lost balls must not spread: fmin and fmax pass over it.
@@ -88,6 +114,8 @@ void fill_bearing_point(const model::Model& model, const model::FrictionPredicti
        {inner_min, inner_max, outer_min, outer_max, pressure.inner, pressure.outer,
         static_cast<double>(p.equilibrium->lost_balls()), p.equilibrium->displacement[0]})
     out.columns[c++] = v;
+  if (p.contacts)
+    for (const double v : contact_values(model, point, p)) out.columns[c++] = v;
 }
 
 }  // namespace
@@ -113,7 +141,8 @@ void fill_table_line(const model::Model& model, std::span<const bearing::Operati
   }
   std::vector<model::FrictionPrediction> predictions(points.size());
   model::predict_sweep(model, points, predictions, true);
-  for (std::size_t i = 0; i < points.size(); ++i) fill_bearing_point(model, predictions[i], out[i]);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    fill_bearing_point(model, points[i], predictions[i], out[i]);
 }
 
 std::vector<std::string> table_notes(const model::Model& model,

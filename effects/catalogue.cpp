@@ -26,6 +26,8 @@ constexpr Description describe() {
   if constexpr (requires { E::channels; }) d.channels = E::channels;
   if constexpr (requires { E::supplies; }) d.supplies = E::supplies;
   if constexpr (requires { E::needs_equilibrium; }) d.needs_equilibrium = E::needs_equilibrium;
+  if constexpr (requires { E::uses_power; }) d.uses_power = E::uses_power;
+  if constexpr (requires { E::within_contacts; }) d.within_contacts = E::within_contacts;
   if constexpr (requires { E::bearing_data; }) d.bearing_data = E::bearing_data;
   if constexpr (requires { E::drags_on_the_rotor; }) d.drags_on_the_rotor = E::drags_on_the_rotor;
   if constexpr (requires { E::base_law; }) d.base_law = E::base_law;

@@ -78,6 +78,12 @@ struct BaseLaw {
       const friction::BearingState<double>& state) const {
     return friction::base_moments<double>(law, state, values);
   }
+  /// What warms the film [N m]: of the contacts all that they lose, of a formula for the bearing as
+  /// a whole its viscous moment.
+  [[nodiscard]] double film_moment(const friction::BearingState<double>& state) const {
+    const friction::BaseMoments<double> base = moments(state);
+    return law == friction::FrictionLaw::contact ? base.load + base.viscous : base.viscous;
+  }
 };
 
 /// What was entered or read, as it is corrected before anything acts on it [SI].
@@ -92,7 +98,7 @@ struct ConditionInputs {
   const bearing::Bearing& bearing;       ///< as entered
   const bearing::OperatingPoint& point;  ///< as entered
   const Record& record;
-  double power;  ///< of the base law at the entered load [W]
+  double power;  ///< of the base law at the entered load [W]; see Description::uses_power
 };
 
 /// What the bearing really sees, as a change of what was entered. Changes of several effects add.
@@ -119,6 +125,7 @@ struct LubricantInputs {
 /// Lubricant at the contacts.
 struct Film {
   double kinematic_viscosity = unset;  ///< [m²/s]
+  double temperature = unset;          ///< [K]
   double viscous_share = 1.0;          ///< what is left of the viscous moment [1]
 };
 
@@ -161,6 +168,10 @@ struct Description {
   /// Supplies of lubricant with which it can be at work; any where empty.
   std::span<const friction::Supply> supplies = {};
   bool needs_equilibrium = false;  ///< looks at ball loads or contact angles
+  bool uses_power = false;         ///< looks at ConditionInputs::power
+  /// Where the contact law has this itself: what stands for it there, in words. Empty where it may
+  /// be added to that law too.
+  std::string_view within_contacts = {};
   /// What it takes in of the bearing beside these, as friction::bearing_data() names it.
   std::span<const std::string_view> bearing_data = {};
   /// Whatever turns on the shaft adds to it. On a rig that coasts down it is the drag on all that,

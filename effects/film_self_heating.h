@@ -11,9 +11,10 @@ namespace raceway::effects {
 
 /// Viscosity of a film that its own friction has warmed [m²/s].
 ///
-///   ν = ν(T_film),   T_film = T + R P(T_film),   P = M0(ν(T_film)) ω
+///   ν = ν(T_film),   T_film = T + R P(T_film),   P = M(ν(T_film)) ω
 ///
-/// M0 is the viscous moment of the base law without other effects on the lubricant. P falls with
+/// M is the viscous moment of the base law without other effects on the lubricant, of the contact
+/// law its whole moment: there the film is what all of it heats. P falls with
 /// temperature, so there is one solution, between T and T + R P(T).
 /// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.
 /// Domain:   speed >= 0, R >= 0. A sensor away from the film reads the same way: that alias cannot
@@ -45,8 +46,9 @@ struct FilmSelfHeating {
     friction::BearingState<double> s = in.state;
     const double outside = s.temperature;
     const auto rise = [&](double temperature) {  // less what its own power gives
+      s.temperature = temperature;
       s.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
-      return temperature - outside - resistance * in.base.moments(s).viscous * s.speed;
+      return temperature - outside - resistance * in.base.film_moment(s) * s.speed;
     };
     double low = outside, f_low = rise(low);
     double high = outside - f_low, f_high = rise(high);  // power there is less than at `low`
@@ -63,6 +65,7 @@ struct FilmSelfHeating {
       f = rise(temperature);
       (f > 0.0 ? high : low) = temperature;
     }
+    film.temperature = temperature;
     film.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
   }
 };

@@ -24,6 +24,8 @@ struct InletShearHeating {
       "as it turns back and gets warm. The film is thinner than the bulk viscosity says, the more "
       "so with speed.";
   static constexpr std::string_view formula = "M0 / (1 + c 1.84e-9 (n d_m)^1.28 nu^0.64)";
+  static constexpr std::string_view within_contacts =
+      "rolling_factor under [friction], of a thermal factor of its own";
   static constexpr std::string_view source = "SKF general catalogue (2006), p. 91-101";
   static constexpr std::array<std::string_view, 4> confused_with{
       "film-self-heating", "shear-thinning", "replenishment-starvation", "viscous-exponent"};

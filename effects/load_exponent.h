@@ -27,6 +27,8 @@ struct LoadExponent {
       "exponent looks like missing physics over the whole range, so it is asked first.";
   static constexpr std::string_view formula =
       "M1 (P0 / 200 N)^e in place of M1; with f1_load = \"F_b\" M1 (F_b / 1000 N)^e";
+  static constexpr std::string_view within_contacts =
+      "rolling_factor under [friction]: its exponents follow from the contacts";
   static constexpr std::string_view source =
       "form of Palmgren's law, Ball and Roller Bearing Engineering, 3rd ed.; range assumed";
   static constexpr std::array<std::string_view, 5> confused_with{

@@ -22,6 +22,7 @@ struct PreloadByOwnHeat {
   static constexpr std::string_view source =
       "steady heat flow, derived; loop of [SteinTu1994], [BossmannsTu1999]";
   static constexpr bool follows_heat = true;
+  static constexpr bool uses_power = true;
 };
 
 /// Axial load of a bearing on a rig that grows with its own heat [N].

@@ -26,6 +26,8 @@ struct ViscousExponent {
       "The exponent 2/3 of speed and viscosity is a mean over many bearings. A slightly wrong "
       "exponent looks like missing physics over the whole range, so it is asked first.";
   static constexpr std::string_view formula = "M0 (nu n / 300000)^e in place of M0";
+  static constexpr std::string_view within_contacts =
+      "rolling_factor under [friction]: its exponents follow from the contacts";
   static constexpr std::string_view source =
       "form of Palmgren's law, Ball and Roller Bearing Engineering, 3rd ed.; range assumed";
   static constexpr std::array<std::string_view, 4> confused_with{

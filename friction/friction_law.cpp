@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "friction/contact/contact_law.h"
+
 namespace raceway::friction {
 namespace {
 
@@ -14,24 +16,30 @@ constexpr std::array skf_parameters{SkfSliding::parameters[0], SkfSliding::param
 
 }  // namespace
 
-std::string_view name(FrictionLaw law) { return law == FrictionLaw::palmgren ? "palmgren" : "skf"; }
+std::string_view name(FrictionLaw law) {
+  return law == FrictionLaw::palmgren ? "palmgren" : law == FrictionLaw::skf ? "skf" : "contact";
+}
 
 std::string_view name(F1Load load) { return load == F1Load::P0 ? "P0" : "F_b"; }
 
 std::optional<FrictionLaw> find_friction_law(std::string_view text) {
-  for (const FrictionLaw law : {FrictionLaw::palmgren, FrictionLaw::skf})
+  for (const FrictionLaw law : all_friction_laws)
     if (text == name(law)) return law;
   return std::nullopt;
 }
 
 std::span<const Parameter> parameters(FrictionLaw law) {
   if (law == FrictionLaw::palmgren) return palmgren_parameters;
-  return skf_parameters;
+  if (law == FrictionLaw::skf) return skf_parameters;
+  return contact::contact_parameters;
 }
+
+bool of_the_lubricant(const Parameter& number) { return number.name == "limiting_traction"; }
 
 std::span<const std::string_view> bearing_data(FrictionLaw law) {
   // The load moments take in all that the other moment does (tests).
   if (law == FrictionLaw::palmgren) return PalmgrenLoad::bearing_data;
+  if (law == FrictionLaw::contact) return {};
   return SkfSliding::bearing_data;
 }
 
@@ -41,7 +49,7 @@ void require_data(FrictionLaw law, const bearing::Bearing& bearing) {
     if (std::isnan(g.static_load_rating))
       throw std::invalid_argument(
           "static_load_rating is missing: the palmgren law needs it, above 0 N");
-  } else if (g.contact_angle <= 0.0) {
+  } else if (law == FrictionLaw::skf && g.contact_angle <= 0.0) {
     throw std::invalid_argument(
         "contact_angle = 0 deg: must be above 0 deg for the skf law, whose constants are those of "
         "angular contact ball bearings");

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 #include "friction/palmgren.h"
 #include "friction/skf.h"
@@ -10,8 +12,11 @@
 
 namespace raceway::friction {
 
-/// The base law of a model: `palmgren` or `skf`.
-enum class FrictionLaw { palmgren, skf };
+/// The base law of a model. `contact` sums friction over the balls in balance
+/// (friction/contact/contact_law.h); the others are formulas for the bearing as a whole.
+enum class FrictionLaw { palmgren, skf, contact };
+inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw::skf,
+                                              FrictionLaw::contact};
 
 [[nodiscard]] std::string_view name(FrictionLaw law);
 /// The law of that name, as files write it.
@@ -21,31 +26,48 @@ enum class FrictionLaw { palmgren, skf };
 [[nodiscard]] std::string_view name(F1Load load);
 
 /// Parameters of the law, in the order in which base_moments() takes their values.
-///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs
+///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs        contact: contact_parameters
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
+
+/// Whether a number of a law is of the lubricant, and stands with it in a file.
+[[nodiscard]] bool of_the_lubricant(const Parameter& number);
 
 /// What the law takes in of a bearing, by the names of the keys of a model file without their
 /// units. All else of it changes no digit of the moments: not a ball's diameter, nor what carries
 /// the load at speed.
 ///   palmgren: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
+///   contact:  everything; the list is empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
+
+/// Looks at the balls, and has no moments without their balance.
+[[nodiscard]] constexpr bool needs_equilibrium(FrictionLaw law) {
+  return law == FrictionLaw::contact;
+}
 
 /// Throws std::invalid_argument if the law needs data that the bearing does not have: C0 for
 /// Palmgren, an angular contact for SKF. Called once per model; the laws do not check.
 void require_data(FrictionLaw law, const bearing::Bearing& bearing);
 
 /// Friction moments of the base law [N m]. For SKF `load` is the sliding, `viscous` the rolling
-/// moment.
+/// moment; of the contacts `viscous` is the oil's resistance to rolling, `load` all else.
 template <typename T>
 struct BaseMoments {
   T load;
   T viscous;
 };
 
+namespace contact {
+/// The law `contact` for base_moments(); NaN without a converged equilibrium.
+[[nodiscard]] BaseMoments<double> contact_moments(const BearingState<double>& state,
+                                                  std::span<const double> values);
+}  // namespace contact
+
 template <typename T>
 BaseMoments<T> base_moments(FrictionLaw law, const BearingState<T>& state,
                             std::span<const T> values) {
+  if constexpr (std::is_same_v<T, double>)
+    if (law == FrictionLaw::contact) return contact::contact_moments(state, values);
   if (law == FrictionLaw::palmgren)
     return {PalmgrenLoad::moment(state, values[1], values[2]),
             PalmgrenViscous::moment(state, values[0])};

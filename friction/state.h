@@ -6,6 +6,11 @@
 
 namespace raceway::friction {
 
+class Lubricant;
+namespace contact {
+struct ContactData;
+}
+
 /// The load that the factor f1 of Palmgren's load moment counts: the static equivalent load P0, as
 /// its source has it, or F_b, as in files made for that form.
 enum class F1Load { P0, F_b };
@@ -20,6 +25,9 @@ struct BearingState {
   const bearing::BearingEquilibrium* equilibrium = nullptr;
   bearing::RaceControl race_control = bearing::RaceControl::outer;
   F1Load f1_load = F1Load::P0;
+  /// What the contact law takes in beside; other laws do not look at them.
+  const Lubricant* lubricant = nullptr;
+  const contact::ContactData* contact = nullptr;
   T speed = T(0.0);                  ///< [rad/s]
   T axial_load = T(0.0);             ///< F_a [N]
   T radial_load = T(0.0);            ///< F_r [N], magnitude

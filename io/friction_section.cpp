@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -5,6 +6,7 @@
 #include "record/units.h"
 
 // Last: see io/toml_text.h.
+#include "io/contact_section.h"
 #include "io/friction_section.h"
 
 namespace raceway::io {
@@ -19,6 +21,18 @@ constexpr Key viscosity_100C{"viscosity_100C_mm2_s", "mm2/s", 0.5, 1e5};
 
 constexpr std::string_view f1_load = "f1_load";
 
+bool has(FrictionLaw law, std::string_view key) {
+  const auto numbers = friction::parameters(law);
+  if (std::any_of(numbers.begin(), numbers.end(), [&](const friction::Parameter& p) {
+        return p.name == key && !friction::of_the_lubricant(p);
+      }))
+    return true;
+  if (law == FrictionLaw::palmgren) return key == f1_load;
+  const Names of_contact = contact_keys("friction");
+  return law == FrictionLaw::contact &&
+         std::find(of_contact.begin(), of_contact.end(), key) != of_contact.end();
+}
+
 std::string belongs_to_other(std::string_view key, const toml::node& value, FrictionLaw other,
                              FrictionLaw law) {
   return fmt::format("{} = {}: belongs to law = \"{}\", but the law is \"{}\"", key, shown(value),
@@ -26,12 +40,11 @@ std::string belongs_to_other(std::string_view key, const toml::node& value, Fric
 }
 
 void refuse_values_of_other_law(const Section& s, FrictionLaw law) {
-  const FrictionLaw other = law == FrictionLaw::palmgren ? FrictionLaw::skf : FrictionLaw::palmgren;
-  for (const friction::Parameter& p : friction::parameters(other))
-    if (const toml::node* const node = s.find(p.name))
-      s.fail(p.name, belongs_to_other(p.name, *node, other, law));
-  if (const toml::node* const node = s.find(f1_load); node && law != FrictionLaw::palmgren)
-    s.fail(f1_load, belongs_to_other(f1_load, *node, other, law));
+  if (!s.given()) return;
+  for (const auto& [key, node] : *s.table())
+    for (const FrictionLaw other : friction::all_friction_laws)
+      if (!has(law, key.str()) && has(other, key.str()))
+        s.fail(key.str(), belongs_to_other(key.str(), node, other, law));
 }
 
 double catalogue_value(const friction::Parameter& p) {
@@ -46,7 +59,8 @@ double catalogue_value(const friction::Parameter& p) {
 LubricantOfFile read_lubricant(const ModelTables& tables) {
   const Section s =
       tables.required_section("lubricant", "viscosity_40C_mm2_s and viscosity_100C_mm2_s");
-  const Names known{"viscosity_40C_mm2_s", "viscosity_100C_mm2_s", "supply"};
+  Names known{"viscosity_40C_mm2_s", "viscosity_100C_mm2_s", "supply"};
+  for (std::string& key : contact_keys("lubricant")) known.push_back(std::move(key));
   s.allow_only(known);
   Names supplies;
   for (const Supply supply : {Supply::oil_air, Supply::grease, Supply::jet, Supply::bath})
@@ -66,16 +80,17 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Names& f
   const Section s = from_catalogue
                         ? tables.section("friction")
                         : tables.required_section("friction", "the base law and its factors");
-  const Names laws{std::string(friction::name(FrictionLaw::palmgren)),
-                   std::string(friction::name(FrictionLaw::skf))};
-  LawOfFile result{.law = tables.choice_or(s, "law", laws, laws[0]) == laws[0]
-                              ? FrictionLaw::palmgren
-                              : FrictionLaw::skf,
+  Names laws;
+  for (const FrictionLaw law : friction::all_friction_laws) laws.emplace_back(friction::name(law));
+  LawOfFile result{.law = *friction::find_friction_law(tables.choice_or(s, "law", laws, laws[0])),
                    .values = {}};
   refuse_values_of_other_law(s, result.law);
   Names known{"law"};
-  for (const friction::Parameter& p : friction::parameters(result.law)) known.emplace_back(p.name);
+  for (const friction::Parameter& p : friction::parameters(result.law))
+    if (!friction::of_the_lubricant(p)) known.emplace_back(p.name);
   if (result.law == FrictionLaw::palmgren) known.emplace_back(f1_load);
+  if (result.law == FrictionLaw::contact)
+    for (std::string& key : contact_keys("friction")) known.push_back(std::move(key));
   known.insert(known.end(), further.begin(), further.end());
   s.allow_only(known);
   if (result.law == FrictionLaw::palmgren) {
@@ -84,13 +99,17 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Names& f
     result.f1_load =
         tables.choice_or(s, f1_load, loads, loads[0]) == loads[0] ? F1Load::P0 : F1Load::F_b;
   }
-  // The factors of the SKF law are published constants; those of Palmgren depend on the bearing,
-  // and only a catalogue's user may leave them out.
+  // The factors of the SKF law are published constants, those of the contacts are 1; those of
+  // Palmgren depend on the bearing, and only a catalogue's user may leave them out.
   const bool required = result.law == FrictionLaw::palmgren && !from_catalogue;
   for (const friction::Parameter& p : friction::parameters(result.law)) {
     const Key key{p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper};
-    result.values.push_back(required ? s.required(key)
-                                     : tables.number_or(s, key, catalogue_value(p)));
+    if (friction::of_the_lubricant(p))
+      result.values.push_back(
+          tables.number_or(tables.section("lubricant"), key, default_of_lubricant(tables)));
+    else
+      result.values.push_back(required ? s.required(key)
+                                       : tables.number_or(s, key, catalogue_value(p)));
   }
   return result;
 }
@@ -99,7 +118,8 @@ Names missing_keys_of_friction(const ModelTables& tables) {
   Names missing = tables.section("lubricant").lacking({viscosity_40C, viscosity_100C});
   const Section s = tables.section("friction");
   const Section bearing = tables.section("bearing");
-  if (bearing.find("catalogue") || s.text("law") == friction::name(FrictionLaw::skf))
+  if (bearing.find("catalogue") ||
+      s.text("law").value_or("palmgren") != friction::name(FrictionLaw::palmgren))
     return missing;
   for (const std::string& one : bearing.lacking({static_load_rating})) missing.push_back(one);
   std::vector<Key> factors;

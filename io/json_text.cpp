@@ -82,9 +82,10 @@ void add_band(json& row, const BandOfResult& band, std::size_t index) {
 }
 
 json friction_json(const model::Model& model, const model::FrictionPrediction& f) {
-  json parts = {{"load_Nmm", f.load / N_mm}, {"viscous_Nmm", f.viscous / N_mm}};
-  for (std::size_t i = 0; i < f.effects.size(); ++i)
-    parts[std::string(model.effects[i].description->id) + "_Nmm"] = f.effects[i] / N_mm;
+  json parts = json::object();
+  const std::vector<std::string> names = torque_parts(model);
+  const std::vector<double> moments = moments_of_parts(model, f);
+  for (std::size_t i = 0; i < names.size(); ++i) parts[names[i] + "_Nmm"] = moments[i] / N_mm;
   return parts;
 }
 

@@ -13,6 +13,7 @@
 // Last: see io/toml_text.h.
 #include "io/bearing_section.h"
 #include "io/column_section.h"
+#include "io/contact_section.h"
 #include "io/effect_section.h"
 #include "io/friction_section.h"
 #include "io/loop_section.h"
@@ -27,7 +28,7 @@ namespace {
 void check_tables(const ModelTables& tables) {
   Names known{"bearing", "lubricant",     "friction",    "arrangement", "rig",
               "solver",  "material",      "calibration", "loop",        "effect",
-              "columns", "torque_sensor", "correction"};
+              "columns", "torque_sensor", "correction",  "life"};
   const Names& of_spindle = tables_of_spindle();
   known.insert(known.end(), of_spindle.begin(), of_spindle.end());
   for (const auto& [key, node] : tables.root()) {
@@ -63,6 +64,22 @@ std::pair<double, double> expansions_of(const ModelTables& tables, bool spindle)
   if (!spindle) return {unset, unset};
   return {expansion_of(tables, "shaft", model::steel_of_shafts.thermal_expansion),
           expansion_of(tables, "housing", model::iron_of_housings.thermal_expansion)};
+}
+
+Names joined(Names names, const Names& further) {
+  names.insert(names.end(), further.begin(), further.end());
+  return names;
+}
+
+/// Effects that the base law has itself stand in no model of it.
+void refuse_effects_of_law(const ModelTables& tables, const model::Model& model) {
+  for (std::size_t k = 0; k < model.effects.size(); ++k)
+    if (const std::string why = refused_by_law(*model.effects[k].description, model);
+        !why.empty()) {
+      const Section s(tables.source(), "effect",
+                      tables.root()["effect"].as_array()->get(k)->as_table());
+      s.fail("id", fmt::format("id = \"{}\": needs {}", model.effects[k].description->id, why));
+    }
 }
 
 /// Reads [arrangement], where there is one. Its bearings change keys of `base`.
@@ -115,7 +132,7 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
   BearingReader bearings(tables);
   NamedBearing bearing =
       bearings.read(tables.required_section("bearing", "its geometry, or catalogue = \"NAME\""),
-                    nullptr, spindle_keys("bearing", of_spindle));
+                    nullptr, joined(spindle_keys("bearing", of_spindle), contact_keys("bearing")));
   const LubricantOfFile lubricant = read_lubricant(tables);
   LawOfFile law =
       read_friction(tables, bearing.row.has_value(), spindle_keys("friction", of_spindle));
@@ -130,7 +147,9 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
       read_effects(tables, shaft ? &*shaft : nullptr, of_spindle);
   const bearing::EquilibriumOptions solver =
       read_solver(tables, spindle_keys("solver", of_spindle));
-  Names written = bearings.written();
+  Names written = joined(bearings.written(), written_contact_keys(tables));
+  const friction::contact::ContactData contact =
+      read_contact(tables, law.law == friction::FrictionLaw::contact, lubricant.supply);
   if (solver.race_control != bearing::RaceControl::outer) written.emplace_back("race_control");
   if (solver.tilt != bearing::Tilt::locked) written.emplace_back("tilt");
   const model::Rig rig = read_rig(tables, spindle_keys("rig", of_spindle));
@@ -142,12 +161,15 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
       .law = law.law,
       .f1_load = law.f1_load,
       .law_values = std::move(law.values),
+      .contact = contact,
       .effects = std::move(effects),
       .solver = solver,
+      .life = read_life(tables),
       .rig = rig,
       .free = {},
       .shaft = std::move(shaft),
       .spindle = std::move(spindle)};
+  refuse_effects_of_law(tables, model);
   if (std::isnan(rig.room_temperature))
     for (const effects::Effect& e : model.effects)
       if (e.description->id == effects::TemperatureGain::id)

@@ -1,11 +1,14 @@
 #include "io/results.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "bearing/contact_pressure.h"
+#include "bearing/frequencies.h"
 #include "io/json_text.h"
 #include "io/units.h"
+#include "model/bearing_life.h"
 #include "record/units.h"
 
 namespace raceway::io {
@@ -52,6 +55,54 @@ json effect_page(const effects::Description& d) {
           {"confused_with", d.confused_with}};
 }
 
+json contact_json(const std::optional<friction::contact::ContactFriction>& c) {
+  if (!c) return nullptr;
+  return {{"film_um", {{"central", c->film.central / um}, {"minimum", c->film.minimum / um}}},
+          {"lambda", c->film_ratio},
+          {"asperity_share", c->asperity_share},
+          {"pressure_GPa", c->peak_pressure / GPa},
+          {"ellipse_um", json::array({c->semi_major_axis / um, c->semi_minor_axis / um})},
+          {"spin_rad_s", c->spin},
+          {"spin_to_roll", c->rolling_speed != 0.0 ? json(c->spin / c->rolling_speed) : json()},
+          {"slip_m_s", c->mean_slip},
+          {"mu_mean", c->mean_friction},
+          {"sliding_W", c->sliding},
+          {"rolling_W", c->rolling},
+          {"hysteresis_W", c->hysteresis}};
+}
+
+/// Life, film and frequencies, as far as they hold for the bearing as a whole.
+void add_life(json& document, const model::Model& model, const bearing::OperatingPoint& point,
+              const model::FrictionPrediction& f) {
+  constexpr double hour = 3600.0;
+  const bearing::Bearing& bearing = f.bearing ? *f.bearing : model.bearing;
+  const model::BearingLife life =
+      bearing_life(model.life, bearing, point, *f.equilibrium, f.film.kinematic_viscosity);
+  document["kappa"] = life.viscosity_ratio;
+  document["life"] = {{"L10_h", life.basic / hour},
+                      {"a_ISO", life.modification},
+                      {"Lnm_h", life.modified / hour},
+                      {"reference_L10r_h", life.reference / hour},
+                      {"P_N", life.equivalent_load},
+                      {"C_N", life.load_rating},
+                      {"C_u_N", life.fatigue_load},
+                      {"reliability_percent", model.life.reliability},
+                      {"contamination", model.life.contamination}};
+  document["static_safety"] = life.static_safety;
+  if (f.contacts) {
+    document["holding_coefficient"] = f.contacts->holding_coefficient;
+    document["drag_W"] = f.contacts->drag * point.speed;
+  }
+  const bearing::BearingFrequencies turns =
+      running_frequencies(bearing, *f.equilibrium, model.solver.race_control);
+  const double per_second = point.speed / (2.0 * pi);
+  document["cage_speed_rpm"] = turns.cage * point.speed / rpm;
+  document["frequencies_Hz"] = {{"cage", turns.cage * per_second},
+                                {"outer_race", turns.outer_race * per_second},
+                                {"inner_race", turns.inner_race * per_second},
+                                {"ball_spin", turns.ball_spin * per_second}};
+}
+
 }  // namespace
 
 std::string error_json(const std::string& message, const Place& place) {
@@ -68,7 +119,10 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                        const model::FrictionPrediction& friction, const friction::HeatSplit& heat,
                        const BandOfResult* band) {
   json balls = json::array();
-  for (const bearing::BallEquilibrium& b : e.balls) {
+  std::vector<friction::contact::BallFriction> contacts;
+  if (friction.contacts) contacts = ball_contacts(model, point, friction);
+  for (std::size_t k = 0; k < e.balls.size(); ++k) {
+    const bearing::BallEquilibrium b = e.balls[k];
     balls.push_back({{"azimuth_deg", b.azimuth / degree},
                      {"inner_contact_angle_deg", b.inner_contact_angle / degree},
                      {"outer_contact_angle_deg", b.outer_contact_angle / degree},
@@ -76,6 +130,9 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                      {"outer_load_N", b.outer_load},
                      {"centrifugal_force_N", b.centrifugal_force},
                      {"gyroscopic_moment_Nmm", b.gyroscopic_moment / N_mm}});
+    if (contacts.empty()) continue;
+    balls.back()["inner"] = contact_json(contacts[e.balls.twin(k)].inner);
+    balls.back()["outer"] = contact_json(contacts[e.balls.twin(k)].outer);
   }
   json matrix = json::array();
   for (int i = 0; i < 5; ++i) {
@@ -109,6 +166,7 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                    {"inner_ring_heat_W", heat.inner},
                    {"outer_ring_heat_W", heat.outer},
                    {"report", report_json(e.report)}};
+  if (e.report.converged()) add_life(document, model, point, friction);
   if (band) {
     add_band(document, *band, 0);
     document["band"] = band_json(*band);

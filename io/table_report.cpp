@@ -60,9 +60,7 @@ json part_names(const model::Model& model) {
       parts.push_back(bearing_place(arrangement, i) + "_friction_torque_Nmm");
     return parts;
   }
-  parts = {"load_Nmm", "viscous_Nmm"};
-  for (const effects::Effect& e : model.effects)
-    parts.push_back(std::string(e.description->id) + "_Nmm");
+  for (const std::string& name : model::torque_parts(model)) parts.push_back(name + "_Nmm");
   return parts;
 }
 

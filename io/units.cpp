@@ -169,6 +169,7 @@ HeaderParts header_parts(std::string_view header) {
 }
 
 double column_unit(std::string_view column) {
+  if (column == "lambda_min") return 1.0;  // the least film ratio: no minutes
   for (std::size_t at = column.find('_'); at != column.npos; at = column.find('_', at + 1))
     for (const Unit& unit : all_units)
       if (unit.suffix == column.substr(at + 1)) return unit.factor;

@@ -3,11 +3,14 @@
 #include "model/steps.h"
 
 namespace raceway::model {
-
 friction::HeatSplit heat_split(const Model& model, const bearing::OperatingPoint& point,
                                const bearing::BearingEquilibrium& equilibrium,
                                const FrictionPrediction& prediction) {
-  friction::HeatSources sources{.load = prediction.load, .viscous = prediction.viscous};
+  friction::HeatSources sources;
+  if (!prediction.contacts) {
+    sources.load = prediction.load;
+    sources.viscous = prediction.viscous;
+  }
   for (std::size_t i = 0; i < prediction.effects.size(); ++i) {
     const effects::Effect& effect = model.effects[i];
     if (effect.description->spin)
@@ -17,7 +20,13 @@ friction::HeatSplit heat_split(const Model& model, const bearing::OperatingPoint
   }
   friction::BearingState<double> state = bearing_state(model, point, &equilibrium);
   if (prediction.bearing) state.bearing = prediction.bearing.get();  // whose balls these are
-  return friction::split_heat(state, sources);
+  friction::HeatSplit heat = friction::split_heat(state, sources);
+  if (prediction.contacts) {
+    const friction::HeatSplit contacts = ring_heat(*prediction.contacts, point.speed);
+    heat.inner += contacts.inner;
+    heat.outer += contacts.outer;
+  }
+  return heat;
 }
 
 }  // namespace raceway::model

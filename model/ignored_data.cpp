@@ -1,6 +1,7 @@
 #include "model/ignored_data.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "model/steps.h"
@@ -15,13 +16,28 @@ bool is_of(std::string_view key, std::span<const std::string_view> data) {
   });
 }
 
+/// What no other law and no effect looks at.
+constexpr std::array<std::string_view, 8> of_contacts_alone{"type",
+                                                            "pressure_viscosity",
+                                                            "density_15C",
+                                                            "conductivity_W_mK",
+                                                            "limiting_traction",
+                                                            "eyring_stress",
+                                                            "race_roughness",
+                                                            "ball_roughness"};
+
 }  // namespace
 
 std::vector<std::string> ignored_by_friction(const Model& model,
                                              std::span<const std::string> keys) {
   std::vector<std::string> ignored;
-  if (needs_equilibrium(model)) return ignored;
+  if (model.law == friction::FrictionLaw::contact) return ignored;
   for (const std::string& key : keys) {
+    if (is_of(key, of_contacts_alone)) {
+      ignored.push_back(key);
+      continue;
+    }
+    if (needs_equilibrium(model)) continue;
     const bool by_effect =
         std::any_of(model.effects.begin(), model.effects.end(), [&](const effects::Effect& effect) {
           return is_of(key, effect.description->bearing_data);

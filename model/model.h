@@ -9,8 +9,10 @@
 #include "bearing/bearing_equilibrium.h"
 #include "effects/effect.h"
 #include "fit/covariance.h"
+#include "friction/contact/contact_data.h"
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
+#include "model/life_data.h"
 #include "model/spindle.h"
 #include "record/parameter.h"
 
@@ -53,8 +55,10 @@ struct Model {
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
   friction::F1Load f1_load = friction::F1Load::P0;  ///< of the palmgren law
   std::vector<double> law_values;                   ///< in the order of friction::parameters(law)
+  friction::contact::ContactData contact = {};      ///< of the contact law
   std::vector<effects::Effect> effects;             ///< what has been added so far, in order
   bearing::EquilibriumOptions solver;
+  LifeData life = {};
   Rig rig;
   /// Names of what may be re-fitted, as parameters() has them; default_free() where empty.
   std::vector<std::string> free;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "effects/lubricant_drag.h"
 #include "model/steps.h"
 
 namespace raceway::model {
@@ -66,7 +67,7 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
     case Need::opposed_sets:
       return model.shaft && !model.shaft->arrangement.design().rear.empty();
     case Need::palmgren_law:
-      return model.law == friction::FrictionLaw::palmgren;
+      return model.law != friction::FrictionLaw::skf;
     case Need::cold_friction:
       return model.spindle && !model.spindle->preload_feedback;
     case Need::torque_standard:
@@ -91,8 +92,20 @@ std::string ruled_out(const effects::Description& effect, const Model& model) {
                      friction::words(*model.supply), effects::text(effect.supplies));
 }
 
+std::string refused_by_law(const effects::Description& effect, const Model& model) {
+  if (model.law != friction::FrictionLaw::contact) return {};
+  if (!effect.within_contacts.empty())
+    return fmt::format("another base law: the contact law has it itself, as {}",
+                       effect.within_contacts);
+  // Both count what balls push aside.
+  if (effect.id == effects::LubricantDrag::id && model.law_values.back() > 0.0)
+    return "oil_fraction = 0 under [friction]: the contact law has the drag of the balls itself";
+  return {};
+}
+
 std::string missing_need(const effects::Description& effect, const Model& model,
                          const record::Record& record) {
+  if (std::string why = refused_by_law(effect, model); !why.empty()) return why;
   if (!effect.moves(model.form())) {
     if (effect.of_spindles_alone())
       return "a model of a spindle, with [shaft] and [housing], in which alone it acts";

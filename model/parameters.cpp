@@ -107,10 +107,15 @@ void add(std::vector<Parameter>& list, Parameter p) {
   list.push_back(std::move(p));
 }
 
+/// In which table of a file a number of the law stands.
+std::string table_of(const friction::Parameter& number) {
+  return friction::of_the_lubricant(number) ? "lubricant" : "friction";
+}
+
 void add_law(std::vector<Parameter>& list, const Model& model) {
   for (const friction::Parameter& n : friction::parameters(model.law)) {
     const std::string name(n.name);
-    Parameter p = parameter_at(model, {"friction." + name}, name, n.unit, n.lower, n.upper);
+    Parameter p = parameter_at(model, {table_of(n) + "." + name}, name, n.unit, n.lower, n.upper);
     p.initial = n.initial;
     add(list, std::move(p));
   }
@@ -222,7 +227,7 @@ void ParameterPlace::resolve(const Model& model, const std::string& address) {
   if (of_spindle != spindle_numbers.end()) {
     kind_ = Kind::spindle;
     index_ = static_cast<std::size_t>(of_spindle - spindle_numbers.begin());
-  } else if (table == "friction") {
+  } else if (table == "friction" || table == "lubricant") {
     kind_ = Kind::law;
     index_ = index_of(friction::parameters(model.law), name, address);
   } else if (table == "arrangement" && name == "preload_N" && has_preload_force(model)) {
@@ -299,6 +304,7 @@ void set(Model& model, const Parameter& parameter, double value) {
 
 std::vector<std::string> default_free(friction::FrictionLaw law) {
   if (law == friction::FrictionLaw::palmgren) return {"f0", "z"};
+  if (law == friction::FrictionLaw::contact) return {"rolling_factor"};
   return {"mu_EHL", "K_rs"};
 }
 

@@ -73,6 +73,7 @@ class ParameterPlace {
 void set(Model& model, const record::Parameter& parameter, double value);
 
 /// palmgren: f0, z (y is rarely told apart from z)      skf: mu_EHL, K_rs
+/// contact: rolling_factor
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 
 /// Of a spindle f0, or what stands for it in the law. The preload of an arrangement that is given

@@ -9,6 +9,7 @@
 
 #include "model/row.h"
 #include "model/row_predictor.h"
+#include "model/steps.h"
 
 namespace raceway::model {
 namespace {
@@ -43,6 +44,41 @@ std::string why_not_converged(const Model& model, const FrictionPrediction& pred
           effect.user_made ? fmt::format(", torque_Nmm = \"{}\"", effect.formula) : std::string());
     }
   return std::string(bearing::name(status));
+}
+
+std::vector<std::string> torque_parts(const Model& model) {
+  std::vector<std::string> names{"load", "viscous"};
+  if (model.law == friction::FrictionLaw::contact)
+    names = {"rolling", "sliding", "hysteresis", "drag"};
+  for (const effects::Effect& e : model.effects) names.emplace_back(e.description->id);
+  return names;
+}
+
+std::vector<double> moments_of_parts(const Model& model, const FrictionPrediction& p) {
+  std::vector<double> moments{p.load, p.viscous};
+  if (model.law == friction::FrictionLaw::contact) {
+    moments.assign(4, unset);
+    if (p.contacts)
+      moments = {p.contacts->rolling(), p.contacts->sliding(), p.contacts->hysteresis(),
+                 p.contacts->drag};
+  }
+  moments.insert(moments.end(), p.effects.begin(), p.effects.end());
+  return moments;
+}
+
+std::vector<friction::contact::BallFriction> ball_contacts(const Model& model,
+                                                           const bearing::OperatingPoint& point,
+                                                           const FrictionPrediction& prediction) {
+  friction::BearingState<double> state = bearing_state(model, point, prediction.equilibrium.get());
+  if (prediction.bearing) state.bearing = prediction.bearing.get();
+  state.temperature = prediction.film.temperature;
+  state.kinematic_viscosity = prediction.film.kinematic_viscosity;
+  std::vector<friction::contact::BallFriction> balls;
+  (void)contact_result(state, model.law_values, &balls);
+  for (friction::contact::BallFriction& ball : balls)
+    for (auto* contact : {&ball.inner, &ball.outer})
+      if (*contact) (*contact)->rolling *= prediction.film.viscous_share;
+  return balls;
 }
 
 double share_of_bearing(const effects::Description& effect, const Rig& rig) {

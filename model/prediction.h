@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "effects/effect.h"
+#include "friction/contact/contact_law.h"
 #include "model/model.h"
 #include "record/record.h"
 
@@ -21,11 +23,13 @@ struct FrictionPrediction {
   /// Added moment of each effect, in the order of the model [N m]; 0 for one that acts on
   /// condition, lubricant or reading, and shows in the other terms.
   std::vector<double> effects;
+  /// Of the contact law: where `load` and `viscous` come from, as the film leaves it.
+  std::optional<friction::contact::ContactResult> contacts;
   double torque = unset;      ///< sum of all these [N m]
   double power_loss = unset;  ///< torque times speed [W]
   double reading = unset;  ///< of the rig: torque of all its bearings, then the reading steps [N m]
-  effects::Condition condition;        ///< what effects change of the entered condition
-  double kinematic_viscosity = unset;  ///< of the film [m²/s]
+  effects::Condition condition;  ///< what effects change of the entered condition
+  effects::Film film;            ///< viscosity and temperature of the film
   /// The bearing as the condition makes it; null where that is the one entered.
   std::shared_ptr<const bearing::Bearing> bearing;
   /// Balls in balance; null where there is none, and where nobody asked for it and nothing needed
@@ -38,6 +42,18 @@ struct FrictionPrediction {
   /// `converged` only where the torque, its parts and the loss are finite; else `not_finite`.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
+
+/// What the torque of a model is made of, by name: parts of the base law, then the effects.
+///   palmgren, skf: load, viscous        contact: rolling, sliding, hysteresis, drag
+[[nodiscard]] std::vector<std::string> torque_parts(const Model& model);
+/// The same of a prediction [N m], in that order; NaN where there is none.
+[[nodiscard]] std::vector<double> moments_of_parts(const Model& model,
+                                                   const FrictionPrediction& prediction);
+
+/// Of the contact law: the contacts of every distinct ball of a prediction that has converged, as
+/// its film leaves them.
+[[nodiscard]] std::vector<friction::contact::BallFriction> ball_contacts(
+    const Model& model, const bearing::OperatingPoint& point, const FrictionPrediction& prediction);
 
 /// What keeps a prediction from converging, in words: "no_equilibrium" and the like, or which
 /// effect gives no finite moment.

@@ -77,6 +77,8 @@ friction::BearingState<double> RowPredictor::state(const Model& model) const {
           .equilibrium = equilibrium_.get(),
           .race_control = model.solver.race_control,
           .f1_load = model.f1_load,
+          .lubricant = oil_ ? &*oil_ : &model.lubricant,
+          .contact = &model.contact,
           .speed = point_.speed,
           .axial_load = with_extra(point_.axial_load, condition_.extra_axial_load),
           .radial_load = radial_load_,
@@ -154,7 +156,7 @@ bool RowPredictor::find_balance(const Model& model, const Steps& steps) {
 
 void RowPredictor::find_film(const Model& model, const Steps& steps,
                              friction::BearingState<double>& s) {
-  film_ = {.kinematic_viscosity = viscosity_};
+  film_ = {.kinematic_viscosity = viscosity_, .temperature = temperature_};
   s.kinematic_viscosity = viscosity_;
   const effects::BaseLaw law{model.law, model.law_values};
   const effects::LubricantInputs inputs{
@@ -162,6 +164,20 @@ void RowPredictor::find_film(const Model& model, const Steps& steps,
   for (const std::size_t k : steps.lubricant)
     model.effects[k].description->lubricant(inputs, model.effects[k].values, film_);
   s.kinematic_viscosity = film_.kinematic_viscosity;
+}
+
+void RowPredictor::find_base(const Model& model, friction::BearingState<double> s) {
+  s.temperature = film_.temperature;
+  if (model.law == friction::FrictionLaw::contact) {
+    // Formulas look at the bearing as entered, contacts at the one that there is.
+    if (bearing_) s.bearing = bearing_.get();
+    contacts_ = friction::contact::contact_result(s, model.law_values);
+    contacts_->thin(film_.viscous_share);
+    base_ = contacts_->moments();
+    return;
+  }
+  base_ = effects::BaseLaw{model.law, model.law_values}.moments(s);
+  base_.viscous *= film_.viscous_share;
 }
 
 void RowPredictor::add_moments(const Model& model, const Steps& steps, Stage from,
@@ -194,15 +210,17 @@ double RowPredictor::predict(const Model& model, const Steps& steps, Stage from)
   if (from <= Stage::moment) torque_ = unset;
   reading_ = unset;
   if (from == Stage::entry) correct(model, steps);
-  if (from <= Stage::base) base_ = {unset, unset};
+  if (from <= Stage::base) {
+    base_ = {unset, unset};
+    contacts_.reset();
+  }
   if (from <= Stage::condition && !find_balance(model, steps)) return reading_;
   if (steps.needs_balls && !report_.converged()) return reading_;
 
   friction::BearingState<double> s = state(model);
   if (from <= Stage::lubricant) find_film(model, steps, s);
   if (from <= Stage::base) {
-    base_ = effects::BaseLaw{model.law, model.law_values}.moments(s);
-    base_.viscous *= film_.viscous_share;
+    find_base(model, s);
   }
   if (from <= Stage::moment) {
     // Laws of ball loads look at the bearing as it is, base laws at the one entered.
@@ -228,10 +246,11 @@ FrictionPrediction RowPredictor::prediction(const Model& model) const {
   }
   p.load = base_.load;
   p.viscous = base_.viscous;
+  p.contacts = contacts_;
   p.torque = torque_;
   p.power_loss = torque_ * point_.speed;
   p.reading = reading_;
-  p.kinematic_viscosity = film_.kinematic_viscosity;
+  p.film = film_;
   friction::BearingState<double> s = state(model);
   if (bearing_) s.bearing = bearing_.get();
   const effects::MomentInputs inputs{.state = s, .base = base_, .record = record_};

@@ -50,6 +50,7 @@ class RowPredictor {
   // The steps; each from what those before it have left in the members below.
   [[nodiscard]] bool find_balance(const Model& model, const Steps& steps);
   void find_film(const Model& model, const Steps& steps, friction::BearingState<double>& s);
+  void find_base(const Model& model, friction::BearingState<double> s);
   void add_moments(const Model& model, const Steps& steps, Stage from,
                    const friction::BearingState<double>& s);
   void read(const Model& model, const Steps& steps);
@@ -68,6 +69,7 @@ class RowPredictor {
   bearing::SolveReport report_;
   effects::Film film_;
   friction::BaseMoments<double> base_{unset, unset};
+  std::optional<friction::contact::ContactResult> contacts_;
   std::vector<double> units_;  // unit moments of Steps::moment, NaN where it has none
   double torque_ = unset, reading_ = unset;
 };

@@ -7,9 +7,10 @@
 namespace raceway::model {
 
 bool needs_equilibrium(const Model& model) {
-  return std::any_of(model.effects.begin(), model.effects.end(), [](const effects::Effect& effect) {
-    return effect.description->needs_equilibrium;
-  });
+  return friction::needs_equilibrium(model.law) ||
+         std::any_of(model.effects.begin(), model.effects.end(), [](const effects::Effect& effect) {
+           return effect.description->needs_equilibrium;
+         });
 }
 
 Steps::Steps(const Model& model, bool with_equilibrium, const record::Channel& read)
@@ -51,6 +52,8 @@ friction::BearingState<double> bearing_state(const Model& model,
   state.equilibrium = equilibrium;
   state.race_control = model.solver.race_control;
   state.f1_load = model.f1_load;
+  state.lubricant = &model.lubricant;
+  state.contact = &model.contact;
   state.speed = point.speed;
   state.axial_load = point.axial_load;
   state.radial_load = std::hypot(point.radial_load, point.radial_load_z);
@@ -59,18 +62,37 @@ friction::BearingState<double> bearing_state(const Model& model,
   return state;
 }
 
+namespace {
+
+/// Of the base law at the entered load, where an effect looks at it [W]; a law of the contacts gets
+/// the balls of that load first.
+double entered_power(const Model& model, const Steps& steps, friction::BearingState<double> entered,
+                     const bearing::OperatingPoint& point) {
+  if (std::none_of(steps.condition.begin(), steps.condition.end(),
+                   [&](std::size_t k) { return model.effects[k].description->uses_power; }))
+    return unset;
+  bearing::BearingEquilibrium balls;
+  if (friction::needs_equilibrium(model.law)) {
+    balls = solve_bearing_equilibrium(*entered.bearing, point, model.solver);
+    entered.equilibrium = &balls;
+  }
+  const friction::BaseMoments<double> base =
+      effects::BaseLaw{model.law, model.law_values}.moments(entered);
+  return (base.load + base.viscous) * point.speed;
+}
+
+}  // namespace
+
 effects::Condition condition_of(const Model& model, const Steps& steps,
                                 const friction::BearingState<double>& entered,
                                 const bearing::OperatingPoint& point, const effects::Record& record,
                                 const effects::Condition& given) {
   effects::Condition condition = given;
   if (steps.condition.empty()) return condition;
-  const effects::BaseLaw law{model.law, model.law_values};
-  const friction::BaseMoments<double> base = law.moments(entered);
   const effects::ConditionInputs inputs{.bearing = *entered.bearing,
                                         .point = point,
                                         .record = record,
-                                        .power = (base.load + base.viscous) * point.speed};
+                                        .power = entered_power(model, steps, entered, point)};
   for (const std::size_t k : steps.condition)
     model.effects[k].description->condition(inputs, model.effects[k].values, condition);
   return condition;

@@ -8,8 +8,8 @@
 
 namespace raceway::model {
 
-/// True if an effect of the model uses ball loads or angles. The base laws do not, so a bearing
-/// whose load is only assumed can be compared without a solve.
+/// True if the law or an effect of the model uses ball loads or angles. The laws for the bearing as
+/// a whole do not, so with them one whose load is only assumed can be compared without a solve.
 [[nodiscard]] bool needs_equilibrium(const Model& model);
 
 /// Which effects of a model act where; found once for many predictions.

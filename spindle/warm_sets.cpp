@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "friction/contact/contact_law.h"
 #include "friction/heat.h"
 #include "model/heat_split.h"
 
@@ -130,6 +131,7 @@ BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
     heat.inner = split.inner, heat.outer = split.outer;
     return heat;
   }
+  if (friction::needs_equilibrium(model_.law)) return heat_of_contacts(k, temperature, sets, heat);
   friction::BearingState<double> state = model::bearing_state(
       model_, {.speed = inputs_.speed, .axial_load = load, .temperature = temperature}, nullptr);
   state.bearing = arrangement().bearings()[k].bearing.get();
@@ -149,6 +151,31 @@ BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
   return heat;
 }
 
+BearingHeat WarmSets::heat_of_contacts(std::size_t k, double temperature,
+                                       const bearing::ArrangementEquilibrium& sets,
+                                       BearingHeat heat) const {
+  heat.inner = heat.outer = 0.0;
+  const auto add = [&](const bearing::ArrangementEquilibrium& of, double weight) {
+    if (weight == 0.0) return;
+    const bearing::BearingEquilibrium balls = of.bearing(k, arrangement());
+    friction::BearingState<double> state =
+        model::bearing_state(model_, {.speed = inputs_.speed, .temperature = temperature}, &balls);
+    state.bearing = arrangement().bearings()[k].bearing.get();
+    const friction::HeatSplit split = friction::contact::ring_heat(
+        friction::contact::contact_result(state, model_.law_values), inputs_.speed);
+    heat.inner += weight * split.inner;
+    heat.outer += weight * split.outer;
+  };
+  add(sets, feedback_);
+  add(cold_, 1.0 - feedback_);
+  const double share = model_.spindle->inner_heat_share;
+  if (std::isfinite(share)) {
+    const double power = heat.power();
+    heat.inner = share * power, heat.outer = (1.0 - share) * power;
+  }
+  return heat;
+}
+
 BearingHeat WarmSets::heat_with_effects(std::size_t k, double load, double temperature,
                                         const SetsAsked& asked,
                                         const bearing::ArrangementEquilibrium& sets) const {
@@ -156,7 +183,10 @@ BearingHeat WarmSets::heat_with_effects(std::size_t k, double load, double tempe
       .speed = inputs_.speed, .axial_load = load, .temperature = temperature};
   model::Steps steps = friction_;
   steps.equilibrium = true;
-  auto balls = std::make_shared<const bearing::BearingEquilibrium>(sets.bearing(k, arrangement()));
+  // The contacts follow the forces that friction is to follow.
+  const bool cold = friction::needs_equilibrium(model_.law) && feedback_ < 0.5;
+  auto balls = std::make_shared<const bearing::BearingEquilibrium>(
+      (cold ? cold_ : sets).bearing(k, arrangement()));
   const effects::Record record{.inner_ring_temperature = asked.inner_ring[k],
                                .outer_ring_temperature = asked.outer_ring[k]};
   model::RowPredictor row(singles_[k], steps, alone, record, balls, asked_.bearings[k],

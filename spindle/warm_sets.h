@@ -55,6 +55,10 @@ class WarmSets {
                                     shaft::ShaftCondition& condition) const;
   [[nodiscard]] BearingHeat heat_of(std::size_t bearing, const SetsAsked& asked,
                                     const bearing::ArrangementEquilibrium& sets) const;
+  /// `heat` with that of the contacts in warm and cold sets, each by its share.
+  [[nodiscard]] BearingHeat heat_of_contacts(std::size_t bearing, double temperature,
+                                             const bearing::ArrangementEquilibrium& sets,
+                                             BearingHeat heat) const;
   [[nodiscard]] BearingHeat heat_with_effects(std::size_t bearing, double load, double temperature,
                                               const SetsAsked& asked,
                                               const bearing::ArrangementEquilibrium& sets) const;

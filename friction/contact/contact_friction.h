@@ -36,6 +36,7 @@ struct ContactFriction {
   double peak_pressure = 0.0;                             ///< [Pa]
   double semi_major_axis = 0.0, semi_minor_axis = 0.0;    ///< a, b [m]
   double spin = 0.0;                                      ///< ω_s [rad/s]
+  double rolling_speed = 0.0;                             ///< ω_roll, ball against race [rad/s]
   double mean_slip = 0.0;                                 ///< Σ p |v|/Q [m/s]
   double mean_friction = 0.0;                             ///< Σ |τ|/Q [1]
   double sliding = 0.0, rolling = 0.0, hysteresis = 0.0;  ///< power [W]
@@ -61,6 +62,7 @@ struct RaceFriction {
     c.semi_minor_axis = c.semi_major_axis / shape.ellipse_ratio;
     c.peak_pressure = 1.5 * load / (pi * c.semi_major_axis * c.semi_minor_axis);
     c.spin = motion.spin * film_speed;
+    c.rolling_speed = motion.rolling * film_speed;
 
     const RollingInlet inlet{.viscosity = oil.viscosity,
                              .pressure_viscosity = oil.pressure_viscosity,
@@ -178,9 +180,13 @@ struct BearingFriction {
 /// Accuracy: the laws to rounding, sliding 0.1 %. The level of a bearing at speed is known to +-40
 ///           %: supply of the inlets (+32 to +55 % flooded) and their heat; ratios of bearings are
 ///           known much better.
-[[nodiscard]] inline BearingFriction bearing_friction(
-    const bearing::Bearing& bearing, const bearing::BearingEquilibrium& equilibrium,
-    bearing::RaceControl control, double speed, const OilState& oil, const ContactLaw& law) {
+/// `look(ball, race, ContactFriction, weight)` is shown every loaded contact of the distinct balls.
+template <typename Look>
+[[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
+                                               const bearing::BearingEquilibrium& equilibrium,
+                                               bearing::RaceControl control, double speed,
+                                               const OilState& oil, const ContactLaw& law,
+                                               Look&& look) {
   BearingFriction sum;
   if (!equilibrium.report.converged()) {
     sum.inner = sum.outer = {unset, unset, unset};
@@ -190,10 +196,14 @@ struct BearingFriction {
   const RaceFriction outer = race_friction(bearing, bearing::Race::outer, oil, law, speed);
   const double turning = speed > 0.0 ? speed : 1.0, film_speed = speed > 0.0 ? 1.0 : 0.0;
   sum.converged = true;
-  const auto add = [&](const RaceFriction& race, double load, const ContactMotion& motion,
-                       double weight, BearingFriction::Parts& parts) {
+  const bearing::Balls& balls = equilibrium.balls;
+  const auto add = [&](std::size_t ball, bearing::Race which, double load,
+                       const ContactMotion& motion, BearingFriction::Parts& parts) {
     if (!(load > 0.0)) return;
-    const ContactFriction c = race.contact(load, motion, film_speed);
+    const double weight = balls.weight(ball);
+    const ContactFriction c =
+        (which == bearing::Race::inner ? inner : outer).contact(load, motion, film_speed);
+    look(ball, which, c, weight);
     parts.sliding += weight * c.sliding / turning;
     parts.rolling += weight * c.rolling / turning;
     parts.hysteresis += weight * c.hysteresis / turning;
@@ -201,15 +211,21 @@ struct BearingFriction {
     sum.smallest_film_ratio = std::fmin(sum.smallest_film_ratio, c.film_ratio);
     sum.converged = sum.converged && c.converged;
   };
-  const bearing::Balls& balls = equilibrium.balls;
   for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
     const bearing::BallEquilibrium& ball = balls.distinct()[k];
     if (!(ball.outer_load > 0.0)) continue;
     const BallMotion motion = ball_motion(bearing.geometry(), ball, control, turning);
-    add(inner, ball.inner_load, motion.inner, balls.weight(k), sum.inner);
-    add(outer, ball.outer_load, motion.outer, balls.weight(k), sum.outer);
+    add(k, bearing::Race::inner, ball.inner_load, motion.inner, sum.inner);
+    add(k, bearing::Race::outer, ball.outer_load, motion.outer, sum.outer);
   }
   return sum;
+}
+
+[[nodiscard]] inline BearingFriction bearing_friction(
+    const bearing::Bearing& bearing, const bearing::BearingEquilibrium& equilibrium,
+    bearing::RaceControl control, double speed, const OilState& oil, const ContactLaw& law) {
+  return bearing_friction(bearing, equilibrium, control, speed, oil, law,
+                          [](std::size_t, bearing::Race, const ContactFriction&, double) {});
 }
 
 }  // namespace raceway::friction::contact

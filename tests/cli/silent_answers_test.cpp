@@ -37,8 +37,7 @@ TEST_F(SilentAnswers, PalmgrenSaysThatItTakesNoAccountOfTheBalls) {
   const std::string expected =
       "my.toml: in the friction torque palmgren ignores ball_count, ball_diameter_mm, "
       "inner_conformity, outer_conformity, ball_material and running contact angles; law = \"skf\" "
-      "takes in ball_material, an effect of the balls, such as spin-friction, takes in all "
-      "(docs/laws.md)\n";
+      "takes in ball_material, law = \"contact\" all (docs/laws.md)\n";
   const std::string hybrid = with_balls("silicon-nitride");
   for (const char* verb : {"solve", "table"}) {
     const Result r = command(verb, hybrid, at_a_point);

@@ -1,0 +1,69 @@
+#include "cli/contact_statement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "bearing/arrangement_equilibrium.h"
+#include "model/bearing_life.h"
+
+namespace raceway::cli {
+namespace {
+
+/// From where on a film is said to be full, and below which the asperities carry much [1]; the
+/// usual limits of lubrication practice.
+constexpr double full_film = 3.0, mixed_film = 1.0;
+
+std::string_view regime(double film_ratio) {
+  if (film_ratio >= full_film) return "full film";
+  return film_ratio >= mixed_film ? "mixed friction" : "boundary friction";
+}
+
+}  // namespace
+
+std::string judgement(const friction::contact::ContactResult& r) {
+  const std::array parts{std::pair{r.rolling(), "rolling of the oil"},
+                         std::pair{r.sliding(), "sliding in the contacts"},
+                         std::pair{r.hysteresis(), "hysteresis of the steel"},
+                         std::pair{r.drag, "drag of the balls in the oil"}};
+  const auto& largest = *std::max_element(
+      parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return fmt::format("{} (lambda {:.3g} at the thinnest), {} is {:.0f} % of it",
+                     regime(r.friction.smallest_film_ratio), r.friction.smallest_film_ratio,
+                     largest.second, 100.0 * largest.first / r.moment());
+}
+
+std::vector<std::string> notes_on_state(const model::Model& model, const bearing::Bearing& bearing,
+                                        const bearing::OperatingPoint& point,
+                                        const model::FrictionPrediction& prediction) {
+  std::vector<std::string> notes;
+  double centrifugal = 0.0;
+  for (const bearing::BallEquilibrium& ball : prediction.equilibrium->balls.distinct())
+    centrifugal = std::max(centrifugal, ball.centrifugal_force);
+  const double least = minimum_load(bearing, centrifugal);
+  const double axial = std::abs(point.axial_load) + prediction.condition.extra_axial_load;
+  if (axial < least)
+    notes.push_back(
+        fmt::format("the axial load of {:.4g} N is below {:.4g} N = Z F_c tan(alpha0), at which "
+                    "the inner contacts press as hard as the centrifugal force: balls may skid",
+                    axial, least));
+  if (const auto& c = prediction.contacts; c && c->holding_over_traction > 1.0)
+    notes.push_back(fmt::format(
+        "the gyroscopic moment asks a friction of {:.3g} times the contact load, {:.3g} times what "
+        "film and asperities hold: the balls turn, and contact angles and displacement are not "
+        "those of race control (docs/laws.md)",
+        c->holding_coefficient, c->holding_over_traction));
+  const model::BearingLife life = bearing_life(model.life, bearing, point, *prediction.equilibrium,
+                                               prediction.film.kinematic_viscosity);
+  if (life.hybrid)
+    notes.push_back(fmt::format(
+        "ISO 281 defines no a_ISO for {} balls: no modified life; L10r is by the formula of steel "
+        "on the loads of these balls",
+        bearing.balls().name));
+  return notes;
+}
+
+}  // namespace raceway::cli

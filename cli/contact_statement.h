@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bearing/operating_point.h"
+#include "friction/contact/contact_law.h"
+#include "model/prediction.h"
+
+namespace raceway::cli {
+
+/// One line on film and friction: "full film (lambda 15.7), rolling of the oil is 98 % of the
+/// torque of the contacts".
+[[nodiscard]] std::string judgement(const friction::contact::ContactResult& result);
+
+/// What a user of a bearing in balance should know, one line each: a load below which its balls
+/// may skid, a gyroscopic moment that no friction holds, a life that no standard defines.
+[[nodiscard]] std::vector<std::string> notes_on_state(const model::Model& model,
+                                                      const bearing::Bearing& bearing,
+                                                      const bearing::OperatingPoint& point,
+                                                      const model::FrictionPrediction& prediction);
+
+}  // namespace raceway::cli

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "friction/contact/contact_data.h"
+#include "friction/contact/contact_friction.h"
+#include "friction/friction_law.h"
+#include "friction/heat.h"
+#include "friction/state.h"
+
+namespace raceway::friction::contact {
+
+/// Parameters of the law, in the order in which its values are taken.
+inline constexpr std::array contact_parameters{
+    Parameter{.name = "rolling_factor",
+              .unit = "1",
+              .initial = 1.0,
+              .lower = 0.0,
+              .upper = 5.0,
+              .plausible_lower = 0.6,
+              .plausible_upper = 1.6},
+    Parameter{.name = "hysteresis_factor",
+              .unit = "1",
+              .initial = 1.0,
+              .lower = 0.0,
+              .upper = 30.0,
+              .plausible_lower = 0.5,
+              .plausible_upper = 3.0},
+    Parameter{.name = "mu_boundary",
+              .unit = "1",
+              .initial = 0.10,
+              .lower = 0.02,
+              .upper = 0.3,
+              .plausible_lower = 0.06,
+              .plausible_upper = 0.15},
+    Parameter{.name = "limiting_traction",
+              .unit = "1",
+              .initial = 0.06,
+              .lower = 0.01,
+              .upper = 0.2,
+              .plausible_lower = 0.03,
+              .plausible_upper = 0.09},
+    Parameter{.name = "K_rs", .unit = "1", .initial = 0.0, .lower = 0.0, .upper = 1e-6},
+    Parameter{.name = "oil_fraction", .unit = "1", .initial = 0.0, .lower = 0.0, .upper = 0.3}};
+
+/// The law of these numbers, `values` in the order above.
+[[nodiscard]] ContactLaw contact_law(const ContactData& data, std::span<const double> values);
+
+/// The oil at the state's temperature and viscosity, which an effect may have moved apart.
+[[nodiscard]] OilState oil_of(const BearingState<double>& state);
+
+/// One ball with its contacts; what it has lost is without number.
+struct BallFriction {
+  std::optional<ContactFriction> inner, outer;
+};
+
+/// Friction of a bearing by its contacts, with what else the law says of it.
+struct ContactResult {
+  BearingFriction friction;
+  double drag = 0.0;         ///< of the balls in the lubricant [N m]
+  double mean_slip = unset;  ///< Σ p |v|/Σ Q over all contacts [m/s]
+  /// Largest T/Q of the friction that carries the gyroscopic moment [1], and how many times what
+  /// that contact's film can hold it is.
+  double holding_coefficient = unset;
+  double holding_over_traction = unset;
+
+  [[nodiscard]] double moment() const { return friction.moment() + drag; }  ///< [N m]
+  /// As base_moments() has it.
+  [[nodiscard]] BaseMoments<double> moments() const {
+    return {.load = sliding() + hysteresis() + drag, .viscous = rolling()};
+  }
+  /// Leaves this share of the oil's resistance to rolling [1].
+  void thin(double share) {
+    friction.inner.rolling *= share;
+    friction.outer.rolling *= share;
+  }
+  [[nodiscard]] double rolling() const { return friction.inner.rolling + friction.outer.rolling; }
+  [[nodiscard]] double sliding() const { return friction.inner.sliding + friction.outer.sliding; }
+  [[nodiscard]] double hysteresis() const {
+    return friction.inner.hysteresis + friction.outer.hysteresis;
+  }
+};
+
+/// Heat of each ring [W]: the power of its contacts; what the balls lose to the oil around them
+/// goes to both alike.
+[[nodiscard]] HeatSplit ring_heat(const ContactResult& result, double speed);
+
+/// Sum over all balls of a state; numbers are NaN without a converged equilibrium. With `balls`
+/// each distinct ball's contacts are kept too.
+[[nodiscard]] ContactResult contact_result(const BearingState<double>& state,
+                                           std::span<const double> values,
+                                           std::vector<BallFriction>* balls = nullptr);
+
+/// Moment by which the balls plough through the mixture of oil and air around them [N m].
+///
+///   M = Z (C_D/2) ρ c (π D²/4) (ω_m d_m/2)³/ω,   C_D = 0.45
+///
+/// c: share of oil in the free space, `oil_fraction`.
+/// Source:   drag of a sphere at high Reynolds number, c as makers of programs count it; from
+///           memory, print not seen.
+/// Domain:   speed > 0, 0 at standstill. Accuracy: a factor of 3; the cage is not in it.
+[[nodiscard]] double ball_drag(const BearingState<double>& state, double density,
+                               double oil_fraction);
+
+}  // namespace raceway::friction::contact

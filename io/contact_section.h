@@ -1,0 +1,29 @@
+#pragma once
+
+#include "friction/contact/contact_data.h"
+#include "model/life_data.h"
+
+// Last: see io/toml_text.h.
+#include "io/model_tables.h"
+
+/// What the contact law takes of [lubricant], [bearing] and [friction] beside what every law does,
+/// and [life]; shared with the reader of models, not for other code. All throw InputError as
+/// read_model() does.
+namespace raceway::io {
+
+/// The keys of the contact law in a table. In those of data they may stand beside any law.
+[[nodiscard]] Names contact_keys(std::string_view table);
+
+/// `used`: the law is `contact`, so that defaults matter and are named. `supply` is read already.
+[[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
+                                                          std::optional<friction::Supply> supply);
+
+/// Of those keys the ones that a file has in its tables of data.
+[[nodiscard]] Names written_contact_keys(const ModelTables& tables);
+
+/// What a number of the law that is of the lubricant is where nobody gives it.
+[[nodiscard]] double default_of_lubricant(const ModelTables& tables);
+
+[[nodiscard]] model::LifeData read_life(ModelTables& tables);
+
+}  // namespace raceway::io

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "record/units.h"
+
+namespace raceway::model {
+
+/// What is said of the life of a bearing; what is unset follows from its geometry.
+struct LifeData {
+  double dynamic_load_rating = unset;  ///< C [N]; unset: that of ISO 281
+  double fatigue_load = unset;         ///< C_u [N]; unset: that of ISO 281
+  double contamination = 0.6;          ///< e_C, from 0 (dirt) to 1 (clean) [1]
+  double reliability = 90.0;           ///< [%]
+  [[nodiscard]] bool operator==(const LifeData&) const = default;
+};
+
+}  // namespace raceway::model
