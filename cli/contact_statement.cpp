@@ -36,6 +36,37 @@ std::string judgement(const friction::contact::ContactResult& r) {
                      largest.second, 100.0 * largest.first / r.moment());
 }
 
+std::string balls_statement(const model::Model& model, const bearing::OperatingPoint& point) {
+  const bearing::Material steel = bearing::steel();
+  if (model.law != friction::FrictionLaw::contact || model.shaft ||
+      (model.bearing.balls().density == steel.density &&
+       model.bearing.balls().elastic_modulus == steel.elastic_modulus))
+    return {};
+  model::Model other = model;
+  other.bearing = bearing::Bearing(model.bearing.geometry(), steel, model.bearing.rings());
+  const model::FrictionPrediction own = predict_friction(model, point),
+                                  with_steel = predict_friction(other, point);
+  if (!own.predicted() || !with_steel.predicted()) return {};
+  const auto largest = [](const model::FrictionPrediction& p,
+                          double bearing::BallEquilibrium::*of) {
+    double value = 0.0;
+    for (const bearing::BallEquilibrium& ball : p.equilibrium->balls.distinct())
+      value = std::fmax(value, ball.*of);
+    return value;
+  };
+  using Ball = bearing::BallEquilibrium;
+  return fmt::format(
+      "{} balls have {:.2f} of the torque of steel balls at {:.6g} rpm, {:.6g} N: centrifugal "
+      "force "
+      "of a ball {:.3g} instead of {:.3g} N, load at the outer race {:.3g} instead of {:.3g} N, "
+      "elastic modulus {:.0f} instead of {:.0f} GPa (docs/laws.md)",
+      model.bearing.balls().name, own.torque / with_steel.torque, point.speed / rpm,
+      point.axial_load, largest(own, &Ball::centrifugal_force),
+      largest(with_steel, &Ball::centrifugal_force), largest(own, &Ball::outer_load),
+      largest(with_steel, &Ball::outer_load), model.bearing.balls().elastic_modulus / GPa,
+      steel.elastic_modulus / GPa);
+}
+
 std::vector<std::string> notes_on_state(const model::Model& model, const bearing::Bearing& bearing,
                                         const bearing::OperatingPoint& point,
                                         const model::FrictionPrediction& prediction) {

@@ -10,6 +10,7 @@
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
+#include "cli/contact_statement.h"
 #include "cli/data_flag.h"
 #include "cli/number_flag.h"
 #include "cli/open_input.h"
@@ -311,6 +312,10 @@ int run(const TableFlags& flags) {
       },
       flags.force);
   tell(table_notes(model, table));
+  if (table.points() > 0)  // at the highest speed of the first loads
+    if (const std::string why = balls_statement(model, table.point(grid.speed.size() - 1));
+        !why.empty())
+      tell({why});
   return tell_of_failures(model, table);
 }
 
