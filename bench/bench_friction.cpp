@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "effects/catalogue.h"
+#include "friction/contact/contact_friction.h"
 #include "friction/stribeck_table.h"
 #include "model/prediction.h"
 
@@ -128,5 +129,47 @@ void laws_only(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(laws_only)->Name("friction/palmgren");
+
+/// Friction of the contacts of one point in balance, without the balance. Next to the time the
+/// largest |torque change| of a thousandth more speed off that of half as much [1]: its smoothness.
+struct ContactPoint {
+  bearing::BearingEquilibrium equilibrium;
+  friction::contact::OilState oil;
+  double speed;
+};
+
+std::vector<ContactPoint> contact_points(const bearing::Bearing& bearing, double radial_load) {
+  const friction::Lubricant lubricant(22 * mm2_per_s, 4.8 * mm2_per_s);
+  std::vector<ContactPoint> points;
+  for (const double n : {100.0, 1000.0, 3000.0, 6000.0, 10000.0, 16000.0})
+    for (const double celsius : {25.0, 40.0, 60.0})
+      points.push_back(
+          {bearing::solve_bearing_equilibrium(
+               bearing, {.speed = n * rpm, .axial_load = 800, .radial_load = radial_load}),
+           friction::contact::oil_state(lubricant, {}, kelvin(celsius)), n * rpm});
+  return points;
+}
+
+void contacts(benchmark::State& state, double radial_load) {
+  const model::Model model = spindle_model(false);
+  const std::vector<ContactPoint> points = contact_points(model.bearing, radial_load);
+  const friction::contact::ContactLaw law;
+  double sum = 0.0;
+  for (auto _ : state) {
+    sum = 0.0;
+    for (const ContactPoint& p : points)
+      sum += friction::contact::bearing_friction(model.bearing, p.equilibrium,
+                                                 bearing::RaceControl::outer, p.speed, p.oil, law)
+                 .moment();
+    benchmark::DoNotOptimize(sum);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
+  state.counters["us_per_point"] = benchmark::Counter(
+      static_cast<double>(points.size()) * 1e-6,
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["torque_Nmm"] = sum / N_mm / static_cast<double>(points.size());
+}
+BENCHMARK_CAPTURE(contacts, thrust, 0.0)->Name("contact/thrust");
+BENCHMARK_CAPTURE(contacts, combined, 300.0)->Name("contact/combined");
 
 }  // namespace

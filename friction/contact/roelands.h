@@ -28,6 +28,11 @@ class Roelands {
            std::exp(log_ * (std::pow(1.0 + pressure / reference_pressure, exponent_) - 1.0));
   }
 
+  /// η0, L and Z of the formula, for those who make many pressures at once.
+  [[nodiscard]] double at_no_pressure() const { return viscosity_; }
+  [[nodiscard]] double logarithm() const { return log_; }
+  [[nodiscard]] double exponent() const { return exponent_; }
+
   static constexpr double reference_pressure = 1.96e8;  ///< [Pa]
 
  private:
