@@ -36,6 +36,9 @@ struct BallConstants : BallConstantsOf<double> {
   RaceControl race_control;
 };
 
+/// What decides how a ball rotates: one of the races, or somebody else.
+enum class Rotation { outer_control, inner_control, given };
+
 /// C = m d_m ω²/2 [N].
 [[nodiscard]] double full_centrifugal(const Bearing& bearing, double speed);
 [[nodiscard]] BallConstants ball_constants(const Bearing& bearing, double speed,
@@ -72,6 +75,7 @@ struct BallForcesOf {
 /// Sign: M_g > 0 lowers αo. [CaseStudy] eqs. (14) and (18) together give the wrong sign.
 /// A ball that has lost the inner race (δi <= 0) is under outer control and pushes on nothing.
 /// The race control jumps there when it is `inner`, so a load can fall into a gap without balance.
+/// A GivenRotation has its own m, Ti and To.
 template <typename T>
 struct BallBalanceOf : BallForcesOf<T> {
   PlaneOf<T> imbalance;  ///< r [N]
@@ -152,13 +156,39 @@ template <typename T>
   return law;
 }
 
+template <typename T>
+[[nodiscard, gnu::always_inline]] inline RaceLaw<T> given_rotation_law(const BallConstantsOf<T>& c,
+                                                                       const ContactAngles<T>& a,
+                                                                       const GivenRotation& r) {
+  const T g = c.diameter_ratio;
+  const T inner = 1.0 - g * a.ci, outer = 1.0 + g * a.co;
+  const T inner_axis = a.ci * r.cos_pitch + a.si * r.sin_pitch;
+  const T outer_axis = a.co * r.cos_pitch + a.so * r.sin_pitch;
+  const T p = inner * outer_axis, q = outer * inner_axis;
+  const T inv = 1.0 / (p + q);
+  RaceLaw<T> law;
+  law.m = p * inv + r.creep;
+  law.m_i = (g * a.si * outer_axis * q - p * outer * (a.ci * r.sin_pitch - a.si * r.cos_pitch)) *
+            (inv * inv);
+  law.m_o = (inner * (a.co * r.sin_pitch - a.so * r.cos_pitch) * q + p * g * a.so * inner_axis) *
+            (inv * inv);
+  add_centrifugal(c, law);
+  law.ti = r.inner_friction;
+  law.to = r.outer_friction;
+  law.ti_i = law.ti_o = law.to_i = law.to_o = T(0.0);
+  return law;
+}
+
 /// The law of a ball whose inner contact may be lost in some lanes and then is under outer control.
-template <RaceControl control, typename T>
+template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
                                                              const ContactAngles<T>& a,
-                                                             const Mask<T>& touches) {
-  if constexpr (control == RaceControl::outer) {
+                                                             const Mask<T>& touches,
+                                                             const GivenRotation* given) {
+  if constexpr (rotation == Rotation::outer_control) {
     return outer_race_law(c, a);
+  } else if constexpr (rotation == Rotation::given) {
+    return touches ? given_rotation_law(c, a, *given) : outer_race_law(c, a);
   } else if constexpr (is_scalar<T>) {
     return touches ? inner_race_law(c, a) : outer_race_law(c, a);
   } else {
@@ -170,11 +200,12 @@ template <RaceControl control, typename T>
   }
 }
 
-/// The balance of a ball, written once for both race controls; `control` is that of the constants.
-template <RaceControl control, typename T>
+/// The balance of a ball, written once for all rotations; `given` where it is given.
+template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline BallBalanceOf<T> ball_balance_under(
     const BallConstantsOf<T>& c, const PlaneOf<T>& groove_centre, const PlaneOf<T>& ball_centre,
-    const T& moment_arm_ratio, InnerContact contact) {
+    const T& moment_arm_ratio, InnerContact contact, const GivenRotation* given = nullptr) {
+  constexpr bool inner_couple = rotation != Rotation::outer_control;
   using std::abs, std::max, std::sqrt;
   const T x1 = ball_centre.axial, x2 = ball_centre.radial;
   const T v1 = groove_centre.axial - x1, v2 = groove_centre.radial - x2;
@@ -213,17 +244,16 @@ template <RaceControl control, typename T>
       .cos_difference = along * inv_product,
       .sin_difference = select(behind, T(0.0), (v1 * x2 - v2 * x1) * inv_product),
       .inv = product * (product * reciprocal)};
-  const RaceLaw<T> law = race_law<control>(c, angles, touches);
+  const RaceLaw<T> law = race_law<rotation>(c, angles, touches, given);
   const T fc = law.fc, fc_i = law.fc_i, fc_o = law.fc_o;
   const T ti = law.ti, ti_i = law.ti_i, ti_o = law.ti_o;
   const T to = law.to, to_i = law.to_i, to_o = law.to_o;
 
   BallBalanceOf<T> b;
   b.force = {qi * si, qi * ci};
-  if constexpr (control == RaceControl::inner)
-    b.force = {b.force.axial + ti * ci, b.force.radial - ti * si};
+  if constexpr (inner_couple) b.force = {b.force.axial + ti * ci, b.force.radial - ti * si};
   b.moment_force = b.force.axial;
-  if constexpr (control == RaceControl::inner) b.moment_force -= moment_arm_ratio * ti;
+  if constexpr (inner_couple) b.moment_force -= moment_arm_ratio * ti;
   b.imbalance = {b.force.axial - qo * so - to * co, b.force.radial + fc - qo * co + to * so};
   b.inner_load = qi;
   b.outer_load = qo;
@@ -237,7 +267,7 @@ template <RaceControl control, typename T>
   // f_ai, r_ai: what one radian of αi does to f and to r; f_ao, r_ao: the same of αo.
   T f_ai_1 = qi * ci, f_ai_2 = -qi * si;
   T r_ao_1 = to * so - (qo + to_o) * co, r_ao_2 = fc_o + (qo + to_o) * so + to * co;
-  if constexpr (control == RaceControl::inner) {
+  if constexpr (inner_couple) {
     f_ai_1 += ti_i * ci - ti * si;
     f_ai_2 -= ti_i * si + ti * ci;
     r_ao_1 += ti_o * ci;
@@ -252,13 +282,13 @@ template <RaceControl control, typename T>
   b.f_a[1] = b.f_a[5] = n12 + f_ai_1 * tiv2;
   b.f_a[2] = n12 + f_ai_2 * tiv1;
   b.f_a[3] = n22 + f_ai_2 * tiv2;
-  if constexpr (control == RaceControl::inner) {
+  if constexpr (inner_couple) {
     b.f_a[4] -= moment_arm_ratio * ti_i * tiv1;
     b.f_a[5] -= moment_arm_ratio * ti_i * tiv2;
   }
   // The ring feels the ball's place only through V, and through Ti that follows αo.
   for (int j = 0; j < 6; ++j) b.f_x[j] = -b.f_a[j];
-  if constexpr (control == RaceControl::inner) {
+  if constexpr (inner_couple) {
     b.f_x[0] += ti_o * ci * tox1;
     b.f_x[1] += ti_o * ci * tox2;
     b.f_x[2] -= ti_o * si * tox1;
@@ -277,15 +307,20 @@ template <RaceControl control, typename T>
   return b;
 }
 
-/// The same for the race control of the constants; `moment_arm_ratio` = f_i D / R_i [1].
+/// The same for the race control of the constants, or the rotation that is given;
+/// `moment_arm_ratio` = f_i D / R_i [1].
 [[nodiscard]] inline BallBalance ball_balance(const BallConstants& c, Plane groove_centre,
                                               Plane ball_centre, double moment_arm_ratio,
-                                              InnerContact contact = InnerContact::automatic) {
+                                              InnerContact contact = InnerContact::automatic,
+                                              const GivenRotation* given = nullptr) {
+  if (given)
+    return ball_balance_under<Rotation::given, double>(c, groove_centre, ball_centre,
+                                                       moment_arm_ratio, contact, given);
   return c.race_control == RaceControl::outer
-             ? ball_balance_under<RaceControl::outer, double>(c, groove_centre, ball_centre,
-                                                              moment_arm_ratio, contact)
-             : ball_balance_under<RaceControl::inner, double>(c, groove_centre, ball_centre,
-                                                              moment_arm_ratio, contact);
+             ? ball_balance_under<Rotation::outer_control, double>(c, groove_centre, ball_centre,
+                                                                   moment_arm_ratio, contact)
+             : ball_balance_under<Rotation::inner_control, double>(c, groove_centre, ball_centre,
+                                                                   moment_arm_ratio, contact);
 }
 
 /// A ball of a bearing at rest, between groove centres at distance A: two springs in series on one

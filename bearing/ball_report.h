@@ -38,9 +38,7 @@ template <bool at_rest, typename T>
   b.inner_friction = f.inner_friction;
   b.outer_friction = f.outer_friction;
   b.centrifugal_force = f.centrifugal;
-  // λo is 1 where the inner race shares the couple, else 2.
-  b.gyroscopic_moment = select(f.inner_friction != zero, f.outer_friction * ball_diameter,
-                               0.5 * f.outer_friction * ball_diameter);
+  b.gyroscopic_moment = 0.5 * (f.inner_friction + f.outer_friction) * ball_diameter;
   return b;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "bearing/balls.h"
 #include "bearing/bearing.h"
@@ -22,6 +23,10 @@ struct EquilibriumOptions {
   bool gyroscopic_moment = true;  ///< false leaves M_g out, for comparison
   double tolerance = 1e-11;       ///< on the scaled residual [1]
   int max_iterations = 2000;      ///< Newton steps over all stages
+  /// Rotation of the balls where race control does not decide it: one for each ball of the bearing
+  /// by azimuth (those that the load leaves alike have the same), or one for all. Not looked at for
+  /// a ball that has lost the inner race, nor at rest.
+  std::span<const GivenRotation> rotations = {};
 };
 
 /// The inner-ring displacement that carries a load, and all that follows from it.

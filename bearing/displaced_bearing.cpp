@@ -23,7 +23,7 @@ DisplacedBearing::DisplacedBearing(const Bearing& bearing, double speed, const R
     : bearing_(&bearing),
       options_(options),
       point_(unloaded_point(bearing, options)),
-      circle_(ball_circle(bearing, {})),
+      circle_(ball_circle(bearing, {}, options)),
       axial_shift_(shift.axial),
       one_shoulder_(bearing.geometry().contact_angle > 0.0) {
   require_between("speed", speed, 0.0, 1e6 * rpm, rpm, "rpm");
@@ -34,7 +34,7 @@ DisplacedBearing::DisplacedBearing(const Bearing& bearing, double speed, const R
   point_.ball_scale = std::max(least_ball_scale, 0.2 * point_.ball.full_centrifugal);
   point_.load_scale = point_.ball_scale * circle_.count;
   circle_.symmetry = Symmetry::none;
-  model_ = ball_model(point_, options.race_control);
+  model_ = ball_model(point_, options);
   balls_.resize(static_cast<std::size_t>(circle_.count));
 }
 
@@ -55,10 +55,11 @@ InnerContact DisplacedBearing::contact_at(Plane centre) const {
 }
 
 template <BallModel model>
-bool DisplacedBearing::balance(Plane centre, InnerContact contact, Plane& ball) const {
+bool DisplacedBearing::balance(Plane centre, InnerContact contact, const GivenRotation* given,
+                               Plane& ball) const {
   BallStep<double> step, trial_step;
   Plane x = ball;
-  BallShare<double> now = ball_share<model>(point_, centre, x, contact, step);
+  BallShare<double> now = ball_share<model>(point_, centre, x, contact, step, given);
   for (int i = 0; i < most_ball_steps; ++i) {
     if (!std::isfinite(now.imbalance)) return false;
     const double residual = std::sqrt(now.imbalance);
@@ -71,7 +72,7 @@ bool DisplacedBearing::balance(Plane centre, InnerContact contact, Plane& ball) 
       const double least = point_.ball.outer_radius + 0.1 * step.outer_approach;
       const double length = distance_to(next);
       if (length < least) next = {next.axial * least / length, next.radial * least / length};
-      trial = ball_share<model>(point_, centre, next, contact, trial_step);
+      trial = ball_share<model>(point_, centre, next, contact, trial_step, given);
       if (trial.imbalance <= (halving == 0 ? 4.0 : 1.0) * now.imbalance || halving == 10) break;
       fraction *= 0.5;
     }
@@ -89,11 +90,12 @@ bool DisplacedBearing::balance(Plane centre, InnerContact contact, Plane& ball) 
 }
 
 template <BallModel model>
-bool DisplacedBearing::find(Plane centre, InnerContact contact, Plane& ball) const {
-  if (placed_ && balance<model>(centre, contact, ball)) return true;
+bool DisplacedBearing::find(Plane centre, InnerContact contact, const GivenRotation* given,
+                            Plane& ball) const {
+  if (placed_ && balance<model>(centre, contact, given, ball)) return true;
   for (const Plane start : {resting_ball(centre), thrown_ball()}) {
     ball = start;
-    if (balance<model>(centre, contact, ball)) return true;
+    if (balance<model>(centre, contact, given, ball)) return true;
   }
   // Followed from rest in speed squared, the steps as long as Newton allows.
   DisplacedBearing slower = *this;
@@ -103,7 +105,7 @@ bool DisplacedBearing::find(Plane centre, InnerContact contact, Plane& ball) con
     const double next = std::min(1.0, share + step);
     slower.point_.ball.full_centrifugal = next * point_.ball.full_centrifugal;
     Plane trial = ball;
-    if (slower.balance<model>(centre, contact, trial)) {
+    if (slower.balance<model>(centre, contact, given, trial)) {
       ball = trial;
       share = next;
       step *= 2.0;
@@ -123,21 +125,22 @@ bool DisplacedBearing::hold_as(const Vector5& scaled) {
   for (int k = 0; k < circle_.count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const Plane centre = groove_centre<AllCoordinates>(point_, circle_, ring_.data(), k);
-    if (centre == last_centre) {
+    if (centre == last_centre && circle_.rotations.size() <= 1) {
       balls_[i] = balls_[i - 1];
     } else {
       const InnerContact contact = contact_at(centre);
       BallStep<double> step;
       if constexpr (model == BallModel::at_rest) {
-        share = contact == InnerContact::lost
-                    ? BallShare<double>{}
-                    : ball_share<model>(point_, centre, balls_[i], contact, step);
+        share =
+            contact == InnerContact::lost
+                ? BallShare<double>{}
+                : ball_share<model>(point_, centre, balls_[i], contact, step, circle_.rotation(k));
       } else {
-        if (!find<model>(centre, contact, balls_[i])) {
+        if (!find<model>(centre, contact, circle_.rotation(k), balls_[i])) {
           placed_ = false;
           return false;
         }
-        share = ball_share<model>(point_, centre, balls_[i], contact, step);
+        share = ball_share<model>(point_, centre, balls_[i], contact, step, circle_.rotation(k));
       }
       last_centre = centre;
     }
@@ -173,7 +176,7 @@ void DisplacedBearing::report_into(BearingEquilibrium& result) const {
     BallStep<double> step;
     BallShare<double> share{};
     if (model != BallModel::at_rest || contact != InnerContact::lost)
-      share = ball_share<model>(point_, centre, balls_[i], contact, step);
+      share = ball_share<model>(point_, centre, balls_[i], contact, step, circle_.rotation(k));
     worst = std::max(worst, share.imbalance);
     kept[i] = ball_equilibrium(
         ball_report<model == BallModel::at_rest>(share.forces, centre, balls_[i], diameter),

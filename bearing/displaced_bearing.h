@@ -37,9 +37,9 @@ class DisplacedBearing {
   template <BallModel model>
   bool hold_as(const Vector5& scaled);
   template <BallModel model>
-  bool balance(Plane centre, InnerContact contact, Plane& ball) const;
+  bool balance(Plane centre, InnerContact contact, const GivenRotation* given, Plane& ball) const;
   template <BallModel model>
-  bool find(Plane centre, InnerContact contact, Plane& ball) const;
+  bool find(Plane centre, InnerContact contact, const GivenRotation* given, Plane& ball) const;
   template <BallModel model>
   void report_into(BearingEquilibrium& result) const;
   [[nodiscard]] InnerContact contact_at(Plane centre) const;

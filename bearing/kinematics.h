@@ -24,6 +24,19 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
   return (cos_difference - g * cos_outer) / (1.0 + cos_difference);
 }
 
+/// Rotation of a ball that does not follow from its contact angles by race control, as whoever
+/// balances its friction found it: its orbital speed and the frictions in its plane.
+///
+///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
+///
+/// rolling without slip at both contacts about an axis at pitch β, and what creep adds; Ti, To as
+/// in BallBalance. β, m_c, Ti, To stay as they are while contact angles move.
+struct GivenRotation {
+  double cos_pitch = 1.0, sin_pitch = 0.0;            ///< of β
+  double creep = 0.0;                                 ///< m_c [1]
+  double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To [N]
+};
+
 /// Speeds of one ball [rad/s] and the attitude of its axis [rad].
 struct BallSpeeds {
   double cage_speed;        ///< orbital speed ω_m about the bearing axis

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <stdexcept>
 
 namespace raceway::bearing {
 namespace {
@@ -36,6 +37,9 @@ RingPoint<double> unloaded_point(const Bearing& bearing, const EquilibriumOption
 
 void set_operating_point(RingPoint<double>& ring, const Bearing& bearing, const OperatingPoint& p,
                          const EquilibriumOptions& options) {
+  const std::size_t given = options.rotations.size();
+  if (given > 1 && given != bearing.azimuth().size())
+    throw std::invalid_argument("rotations: as many as balls are needed, or one");
   ring.ball.full_centrifugal = full_centrifugal(bearing, p.speed);
   const bool tilts = options.tilt == Tilt::free;
   const double loads[] = {p.axial_load, p.radial_load, p.radial_load_z,
@@ -50,7 +54,11 @@ void set_operating_point(RingPoint<double>& ring, const Bearing& bearing, const 
   ring.rounding = rounding_of(ring.ball, ring.ball_scale);
 }
 
-BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& p) {
+BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& p,
+                       const EquilibriumOptions& options) {
+  const std::size_t given = options.rotations.size();
+  if (given > 1 && given != bearing.azimuth().size())
+    throw std::invalid_argument("rotations: as many as balls are needed, or one");
   const Symmetry symmetry = p.radial_load_z != 0.0 || p.moment_y != 0.0 ? Symmetry::none
                             : p.radial_load != 0.0 || p.moment_z != 0.0 ? Symmetry::mirror
                                                                         : Symmetry::thrust;
@@ -58,12 +66,15 @@ BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& p) {
           .cosine = bearing.cos_azimuth().data(),
           .sine = bearing.sin_azimuth().data(),
           .count = bearing.geometry().ball_count,
-          .symmetry = symmetry};
+          .symmetry = symmetry,
+          .rotations = options.rotations};
 }
 
-BallModel ball_model(const RingPoint<double>& ring, RaceControl race_control) {
+BallModel ball_model(const RingPoint<double>& ring, const EquilibriumOptions& options) {
   if (ring.ball.full_centrifugal == 0.0) return BallModel::at_rest;
-  return race_control == RaceControl::outer ? BallModel::outer_control : BallModel::inner_control;
+  if (!options.rotations.empty()) return BallModel::given_rotation;
+  return options.race_control == RaceControl::outer ? BallModel::outer_control
+                                                    : BallModel::inner_control;
 }
 
 template <typename T>

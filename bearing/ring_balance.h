@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "bearing/ball_equilibrium.h"
 #include "bearing/ball_report.h"
@@ -13,8 +14,9 @@
 // fits all components.
 namespace raceway::bearing {
 
-/// What holds a ball: two springs on one line, or the balance of a ball that orbits.
-enum class BallModel { at_rest, outer_control, inner_control };
+/// What holds a ball: two springs on one line, or the balance of a ball that orbits, under race
+/// control or in a rotation that is given.
+enum class BallModel { at_rest, outer_control, inner_control, given_rotation };
 
 /// Ring coordinates that are unknowns, among x, y, z, θy, θz.
 template <int... indices>
@@ -43,18 +45,26 @@ struct ModelConstant {
   static constexpr BallModel value = model;
 };
 
-/// Calls f with a ModelConstant.
+/// Calls f with a ModelConstant; for points side by side, whose balls are under race control.
 template <typename F>
-decltype(auto) with_model(BallModel model, F&& f) {
+decltype(auto) with_race_control(BallModel model, F&& f) {
   switch (model) {
     case BallModel::at_rest:
       return f(ModelConstant<BallModel::at_rest>());
     case BallModel::outer_control:
       return f(ModelConstant<BallModel::outer_control>());
     case BallModel::inner_control:
+    case BallModel::given_rotation:
       break;
   }
   return f(ModelConstant<BallModel::inner_control>());
+}
+
+/// Calls f with a ModelConstant, any of them.
+template <typename F>
+decltype(auto) with_model(BallModel model, F&& f) {
+  if (model == BallModel::given_rotation) return f(ModelConstant<BallModel::given_rotation>());
+  return with_race_control(model, f);
 }
 
 /// Where the balls are, and which of them are unknowns: one, half of them, or all.
@@ -64,11 +74,17 @@ struct BallCircle {
   const double* sine;
   int count;  ///< Z
   Symmetry symmetry;
+  std::span<const GivenRotation> rotations = {};  ///< of the balls, or one of all; see BallModel
 
   [[nodiscard, gnu::always_inline]] int used() const { return distinct_balls(symmetry, count); }
   /// How many balls of the bearing ball k stands for [1].
   [[nodiscard, gnu::always_inline]] double weight(int k) const {
     return weight_of_ball(symmetry, count, k);
+  }
+  /// Where rotations are given, that of ball k.
+  [[nodiscard, gnu::always_inline]] const GivenRotation* rotation(int k) const {
+    if (rotations.empty()) return nullptr;
+    return &rotations[rotations.size() == 1 ? 0 : static_cast<std::size_t>(k)];
   }
 };
 
@@ -92,8 +108,10 @@ struct RingPoint {
 /// Gives a point of this bearing its speed and load.
 void set_operating_point(RingPoint<double>& ring, const Bearing& bearing,
                          const OperatingPoint& point, const EquilibriumOptions& options);
-[[nodiscard]] BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& point);
-[[nodiscard]] BallModel ball_model(const RingPoint<double>& ring, RaceControl race_control);
+[[nodiscard]] BallCircle ball_circle(const Bearing& bearing, const OperatingPoint& point,
+                                     const EquilibriumOptions& options = {});
+[[nodiscard]] BallModel ball_model(const RingPoint<double>& ring,
+                                   const EquilibriumOptions& options);
 
 /// The step a ball would take, and what bounds it.
 template <typename T>
@@ -116,7 +134,8 @@ struct BallShare {
 template <BallModel model, typename T>
 [[gnu::always_inline]] inline BallShare<T> ball_share(const RingPoint<T>& p,
                                                       const PlaneOf<T>& centre, const PlaneOf<T>& x,
-                                                      InnerContact contact, BallStep<T>& step) {
+                                                      InnerContact contact, BallStep<T>& step,
+                                                      const GivenRotation* given = nullptr) {
   BallShare<T> share;
   if constexpr (model == BallModel::at_rest) {
     const StaticBallOf<T> b = static_ball<T>(p.ball, p.springs, centre);
@@ -131,10 +150,11 @@ template <BallModel model, typename T>
     share.imbalance = zero;
     share.forces = {b.load, b.load, zero, zero, zero, zero, zero};
   } else {
-    constexpr auto control =
-        model == BallModel::outer_control ? RaceControl::outer : RaceControl::inner;
+    constexpr auto rotation = model == BallModel::outer_control   ? Rotation::outer_control
+                              : model == BallModel::inner_control ? Rotation::inner_control
+                                                                  : Rotation::given;
     const BallBalanceOf<T> b =
-        ball_balance_under<control>(p.ball, centre, x, p.moment_arm_ratio, contact);
+        ball_balance_under<rotation>(p.ball, centre, x, p.moment_arm_ratio, contact, given);
     share.forces = b;
     step.outer_approach = b.outer_approach;
     // follow = -r_x⁻¹ r_a, own = -r_x⁻¹ r; one division for this and for the imbalance.
@@ -153,7 +173,7 @@ template <BallModel model, typename T>
     step.follow[2] = inv * (b.r_x[0] * b.r_a[2] - b.r_x[2] * b.r_a[0]);
     step.follow[3] = inv * (b.r_x[0] * b.r_a[3] - b.r_x[2] * b.r_a[1]);
     // Under outer control the moment's row is the axial one.
-    constexpr int rows = control == RaceControl::inner ? 3 : 2;
+    constexpr int rows = rotation == Rotation::outer_control ? 2 : 3;
     for (int j = 0; j < rows; ++j) {
       const T fx0 = b.f_x[2 * j], fx1 = b.f_x[2 * j + 1];
       share.gain[j] = fx0 * step.own[0] + fx1 * step.own[1];
@@ -292,7 +312,8 @@ void report_ring(const RingPoint<T>& p, const BallCircle& circle, bool tilts, co
     const PlaneOf<T> a = groove_centre<AllCoordinates>(p, circle, ring, k);
     const PlaneOf<T> x = balls[k];
     BallStep<T> step;
-    const BallShare<T> share = ball_share<model>(p, a, x, InnerContact::automatic, step);
+    const BallShare<T> share =
+        ball_share<model>(p, a, x, InnerContact::automatic, step, circle.rotation(k));
     sums.add(circle, k, share);
     worst_ball = max(worst_ball, share.imbalance);
     const BallForcesOf<T>& f = share.forces;

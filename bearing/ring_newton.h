@@ -86,12 +86,14 @@ template <BallModel model, class C>
     bool alike = false;
     // Worth a look for one point: from a thrust start all balls begin alike.
     if constexpr (is_scalar<T>)
-      alike = centre == last_centre && trial_balls[i] == last_ball && !contacts;
+      alike = centre == last_centre && trial_balls[i] == last_ball && !contacts &&
+              circle.rotations.size() <= 1;
     if (alike) {
       trial_[i] = trial_[i - 1];
     } else {
       const InnerContact contact = contacts ? contacts[k] : InnerContact::automatic;
-      share = ball_share<model>(point, centre, trial_balls[i], contact, trial_[i]);
+      share =
+          ball_share<model>(point, centre, trial_balls[i], contact, trial_[i], circle.rotation(k));
       last_centre = centre;
       last_ball = trial_balls[i];
     }

@@ -152,7 +152,7 @@ class KernelRun {
 template <typename T>
 void solve_in(const KernelCall& call) {
   thread_local KernelMemory<T> memory;
-  with_model(call.model, [&](auto model) {
+  with_race_control(call.model, [&](auto model) {
     with_coordinates(call.circle.symmetry, call.tilts, [&](auto coordinates) {
       KernelRun<T, decltype(model)::value, decltype(coordinates)>(call, memory).run();
     });

@@ -50,7 +50,7 @@ class Chunk {
     for (std::size_t i = 0; i < results_.size(); ++i) {
       if (m_.done[i]) continue;
       const auto [bearing, point] = at_(i);
-      if (point.axial_load > 0.0) {
+      if (point.axial_load > 0.0 && options_.rotations.empty()) {
         solve_like(i, kind(bearing, point));
       } else {
         results_[i] = solve_bearing_equilibrium(bearing, point, options_);
@@ -91,7 +91,7 @@ class Chunk {
     const auto used = static_cast<std::size_t>(circle.used());
     m_.balls.resize(m_.blocks.size() * used);
     run({.circle = circle,
-         .model = ball_model(ring, options_.race_control),
+         .model = ball_model(ring, options_),
          .tilts = options_.tilt == Tilt::free,
          .tolerance = options_.tolerance,
          .blocks = m_.blocks.data(),

@@ -57,33 +57,26 @@ struct RaceFriction {
   /// rolling resistance.
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion,
                                         double film_speed = 1.0) const {
-    ContactFriction c;
-    c.semi_major_axis = shape.unit_major_axis * std::cbrt(load);
-    c.semi_minor_axis = c.semi_major_axis / shape.ellipse_ratio;
-    c.peak_pressure = 1.5 * load / (pi * c.semi_major_axis * c.semi_minor_axis);
-    c.spin = motion.spin * film_speed;
-    c.rolling_speed = motion.rolling * film_speed;
+    const ContactFriction c = film(load, motion, film_speed);
+    return contact(c, load, motion, film_speed,
+                   film_traction(ellipse(c, load, motion), shear(c, motion)));
+  }
 
-    const RollingInlet inlet{.viscosity = oil.viscosity,
-                             .pressure_viscosity = oil.pressure_viscosity,
-                             .speed = motion.surface_speed * film_speed,
-                             .modulus = shape.modulus,
-                             .radius_along = shape.radius_along,
-                             .load = load};
-    const double loading =
-        thermal_loading(oil.viscosity, oil.viscosity_slope, inlet.speed, oil.conductivity);
-    c.film = film_of(inlet, loading, c.semi_minor_axis);
-    c.film_ratio = contact::film_ratio(c.film, law.composite_roughness);
-    c.asperity_share = contact::asperity_share(c.film_ratio, law.asperities);
-    add_sliding(load, motion, film_speed, c);
-
+  /// The same of a contact whose sliding is known, on its film().
+  [[nodiscard]] ContactFriction contact(ContactFriction c, double load, const ContactMotion& motion,
+                                        double film_speed, const Traction& traction) const {
+    c.sliding = traction.power;
+    c.mean_friction = traction.mean_friction;
+    c.mean_slip = traction.mean_slip * film_speed;
+    c.converged = traction.converged;
+    const RollingInlet inlet = inlet_of(load, motion, film_speed);
     const double force = rolling_force({.inlet = inlet,
                                         .radius_across = shape.radius_across,
                                         .semi_major_axis = c.semi_major_axis,
                                         .semi_minor_axis = c.semi_minor_axis,
                                         .second_integral = shape.second_integral},
                                        law.supply);
-    c.rolling = law.rolling_factor * supply_factor * thermal_rolling_factor(loading) *
+    c.rolling = law.rolling_factor * supply_factor * thermal_rolling_factor(loading_of(inlet)) *
                 rolling_power(force, inlet.speed);
     c.hysteresis = law.hysteresis_factor * motion.rolling *
                    hysteresis_moment(ball_diameter, load, shape.radius_across / shape.radius_along,
@@ -91,38 +84,61 @@ struct RaceFriction {
     return c;
   }
 
- private:
-  [[nodiscard]] Film film_of(const RollingInlet& inlet, double loading,
-                             double semi_minor_axis) const {
+  /// Ellipse, film and asperities alone.
+  [[nodiscard]] ContactFriction film(double load, const ContactMotion& motion,
+                                     double film_speed) const {
+    ContactFriction c;
+    c.semi_major_axis = shape.unit_major_axis * std::cbrt(load);
+    c.semi_minor_axis = c.semi_major_axis / shape.ellipse_ratio;
+    c.peak_pressure = 1.5 * load / (pi * c.semi_major_axis * c.semi_minor_axis);
+    c.spin = motion.spin * film_speed;
+    c.rolling_speed = motion.rolling * film_speed;
+    const RollingInlet inlet = inlet_of(load, motion, film_speed);
     const Film flooded = isothermal_film(inlet, shape.ellipse_ratio);
-    const double thermal = thermal_film_factor(loading);
+    const double thermal = thermal_film_factor(loading_of(inlet));
     const StarvationFactors starved =
         std::isnan(law.inlet_over_b) || !(flooded.central > 0.0)
             ? StarvationFactors{}
-            : starvation_factors(flooded, inlet.radius_along, semi_minor_axis, law.inlet_over_b);
-    return {.central = flooded.central * thermal * starved.central,
-            .minimum = flooded.minimum * thermal * starved.minimum};
+            : starvation_factors(flooded, inlet.radius_along, c.semi_minor_axis, law.inlet_over_b);
+    c.film = {.central = flooded.central * thermal * starved.central,
+              .minimum = flooded.minimum * thermal * starved.minimum};
+    c.film_ratio = contact::film_ratio(c.film, law.composite_roughness);
+    c.asperity_share = contact::asperity_share(c.film_ratio, law.asperities);
+    return c;
   }
 
-  void add_sliding(double load, const ContactMotion& motion, double film_speed,
-                   ContactFriction& c) const {
-    const SlidingEllipse ellipse{.load = load,
-                                 .semi_major_axis = c.semi_major_axis,
-                                 .semi_minor_axis = c.semi_minor_axis,
-                                 .differential = motion.rolling / (2.0 * shape.pressed_radius),
-                                 .spin = motion.spin};
-    const FilmShear shear{.viscosity = Roelands(oil.viscosity, oil.pressure_viscosity),
-                          .film = c.film.central,
-                          .eyring_stress = law.eyring_stress,
-                          .limiting_traction = law.limiting_traction,
-                          .asperity_share = c.asperity_share,
-                          .boundary_friction = law.boundary_friction,
-                          .small_speed = 1e-6 * motion.surface_speed};
-    const Traction traction = film_traction(ellipse, shear);
-    c.sliding = traction.power;
-    c.mean_friction = traction.mean_friction;
-    c.mean_slip = traction.mean_slip * film_speed;
-    c.converged = traction.converged;
+  [[nodiscard]] SlidingEllipse ellipse(const ContactFriction& c, double load,
+                                       const ContactMotion& motion) const {
+    return {.load = load,
+            .semi_major_axis = c.semi_major_axis,
+            .semi_minor_axis = c.semi_minor_axis,
+            .differential = motion.rolling / (2.0 * shape.pressed_radius),
+            .spin = motion.spin};
+  }
+
+  [[nodiscard]] FilmShear shear(const ContactFriction& c, const ContactMotion& motion) const {
+    return {.viscosity = Roelands(oil.viscosity, oil.pressure_viscosity),
+            .film = c.film.central,
+            .eyring_stress = law.eyring_stress,
+            .limiting_traction = law.limiting_traction,
+            .asperity_share = c.asperity_share,
+            .boundary_friction = law.boundary_friction,
+            .small_speed = 1e-6 * motion.surface_speed};
+  }
+
+ private:
+  [[nodiscard]] RollingInlet inlet_of(double load, const ContactMotion& motion,
+                                      double film_speed) const {
+    return {.viscosity = oil.viscosity,
+            .pressure_viscosity = oil.pressure_viscosity,
+            .speed = motion.surface_speed * film_speed,
+            .modulus = shape.modulus,
+            .radius_along = shape.radius_along,
+            .load = load};
+  }
+
+  [[nodiscard]] double loading_of(const RollingInlet& inlet) const {
+    return thermal_loading(oil.viscosity, oil.viscosity_slope, inlet.speed, oil.conductivity);
   }
 };
 
@@ -137,6 +153,23 @@ struct BearingFriction {
   double smallest_film_ratio = unset;  ///< [1]
   bool converged = false;
   [[nodiscard]] double moment() const { return inner.sum() + outer.sum(); }  ///< [N m]
+
+  /// Of a bearing that is not in balance: no numbers.
+  [[nodiscard]] static BearingFriction none() {
+    BearingFriction f;
+    f.inner = f.outer = {unset, unset, unset};
+    return f;
+  }
+  /// Adds so many contacts that are alike, to the `parts` of their race.
+  void add(const ContactFriction& c, double contacts, double speed, Parts& parts) {
+    const double share = contacts / speed;
+    parts.sliding += share * c.sliding;
+    parts.rolling += share * c.rolling;
+    parts.hysteresis += share * c.hysteresis;
+    smallest_film = std::fmin(smallest_film, c.film.minimum);
+    smallest_film_ratio = std::fmin(smallest_film_ratio, c.film_ratio);
+    converged = converged && c.converged;
+  }
 };
 
 /// What a race of a bearing takes, at one state of the oil and one speed [rad/s].
@@ -174,7 +207,8 @@ struct BearingFriction {
 ///   M = Σ (sliding + rolling + hysteresis)/ω       over the balls, at both races
 ///
 /// Each power is counted at the contact where it arises, so that the moments of a race are the heat
-/// of its ring. Race control without gyroscopic creep.
+/// of its ring. Race control without gyroscopic creep; balls that no race holds are
+/// balanced_equilibrium.h's.
 /// Source:   the laws of this folder; the sum by power, derived.
 /// Domain:   speed >= 0, at standstill the limit of slow rotation; converged equilibrium, else NaN.
 /// Accuracy: the laws to rounding, sliding 0.1 %. The level of a bearing at speed is known to +-40
@@ -187,29 +221,20 @@ template <typename Look>
                                                bearing::RaceControl control, double speed,
                                                const OilState& oil, const ContactLaw& law,
                                                Look&& look) {
-  BearingFriction sum;
-  if (!equilibrium.report.converged()) {
-    sum.inner = sum.outer = {unset, unset, unset};
-    return sum;
-  }
+  if (!equilibrium.report.converged()) return BearingFriction::none();
   const RaceFriction inner = race_friction(bearing, bearing::Race::inner, oil, law, speed);
   const RaceFriction outer = race_friction(bearing, bearing::Race::outer, oil, law, speed);
   const double turning = speed > 0.0 ? speed : 1.0, film_speed = speed > 0.0 ? 1.0 : 0.0;
+  BearingFriction sum;
   sum.converged = true;
   const bearing::Balls& balls = equilibrium.balls;
   const auto add = [&](std::size_t ball, bearing::Race which, double load,
                        const ContactMotion& motion, BearingFriction::Parts& parts) {
     if (!(load > 0.0)) return;
-    const double weight = balls.weight(ball);
     const ContactFriction c =
         (which == bearing::Race::inner ? inner : outer).contact(load, motion, film_speed);
-    look(ball, which, c, weight);
-    parts.sliding += weight * c.sliding / turning;
-    parts.rolling += weight * c.rolling / turning;
-    parts.hysteresis += weight * c.hysteresis / turning;
-    sum.smallest_film = std::fmin(sum.smallest_film, c.film.minimum);
-    sum.smallest_film_ratio = std::fmin(sum.smallest_film_ratio, c.film_ratio);
-    sum.converged = sum.converged && c.converged;
+    look(ball, which, c, balls.weight(ball));
+    sum.add(c, balls.weight(ball), turning, parts);
   };
   for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
     const bearing::BallEquilibrium& ball = balls.distinct()[k];

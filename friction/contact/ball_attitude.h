@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cmath>
+
+#include "bearing/bearing_equilibrium.h"
+#include "friction/contact/contact_friction.h"
+#include "friction/contact/slip_forces.h"
+
+namespace raceway::friction::contact {
+
+/// Rotation of a ball that no race holds, as traction at both contacts turns it, and what follows.
+/// At standstill speeds and powers are those per rad/s of the shaft.
+struct BallAttitude {
+  double cage_speed = unset;  ///< ω_m [rad/s]
+  /// ω_R in the cage's frame: along the bearing axis against the shaft, radial outwards, and along
+  /// the orbit [rad/s]. Under race control the last is none.
+  double along = unset, across = unset, orbital = unset;
+  SlipMotion inner_slip, outer_slip;
+  Traction inner, outer;                            ///< of both contacts
+  double inner_force = unset, outer_force = unset;  ///< T_i, T_o as in BallBalance [N]
+  double shaft_power = unset;                       ///< what traction takes from the shaft [W]
+  bearing::SolveReport report;
+
+  [[nodiscard]] double ball_speed() const { return std::hypot(along, across, orbital); }
+  /// β between the ball's axis, seen along the orbit, and the bearing axis [rad].
+  [[nodiscard]] double pitch_angle() const { return std::atan2(across, along); }
+};
+
+/// Finds the rotation of the balls of one bearing at one speed and state of the oil.
+///
+/// Four free speeds of a ball, no force of the cage, traction alone at both contacts:
+///
+///   Σ τ_x of both contacts alike,   M = J ω_m x̂ × w       (M of traction about the ball's centre)
+///   T_i + T_o = (2/D) J ω_m ω_R sin β,   as the third component says
+///
+/// The unknowns are the slips at the centres of both contacts and ω_R sin β; the derivatives are
+/// analytic. Traction follows from a potential that is convex in these speeds, to which the
+/// gyroscopic moment adds what turns and does not stretch: for a given cage speed there is one
+/// solution, and every step of Newton's method leads down to it. Where dry friction turns too
+/// sharply for that, its direction is made smoother and followed back.
+///
+/// Source:   derived; the slip field of traction.h. Race control is no part of it: in a full film
+///           the ball turns until its gyroscopic moment is gone (β near 0), under boundary friction
+///           it comes near race control.
+/// Domain:   speed >= 0, at standstill the limit of slow rotation; loaded balls. A ball that has
+///           lost the inner race rolls on the outer one alone, without slip at its centre.
+/// Accuracy: forces 1e-9 of the sum of |τ|; power in equals power lost to 1e-8. Film and rolling
+///           resistance at the cage speed found; the latter turns no ball.
+class BallAttitudes {
+ public:
+  BallAttitudes(const bearing::Bearing& bearing, double speed, const OilState& oil,
+                const ContactLaw& law);
+
+  /// Of a ball under these loads at these contact angles; from the attitude of a neighbour or at
+  /// another load, where there is one.
+  [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
+                                   const BallAttitude* start = nullptr) const;
+
+  [[nodiscard]] const RaceFriction& race(bearing::Race race) const {
+    return race == bearing::Race::inner ? inner_ : outer_;
+  }
+  /// Speed at which balls turn in solve(): that of the shaft, 1 rad/s at standstill.
+  [[nodiscard]] double turning() const { return speed_ > 0.0 ? speed_ : 1.0; }
+  /// Share of it that makes a film: none at standstill.
+  [[nodiscard]] double film_speed() const { return speed_ > 0.0 ? 1.0 : 0.0; }
+
+ private:
+  [[nodiscard]] BallAttitude on_outer_race(const bearing::BallEquilibrium& ball) const;
+
+  const bearing::Bearing* bearing_;
+  double speed_;
+  RaceFriction inner_, outer_;
+};
+
+/// Speeds of both contacts of a ball in that attitude.
+[[nodiscard]] BallMotion ball_motion(const bearing::BearingGeometry& geometry,
+                                     const BallAttitude& attitude,
+                                     const bearing::BallEquilibrium& ball, double speed);
+
+}  // namespace raceway::friction::contact

@@ -1,0 +1,139 @@
+#include "friction/contact/slip_forces.h"
+
+#include <cmath>
+
+#include "friction/contact/area_sine.h"
+
+namespace raceway::friction::contact {
+namespace {
+
+template <std::size_t n>
+double total_of(const std::array<double, n>& row) {
+  double total = 0.0;
+  for (const double x : row) total += x;
+  return total;
+}
+
+bool slips_wide() {
+  static const bool has = __builtin_cpu_supports("avx2");
+  return has;
+}
+
+}  // namespace
+
+SlippingContact::SlippingContact(const SlidingEllipse& ellipse, const FilmShear& shear,
+                                 double pressed_radius)
+    : ellipse_(ellipse), pressed_radius_(pressed_radius) {
+  const auto& grid = ellipse_points<radial, angles>;
+  for (std::size_t i = 0; i < radial; ++i)
+    points_[i] = shear.at_pressure(ellipse.peak_pressure() * grid.s[i]);
+}
+
+void SlippingContact::set_small_speed(double small_speed) {
+  for (FilmShear::Point& p : points_) p.small_speed2 = small_speed * small_speed;
+}
+
+SlipForces SlippingContact::forces(const SlipMotion& motion) const {
+  // A share below rounding is none: at speed most contacts have no asperities, at rest no film.
+  if (points_.back().boundary <= 1e-16 * points_.back().limit) return pass<true, false>(motion);
+  if (!(points_.back().film_share > 0.0)) return pass<false, true>(motion);
+  return pass<true, true>(motion);
+}
+
+// The same on both: no instruction of AVX2 rounds otherwise, multiply-add is not among them.
+template <bool film, bool asperities>
+SlipForces SlippingContact::pass(const SlipMotion& motion) const {
+  return slips_wide() ? wide_pass<film, asperities>(motion) : any_pass<film, asperities>(motion);
+}
+template <bool film, bool asperities>
+SlipForces SlippingContact::any_pass(const SlipMotion& motion) const {
+  return pass_of<film, asperities>(motion);
+}
+template <bool film, bool asperities>
+[[gnu::target("avx2")]] SlipForces SlippingContact::wide_pass(const SlipMotion& motion) const {
+  return pass_of<film, asperities>(motion);
+}
+
+template <bool film, bool asperities>
+[[gnu::always_inline]] inline SlipForces SlippingContact::pass_of(const SlipMotion& motion) const {
+  using Row = std::array<double, angles>;
+  constexpr double tiny = 1e-150;  // its square is still a number; for 0/0 where nothing slides
+  const auto& grid = ellipse_points<radial, angles>;
+  const double a = ellipse_.semi_major_axis, b = ellipse_.semi_minor_axis;
+  const double curve = 0.5 / pressed_radius_;
+  Row fx{}, fy{}, fh{}, fs{}, power{}, size{}, slip{};
+  // k: of dτ/dv by x and y; then with the arms by which rolling (h) and spin (s) move a point.
+  Row kxx{}, kxy{}, kyy{}, kxh{}, kyh{}, kxs{}, kys{}, khh{}, khs{}, kss{};
+  for (std::size_t i = 0; i < radial; ++i) {
+    const FilmShear::Point& p = points_[i];
+    const double eyring = p.film_share * p.eyring_stress, limit = p.film_share * p.limit;
+    const double steepness = p.steepness, newton = eyring * steepness;
+    const double small2 = p.small_speed2 + tiny * tiny, boundary = p.boundary;
+    const double weight = grid.weight[i], s = grid.s[i];
+    const double height = a * grid.radius[i];
+    for (const double width : {b * grid.radius[i], -b * grid.radius[i]}) {
+      for (std::size_t j = 0; j < angles; ++j) {
+        const double y = height * grid.sine[j], x = width * grid.cosine[j];
+        const double h = curve * (y * y);
+        const double vx = motion.along + motion.rolling * h - motion.spin * y;
+        const double vy = motion.across + motion.spin * x;
+        const double v2 = vx * vx + vy * vy;
+        const double v = std::sqrt(v2), per_v = 1.0 / (v + tiny);
+        double secant = 0.0, tangent = 0.0;
+        if constexpr (asperities) {
+          const double per_root = 1.0 / std::sqrt(v2 + small2);
+          secant = boundary * per_root;
+          tangent = secant * small2 * (per_root * per_root);
+        }
+        if constexpr (film) {
+          const double z = steepness * v;
+          const double length = std::sqrt(1.0 + z * z);
+          const double stress = eyring * area_sine(z, length);
+          const double slipping = (stress > limit ? limit : stress) * per_v;
+          const double thinned = newton / length;
+          secant += z > 1e-12 ? slipping : newton;
+          tangent += stress > limit ? 0.0 : thinned;
+        }
+        secant *= weight;
+        tangent *= weight;
+        const double cx = vx * per_v, cy = vy * per_v, turn = tangent - secant;
+        const double tx = secant * vx, ty = secant * vy;
+        fx[j] += tx;
+        fy[j] += ty;
+        fh[j] += tx * h;
+        fs[j] += x * ty - y * tx;
+        power[j] += secant * v2;
+        size[j] += secant * v;
+        slip[j] += weight * s * v;
+        const double xx = secant + turn * (cx * cx), xy = turn * (cx * cy);
+        const double yy = secant + turn * (cy * cy);
+        const double xs = x * xy - y * xx, ys = x * yy - y * xy;
+        kxx[j] += xx;
+        kxy[j] += xy;
+        kyy[j] += yy;
+        kxh[j] += xx * h;
+        kyh[j] += xy * h;
+        kxs[j] += xs;
+        kys[j] += ys;
+        khh[j] += xx * (h * h);
+        khs[j] += xs * h;
+        kss[j] += x * ys - y * xs;
+      }
+    }
+  }
+  const double area = a * b;
+  SlipForces f;
+  f.force = {area * total_of(fx), area * total_of(fy), area * total_of(fh), area * total_of(fs)};
+  const Row* const upper[4][4] = {{&kxx, &kxy, &kxh, &kxs},
+                                  {&kxy, &kyy, &kyh, &kys},
+                                  {&kxh, &kyh, &khh, &khs},
+                                  {&kxs, &kys, &khs, &kss}};
+  for (int k = 0; k < 4; ++k)
+    for (int l = k; l < 4; ++l) f.slope[k][l] = f.slope[l][k] = area * total_of(*upper[k][l]);
+  f.power = area * total_of(power);
+  f.size = area * total_of(size);
+  f.pressure_slip = area * ellipse_.peak_pressure() * total_of(slip);
+  return f;
+}
+
+}  // namespace raceway::friction::contact

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "friction/contact/shear.h"
+#include "friction/contact/traction.h"
+#include "record/units.h"
+
+namespace raceway::friction::contact {
+
+/// How ball and race slide upon each other in one contact: x along rolling, y across, ω_roll about
+/// the tangent across and ω_s about the normal,
+///
+///   v_x = v_x0 + ω_roll y²/(2 R) - ω_s y,   v_y = v_y0 + ω_s x
+struct SlipMotion {
+  double along = 0.0, across = 0.0;  ///< v_x0, v_y0 [m/s]
+  double rolling = 0.0, spin = 0.0;  ///< ω_roll, ω_s, signed [rad/s]
+};
+
+/// What resists each of the four parts of a SlipMotion, and how.
+///
+///   force_k = Σ τ·∂v/∂k,   slope_kl = ∂force_k/∂l = Σ ∂v/∂k·(dτ/dv)·∂v/∂l
+///
+/// τ follows from a potential that is convex in v, so the slopes are symmetric and nowhere
+/// negative, and the power of friction is Σ force_k k, whatever the points.
+struct SlipForces {
+  std::array<double, 4> force{};  ///< by along, across [N], rolling, spin [N m]
+  double slope[4][4] = {};        ///< [N s/m, N s, N m s]
+  double power = 0.0;             ///< Σ τ v [W]
+  double size = 0.0;              ///< Σ |τ| [N]
+  double pressure_slip = 0.0;     ///< Σ p |v| [N m/s]
+};
+
+/// One loaded ellipse with all four parts of its slip free: what traction.h is for a contact of
+/// given rolling and spin. The stress at each pressure is asked for once.
+///
+/// Source:   field of traction.h.
+/// Domain:   Q > 0; any motion.
+/// Accuracy: 12 x 32 points of the ellipse: power 0.05 % with a film, 0.2 % with dry friction.
+class SlippingContact {
+ public:
+  /// `ellipse` for its load and axes alone; `pressed_radius` R of contact_shape.h.
+  SlippingContact(const SlidingEllipse& ellipse, const FilmShear& shear, double pressed_radius);
+
+  [[nodiscard]] SlipForces forces(const SlipMotion& motion) const;
+  [[nodiscard]] const SlidingEllipse& ellipse() const { return ellipse_; }
+
+  /// Makes the direction of dry friction smoother, or as it is again [m/s].
+  void set_small_speed(double small_speed);
+
+ private:
+  static constexpr std::size_t radial = 12, angles = 16;
+  template <bool film, bool asperities>
+  [[nodiscard, gnu::always_inline]] SlipForces pass_of(const SlipMotion& motion) const;
+  template <bool film, bool asperities>
+  [[nodiscard]] SlipForces pass(const SlipMotion& motion) const;
+  template <bool film, bool asperities>
+  [[nodiscard]] SlipForces any_pass(const SlipMotion& motion) const;
+  template <bool film, bool asperities>
+  [[nodiscard]] SlipForces wide_pass(const SlipMotion& motion) const;
+
+  SlidingEllipse ellipse_;
+  double pressed_radius_;
+  std::array<FilmShear::Point, radial> points_{};
+};
+
+}  // namespace raceway::friction::contact
