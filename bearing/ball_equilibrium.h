@@ -159,7 +159,8 @@ template <typename T>
 template <typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> given_rotation_law(const BallConstantsOf<T>& c,
                                                                        const ContactAngles<T>& a,
-                                                                       const GivenRotation& r) {
+                                                                       const GivenRotation& r,
+                                                                       const T& inner_load) {
   const T g = c.diameter_ratio;
   const T inner = 1.0 - g * a.ci, outer = 1.0 + g * a.co;
   const T inner_axis = a.ci * r.cos_pitch + a.si * r.sin_pitch;
@@ -173,10 +174,22 @@ template <typename T>
   law.m_o = (inner * (a.co * r.sin_pitch - a.so * r.cos_pitch) * q + p * g * a.so * inner_axis) *
             (inv * inv);
   add_centrifugal(c, law);
-  law.ti = r.inner_friction;
-  law.to = r.outer_friction;
+  const T share = std::min(std::max(inner_load / r.inner_load, T(0.0)), T(1.0));
+  law.ti = r.inner_friction * share * (2.0 - share);
+  law.to = r.outer_friction * share * (2.0 - share);
   law.ti_i = law.ti_o = law.to_i = law.to_o = T(0.0);
   return law;
+}
+
+/// What a given rotation's frictions gain where the inner contact is pressed [N per N].
+struct FrictionGain {
+  double inner, outer;
+};
+[[nodiscard]] inline FrictionGain friction_gain(const GivenRotation& r, double inner_load) {
+  const double share = inner_load / r.inner_load;
+  if (!(share > 0.0 && share < 1.0)) return {0.0, 0.0};
+  const double slope = 2.0 * (1.0 - share) / r.inner_load;
+  return {r.inner_friction * slope, r.outer_friction * slope};
 }
 
 /// The law of a ball whose inner contact may be lost in some lanes and then is under outer control.
@@ -184,11 +197,12 @@ template <Rotation rotation, typename T>
 [[nodiscard, gnu::always_inline]] inline RaceLaw<T> race_law(const BallConstantsOf<T>& c,
                                                              const ContactAngles<T>& a,
                                                              const Mask<T>& touches,
+                                                             const T& inner_load,
                                                              const GivenRotation* given) {
   if constexpr (rotation == Rotation::outer_control) {
     return outer_race_law(c, a);
   } else if constexpr (rotation == Rotation::given) {
-    return touches ? given_rotation_law(c, a, *given) : outer_race_law(c, a);
+    return given_rotation_law(c, a, *given, inner_load);
   } else if constexpr (is_scalar<T>) {
     return touches ? inner_race_law(c, a) : outer_race_law(c, a);
   } else {
@@ -244,7 +258,7 @@ template <Rotation rotation, typename T>
       .cos_difference = along * inv_product,
       .sin_difference = select(behind, T(0.0), (v1 * x2 - v2 * x1) * inv_product),
       .inv = product * (product * reciprocal)};
-  const RaceLaw<T> law = race_law<rotation>(c, angles, touches, given);
+  const RaceLaw<T> law = race_law<rotation>(c, angles, touches, qi, given);
   const T fc = law.fc, fc_i = law.fc_i, fc_o = law.fc_o;
   const T ti = law.ti, ti_i = law.ti_i, ti_o = law.ti_o;
   const T to = law.to, to_i = law.to_i, to_o = law.to_o;
@@ -277,6 +291,7 @@ template <Rotation rotation, typename T>
   const T tiv1 = ci * inv_li, tiv2 = -si * inv_li;  // ∂αi/∂V
   const T tox1 = co * inv_lo, tox2 = -so * inv_lo;  // ∂αo/∂X
 
+  [[maybe_unused]] T r_n_1(0.0), r_n_2(0.0);  // what a metre of δi does to r by a given rotation
   const T n11 = ki * si * si, n12 = ki * si * ci, n22 = ki * ci * ci;
   b.f_a[0] = b.f_a[4] = n11 + f_ai_1 * tiv1;
   b.f_a[1] = b.f_a[5] = n12 + f_ai_1 * tiv2;
@@ -285,6 +300,19 @@ template <Rotation rotation, typename T>
   if constexpr (inner_couple) {
     b.f_a[4] -= moment_arm_ratio * ti_i * tiv1;
     b.f_a[5] -= moment_arm_ratio * ti_i * tiv2;
+  }
+  if constexpr (rotation == Rotation::given) {
+    const FrictionGain gain = friction_gain(*given, qi);
+    const T gi = gain.inner * ki, go = gain.outer * ki;
+    const T f1 = gi * ci, f2 = -gi * si, fm = gi * (ci - moment_arm_ratio);
+    b.f_a[0] += f1 * si;
+    b.f_a[1] += f1 * ci;
+    b.f_a[2] += f2 * si;
+    b.f_a[3] += f2 * ci;
+    b.f_a[4] += fm * si;
+    b.f_a[5] += fm * ci;
+    r_n_1 = f1 - go * co;
+    r_n_2 = f2 + go * so;
   }
   // The ring feels the ball's place only through V, and through Ti that follows αo.
   for (int j = 0; j < 6; ++j) b.f_x[j] = -b.f_a[j];
@@ -300,6 +328,12 @@ template <Rotation rotation, typename T>
   b.r_a[1] = n12 + r_ai_1 * tiv2;
   b.r_a[2] = n12 + r_ai_2 * tiv1;
   b.r_a[3] = n22 + r_ai_2 * tiv2;
+  if constexpr (rotation == Rotation::given) {
+    b.r_a[0] += r_n_1 * si;
+    b.r_a[1] += r_n_1 * ci;
+    b.r_a[2] += r_n_2 * si;
+    b.r_a[3] += r_n_2 * ci;
+  }
   b.r_x[0] = -b.r_a[0] - ko * so * so + r_ao_1 * tox1;
   b.r_x[1] = -b.r_a[1] - ko * so * co + r_ao_1 * tox2;
   b.r_x[2] = -b.r_a[2] - ko * so * co + r_ao_2 * tox1;

@@ -24,8 +24,8 @@ struct EquilibriumOptions {
   double tolerance = 1e-11;       ///< on the scaled residual [1]
   int max_iterations = 2000;      ///< Newton steps over all stages
   /// Rotation of the balls where race control does not decide it: one for each ball of the bearing
-  /// by azimuth (those that the load leaves alike have the same), or one for all. Not looked at for
-  /// a ball that has lost the inner race, nor at rest.
+  /// by azimuth (those that the load leaves alike have the same), or one for all. Not looked at at
+  /// rest.
   std::span<const GivenRotation> rotations = {};
 };
 

@@ -28,13 +28,16 @@ T cage_speed_ratio(RaceControl control, const T& cos_inner, const T& cos_outer,
 /// balances its friction found it: its orbital speed and the frictions in its plane.
 ///
 ///   m = p/(p + q) + m_c,   p = (1 - g cos αi) cos(αo - β),   q = (1 + g cos αo) cos(αi - β)
+///   Ti, To = s times those given,   s = x (2 - x),   x = Qi/(load at which they were found) <= 1
 ///
-/// rolling without slip at both contacts about an axis at pitch β, and what creep adds; Ti, To as
-/// in BallBalance. β, m_c, Ti, To stay as they are while contact angles move.
+/// rolling without slip at both contacts about an axis at pitch β, and what creep adds. β, m_c and
+/// the frictions stay as they are while contact angles move, and the frictions vanish with the
+/// inner contact. Without any it is outer control of a ball off the inner race, where αo = 0.
 struct GivenRotation {
   double cos_pitch = 1.0, sin_pitch = 0.0;            ///< of β
   double creep = 0.0;                                 ///< m_c [1]
-  double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To [N]
+  double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To as in BallBalance [N]
+  double inner_load = 1.0;                            ///< Qi at which they were found [N], > 0
 };
 
 /// Speeds of one ball [rad/s] and the attitude of its axis [rad].

@@ -23,12 +23,12 @@ namespace raceway::friction::contact {
   const double scale = small ? 0.0 : (upper ? exponent + 1.0 : exponent);
   const double s = (small ? t : reduced - 1.0) / (small ? t + 2.0 : reduced + 1.0);
   const double q = s * s;
-  // 1 + q/3 + ... + q^9/19, written out: a loop here would keep the points from going side by side.
-  double series = 1.0 / 17.0 + q / 19.0;
-  series = 1.0 / 13.0 + q * (1.0 / 15.0 + q * series);
-  series = 1.0 / 9.0 + q * (1.0 / 11.0 + q * series);
-  series = 1.0 / 5.0 + q * (1.0 / 7.0 + q * series);
-  series = 1.0 + q * (1.0 / 3.0 + q * series);
+  // 1 + q/3 + ... + q^9/19, by halves: short chains of operations, and no loop, which would keep
+  // the points from going side by side.
+  const double q2 = q * q, q4 = q2 * q2;
+  const double low = (1.0 + q * (1.0 / 3.0)) + q2 * (1.0 / 5.0 + q * (1.0 / 7.0));
+  const double high = (1.0 / 9.0 + q * (1.0 / 11.0)) + q2 * (1.0 / 13.0 + q * (1.0 / 15.0));
+  const double series = low + q4 * (high + q4 * (1.0 / 17.0 + q * (1.0 / 19.0)));
   return scale * std::numbers::ln2 + 2.0 * s * series;
 }
 

@@ -9,8 +9,9 @@ namespace {
 using bearing::GivenRotation;
 using bearing::SolveStatus;
 
-constexpr double balance_tolerance = 1e-9;  // of the load on a ball [1]
-constexpr int most_passes = 100;
+constexpr double balance_tolerance = 1e-8;  // of the load on a ball [1]
+constexpr double film_tolerance = 1e-7;     // of the cage speed that a film is made at [1]
+constexpr int most_passes = 40;
 
 /// m of a ball that rolls without slip at both contacts about an axis at pitch β; see
 /// GivenRotation.
@@ -29,7 +30,8 @@ GivenRotation given_rotation(const BallAttitude& a, const bearing::BallEquilibri
           .sin_pitch = std::sin(pitch),
           .creep = a.cage_speed / speed - rolling_cage_ratio(ball, g, pitch),
           .inner_friction = a.inner_force,
-          .outer_friction = a.outer_force};
+          .outer_friction = a.outer_force,
+          .inner_load = ball.inner_load};
 }
 
 }  // namespace
@@ -48,6 +50,9 @@ BalancedEquilibrium solve_balanced_equilibrium(const bearing::Bearing& bearing,
   const double full =
       0.5 * bearing.ball_mass() * bearing.geometry().pitch_diameter * point.speed * point.speed;
   const auto count = static_cast<std::size_t>(bearing.geometry().ball_count);
+  const double ball_scale = std::max({std::abs(point.axial_load), std::abs(point.radial_load),
+                                      std::abs(point.radial_load_z)}) /
+                            static_cast<double>(count);
   std::vector<GivenRotation> rotations;
   b.equilibrium = bearing::solve_bearing_equilibrium(bearing, point, with);
   for (int pass = 0; pass < most_passes; ++pass) {
@@ -58,25 +63,28 @@ BalancedEquilibrium solve_balanced_equilibrium(const bearing::Bearing& bearing,
     }
     const auto balls = b.equilibrium.balls.distinct();
     std::vector<BallAttitude> next(balls.size());
-    double change = 0.0;
+    double change = 0.0, films = 0.0;
     rotations.resize(balls.size() == 1 ? 1 : count);
     for (std::size_t k = 0; k < balls.size(); ++k) {
-      next[k] = attitudes.solve(balls[k], b.attitudes.empty() ? nullptr : &b.attitudes[k]);
+      next[k] = attitudes.solve_once(balls[k], b.attitudes.empty() ? nullptr : &b.attitudes[k]);
       if (!next[k].report.converged()) {
         b.report.status = next[k].report.status;
         return b;
       }
       const double m = next[k].cage_speed / attitudes.turning();
+      rotations[k] = {};
       if (!(balls[k].inner_load > 0.0)) continue;
+      const double weight = std::min(1.0, balls[k].inner_load / ball_scale);
+      films = std::max(films, weight * std::abs(m - next[k].film_cage_speed / attitudes.turning()));
       const double off = std::max({std::abs(full * m * m - balls[k].centrifugal_force),
                                    std::abs(next[k].inner_force - balls[k].inner_friction),
                                    std::abs(next[k].outer_force - balls[k].outer_friction)});
-      change = std::max(change, off / balls[k].outer_load);
+      change = std::max(change, off / (ball_scale + balls[k].outer_load));
       rotations[k] = given_rotation(next[k], balls[k], g, attitudes.turning());
     }
     b.attitudes = std::move(next);
     b.report.residual = change;
-    if (change <= balance_tolerance || point.speed == 0.0) {
+    if ((change <= balance_tolerance || point.speed == 0.0) && films <= film_tolerance) {
       b.report.status = SolveStatus::converged;
       return b;
     }

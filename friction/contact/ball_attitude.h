@@ -11,7 +11,8 @@ namespace raceway::friction::contact {
 /// Rotation of a ball that no race holds, as traction at both contacts turns it, and what follows.
 /// At standstill speeds and powers are those per rad/s of the shaft.
 struct BallAttitude {
-  double cage_speed = unset;  ///< ω_m [rad/s]
+  double cage_speed = unset;       ///< ω_m [rad/s]
+  double film_cage_speed = unset;  ///< ω_m at which the films were made [rad/s]
   /// ω_R in the cage's frame: along the bearing axis against the shaft, radial outwards, and along
   /// the orbit [rad/s]. Under race control the last is none.
   double along = unset, across = unset, orbital = unset;
@@ -25,6 +26,8 @@ struct BallAttitude {
   /// β between the ball's axis, seen along the orbit, and the bearing axis [rad].
   [[nodiscard]] double pitch_angle() const { return std::atan2(across, along); }
 };
+
+class TurningBall;
 
 /// Finds the rotation of the balls of one bearing at one speed and state of the oil.
 ///
@@ -55,6 +58,10 @@ class BallAttitudes {
   /// another load, where there is one.
   [[nodiscard]] BallAttitude solve(const bearing::BallEquilibrium& ball,
                                    const BallAttitude* start = nullptr) const;
+  /// The same on films made at the cage speed of `start`, or at that of outer control; for those
+  /// who come again.
+  [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
+                                        const BallAttitude* start = nullptr) const;
 
   [[nodiscard]] const RaceFriction& race(bearing::Race race) const {
     return race == bearing::Race::inner ? inner_ : outer_;
@@ -66,6 +73,8 @@ class BallAttitudes {
 
  private:
   [[nodiscard]] BallAttitude on_outer_race(const bearing::BallEquilibrium& ball) const;
+  /// Presses a ball on films made at this cage speed; true where asperities hold it.
+  bool press(const bearing::BallEquilibrium& ball, double cage_speed, TurningBall& turned) const;
 
   const bearing::Bearing* bearing_;
   double speed_;
