@@ -8,7 +8,7 @@
 #include <type_traits>
 
 /// Elementary functions without a branch or a call, so that a compiler can make several at once.
-/// Part of film_traction.cpp, not for other code.
+/// Part of film_traction.cpp and slip_forces.cpp, not for other code.
 namespace raceway::friction::contact {
 
 /// ln(1 + t) for t >= 0, to 2e-16 relative in double and 2e-7 in float, as 2 atanh(s) of the

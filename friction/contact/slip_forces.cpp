@@ -3,7 +3,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "friction/contact/area_sine.h"
+#include "friction/contact/side_by_side.h"
 
 namespace raceway::friction::contact {
 namespace {
