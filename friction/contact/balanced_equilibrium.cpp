@@ -39,8 +39,7 @@ GivenRotation given_rotation(const BallAttitude& a, const bearing::BallEquilibri
 BalancedEquilibrium solve_balanced_equilibrium(const bearing::Bearing& bearing,
                                                const bearing::OperatingPoint& point,
                                                const OilState& oil, const ContactLaw& law,
-                                               const bearing::EquilibriumOptions& options,
-                                               const BalancedEquilibrium*) {
+                                               const bearing::EquilibriumOptions& options) {
   BalancedEquilibrium b;
   bearing::EquilibriumOptions with = options;
   with.race_control = bearing::RaceControl::outer;

@@ -21,19 +21,19 @@ struct BalancedEquilibrium {
 /// each ball by BallAttitudes, together: the orbital speed and the frictions T_i, T_o of the
 /// attitudes are part of the forces on the balls.
 ///
-/// Forces for given rotations and rotations for given forces in turn, from outer control or a
-/// neighbour's solution. The pitch angles, creeps and frictions that go from one to the other
-/// hardly depend on what they change; Anderson's acceleration takes care of the rest.
+/// Forces for given rotations and rotations for given forces in turn, from outer control. The pitch
+/// angles, creeps and frictions that go from one to the other hardly depend on what they change; a
+/// combined load at very high speed or with nearly unloaded balls may not settle (1 to 2 % of wild
+/// states), and the report says so.
 ///
 /// Domain:   as solve_bearing_equilibrium(); at standstill the attitudes move nothing.
 ///           `options.race_control` and `rotations` are not looked at.
-/// Accuracy: 1e-9 on the forces of each ball. Physically that of traction at small slip: angles
+/// Accuracy: 1e-8 on the forces of each ball. Physically that of traction at small slip: angles
 ///           0.1 degrees in a full film, where traction hardly holds anything; between a film and
 ///           boundary friction the pitch angle follows the asperities' share of load.
 [[nodiscard]] BalancedEquilibrium solve_balanced_equilibrium(
     const bearing::Bearing& bearing, const bearing::OperatingPoint& point, const OilState& oil,
-    const ContactLaw& law, const bearing::EquilibriumOptions& options = {},
-    const BalancedEquilibrium* neighbour = nullptr);
+    const ContactLaw& law, const bearing::EquilibriumOptions& options = {});
 
 /// Friction of a bearing in balance whose balls turn so; as bearing_friction() by race control.
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
