@@ -14,6 +14,7 @@ namespace {
 // where a path crawls towards a fold, or where no pattern of lost balls fits.
 constexpr int steps_of_load_path = 300;
 constexpr int steps_of_speed_path = 400;
+constexpr int steps_of_axial_path = 150;
 constexpr int steps_of_drops = 250;
 constexpr int steps_of_search = 960;
 
@@ -40,6 +41,10 @@ class Search {
     system_.set_point(point);
     system_.allow(steps_of_speed_path);
     if (follow_speed(point, state)) return SolveStatus::converged;
+    if (point.axial_load > 0.0) {
+      system_.allow(steps_of_axial_path);
+      if (follow_axial(point, state)) return SolveStatus::converged;
+    }
     system_.set_point(point);
     if (system_.options().race_control == RaceControl::inner) {
       const RingState last = expanded(state);
@@ -49,8 +54,12 @@ class Search {
       system_.allow(steps_of_search);
       if (search_contacts(point, state)) return SolveStatus::converged;
     }
-    return system_.iterations() >= system_.options().max_iterations ? SolveStatus::iteration_limit
-                                                                    : system_.failure();
+    if (system_.iterations() >= system_.options().max_iterations)
+      return SolveStatus::iteration_limit;
+    // Under pure thrust a singular stiffness is a ring that touches no ball any more.
+    return system_.symmetry() == Symmetry::thrust && system_.failure() == SolveStatus::singular
+               ? SolveStatus::no_equilibrium
+               : system_.failure();
   }
 
  private:
@@ -255,21 +264,102 @@ class Search {
   bool start_at_rest(const OperatingPoint& rest, RingState& state) {
     if (rest.axial_load > 0.0 && start_from_thrust(rest.axial_load, state) && system_.newton(state))
       return true;
-    // Shift the ring along the load until the balls would carry about that much.
-    const double approach = std::pow(
-        5.0 * load_per_ball() / std::min(constants().inner_stiffness, constants().outer_stiffness),
-        2.0 / 3.0);
-    const double shift = 0.5 * system_.geometry().radial_clearance + 2.0 * approach;
-    state.balls.assign(system_.balls_used(), {0.0, constants().outer_radius});
-    state.ring.setZero();
-    const double radial = std::hypot(load()[1], load()[2]);
-    if (radial > 0.0) {
-      state.ring[1] = shift * load()[1] / radial;
-      state.ring[2] = shift * load()[2] / radial;
+    // Further in where the first start presses so few balls that the ring could pivot about them.
+    for (const double depth : {1.0, 4.0, 16.0}) {
+      start_from_shift(depth, state);
+      if (system_.newton(state)) return true;
+      if (rest.axial_load > 0.0) break;
     }
-    if (load()[0] != 0.0) state.ring[0] = std::copysign(shift, load()[0]);
-    if (system_.newton(state)) return true;
-    return rest.axial_load > 0.0 && follow_load(rest, state);
+    if (rest.axial_load > 0.0) return follow_load(rest, state);
+    return follow_moment(rest, state) || follow_relief(rest, state);
+  }
+
+  /// Without axial load: from a multiple of the load, which presses more balls, down to it.
+  bool follow_relief(const OperatingPoint& target, RingState& state) {
+    for (const double multiple : {8.0, 64.0, 512.0}) {
+      const auto path = [&](double s) {
+        const double share = std::pow(multiple, 1.0 - s);
+        OperatingPoint p = target;
+        for (double OperatingPoint::*load :
+             {&OperatingPoint::radial_load, &OperatingPoint::radial_load_z,
+              &OperatingPoint::moment_y, &OperatingPoint::moment_z})
+          p.*load *= share;
+        return p;
+      };
+      system_.set_point(path(0.0));
+      start_from_shift(1.0, state);
+      if (system_.newton(state) && follow(path, 0.1, state)) return true;
+    }
+    return false;
+  }
+
+  /// From the same load without its axial part, which then grows: little of it leaves the ring
+  /// where a radial load alone puts it.
+  bool follow_axial(const OperatingPoint& target, RingState& state) {
+    OperatingPoint aside = target;
+    aside.axial_load = 0.0;
+    if (aside.radial_load == 0.0 && aside.radial_load_z == 0.0) return false;
+    if (!follow_speed(aside, state)) return false;
+    return follow(
+        [&](double s) {
+          OperatingPoint p = target;
+          p.axial_load *= s;
+          return p;
+        },
+        0.01, state);
+  }
+
+  /// The ring moved and tilted along the load until the ball pressed most carries a few times its
+  /// part. Without axial load from where grooves of angular contact stand opposite each other:
+  /// there all balls carry in pairs, as the sum of axial forces demands.
+  void start_from_shift(double depth, RingState& state) const {
+    const double approach =
+        depth * std::pow(5.0 * load_per_ball() /
+                             std::min(constants().inner_stiffness, constants().outer_stiffness),
+                         2.0 / 3.0);
+    const double length = constants().inner_radius + constants().outer_radius + 2.0 * approach;
+    state.balls.assign(system_.balls_used(), {0.0, constants().outer_radius});
+    Vector5 base = Vector5::Zero();
+    if (load()[0] == 0.0) base[0] = -system_.free_groove_centre().axial;
+    const Vector5 along = load().normalized();
+    const auto presses = [&](double shift) {
+      state.ring = base + shift * along;
+      for (std::size_t k = 0; k < state.balls.size(); ++k) {
+        const Plane a = system_.groove_centre(state.ring, k);
+        if (a.radial > 0.0 && std::hypot(a.axial, a.radial) >= length) return true;
+      }
+      return false;
+    };
+    double low = 0.0, high = approach;
+    for (int i = 0; i < 60 && !presses(high); ++i) {
+      low = high;
+      high *= 2.0;
+    }
+    for (int i = 0; i < 20; ++i) {
+      const double middle = 0.5 * (low + high);
+      (presses(middle) ? high : low) = middle;
+    }
+    state.ring = base + high * along;
+  }
+
+  /// Without axial load: from the radial load alone, the moment growing in proportion.
+  bool follow_moment(const OperatingPoint& target, RingState& state) {
+    const bool radial = target.radial_load != 0.0 || target.radial_load_z != 0.0;
+    const bool moment = target.moment_y != 0.0 || target.moment_z != 0.0;
+    if (!radial || !moment || system_.options().tilt == Tilt::locked) return false;
+    OperatingPoint start = target;
+    start.moment_y = start.moment_z = 0.0;
+    system_.set_point(start);
+    start_from_shift(1.0, state);
+    if (!system_.newton(state)) return false;
+    return follow(
+        [&](double s) {
+          OperatingPoint p = target;
+          p.moment_y *= s;
+          p.moment_z *= s;
+          return p;
+        },
+        0.1, state);
   }
 
   /// Follows the solution along path(s) to s = 1 with steps as long as Newton allows.

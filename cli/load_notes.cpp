@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bearing/contact_pressure.h"
+#include "bearing/seat.h"
 #include "friction/palmgren.h"
 
 namespace raceway::cli {
@@ -39,6 +41,19 @@ void LoadNotes::look(const bearing::Bearing& bearing, const std::string& place,
   load_.look(static_load(bearing, carried), bearing.geometry().static_load_rating, place, point);
   pressure_.look(std::fmax(carried.inner_pressure, carried.outer_pressure),
                  bearing::static_limit_pressure, place, point);
+  const double angle = bearing.geometry().contact_angle;
+  switch (bearing::seat(carried.least_inner_angle, carried.largest_inner_angle, angle)) {
+    case bearing::Seat::shoulder:
+      break;
+    case bearing::Seat::groove_bottom:
+      bottom_.look(std::fmax(bearing::seating_load(carried.radial_load, angle),
+                             std::numeric_limits<double>::min()),
+                   0.0, place, point);
+      break;
+    case bearing::Seat::far_side:
+      far_.look(-carried.least_inner_angle, 0.0, place, point);
+      break;
+  }
 }
 
 std::string LoadNotes::where(const Worst& worst) const {
@@ -57,6 +72,17 @@ std::vector<std::string> LoadNotes::lines() const {
   if (lost_.points > 0)
     lines.push_back(fmt::format("{}balls have lost the inner race, up to {:.0f}{}", count(lost_),
                                 lost_.value, where(lost_)));
+  if (bottom_.points > 0)
+    lines.push_back(fmt::format(
+        "{}no axial load holds the contact angle: the ring has moved back until the balls carry at "
+        "the bottom of the grooves, at about 0 deg; {:.3g} N axial would press half of them "
+        "against the shoulders{}",
+        count(bottom_), bottom_.value, where(bottom_)));
+  if (far_.points > 0)
+    lines.push_back(fmt::format(
+        "{}balls carry beyond the bottom of the groove, at {:.3g} deg, where an angular-contact "
+        "bearing has no shoulder: it needs more axial load than this{}",
+        count(far_), -far_.value / degree, where(far_)));
   if (load_.points > 0)
     lines.push_back(
         fmt::format("{}the static equivalent load is above C0 = {:.6g} N, up to {:.4g} N{}",

@@ -13,10 +13,12 @@ struct CarriedLoad {
   double axial_load = unset, radial_load = unset;
   double lost_balls = unset;
   double inner_pressure = unset, outer_pressure = unset;
+  double least_inner_angle = unset, largest_inner_angle = unset;  ///< of the balls that touch
 };
 
-/// Looks at points one by one, and says of all of them where balls have lost the inner race, where
-/// the load is above the static rating and where the contact pressure leaves dents: how many
+/// Looks at points one by one, and says of all of them where balls have lost the inner race or do
+/// not lie against the shoulders of an angular-contact bearing (bearing/seat.h), where the load is
+/// above the static rating and where the contact pressure leaves dents: how many
 /// points, and the worst.
 class LoadNotes {
  public:
@@ -36,7 +38,7 @@ class LoadNotes {
   };
   [[nodiscard]] std::string where(const Worst& worst) const;
 
-  Worst lost_, load_, pressure_;
+  Worst lost_, load_, pressure_, bottom_, far_;
   std::size_t points_ = 0;
 };
 

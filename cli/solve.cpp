@@ -128,8 +128,9 @@ void print(const model::Model& model, const bearing::OperatingPoint& p,
   const auto& u = e.displacement;
   fmt::print("\naxial displacement  {:>10} um      axial stiffness   {:>8} N/um\n",
              number(u[0] / um), number(e.stiffness(0, 0) / N_per_um));
-  fmt::print("radial displacement {:>10} um      radial stiffness  {:>8} N/um\n",
-             number(std::hypot(u[1], u[2]) / um), number(e.stiffness(1, 1) / N_per_um));
+  fmt::print("displacement in y   {:>10} um      radial stiffness  {:>8} N/um\n", number(u[1] / um),
+             number(e.stiffness(1, 1) / N_per_um));
+  fmt::print("displacement in z   {:>10} um\n", number(u[2] / um));
   const bearing::ContactPressure pressure =
       largest_pressure(friction.bearing ? *friction.bearing : model.bearing, e);
   fmt::print("inner pressure      {:>10} MPa     outer pressure    {:>8} MPa\n",
@@ -205,13 +206,20 @@ int run(const SolveFlags& flags) {
   if (report.converged()) {
     const bearing::Bearing& bearing = friction.bearing ? *friction.bearing : file.model.bearing;
     const bearing::ContactPressure pressure = largest_pressure(bearing, e);
+    double least = unset, largest = unset;
+    for (const bearing::BallEquilibrium& b : e.balls.distinct()) {
+      least = std::fmin(least, b.inner_contact_angle);
+      largest = std::fmax(largest, b.inner_contact_angle);
+    }
     LoadNotes notes;
     // Lost balls stand in the result.
     notes.look(bearing, "", point,
                {.axial_load = point.axial_load,
                 .radial_load = std::hypot(point.radial_load, point.radial_load_z),
                 .inner_pressure = pressure.inner,
-                .outer_pressure = pressure.outer});
+                .outer_pressure = pressure.outer,
+                .least_inner_angle = least,
+                .largest_inner_angle = largest});
     tell(notes.lines());
     tell(notes_on_state(file.model, bearing, point, friction));
     return done;
@@ -220,6 +228,8 @@ int run(const SolveFlags& flags) {
                        flags.model, why, flags.speed, point.axial_load, point.radial_load,
                        report.status == bearing::SolveStatus::no_equilibrium
                            ? ": no position of the inner ring carries this load"
+                       : report.status == bearing::SolveStatus::singular
+                           ? ": too few balls carry this load to hold the ring's tilt"
                        : report.status != bearing::SolveStatus::not_finite
                            ? fmt::format(" after {} Newton steps", report.iterations)
                            : ""));

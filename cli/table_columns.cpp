@@ -32,7 +32,7 @@ std::vector<std::string> bearing_columns(const model::Model& model) {
         std::string_view("inner_contact_angle_max_deg"),
         std::string_view("outer_contact_angle_min_deg"),
         std::string_view("outer_contact_angle_max_deg"), inner_pressure, outer_pressure, lost_balls,
-        std::string_view("axial_displacement_um")})
+        std::string_view("axial_displacement_um"), std::string_view("radial_displacement_y_um")})
     names.emplace_back(name);
   if (model.law == friction::FrictionLaw::contact)
     names.insert(names.end(), contact_columns.begin(), contact_columns.end());
@@ -110,9 +110,9 @@ void fill_bearing_point(const model::Model& model, const bearing::OperatingPoint
   }
   const bearing::ContactPressure pressure =
       largest_pressure(p.bearing ? *p.bearing : model.bearing, *p.equilibrium);
-  for (const double v :
-       {inner_min, inner_max, outer_min, outer_max, pressure.inner, pressure.outer,
-        static_cast<double>(p.equilibrium->lost_balls()), p.equilibrium->displacement[0]})
+  for (const double v : {inner_min, inner_max, outer_min, outer_max, pressure.inner, pressure.outer,
+                         static_cast<double>(p.equilibrium->lost_balls()),
+                         p.equilibrium->displacement[0], p.equilibrium->displacement[1]})
     out.columns[c++] = v;
   if (p.contacts)
     for (const double v : contact_values(model, point, p)) out.columns[c++] = v;
@@ -159,6 +159,8 @@ std::vector<std::string> table_notes(const model::Model& model,
   for (std::size_t i = 0; i < bearings; ++i) {
     const std::size_t lost = column_of(i, lost_balls), inner = column_of(i, inner_pressure),
                       outer = column_of(i, outer_pressure),
+                      least = column_of(i, "inner_contact_angle_min_deg"),
+                      largest = column_of(i, "inner_contact_angle_max_deg"),
                       load = model.shaft ? column_of(i, "axial_load_N") : 0;
     const bearing::Bearing& bearing =
         model.shaft ? *model.shaft->arrangement.bearings()[i].bearing : model.bearing;
@@ -172,7 +174,9 @@ std::vector<std::string> table_notes(const model::Model& model,
                   .radial_load = p.radial_load,
                   .lost_balls = row[lost],
                   .inner_pressure = row[inner],
-                  .outer_pressure = row[outer]});
+                  .outer_pressure = row[outer],
+                  .least_inner_angle = model.shaft ? unset : row[least],
+                  .largest_inner_angle = model.shaft ? unset : row[largest]});
     }
   }
   return notes.lines();

@@ -6,6 +6,7 @@
 
 #include "bearing/contact_pressure.h"
 #include "bearing/frequencies.h"
+#include "bearing/seat.h"
 #include "io/json_text.h"
 #include "io/units.h"
 #include "model/bearing_life.h"
@@ -143,6 +144,10 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
   const auto& u = e.displacement;
   const bearing::ContactPressure pressure =
       largest_pressure(friction.bearing ? *friction.bearing : model.bearing, e);
+  json seat;
+  if (const auto& g = (friction.bearing ? *friction.bearing : model.bearing).geometry();
+      e.report.converged() && g.contact_angle > 0.0)
+    seat = bearing::name(bearing::seat(e, g));
   json document = {{"bearing", model.name},
                    {"speed_rpm", point.speed / rpm},
                    {"axial_load_N", point.axial_load},
@@ -150,9 +155,12 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                    {"temperature_C", celsius(point.temperature)},
                    {"axial_displacement_um", u[0] / um},
                    {"radial_displacement_um", std::hypot(u[1], u[2]) / um},
+                   {"radial_displacement_y_um", u[1] / um},
+                   {"radial_displacement_z_um", u[2] / um},
                    {"tilt_y_mrad", u[3] / mrad},
                    {"tilt_z_mrad", u[4] / mrad},
                    {"lost_balls", e.report.converged() ? json(e.lost_balls()) : json(nullptr)},
+                   {"seat", seat},
                    {"inner_contact_pressure_MPa", pressure.inner / MPa},
                    {"outer_contact_pressure_MPa", pressure.outer / MPa},
                    {"balls", balls},

@@ -60,6 +60,38 @@ TEST(BearingEquilibrium, DeepGrooveAtRestAgreesWithTheReferencePrograms) {
   }
 }
 
+// The source takes d_m/2 for the lever of tilt and moment and we R_i, so the same M/R has the same
+// R θ.
+TEST(BearingEquilibrium, AMomentAgreesWithTheReferenceProgram) {
+  for (const auto& row : reference_table("equilibrium_moment.csv")) {
+    SCOPED_TRACE(row.place());
+    const Bearing bearing({.ball_count = static_cast<int>(row["ball_count"]),
+                           .ball_diameter = row["ball_diameter_m"],
+                           .pitch_diameter = row["pitch_diameter_m"],
+                           .contact_angle = 0.0,
+                           .inner_conformity = row["inner_conformity"],
+                           .outer_conformity = row["outer_conformity"],
+                           .radial_clearance = row["radial_clearance_m"]},
+                          material(row), material(row));
+    const double lever =
+        bearing.geometry().inner_groove_centre_radius() / (0.5 * row["pitch_diameter_m"]);
+    const double tolerance = row["relative_tolerance"];
+    const bool alone = row["axial_load_N"] == 0.0;
+    for (const bool about_z : {false, true}) {
+      if (about_z && !alone) continue;
+      OperatingPoint point{.axial_load = row["axial_load_N"], .radial_load = row["radial_load_N"]};
+      (about_z ? point.moment_z : point.moment_y) = row["moment_y_Nm"] * lever;
+      const auto solved = solve_bearing_equilibrium(bearing, point, {.tilt = Tilt::free});
+      ASSERT_TRUE(solved.report.converged()) << name(solved.report.status);
+      const auto& u = solved.displacement;
+      expect_relative(std::hypot(u[3], u[4]) * lever, row["tilt_rad"], tolerance);
+      if (alone) continue;
+      expect_relative(u[0], row["axial_displacement_m"], tolerance);
+      expect_relative(std::hypot(u[1], u[2]), row["radial_displacement_m"], tolerance);
+    }
+  }
+}
+
 TEST(BearingEquilibrium, StaticThrustAgreesWithTheIndependentSolver) {
   for (const auto& row : reference_table("equilibrium_static_thrust.csv")) {
     SCOPED_TRACE(row.place());

@@ -98,6 +98,40 @@ TEST_F(Solve, WithoutBalanceGivesStatusTwoAndNoNumber) {
   }
 }
 
+TEST_F(Solve, ARadialLoadAloneSaysWhatCarriesIt) {
+  const std::string flags = "--speed 6000 --axial-load 0 --radial-load 300";
+  const Result text = solve(model_text, flags);
+  EXPECT_EQ(text.status, 0);
+  EXPECT_THAT(text.err, HasSubstr("at the bottom of the grooves"));
+  const json d = parsed(solve(model_text, flags + " --json"));
+  EXPECT_EQ(d["report"]["status"], "converged");
+  EXPECT_EQ(d["seat"], "groove_bottom");
+  EXPECT_EQ(parsed(solve(model_text, "--speed 6000 --axial-load 300 --json"))["seat"], "shoulder");
+}
+
+TEST_F(Solve, AMomentAloneIsCarriedWhereTiltIsFree) {
+  const std::string free = model_text + "[solver]\ntilt = \"free\"\n";
+  const std::string flags = "--speed 6000 --axial-load 0 --moment-z 10000";
+  const Result text = solve(free, flags);
+  EXPECT_EQ(text.status, 0);
+  EXPECT_THAT(text.err, HasSubstr("has no shoulder"));
+  const json d = parsed(solve(free, flags + " --json"));
+  EXPECT_EQ(d["seat"], "far_side");
+  EXPECT_GT(d["tilt_z_mrad"], 0.1);
+}
+
+TEST_F(Solve, RadialDisplacementHasASign) {
+  const std::string free = model_text + "[solver]\ntilt = \"free\"\n";
+  const json d = parsed(solve(free, "--speed 6000 --axial-load 300 --moment-z 2000 --json"));
+  const json other = parsed(solve(free, "--speed 6000 --axial-load 300 --moment-z -2000 --json"));
+  const double y = d["radial_displacement_y_um"];
+  EXPECT_NE(y, 0.0);
+  EXPECT_EQ(d["radial_displacement_um"], std::abs(y));
+  EXPECT_LT(y * other["radial_displacement_y_um"].get<double>(), 0.0);
+  const json about_y = parsed(solve(free, "--speed 6000 --axial-load 300 --moment-y 2000 --json"));
+  EXPECT_LT(about_y["radial_displacement_z_um"].get<double>() * y, 0.0);
+}
+
 TEST_F(Solve, WithoutAnyLoadHasNoBalance) {
   EXPECT_EQ(solve(model_text, "--speed 0 --axial-load 0").status, 2);
 }

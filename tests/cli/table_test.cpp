@@ -96,7 +96,7 @@ TEST_F(Table, LeavesPointsWithoutBalanceEmptyWhereAnEffectNeedsIt) {
   EXPECT_TRUE(point["inner_contact_angle_min_deg"].is_null());
   const Result csv = table(axes + "-o -", model_text + inner_control + spin_effect);
   EXPECT_EQ(csv.status, 2);
-  EXPECT_THAT(csv.out, HasSubstr("\n20000,5,0,40,,,,,,,,,,,,,,no_equilibrium\n"));
+  EXPECT_THAT(csv.out, HasSubstr("\n20000,5,0,40,,,,,,,,,,,,,,,no_equilibrium\n"));
 }
 
 TEST_F(Table, OfALawThatNeedsNoBalanceHasATorqueEverywhere) {
