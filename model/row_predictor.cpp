@@ -169,8 +169,6 @@ void RowPredictor::find_film(const Model& model, const Steps& steps,
 void RowPredictor::find_base(const Model& model, friction::BearingState<double> s) {
   s.temperature = film_.temperature;
   if (model.law == friction::FrictionLaw::contact) {
-    // Formulas look at the bearing as entered, contacts at the one that there is.
-    if (bearing_) s.bearing = bearing_.get();
     contacts_ = friction::contact::contact_result(s, model.law_values);
     contacts_->thin(film_.viscous_share);
     base_ = contacts_->moments();
@@ -218,10 +216,10 @@ double RowPredictor::predict(const Model& model, const Steps& steps, Stage from)
   if (steps.needs_balls && !report_.converged()) return reading_;
 
   friction::BearingState<double> s = state(model);
+  // Formulas look at the bearing as entered, contacts at the one that there is.
+  if (bearing_ && model.law == friction::FrictionLaw::contact) s.bearing = bearing_.get();
   if (from <= Stage::lubricant) find_film(model, steps, s);
-  if (from <= Stage::base) {
-    find_base(model, s);
-  }
+  if (from <= Stage::base) find_base(model, s);
   if (from <= Stage::moment) {
     // Laws of ball loads look at the bearing as it is, base laws at the one entered.
     if (bearing_) s.bearing = bearing_.get();
