@@ -106,8 +106,9 @@ void print_life(const model::Model& model, const bearing::OperatingPoint& point,
   constexpr double hour = 3600.0;
   fmt::print("\nbasic life L10      {:>10} h       reference L10r    {:>8} h\n",
              number(life.basic / hour), number(life.reference / hour));
-  fmt::print("modified life       {:>10} h       a_ISO             {:>8}\n",
-             life.hybrid ? "none" : number(life.modified / hour), number(life.modification));
+  fmt::print("modified life       {:>10} {:<10}a_ISO             {:>8}\n",
+             life.hybrid ? "none" : number(life.modified / hour), life.hybrid ? "" : "h",
+             number(life.modification));
   fmt::print("kappa               {:>10}         static safety     {:>8}\n",
              number(life.viscosity_ratio), number(life.static_safety));
   fmt::print("cage speed          {:>10} rpm     ball over outer   {:>8} Hz\n",

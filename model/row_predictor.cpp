@@ -166,10 +166,24 @@ void RowPredictor::find_film(const Model& model, const Steps& steps,
   s.kinematic_viscosity = film_.kinematic_viscosity;
 }
 
+bool RowPredictor::contacts_are(const friction::Lubricant& oil,
+                                const std::vector<double>& values) const {
+  return known_contacts_ && known_contacts_->balls == equilibrium_ &&
+         known_contacts_->oil.viscosity_40C() == oil.viscosity_40C() &&
+         known_contacts_->oil.viscosity_100C() == oil.viscosity_100C() &&
+         known_contacts_->film.kinematic_viscosity == film_.kinematic_viscosity &&
+         known_contacts_->film.temperature == film_.temperature &&
+         friction::contact::ContactResult::rescales(known_contacts_->values, values);
+}
+
 void RowPredictor::find_base(const Model& model, friction::BearingState<double> s) {
   s.temperature = film_.temperature;
   if (model.law == friction::FrictionLaw::contact) {
-    contacts_ = friction::contact::contact_result(s, model.law_values);
+    if (!contacts_are(*s.lubricant, model.law_values))
+      known_contacts_ = {equilibrium_, film_, *s.lubricant, model.law_values,
+                         friction::contact::contact_result(s, model.law_values)};
+    contacts_ = known_contacts_->result;
+    contacts_->rescale(known_contacts_->values, model.law_values);
     contacts_->thin(film_.viscous_share);
     base_ = contacts_->moments();
     return;

@@ -50,6 +50,8 @@ class RowPredictor {
   // The steps; each from what those before it have left in the members below.
   [[nodiscard]] bool find_balance(const Model& model, const Steps& steps);
   void find_film(const Model& model, const Steps& steps, friction::BearingState<double>& s);
+  [[nodiscard]] bool contacts_are(const friction::Lubricant& oil,
+                                  const std::vector<double>& values) const;
   void find_base(const Model& model, friction::BearingState<double> s);
   void add_moments(const Model& model, const Steps& steps, Stage from,
                    const friction::BearingState<double>& s);
@@ -70,6 +72,15 @@ class RowPredictor {
   effects::Film film_;
   friction::BaseMoments<double> base_{unset, unset};
   std::optional<friction::contact::ContactResult> contacts_;
+  /// The integrals of the contacts, as they were found last: they are most of a fit's time.
+  struct KnownContacts {
+    Balance balls;  // kept, so that no other balance has its address
+    effects::Film film;
+    friction::Lubricant oil;
+    std::vector<double> values;  // of the law
+    friction::contact::ContactResult result;
+  };
+  std::optional<KnownContacts> known_contacts_;
   std::vector<double> units_;  // unit moments of Steps::moment, NaN where it has none
   double torque_ = unset, reading_ = unset;
 };

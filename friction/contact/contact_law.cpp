@@ -1,5 +1,6 @@
 #include "friction/contact/contact_law.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "friction/friction_law.h"
@@ -66,6 +67,19 @@ double ball_drag(const BearingState<double>& s, double density, double oil_fract
 HeatSplit ring_heat(const ContactResult& r, double speed) {
   return {.inner = power_loss(r.friction.inner.sum() + 0.5 * r.drag, speed),
           .outer = power_loss(r.friction.outer.sum() + 0.5 * r.drag, speed)};
+}
+
+bool ContactResult::rescales(std::span<const double> from, std::span<const double> to) {
+  for (const std::size_t factor : {0, 1})
+    if (from[factor] != to[factor] && !(from[factor] > 0.0)) return false;
+  return std::equal(from.begin() + 2, from.end(), to.begin() + 2, to.end());
+}
+
+void ContactResult::rescale(std::span<const double> from, std::span<const double> to) {
+  if (from[0] != to[0]) thin(to[0] / from[0]);
+  if (from[1] == to[1]) return;
+  friction.inner.hysteresis *= to[1] / from[1];
+  friction.outer.hysteresis *= to[1] / from[1];
 }
 
 ContactResult contact_result(const BearingState<double>& s, std::span<const double> values,
