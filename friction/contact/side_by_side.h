@@ -8,7 +8,7 @@
 #include <type_traits>
 
 /// Elementary functions without a branch or a call, so that a compiler can make several at once.
-/// Part of film_traction.cpp and slip_forces.cpp, not for other code.
+/// Part of slip_forces.cpp, not for other code; film_traction.cpp has its own, for vectors.
 namespace raceway::friction::contact {
 
 /// ln(1 + t) for t >= 0, to 2e-16 relative in double and 2e-7 in float, as 2 atanh(s) of the
@@ -51,23 +51,6 @@ template <std::floating_point Real>
 template <std::floating_point Real>
 [[gnu::always_inline]] inline Real area_sine(Real x, Real length) {
   return log_one_plus(x + x * x / (Real(1) + length));
-}
-
-/// e^x for x from -700 to 700, to 1e-15 relative.
-[[gnu::always_inline]] inline double exponential(double x) {
-  constexpr double round = 6755399441055744.0;  // 1.5 2^52, whose last digits count units
-  const double shifted = x * std::numbers::log2e + round;
-  const double n = shifted - round;
-  const double r = (x - n * 0x1.62e42fefa3800p-1) - n * 0x1.ef35793c76730p-45;
-  double series = 1.0 / 479001600.0 + r * (1.0 / 6227020800.0);
-  series = 1.0 / 3628800.0 + r * (1.0 / 39916800.0 + r * series);
-  series = 1.0 / 40320.0 + r * (1.0 / 362880.0 + r * series);
-  series = 1.0 / 720.0 + r * (1.0 / 5040.0 + r * series);
-  series = 1.0 / 24.0 + r * (1.0 / 120.0 + r * series);
-  series = 0.5 + r * (1.0 / 6.0 + r * series);
-  series = 1.0 + r * (1.0 + r * series);
-  const std::uint64_t power = (std::bit_cast<std::uint64_t>(shifted) + 1023) << 52;
-  return series * std::bit_cast<double>(power);
 }
 
 }  // namespace raceway::friction::contact

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+
+namespace raceway::friction::contact {
+
+// What film_traction.cpp asks of traction_pass_*.cpp. One source, compiled for each instruction
+// set. Not for other code.
+
+/// Points of the unit circle in rows of sixteen that go side by side: the angles of a ring where
+/// the ball spins; the rings at an angle where it does not, and what is at y < 0 mirrors y > 0.
+inline constexpr std::size_t side_by_side = 16;
+inline constexpr std::size_t most_rings = 16;
+
+template <typename Real>
+struct CirclePoints {
+  std::size_t rings, rows;
+  /// Of a point: places in units of b and a [1].
+  alignas(64) Real x[most_rings][side_by_side], y[most_rings][side_by_side];
+  /// Of a ring: weight, those of all points of the ellipse sum to π a b/2 of s; p/p0 [1].
+  alignas(64) Real weight[most_rings], s[most_rings];
+};
+
+/// A slip field and what the shear law makes of the pressure of each ring. Speeds in units of the
+/// fastest slip, stresses in units of Eyring's, lengths in a.
+template <typename Real>
+struct RingStresses {
+  Real differential, spin, width, film_share, small2;
+  alignas(64) Real steepness[most_rings], limit[most_rings], boundary[most_rings];
+};
+
+/// FilmShear::at_pressure() of many rings: s times the peaks, Roelands' viscosity.
+struct RingPressures {
+  double logarithm, exponent, pressure, newton, glass, limit, boundary;
+};
+
+struct PassSums {
+  double along = 0.0, slope = 0.0, force = 0.0, power = 0.0, moment = 0.0, slip = 0.0;
+};
+
+/// The parts of a contact that are there.
+enum class Rubbing { film, asperities, both };
+
+/// The kernels of one instruction set. A search takes `along`, `slope` and `force` in single
+/// precision; a sum takes all, with a slope good for a search.
+struct TractionKernel {
+  void (*stresses)(const CirclePoints<double>&, const RingPressures&, RingStresses<double>&,
+                   RingStresses<float>&);
+  PassSums (*search)(const CirclePoints<float>&, const RingStresses<float>&, Rubbing, bool spins,
+                     double centre);
+  PassSums (*sum)(const CirclePoints<double>&, const RingStresses<double>&, Rubbing, bool spins,
+                  double centre);
+};
+TractionKernel traction_kernel_sse2();
+TractionKernel traction_kernel_avx2();
+
+}  // namespace raceway::friction::contact
