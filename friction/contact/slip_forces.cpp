@@ -3,7 +3,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "friction/contact/side_by_side.h"
+#include "friction/contact/area_sine.h"
 
 namespace raceway::friction::contact {
 namespace {
