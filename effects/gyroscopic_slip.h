@@ -32,7 +32,8 @@ struct GyroscopicSlip {
       "friction can hold and takes friction times slip speed, which is not computed here.";
   static constexpr std::string_view formula =
       "M = c sum of M_g over the balls: a shape to look for, not a law of friction";
-  static constexpr std::string_view within_contacts = "race_control = \"balanced\" under [solver]";
+  static constexpr std::string_view within_contacts =
+      "the sliding of contacts whose balls race control turns";
   static constexpr std::string_view source =
       "M_g by [CaseStudy, eqs. 14 and 18]; Harris and Kotzalas, vol. 2, ch. 5; M = c sum M_g is "
       "empirical, without a source";

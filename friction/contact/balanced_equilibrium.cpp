@@ -9,8 +9,8 @@ namespace {
 using bearing::GivenRotation;
 using bearing::SolveStatus;
 
-constexpr double balance_tolerance = 1e-8;  // of the load on a ball [1]
-constexpr double film_tolerance = 1e-7;     // of the cage speed that a film is made at [1]
+constexpr double balance_tolerance = 1e-8;     // of the load on a ball [1]
+constexpr double film_speed_tolerance = 1e-7;  // of the cage speed that a film is made at [1]
 constexpr int most_passes = 40;
 
 /// m of a ball that rolls without slip at both contacts about an axis at pitch β; see
@@ -83,7 +83,7 @@ BalancedEquilibrium solve_balanced_equilibrium(const bearing::Bearing& bearing,
     }
     b.attitudes = std::move(next);
     b.report.residual = change;
-    if ((change <= balance_tolerance || point.speed == 0.0) && films <= film_tolerance) {
+    if ((change <= balance_tolerance || point.speed == 0.0) && films <= film_speed_tolerance) {
       b.report.status = SolveStatus::converged;
       return b;
     }

@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Documentation, Page,
                                          "docs/export.md", "docs/kinematic-law.md", "docs/laws.md",
                                          "docs/loop.md", "docs/shaft.md", "docs/spindle.md",
                                          "docs/spindle-record.md", "docs/torque-sensor.md",
-                                         "docs/worked-examples.md"),
+                                         "docs/validation.md", "docs/worked-examples.md"),
                          [](const auto& p) {
                            std::string name = fs::path(p.param).stem().string();
                            std::erase(name, '-');
