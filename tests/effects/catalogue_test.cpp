@@ -470,7 +470,7 @@ TEST(Catalogue, HasTheLimitsOfItsSources) {
   const auto f = model::predict_friction(heated, p);
   const double rise = 20e-3 * f.viscous * p.speed;
   EXPECT_GT(rise, 1.0);
-  EXPECT_NEAR(f.kinematic_viscosity, plain.lubricant.kinematic_viscosity(p.temperature + rise),
+  EXPECT_NEAR(f.film.kinematic_viscosity, plain.lubricant.kinematic_viscosity(p.temperature + rise),
               1e-9 * viscosity);
   // Exponents are those of the law.
   model::Model y = plain;
@@ -554,7 +554,7 @@ TEST(ElasticHysteresis, EndsWhereItsApproximationEnds) {
 double viscosity_with(const char* id, double value, double temperature) {
   const bearing::OperatingPoint p{
       .speed = 5000 * rpm, .axial_load = 400, .temperature = kelvin(temperature)};
-  return model::predict_friction(model_with(*effects::find(id), {value}), p).kinematic_viscosity /
+  return model::predict_friction(model_with(*effects::find(id), {value}), p).film.kinematic_viscosity /
          mm2_per_s;
 }
 

@@ -39,8 +39,8 @@ struct BalancedRun {
     oil = oil_state(Lubricant(nu40 * mm2_per_s, nu100 * mm2_per_s), {.type = *find_oil_type(type)},
                     kelvin(celsius));
   }
-  [[nodiscard]] BalancedEquilibrium solve(const BalancedEquilibrium* neighbour = nullptr) const {
-    return solve_balanced_equilibrium(bearing, point, oil, law, {}, neighbour);
+  [[nodiscard]] BalancedEquilibrium solve() const {
+    return solve_balanced_equilibrium(bearing, point, oil, law);
   }
   [[nodiscard]] BearingFriction friction(const BalancedEquilibrium& e) const {
     return bearing_friction(bearing, e, point.speed, oil, law);
