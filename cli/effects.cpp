@@ -145,6 +145,9 @@ void print_page(const Description& d) {
   if (!d.supplies.empty())
     paragraph("lubricated", fmt::format("by {}; no candidate where [lubricant] supply is another",
                                         effects::text(d.supplies)));
+  if (!d.within_contacts.empty())
+    paragraph("not with",
+              fmt::format("law = \"contact\", which has it itself, as {}", d.within_contacts));
   std::string others;
   for (const std::string_view other : d.confused_with)
     others += (others.empty() ? "" : ", ") + std::string(other);

@@ -134,8 +134,8 @@ std::string_view text(Need need) {
     case Need::loads:
       return "a load on every row, to solve for the balls";
     case Need::ball_load_law:
-      return "an effect in the model that uses ball loads, as spin-friction does: the base law "
-             "sees the entered load only";
+      return "the contact law, or an effect in the model that uses ball loads, as spin-friction "
+             "does: the other base laws see the entered load only";
     case Need::palmgren_law:
       return "the palmgren law: the skf law contains this effect";
     case Need::opposed_sets:

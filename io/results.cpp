@@ -52,6 +52,7 @@ json effect_page(const effects::Description& d) {
           {"parameters", parameters},
           {"needs", needs},
           {"supplies", supplies},
+          {"within_contact_law", d.within_contacts.empty() ? json() : json(d.within_contacts)},
           {"needs_equilibrium", d.needs_equilibrium},
           {"confused_with", d.confused_with}};
 }
