@@ -15,8 +15,8 @@ using friction::contact::OilType;
 
 constexpr std::string_view type_key = "type";
 constexpr Key pressure_viscosity{"pressure_viscosity_1_GPa", "1/GPa", 3, 40};
-constexpr Key density{"density_15C_kg_m3", "kg/m3", 600, 2000};
-constexpr Key conductivity{"conductivity_W_mK", "W/(m K)", 0.05, 1};
+constexpr Key oil_density_key{"density_15C_kg_m3", "kg/m3", 600, 2000};
+constexpr Key oil_conductivity_key{"conductivity_W_mK", "W/(m K)", 0.05, 1};
 constexpr Key limiting_traction{"limiting_traction", "", 0.01, 0.2};
 constexpr Key eyring_stress{"eyring_stress_MPa", "MPa", 0.5, 30};
 constexpr Key inlet_over_b{"inlet_over_b", "", 1.05, 100};
@@ -48,8 +48,8 @@ Names contact_keys(std::string_view table) {
     return {std::string(inlet_over_b.name), std::string(asperity_factor.name),
             std::string(asperity_exponent.name)};
   Names names{std::string(type_key)};
-  for (const Key& key :
-       {pressure_viscosity, density, conductivity, limiting_traction, eyring_stress})
+  for (const Key& key : {pressure_viscosity, oil_density_key, oil_conductivity_key,
+                         limiting_traction, eyring_stress})
     names.emplace_back(key.name);
   return names;
 }
@@ -77,8 +77,8 @@ ContactData read_contact(ModelTables& tables, bool used, std::optional<friction:
   if (used && !oil.find(type_key))
     tables.note_default("lubricant", type_key, fmt::format("\"{}\"", name(data.oil.type)));
   const OilDefaults usual = oil_defaults(data.oil.type);
-  data.oil.density_15C = number(oil, density, usual.density_15C);
-  data.oil.conductivity = number(oil, conductivity, usual.conductivity);
+  data.oil.density_15C = number(oil, oil_density_key, usual.density_15C);
+  data.oil.conductivity = number(oil, oil_conductivity_key, usual.conductivity);
   if (const auto given = oil.number(pressure_viscosity))
     data.oil.pressure_viscosity = *given / GPa;
   else if (used)
