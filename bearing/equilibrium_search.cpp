@@ -15,6 +15,7 @@ namespace {
 constexpr int steps_of_load_path = 300;
 constexpr int steps_of_speed_path = 400;
 constexpr int steps_of_axial_path = 150;
+constexpr double small_axial_share = 0.1;  // of the radial load: above it other paths find all
 constexpr int steps_of_drops = 250;
 constexpr int steps_of_search = 960;
 
@@ -41,7 +42,8 @@ class Search {
     system_.set_point(point);
     system_.allow(steps_of_speed_path);
     if (follow_speed(point, state)) return SolveStatus::converged;
-    if (point.axial_load > 0.0) {
+    if (point.axial_load > 0.0 &&
+        point.axial_load < small_axial_share * std::hypot(point.radial_load, point.radial_load_z)) {
       system_.allow(steps_of_axial_path);
       if (follow_axial(point, state)) return SolveStatus::converged;
     }

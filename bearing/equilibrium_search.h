@@ -9,7 +9,7 @@ namespace raceway::bearing {
 ///   1. Newton from the closed-form thrust solution,
 ///   2. following the solution from pure thrust to the full radial load and moment,
 ///   3. following it from standstill to full speed,
-///   4. following it from the radial load alone to the full axial load,
+///   4. where the axial load is small, following it from the radial load alone,
 ///   5. under inner control, searching which balls have lost the inner race.
 /// Under outer control the forces are continuous in the displacement and 1 to 4 find every state
 /// known to exist. Under inner control the gyroscopic couple vanishes with the contact, a state can

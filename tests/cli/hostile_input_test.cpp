@@ -39,7 +39,7 @@ TEST_F(HostileInput, ATableTooLargeToCountIsRefused) {
 TEST_F(HostileInput, MemoryIsAskedForBeforeItIsTaken) {
   const Result r =
       run("table " + model_ + " --json --speed 0:9999:0.001 --axial-load 1,2,3,4,5,6,7,8,9");
-  expect_refused(r, "raceway table: 89991009 points take 4");
+  expect_refused(r, "raceway table: 89991009 points take 5");
   EXPECT_THAT(r.err, HasSubstr(" GB of memory, and "));
   EXPECT_THAT(r.err, HasSubstr(" GB can be had; make it in "));
   EXPECT_THAT(r.err, HasSubstr(" slabs, --slab 1/"));
