@@ -36,17 +36,23 @@ Bearing angular_contact(const ReferenceRow& row) {
           material(row)};
 }
 
+template <typename Row>
+Bearing deep_groove_bearing(const Row& row) {
+  return {{.ball_count = static_cast<int>(row["ball_count"]),
+           .ball_diameter = row["ball_diameter_m"],
+           .pitch_diameter = row["pitch_diameter_m"],
+           .contact_angle = 0.0,
+           .inner_conformity = row["inner_conformity"],
+           .outer_conformity = row["outer_conformity"],
+           .radial_clearance = row["radial_clearance_m"]},
+          material(row),
+          material(row)};
+}
+
 TEST(BearingEquilibrium, DeepGrooveAtRestAgreesWithTheReferencePrograms) {
   for (const auto& row : reference_table("equilibrium_deep_groove.csv")) {
     SCOPED_TRACE(row.place());
-    const Bearing bearing({.ball_count = static_cast<int>(row["ball_count"]),
-                           .ball_diameter = row["ball_diameter_m"],
-                           .pitch_diameter = row["pitch_diameter_m"],
-                           .contact_angle = 0.0,
-                           .inner_conformity = row["inner_conformity"],
-                           .outer_conformity = row["outer_conformity"],
-                           .radial_clearance = row["radial_clearance_m"]},
-                          material(row), material(row));
+    const Bearing bearing = deep_groove_bearing(row);
     const auto solved = solve_bearing_equilibrium(
         bearing, {.axial_load = row["axial_load_N"], .radial_load = row["radial_load_N"]});
     ASSERT_TRUE(solved.report.converged()) << name(solved.report.status);
@@ -65,14 +71,7 @@ TEST(BearingEquilibrium, DeepGrooveAtRestAgreesWithTheReferencePrograms) {
 TEST(BearingEquilibrium, AMomentAgreesWithTheReferenceProgram) {
   for (const auto& row : reference_table("equilibrium_moment.csv")) {
     SCOPED_TRACE(row.place());
-    const Bearing bearing({.ball_count = static_cast<int>(row["ball_count"]),
-                           .ball_diameter = row["ball_diameter_m"],
-                           .pitch_diameter = row["pitch_diameter_m"],
-                           .contact_angle = 0.0,
-                           .inner_conformity = row["inner_conformity"],
-                           .outer_conformity = row["outer_conformity"],
-                           .radial_clearance = row["radial_clearance_m"]},
-                          material(row), material(row));
+    const Bearing bearing = deep_groove_bearing(row);
     const double lever =
         bearing.geometry().inner_groove_centre_radius() / (0.5 * row["pitch_diameter_m"]);
     const double tolerance = row["relative_tolerance"];

@@ -2,19 +2,9 @@
 
 #include "friction/contact/balanced_equilibrium.h"
 #include "tests/friction_contact/contact_cases.h"
+#include "tests/friction_contact/reference_bearing.h"
 
 namespace raceway::friction::contact {
-
-inline bearing::Bearing balanced_bearing(const nlohmann::json& g, const bearing::Material& balls) {
-  return {{.ball_count = g.at("Z"),
-           .ball_diameter = g.at("D"),
-           .pitch_diameter = g.at("dm"),
-           .contact_angle = g.at("alpha0").get<double>() * degree,
-           .inner_conformity = g.at("fi"),
-           .outer_conformity = g.at("fo")},
-          balls,
-          bearing::steel()};
-}
 
 /// A bearing of a case with its oil, whose balls no race holds.
 struct BalancedRun {
@@ -24,9 +14,9 @@ struct BalancedRun {
   ContactLaw law;
 
   explicit BalancedRun(const nlohmann::json& in)
-      : bearing(balanced_bearing(in.at("geometry"), in.at("ball") == "nitride"
-                                                        ? bearing::silicon_nitride()
-                                                        : bearing::steel())),
+      : bearing(reference_bearing(in.at("geometry"), in.at("ball") == "nitride"
+                                                         ? bearing::silicon_nitride()
+                                                         : bearing::steel())),
         point{.speed = in.at("rpm").get<double>() * rpm,
               .axial_load = in.at("Fa"),
               .radial_load = in.value("Fr", 0.0)} {

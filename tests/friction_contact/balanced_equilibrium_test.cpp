@@ -32,7 +32,6 @@ TEST(BalancedEquilibrium, IsThatOfTheReference) {
 }
 
 TEST(BalancedEquilibrium, LosesNoPowerOverThirtySpeedsAndGoesSmoothly) {
-  BalancedEquilibrium before;
   double angle = 0.0, slope = 0.0;
   for (int i = 0; i < 30; ++i) {
     const BalancedRun run = steel_7014(1000.0 * std::pow(20.0, i / 29.0));

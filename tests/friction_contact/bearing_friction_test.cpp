@@ -5,20 +5,10 @@
 
 #include "friction/contact/contact_friction.h"
 #include "tests/friction_contact/contact_cases.h"
+#include "tests/friction_contact/reference_bearing.h"
 
 namespace raceway::friction::contact {
 namespace {
-
-bearing::Bearing bearing_of(const nlohmann::json& g, const bearing::Material& balls) {
-  return {{.ball_count = g.at("Z"),
-           .ball_diameter = g.at("D"),
-           .pitch_diameter = g.at("dm"),
-           .contact_angle = g.at("alpha0").get<double>() * degree,
-           .inner_conformity = g.at("fi"),
-           .outer_conformity = g.at("fo")},
-          balls,
-          bearing::steel()};
-}
 
 /// A bearing of a case on its load, at its oil.
 struct LoadedRun {
@@ -29,7 +19,7 @@ struct LoadedRun {
   double speed;
 
   LoadedRun(const nlohmann::json& in, const bearing::Material& balls, double speed_rpm)
-      : bearing(bearing_of(in.at("geometry"), balls)),
+      : bearing(reference_bearing(in.at("geometry"), balls)),
         equilibrium(
             bearing::solve_bearing_equilibrium(bearing, {.speed = speed_rpm * rpm,
                                                          .axial_load = in.at("Fa"),
@@ -242,7 +232,7 @@ TEST(BearingFriction, TakesPowerInEveryPartOfTenThousandRandomContacts) {
     return low * std::pow(high / low, std::uniform_real_distribution<>()(random));
   };
   const nlohmann::json in = spindle_bearing();
-  const bearing::Bearing steel = bearing_of(in.at("geometry"), bearing::steel());
+  const bearing::Bearing steel = reference_bearing(in.at("geometry"), bearing::steel());
   for (int i = 0; i < 10000; ++i) {
     const double nu40 = between(5.0, 500.0) * mm2_per_s;
     const Lubricant lubricant(nu40, nu40 * between(0.12, 0.3));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "model/needs.h"
 #include "model/parameters.h"
 #include "model/prediction.h"
+#include "model/row_predictor.h"
 #include "tests/support/synthetic.h"
 
 namespace raceway::fit {
@@ -86,6 +88,33 @@ TEST(ContactLawInAModel, TorqueIsAffineInTheRollingFactor) {
     return torque(model);
   };
   EXPECT_NEAR(at(2.0) - at(1.0), at(1.0) - at(0.0), 1e-12 * at(1.0));
+}
+
+// A row remembers its integrals while only their factors change, and the oil's slope counts too.
+TEST(ContactLawInAModel, ARowThatRemembersItsContactsPredictsAsANewOne) {
+  Model model = contact_model_with("viscosity-slope", {1.0});
+  const Steps steps(model);
+  RowPredictor row(model, steps, fast, {});
+  const auto agrees = [&](Stage from, const char* changed) {
+    const double expected = predict_friction(model, fast, {}).reading;
+    EXPECT_NEAR(row.predict(model, steps, from), expected, 1e-12 * expected) << changed;
+  };
+  agrees(Stage::entry, "nothing");
+  for (const auto& [index, value] : {std::pair{0, 1.7},
+                                     {1, 3.0},
+                                     {0, 0.0},
+                                     {0, 0.8},
+                                     {1, 0.0},
+                                     {1, 1.0},
+                                     {2, 0.2},
+                                     {4, 6e-8},
+                                     {5, 0.02}}) {
+    model.law_values[static_cast<std::size_t>(index)] = value;
+    agrees(Stage::base,
+           friction::parameters(model.law)[static_cast<std::size_t>(index)].name.data());
+  }
+  model.effects.front().values = {1.2};
+  agrees(Stage::entry, "viscosity at 100 C alone");
 }
 
 TEST(ContactLawInAModel, LimitingTractionIsANumberOfTheLubricant) {
