@@ -554,7 +554,8 @@ TEST(ElasticHysteresis, EndsWhereItsApproximationEnds) {
 double viscosity_with(const char* id, double value, double temperature) {
   const bearing::OperatingPoint p{
       .speed = 5000 * rpm, .axial_load = 400, .temperature = kelvin(temperature)};
-  return model::predict_friction(model_with(*effects::find(id), {value}), p).film.kinematic_viscosity /
+  return model::predict_friction(model_with(*effects::find(id), {value}), p)
+             .film.kinematic_viscosity /
          mm2_per_s;
 }
 
