@@ -12,12 +12,15 @@
 namespace raceway::bearing {
 namespace {
 
-void check(const Arrangement& arrangement, const ArrangementCondition& c) {
+void check(const Arrangement& arrangement, const ArrangementCondition& c,
+           const EquilibriumOptions& options) {
   require_between("speed", c.speed, 0.0, 1e6 * rpm, rpm, "rpm");
   require_between("external_load", c.external_load, -1e8, 1e8, 1.0, "N");
   require_between("elongation", c.elongation, -10 * mm, 10 * mm, um, "um");
   if (!c.shifts.empty() && c.shifts.size() != arrangement.bearings().size())
     throw std::invalid_argument("shifts: as many as bearings are needed, or none");
+  if (!options.rotations.empty() && options.rotations.size() != arrangement.bearings().size())
+    throw std::invalid_argument("rotations: as many as bearings are needed, or none");
   for (const RingShift& s : c.shifts)
     for (const double value : {s.axial, s.radial, s.inner_length, s.outer_length})
       require_between("shift", value, -1 * mm, 1 * mm, um, "um");
@@ -113,6 +116,7 @@ BearingInSet bearing_in_set(const ShaftSystem& system, const Bearing& bearing,
   b.inner_pressure = bearing.contact(Race::inner).peak_pressure(share.ball.inner_load);
   b.outer_pressure = bearing.contact(Race::outer).peak_pressure(share.ball.outer_load);
   b.minimum_load = minimum_load(bearing, share.ball.centrifugal);
+  if (const GivenRotation* given = system.rotation(i)) b.rotation = *given;
   return b;
 }
 
@@ -236,14 +240,28 @@ BearingEquilibrium ArrangementEquilibrium::bearing(std::size_t i,
   e.stiffness(0, 0) = in_set.axial_stiffness;
   e.report = report;
   e.balls.reset(count, Symmetry::thrust)[0] = in_set.ball;
+  if (in_set.rotation) e.rotations = {*in_set.rotation};
   return e;
+}
+
+std::vector<GivenRotation> ArrangementEquilibrium::rotations() const {
+  std::vector<GivenRotation> all;
+  for (const BearingInSet& b : bearings)
+    if (b.rotation) all.push_back(*b.rotation);
+  return all;
+}
+
+EquilibriumOptions options_of_bearing(const EquilibriumOptions& options, std::size_t i) {
+  EquilibriumOptions own = options;
+  if (!options.rotations.empty()) own.rotations = options.rotations.subspan(i, 1);
+  return own;
 }
 
 ArrangementEquilibrium solve_arrangement(const Arrangement& arrangement,
                                          const ArrangementCondition& condition,
                                          const EquilibriumOptions& options,
                                          const ArrangementEquilibrium* neighbour) {
-  check(arrangement, condition);
+  check(arrangement, condition, options);
   ShaftSystem system(arrangement, options);
   return solve(arrangement, condition, system, neighbour);
 }
@@ -257,7 +275,7 @@ void solve_arrangement(const Arrangement& arrangement,
   ShaftSystem system(arrangement, options);
   const ArrangementEquilibrium* neighbour = nullptr;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
-    check(arrangement, conditions[i]);
+    check(arrangement, conditions[i], options);
     results[i] = solve(arrangement, conditions[i], system, neighbour);
     if (results[i].report.converged()) neighbour = &results[i];
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,6 +58,7 @@ struct BearingInSet {
   double displacement = unset;  ///< δ_i, how far it is pressed, its offset and shift included [m]
   double axial_stiffness = unset;                     ///< [N/m]
   BallEquilibrium ball;                               ///< at azimuth 0
+  std::optional<GivenRotation> rotation;              ///< of the balls, where that was given
   double inner_pressure = 0.0, outer_pressure = 0.0;  ///< largest in the contacts [Pa]
   /// Least axial load, see minimum_load() [N].
   double minimum_load = unset;
@@ -77,7 +79,14 @@ struct ArrangementEquilibrium {
   /// Bearing i as the friction laws want it: all balls, displacement and stiffness in x alone (the
   /// other components of the stiffness are NaN).
   [[nodiscard]] BearingEquilibrium bearing(std::size_t i, const Arrangement& arrangement) const;
+  /// How the balls of each bearing turn, for `EquilibriumOptions::rotations`; empty under race
+  /// control.
+  [[nodiscard]] std::vector<GivenRotation> rotations() const;
 };
+
+/// The options of an arrangement for its bearing i alone.
+[[nodiscard]] EquilibriumOptions options_of_bearing(const EquilibriumOptions& options,
+                                                    std::size_t i);
 
 /// Least axial load at which the balls of a bearing roll without skidding: the inner contacts press
 /// as hard outwards as the centrifugal forces do at the nominal contact angle [N],
@@ -100,7 +109,8 @@ struct ArrangementEquilibrium {
 /// Domain:   speed >= 0; a set that would have to pull is no balance.
 /// Accuracy: `options.tolerance` on forces relative to the largest; tilt is locked at zero.
 ///           Physically as solve_bearing_equilibrium().
-/// Throws std::invalid_argument for a condition that is not finite or has another number of shifts.
+/// Throws std::invalid_argument for a condition that is not finite, or for another number of shifts
+/// or rotations than of bearings.
 [[nodiscard]] ArrangementEquilibrium solve_arrangement(
     const Arrangement& arrangement, const ArrangementCondition& condition,
     const EquilibriumOptions& options = {}, const ArrangementEquilibrium* neighbour = nullptr);

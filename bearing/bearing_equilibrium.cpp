@@ -58,6 +58,10 @@ BallSpeeds BearingEquilibrium::speeds(std::size_t k, const Bearing& bearing, dou
                                       RaceControl race_control) const {
   const BallEquilibrium b = balls.at(k);
   const bool lost = std::isnan(b.inner_contact_angle);
+  if (!lost && !rotations.empty())
+    return ball_rotation(rotations[balls.twin(k)], b.inner_contact_angle, b.outer_contact_angle,
+                         bearing.geometry().diameter_ratio(), speed)
+        .speeds();
   return ball_speeds(lost ? RaceControl::outer : race_control,
                      lost ? b.outer_contact_angle : b.inner_contact_angle, b.outer_contact_angle,
                      bearing.geometry().diameter_ratio(), speed);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
 #include "bearing/balls.h"
 #include "bearing/bearing.h"
@@ -24,8 +25,8 @@ struct EquilibriumOptions {
   double tolerance = 1e-11;       ///< on the scaled residual [1]
   int max_iterations = 2000;      ///< Newton steps over all stages
   /// Rotation of the balls where race control does not decide it: one for each ball of the bearing
-  /// by azimuth (those that the load leaves alike have the same), or one for all. Not looked at at
-  /// rest.
+  /// by azimuth (those that the load leaves alike have the same), or one for all; of an arrangement
+  /// one for each bearing. Not looked at at rest. The span must outlive the solve.
   std::span<const GivenRotation> rotations = {};
 };
 
@@ -37,6 +38,8 @@ struct BearingEquilibrium {
   /// (deep groove, α0 = 0: from the centred position).
   Vector5 displacement = Vector5::Constant(unset);
   Balls balls;
+  /// How each of balls.distinct() turns, where that was given; empty under race control.
+  std::vector<GivenRotation> rotations;
   /// Tangent stiffness ∂(F_x, F_y, F_z, M_y, M_z)/∂displacement [N/m, N/rad, N m/m, N m/rad]. Not
   /// quite symmetric at speed, since centrifugal and gyroscopic forces follow the motion.
   Matrix5 stiffness = Matrix5::Constant(unset);
@@ -44,7 +47,8 @@ struct BearingEquilibrium {
 
   /// Balls that carry nothing at the inner race [1].
   [[nodiscard]] int lost_balls() const;
-  /// Ball speeds of ball k; under outer control where the inner race is lost.
+  /// Ball speeds of ball k: as its rotation was given, else by race control; under outer control
+  /// where the inner race is lost.
   [[nodiscard]] BallSpeeds speeds(std::size_t k, const Bearing& bearing, double speed,
                                   RaceControl race_control) const;
 };

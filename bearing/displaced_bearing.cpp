@@ -181,6 +181,7 @@ void DisplacedBearing::report_into(BearingEquilibrium& result) const {
     kept[i] = ball_equilibrium(
         ball_report<model == BallModel::at_rest>(share.forces, centre, balls_[i], diameter),
         circle_.azimuth[k]);
+    if (const GivenRotation* given = circle_.rotation(k)) result.rotations.push_back(*given);
   }
   result.report.residual = std::sqrt(worst);
 }
@@ -202,7 +203,8 @@ std::vector<BearingEquilibrium> bearings_in_set(const Arrangement& arrangement,
   std::vector<BearingEquilibrium> all(arrangement.bearings().size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const RingShift shift = condition.shifts.empty() ? RingShift{} : condition.shifts[i];
-    DisplacedBearing held(*arrangement.bearings()[i].bearing, condition.speed, shift, options);
+    DisplacedBearing held(*arrangement.bearings()[i].bearing, condition.speed, shift,
+                          options_of_bearing(options, i));
     Vector5 place = Vector5::Zero();
     place[0] = equilibrium.bearings.at(i).displacement - shift.axial;
     if (held.hold(place)) all[i] = held.equilibrium();

@@ -38,6 +38,7 @@ struct GivenRotation {
   double creep = 0.0;                                 ///< m_c [1]
   double inner_friction = 0.0, outer_friction = 0.0;  ///< Ti, To as in BallBalance [N]
   double inner_load = 1.0;                            ///< Qi at which they were found [N], > 0
+  [[nodiscard]] bool operator==(const GivenRotation&) const = default;
 };
 
 /// Speeds of one ball [rad/s] and the attitude of its axis [rad].
@@ -66,6 +67,14 @@ struct BallRotation {
   double cage_speed;                          ///< ω_m [rad/s]
   double along, across;                       ///< ω_R along and across the bearing axis [rad/s]
   double inner_spin_speed, outer_spin_speed;  ///< magnitudes [rad/s]
+
+  [[nodiscard]] BallSpeeds speeds() const {
+    return {.cage_speed = cage_speed,
+            .ball_speed = std::hypot(along, across),
+            .pitch_angle = std::atan2(across, along),
+            .inner_spin_speed = inner_spin_speed,
+            .outer_spin_speed = outer_spin_speed};
+  }
 };
 
 [[nodiscard]] inline BallRotation ball_rotation(RaceControl control, double inner_contact_angle,
@@ -86,13 +95,38 @@ struct BallRotation {
 [[nodiscard]] inline BallSpeeds ball_speeds(RaceControl control, double inner_contact_angle,
                                             double outer_contact_angle, double diameter_ratio,
                                             double speed) {
-  const BallRotation r =
-      ball_rotation(control, inner_contact_angle, outer_contact_angle, diameter_ratio, speed);
-  return {.cage_speed = r.cage_speed,
-          .ball_speed = std::hypot(r.along, r.across),
-          .pitch_angle = std::atan2(r.across, r.along),
-          .inner_spin_speed = r.inner_spin_speed,
-          .outer_spin_speed = r.outer_spin_speed};
+  return ball_rotation(control, inner_contact_angle, outer_contact_angle, diameter_ratio, speed)
+      .speeds();
+}
+
+/// Cage speed ratio p/(p + q) of a ball that rolls without slip at both contacts about an axis at
+/// pitch β; see GivenRotation.
+[[nodiscard]] inline double rolling_cage_ratio(double cos_pitch, double sin_pitch,
+                                               double inner_contact_angle,
+                                               double outer_contact_angle, double diameter_ratio) {
+  const double si = std::sin(inner_contact_angle), ci = std::cos(inner_contact_angle);
+  const double so = std::sin(outer_contact_angle), co = std::cos(outer_contact_angle);
+  const double p = (1.0 - diameter_ratio * ci) * (co * cos_pitch + so * sin_pitch);
+  const double q = (1.0 + diameter_ratio * co) * (ci * cos_pitch + si * sin_pitch);
+  return p / (p + q);
+}
+
+/// The same of a ball whose rotation is given: it rolls about its axis, and the cage creeps.
+[[nodiscard]] inline BallRotation ball_rotation(const GivenRotation& given,
+                                                double inner_contact_angle,
+                                                double outer_contact_angle, double diameter_ratio,
+                                                double speed) {
+  const double g = diameter_ratio, cos_pitch = given.cos_pitch, sin_pitch = given.sin_pitch;
+  const double si = std::sin(inner_contact_angle), ci = std::cos(inner_contact_angle);
+  const double so = std::sin(outer_contact_angle), co = std::cos(outer_contact_angle);
+  const double rolling =
+      speed * rolling_cage_ratio(cos_pitch, sin_pitch, inner_contact_angle, outer_contact_angle, g);
+  const double turning = rolling * (1.0 + g * co) / (g * (co * cos_pitch + so * sin_pitch));
+  const double along = turning * cos_pitch, across = turning * sin_pitch;
+  const double cage = rolling + speed * given.creep;
+  const double inner_spin = si * along - ci * across + (speed - cage) * si;
+  const double outer_spin = -(so * along - co * across) + cage * so;
+  return {cage, along, across, std::abs(inner_spin), std::abs(outer_spin)};
 }
 
 }  // namespace raceway::bearing

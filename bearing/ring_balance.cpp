@@ -96,6 +96,9 @@ void fill_equilibrium(const T& lever, const BallCircle& circle, const T* ring,
     copy_lanes(ball, 0, balls[k], i);
     kept[k] = ball_equilibrium(ball, circle.azimuth[k]);
   }
+  result.rotations.clear();
+  for (std::size_t k = 0; k < kept.size() && !circle.rotations.empty(); ++k)
+    result.rotations.push_back(*circle.rotation(static_cast<int>(k)));
 }
 
 template void fill_equilibrium(const double&, const BallCircle&, const double*,

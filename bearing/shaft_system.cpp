@@ -40,7 +40,8 @@ void ShaftSystem::set_condition(const ArrangementCondition& c, double speed_shar
     Member& m = members_[i];
     m.like_last =
         i > 0 && i != arrangement_.front_count() && mounted.bearing == bearings[i - 1].bearing &&
-        mounted.offset == bearings[i - 1].offset && (!shifted || c.shifts[i] == c.shifts[i - 1]);
+        mounted.offset == bearings[i - 1].offset && (!shifted || c.shifts[i] == c.shifts[i - 1]) &&
+        (options_.rotations.empty() || options_.rotations[i] == options_.rotations[i - 1]);
     if (m.like_last) {
       m = members_[i - 1];
       m.like_last = true;
@@ -109,8 +110,9 @@ BearingShare ShaftSystem::share(const ShaftState& state, std::size_t i) const {
     return s;
   }
   // The moment is not asked for.
-  const BallBalance b = ball_balance(m.constants, centre, state.balls[i], 0.0,
-                                     apart ? InnerContact::lost : InnerContact::automatic);
+  const BallBalance b =
+      ball_balance(m.constants, centre, state.balls[i], 0.0,
+                   apart ? InnerContact::lost : InnerContact::automatic, rotation(i));
   s.ball = b;
   const double inv = -1.0 / (b.r_x[0] * b.r_x[3] - b.r_x[1] * b.r_x[2]);
   s.own[0] = inv * (b.r_x[3] * b.imbalance.axial - b.r_x[1] * b.imbalance.radial);

@@ -52,6 +52,10 @@ class ShaftSystem {
   [[nodiscard]] const BallConstants& constants(std::size_t i) const {
     return members_[i].constants;
   }
+  /// How the balls of bearing i turn, where that is given and they turn at all.
+  [[nodiscard]] const GivenRotation* rotation(std::size_t i) const {
+    return at_rest_ || options_.rotations.empty() ? nullptr : &options_.rotations[i];
+  }
   /// External load in the direction of the front set's push, d P [N].
   [[nodiscard]] double load() const { return load_; }
   [[nodiscard]] double displacement(const ShaftState& state, std::size_t i) const;

@@ -84,8 +84,8 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
   if (const auto& c = prediction.contacts; c && c->holding_over_traction > 1.0)
     notes.push_back(fmt::format(
         "the gyroscopic moment asks a friction of {:.3g} times the contact load, {:.3g} times what "
-        "film and asperities hold: the balls turn, and contact angles and displacement are not "
-        "those of race control (docs/laws.md)",
+        "film and asperities hold: the balls turn, and contact angles and displacement are those "
+        "of race_control = \"balanced\" (docs/race-control.md)",
         c->holding_coefficient, c->holding_over_traction));
   const model::BearingLife life = bearing_life(model.life, bearing, point, *prediction.equilibrium,
                                                prediction.film.kinematic_viscosity);

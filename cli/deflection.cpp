@@ -75,8 +75,12 @@ io::DeflectionResult solve_deflection(const DeflectionFlags& f, const model::Mod
     // θ = dv/ds counts rearwards: a force in front of its place turns the shaft against it.
     load.radial = r.force, load.axial = r.axial_force, load.moment = -r.moment;
   }
+  // Balls that no race holds turn as they do without the load.
+  const std::vector<bearing::GivenRotation> rotations = r.sets.equilibrium.rotations();
+  bearing::EquilibriumOptions options = model.solver;
+  options.rotations = rotations;
   r.shaft = spindle::solve_loaded_shaft(b.beam, b.sets.arrangement(), b.places, r.sets.condition,
-                                        load, model.solver);
+                                        load, options);
   if (!r.shaft.report.converged()) return r;
   const double axial = r.shaft.position - r.sets.equilibrium.position;
   r.displacement = r.axial ? axial : b.beam.at(r.at, r.shaft.y)[0];

@@ -79,6 +79,20 @@ void print_balls(const bearing::BearingEquilibrium& e) {
   fmt::print("{}", table.text(terminal_width()));
 }
 
+/// β of the balls that touch both races, or its range [deg].
+std::string pitch_angles(const bearing::Bearing& bearing, const bearing::BearingEquilibrium& e,
+                         const bearing::EquilibriumOptions& solver) {
+  double least = unset, largest = unset;
+  for (std::size_t k = 0; k < e.balls.distinct().size(); ++k) {
+    if (!(e.balls.distinct()[k].inner_load > 0.0)) continue;
+    const double pitch = e.speeds(k, bearing, 1.0, solver.race_control).pitch_angle / degree;
+    least = std::fmin(least, pitch);
+    largest = std::fmax(largest, pitch);
+  }
+  const std::string from = number(least), to = number(largest);
+  return from == to ? from : from + " to " + to;
+}
+
 /// Parts of the torque; beside the first two the heat of the rings.
 void print_friction(const model::Model& model, const model::FrictionPrediction& friction,
                     const friction::HeatSplit& heat) {
@@ -126,6 +140,9 @@ void print(const model::Model& model, const bearing::OperatingPoint& p,
   print_balls(e);
   if (e.lost_balls() > 0)
     fmt::print("{} of {} balls have lost the inner race\n", e.lost_balls(), e.balls.size());
+  if (model.balanced_balls)
+    fmt::print("traction turns the balls about axes at {} deg to the bearing's\n",
+               pitch_angles(friction.bearing ? *friction.bearing : model.bearing, e, model.solver));
   const auto& u = e.displacement;
   fmt::print("\naxial displacement  {:>10} um      axial stiffness   {:>8} N/um\n",
              number(u[0] / um), number(e.stiffness(0, 0) / N_per_um));

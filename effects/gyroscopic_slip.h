@@ -33,7 +33,7 @@ struct GyroscopicSlip {
   static constexpr std::string_view formula =
       "M = c sum of M_g over the balls: a shape to look for, not a law of friction";
   static constexpr std::string_view within_contacts =
-      "the sliding of contacts whose balls race control turns";
+      "race_control = \"balanced\" under [solver], which turns the balls by traction";
   static constexpr std::string_view source =
       "M_g by [CaseStudy, eqs. 14 and 18]; Harris and Kotzalas, vol. 2, ch. 5; M = c sum M_g is "
       "empirical, without a source";

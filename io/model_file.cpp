@@ -145,13 +145,13 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
     spindle = read_spindle(tables, bearing, shaft ? &*shaft : nullptr, notes_on_spindle);
   std::vector<effects::Effect> effects =
       read_effects(tables, shaft ? &*shaft : nullptr, of_spindle);
-  const bearing::EquilibriumOptions solver =
-      read_solver(tables, spindle_keys("solver", of_spindle));
+  const SolverOfFile solver = read_solver(tables, law.law, spindle_keys("solver", of_spindle));
   Names written = joined(bearings.written(), written_contact_keys(tables));
   const friction::contact::ContactData contact =
       read_contact(tables, law.law == friction::FrictionLaw::contact, lubricant.supply);
-  if (solver.race_control != bearing::RaceControl::outer) written.emplace_back("race_control");
-  if (solver.tilt != bearing::Tilt::locked) written.emplace_back("tilt");
+  if (solver.options.race_control != bearing::RaceControl::outer)
+    written.emplace_back("race_control");
+  if (solver.options.tilt != bearing::Tilt::locked) written.emplace_back("tilt");
   const model::Rig rig = read_rig(tables, spindle_keys("rig", of_spindle));
   model::Model model{
       .name = bearing.name,
@@ -163,7 +163,8 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
       .law_values = std::move(law.values),
       .contact = contact,
       .effects = std::move(effects),
-      .solver = solver,
+      .solver = solver.options,
+      .balanced_balls = solver.balanced_balls,
       .life = read_life(tables),
       .rig = rig,
       .free = {},

@@ -73,6 +73,18 @@ json contact_json(const std::optional<friction::contact::ContactFriction>& c) {
           {"hysteresis_W", c->hysteresis}};
 }
 
+/// β of ball k [rad]; NaN where it touches no race.
+double pitch_angle(const bearing::Bearing& bearing, const bearing::BearingEquilibrium& e,
+                   std::size_t k, const bearing::EquilibriumOptions& solver) {
+  if (std::isnan(e.balls[k].outer_contact_angle)) return unset;
+  return e.speeds(k, bearing, 1.0, solver.race_control).pitch_angle;
+}
+
+std::string_view race_control(const model::Model& model) {
+  if (model.balanced_balls) return "balanced";
+  return model.solver.race_control == bearing::RaceControl::outer ? "outer" : "inner";
+}
+
 /// Life, film and frequencies, as far as they hold for the bearing as a whole.
 void add_life(json& document, const model::Model& model, const bearing::OperatingPoint& point,
               const model::FrictionPrediction& f) {
@@ -121,6 +133,7 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                        const model::FrictionPrediction& friction, const friction::HeatSplit& heat,
                        const BandOfResult* band) {
   json balls = json::array();
+  const bearing::Bearing& bearing = friction.bearing ? *friction.bearing : model.bearing;
   std::vector<friction::contact::BallFriction> contacts;
   if (friction.contacts) contacts = ball_contacts(model, point, friction);
   for (std::size_t k = 0; k < e.balls.size(); ++k) {
@@ -131,7 +144,8 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                      {"inner_load_N", b.inner_load},
                      {"outer_load_N", b.outer_load},
                      {"centrifugal_force_N", b.centrifugal_force},
-                     {"gyroscopic_moment_Nmm", b.gyroscopic_moment / N_mm}});
+                     {"gyroscopic_moment_Nmm", b.gyroscopic_moment / N_mm},
+                     {"pitch_angle_deg", pitch_angle(bearing, e, k, model.solver) / degree}});
     if (contacts.empty()) continue;
     balls.back()["inner"] = contact_json(contacts[e.balls.twin(k)].inner);
     balls.back()["outer"] = contact_json(contacts[e.balls.twin(k)].outer);
@@ -143,17 +157,16 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
     matrix.push_back(row);
   }
   const auto& u = e.displacement;
-  const bearing::ContactPressure pressure =
-      largest_pressure(friction.bearing ? *friction.bearing : model.bearing, e);
+  const bearing::ContactPressure pressure = largest_pressure(bearing, e);
   json seat;
-  if (const auto& g = (friction.bearing ? *friction.bearing : model.bearing).geometry();
-      e.report.converged() && g.contact_angle > 0.0)
-    seat = bearing::name(bearing::seat(e, g));
+  if (e.report.converged() && bearing.geometry().contact_angle > 0.0)
+    seat = bearing::name(bearing::seat(e, bearing.geometry()));
   json document = {{"bearing", model.name},
                    {"speed_rpm", point.speed / rpm},
                    {"axial_load_N", point.axial_load},
                    {"radial_load_N", point.radial_load},
                    {"temperature_C", celsius(point.temperature)},
+                   {"race_control", race_control(model)},
                    {"axial_displacement_um", u[0] / um},
                    {"radial_displacement_um", std::hypot(u[1], u[2]) / um},
                    {"radial_displacement_y_um", u[1] / um},

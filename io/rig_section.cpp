@@ -50,19 +50,25 @@ model::Rig read_rig(ModelTables& tables, const Names& further) {
   return rig;
 }
 
-bearing::EquilibriumOptions read_solver(ModelTables& tables, const Names& further) {
+SolverOfFile read_solver(ModelTables& tables, friction::FrictionLaw law, const Names& further) {
   const Section s = tables.section("solver");
   Names known{"race_control", "tilt"};
   known.insert(known.end(), further.begin(), further.end());
   s.allow_only(known);
-  bearing::EquilibriumOptions options;
-  options.race_control = tables.choice_or(s, "race_control", {"outer", "inner"}, "outer") == "outer"
-                             ? bearing::RaceControl::outer
-                             : bearing::RaceControl::inner;
+  SolverOfFile solver;
+  const std::string control =
+      tables.choice_or(s, "race_control", {"outer", "inner", "balanced"}, "outer");
+  solver.balanced_balls = control == "balanced";
+  if (solver.balanced_balls && law != friction::FrictionLaw::contact)
+    s.fail("race_control",
+           "race_control = \"balanced\": the balls turn by the traction of their contacts, which "
+           "[friction] law = \"contact\" alone knows");
+  bearing::EquilibriumOptions& options = solver.options;
+  if (control == "inner") options.race_control = bearing::RaceControl::inner;
   options.tilt = tables.choice_or(s, "tilt", {"locked", "free"}, "locked") == "locked"
                      ? bearing::Tilt::locked
                      : bearing::Tilt::free;
-  return options;
+  return solver;
 }
 
 }  // namespace raceway::io

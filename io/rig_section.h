@@ -11,7 +11,13 @@
 namespace raceway::io {
 
 [[nodiscard]] model::Rig read_rig(ModelTables& tables, const Names& further = {});
-[[nodiscard]] bearing::EquilibriumOptions read_solver(ModelTables& tables,
-                                                      const Names& further = {});
+
+/// [solver], and whether a race holds the balls or, under the contact law alone, none.
+struct SolverOfFile {
+  bearing::EquilibriumOptions options;
+  bool balanced_balls = false;
+};
+[[nodiscard]] SolverOfFile read_solver(ModelTables& tables, friction::FrictionLaw law,
+                                       const Names& further = {});
 
 }  // namespace raceway::io

@@ -58,6 +58,8 @@ struct Model {
   friction::contact::ContactData contact = {};      ///< of the contact law
   std::vector<effects::Effect> effects;             ///< what has been added so far, in order
   bearing::EquilibriumOptions solver;
+  /// No race holds the balls: traction turns them. Of the contact law alone; see solve_balls().
+  bool balanced_balls = false;
   LifeData life = {};
   Rig rig;
   /// Names of what may be re-fitted, as parameters() has them; default_free() where empty.

@@ -29,13 +29,6 @@ double with_extra(double axial_load, double extra) {
   return std::copysign(std::max(std::abs(axial_load) + extra, 0.0), axial_load);
 }
 
-bearing::BearingEquilibrium solve_from(const bearing::BearingCase& asked,
-                                       const bearing::EquilibriumOptions& options,
-                                       const bearing::BearingEquilibrium* neighbour) {
-  return neighbour ? solve_bearing_equilibrium(*asked.bearing, asked.point, options, *neighbour)
-                   : solve_bearing_equilibrium(*asked.bearing, asked.point, options);
-}
-
 /// True if somebody has tried to solve it.
 bool known_report(const bearing::SolveReport& report) {
   return report.status != bearing::SolveStatus::not_run &&
@@ -57,6 +50,8 @@ RowPredictor::RowPredictor(const Model& model, const Steps& steps,
   units_.assign(steps.moment.size(), unset);
   if (!known) return;
   condition_ = given;
+  correct(model, steps);
+  turning_ = ball_turning(model, oil(model), temperature_);
   bearing_ = std::move(bearing);
   report_ = known->report;
   equilibrium_ = std::move(known);
@@ -77,7 +72,7 @@ friction::BearingState<double> RowPredictor::state(const Model& model) const {
           .equilibrium = equilibrium_.get(),
           .race_control = model.solver.race_control,
           .f1_load = model.f1_load,
-          .lubricant = oil_ ? &*oil_ : &model.lubricant,
+          .lubricant = &oil(model),
           .contact = &model.contact,
           .speed = point_.speed,
           .axial_load = with_extra(point_.axial_load, condition_.extra_axial_load),
@@ -110,6 +105,7 @@ std::optional<bearing::BearingCase> RowPredictor::question(const Model& model) {
   }
   bearing::BearingCase asked{bearing_ ? bearing_.get() : &model.bearing, point_};
   asked.point.axial_load = with_extra(point_.axial_load, condition_.extra_axial_load);
+  asked.point.temperature = temperature_;
   return asked;
 }
 
@@ -119,20 +115,22 @@ void RowPredictor::solve(const Model& model) {
   const bearing::BearingEquilibrium* start =
       last && last->report.converged() ? last.get() : nullptr;
   const auto asked = question(model);
+  turning_ = ball_turning(model, oil(model), temperature_);
   if (!asked) return;
   equilibrium_ = std::make_shared<const bearing::BearingEquilibrium>(
       condition_.tilt != 0.0
-          ? solve_tilted(*asked->bearing, asked->point, model.solver, condition_.tilt, start)
-          : solve_from(*asked, model.solver, start));
+          ? solve_tilted(model, *asked->bearing, asked->point, condition_.tilt, oil(model), start)
+          : solve_balls(model, *asked->bearing, asked->point, model.solver, oil(model), start));
   report_ = equilibrium_->report;
 }
 
 std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const Steps& steps) {
   Condition condition;
   correct(model, steps);
-  if (!steps.equilibrium || !find_condition(model, steps, condition) || condition.tilt != 0.0)
+  if (model.balanced_balls || !steps.equilibrium || !find_condition(model, steps, condition) ||
+      condition.tilt != 0.0)
     return {};
-  if (condition == condition_ && known_report(report_)) return {};
+  if (known_balance(model, condition)) return {};
   condition_ = condition;
   return question(model);
 }
@@ -142,13 +140,23 @@ void RowPredictor::answer(bearing::BearingEquilibrium&& equilibrium) {
   equilibrium_ = std::make_shared<const bearing::BearingEquilibrium>(std::move(equilibrium));
 }
 
+bool RowPredictor::known_balance(const Model& model, const Condition& condition) const {
+  return condition == condition_ && known_report(report_) &&
+         turning_ == ball_turning(model, oil(model), temperature_);
+}
+
+void RowPredictor::balance(const Model& model, const Steps& steps) {
+  correct(model, steps);
+  (void)find_balance(model, steps);
+}
+
 bool RowPredictor::find_balance(const Model& model, const Steps& steps) {
   Condition condition;
   if (!find_condition(model, steps, condition)) {
     report_.status = bearing::SolveStatus::not_finite;
     return false;
   }
-  const bool solved = condition == condition_ && known_report(report_);
+  const bool solved = known_balance(model, condition);
   condition_ = condition;
   if (steps.equilibrium && !solved) solve(model);
   return true;
@@ -159,8 +167,7 @@ void RowPredictor::find_film(const Model& model, const Steps& steps,
   film_ = {.kinematic_viscosity = viscosity_, .temperature = temperature_};
   s.kinematic_viscosity = viscosity_;
   const effects::BaseLaw law{model.law, model.law_values};
-  const effects::LubricantInputs inputs{
-      .lubricant = oil_ ? *oil_ : model.lubricant, .state = s, .base = law};
+  const effects::LubricantInputs inputs{.lubricant = oil(model), .state = s, .base = law};
   for (const std::size_t k : steps.lubricant)
     model.effects[k].description->lubricant(inputs, model.effects[k].values, film_);
   s.kinematic_viscosity = film_.kinematic_viscosity;
@@ -274,6 +281,9 @@ FrictionPrediction RowPredictor::prediction(const Model& model) const {
 
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows) {
   if (!steps.equilibrium) return;
+  if (model.balanced_balls)
+    return tbb::parallel_for(std::size_t{0}, rows.size(),
+                             [&](std::size_t i) { rows[i].balance(model, steps); });
   std::vector<bearing::BearingCase> asked;
   std::vector<std::size_t> asking;
   for (std::size_t i = 0; i < rows.size(); ++i)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bearing/solve_many.h"
+#include "model/balance.h"
 #include "model/prediction.h"
 #include "model/steps.h"
 
@@ -32,9 +33,12 @@ class RowPredictor {
   double predict(const Model& model, const Steps& steps, Stage from = Stage::entry);
 
   /// The balance that predict() will need, for callers that solve many at once and answer() before
-  /// they call it; nothing where it needs none, remembers it, or needs one at an imposed tilt.
+  /// they call it; nothing where it needs none, remembers it, or needs one
+  /// at an imposed tilt or with balls that no race holds.
   [[nodiscard]] std::optional<bearing::BearingCase> ask(const Model& model, const Steps& steps);
   void answer(bearing::BearingEquilibrium&& equilibrium);
+  /// Finds the balance alone, as predict() would.
+  void balance(const Model& model, const Steps& steps);
 
   /// All that the last predict() found.
   [[nodiscard]] FrictionPrediction prediction(const Model& model) const;
@@ -46,6 +50,10 @@ class RowPredictor {
   [[nodiscard]] friction::BearingState<double> state(const Model& model) const;
   std::optional<bearing::BearingCase> question(const Model& model);
   void solve(const Model& model);
+  [[nodiscard]] const friction::Lubricant& oil(const Model& model) const {
+    return oil_ ? *oil_ : model.lubricant;
+  }
+  [[nodiscard]] bool known_balance(const Model& model, const effects::Condition& condition) const;
   void correct(const Model& model, const Steps& steps);
   // The steps; each from what those before it have left in the members below.
   [[nodiscard]] bool find_balance(const Model& model, const Steps& steps);
@@ -68,6 +76,7 @@ class RowPredictor {
   effects::Condition condition_;
   std::shared_ptr<const bearing::Bearing> bearing_;  // null: as entered
   Balance equilibrium_;
+  BallTurning turning_;  // of that balance
   bearing::SolveReport report_;
   effects::Film film_;
   friction::BaseMoments<double> base_{unset, unset};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "model/balance.h"
+
 namespace raceway::model {
 
 bool needs_equilibrium(const Model& model) {
@@ -33,6 +35,7 @@ Steps::Steps(const Model& model, bool with_equilibrium, const record::Channel& r
 
 Stage first_stage(const Model& model, const Steps& steps, int effect) {
   if (effect < 0) {
+    if (model.balanced_balls) return Stage::condition;  // traction turns the balls
     // Effects on condition and lubricant may look at the power of the base law.
     if (!steps.condition.empty()) return Stage::condition;
     return steps.lubricant.empty() ? Stage::base : Stage::lubricant;
@@ -73,7 +76,7 @@ double entered_power(const Model& model, const Steps& steps, friction::BearingSt
     return unset;
   bearing::BearingEquilibrium balls;
   if (friction::needs_equilibrium(model.law)) {
-    balls = solve_bearing_equilibrium(*entered.bearing, point, model.solver);
+    balls = solve_balls(model, *entered.bearing, point, model.solver, *entered.lubricant);
     entered.equilibrium = &balls;
   }
   const friction::BaseMoments<double> base =

@@ -53,16 +53,19 @@ double DisplacementRows::displacement(const Model& model, Known& known,
   if (!std::isfinite(point.speed) || !std::isfinite(point.axial_load)) return unset;
   if (!balance.find_condition(model, steps_, point, known.row.record, known.temperatures, wanted_))
     return unset;
-  if (known.version != balance.version() || !(wanted_.sets == known.condition)) {
+  const model::BallTurning turning = ball_turning(model, model.lubricant, point.temperature);
+  if (known.version != balance.version() || !(wanted_.sets == known.condition) ||
+      turning != known.turning) {
     const bool solved_before = known.equilibrium.report.converged();
     bearing::ArrangementEquilibrium found =
-        solve_arrangement(balance.arrangement(), wanted_.sets, model.solver,
-                          solved_before ? &known.equilibrium : neighbour);
+        solve_sets(model, balance.arrangement(), wanted_.sets, {&point.temperature, 1},
+                   solved_before ? &known.equilibrium : neighbour);
     if (!found.report.converged()) return unset;
     if (known.version != balance.version())
       known.standstill = balance.standstill(point.axial_load, model.solver);
     known.equilibrium = std::move(found);
     known.condition = wanted_.sets;
+    known.turning = turning;
     known.version = balance.version();
   }
   return known.equilibrium.position - known.standstill;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "model/balance.h"
 #include "model/heat_split.h"
 #include "model/row_predictor.h"
 #include "shaft/shaft_balance.h"
@@ -58,8 +59,8 @@ class ShaftModels {
       p.equilibrium.report.status = bearing::SolveStatus::not_finite;  // an effect lacks its input
       return p;
     }
-    p.equilibrium =
-        solve_arrangement(balance_.arrangement(), condition_.sets, model_.solver, neighbour);
+    p.equilibrium = solve_sets(model_, balance_.arrangement(), condition_.sets,
+                               {&point.temperature, 1}, neighbour);
     if (!p.equilibrium.report.converged()) return p;
     p.displacement = p.equilibrium.position - standstill(point.external_load);
     p.torque = 0.0;

@@ -51,7 +51,8 @@ class ShaftBalance5 {
     for (std::size_t i = 0; i < count_; ++i) {
       const bearing::RingShift shift =
           condition.shifts.empty() ? bearing::RingShift{} : condition.shifts[i];
-      held_.emplace_back(*arrangement.bearings()[i].bearing, condition.speed, shift, options);
+      held_.emplace_back(*arrangement.bearings()[i].bearing, condition.speed, shift,
+                         options_of_bearing(options, i));
       frame_.push_back(to_bearing_frame(presses_rearwards(arrangement, i)));
     }
     loads_ = Eigen::VectorXd::Zero(size());

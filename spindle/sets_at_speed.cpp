@@ -52,8 +52,10 @@ SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
   }
   result.condition = parts_->sets.asked();
   result.equilibrium = parts_->sets.sets();
-  result.bearings =
-      bearings_in_set(arrangement(), result.condition, result.equilibrium, parts_->model.solver);
+  const std::vector<bearing::GivenRotation> rotations = result.equilibrium.rotations();
+  bearing::EquilibriumOptions options = parts_->model.solver;
+  options.rotations = rotations;
+  result.bearings = bearings_in_set(arrangement(), result.condition, result.equilibrium, options);
   for (std::size_t i = 0; i < count; ++i)
     if (!result.bearings[i].report.converged()) {
       result.message = fmt::format("bearing {} has no stiffness: its balls find no balance", i + 1);

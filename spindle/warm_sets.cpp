@@ -8,6 +8,7 @@
 
 #include "friction/contact/contact_law.h"
 #include "friction/heat.h"
+#include "model/balance.h"
 #include "model/heat_split.h"
 
 namespace raceway::spindle {
@@ -30,6 +31,11 @@ bool within_range(const bearing::ArrangementCondition& sets) {
            return std::max({std::abs(s.axial), std::abs(s.radial), std::abs(s.inner_length),
                             std::abs(s.outer_length)}) <= largest_shift;
          });
+}
+
+/// Of the oil in a bearing [K].
+double oil_temperature(std::size_t bearing, const SetsAsked& asked) {
+  return 0.5 * (asked.inner_ring[bearing] + asked.outer_ring[bearing]);
 }
 
 /// The steps of effects that change the friction moment of a bearing in its set.
@@ -78,8 +84,9 @@ bool WarmSets::set_inputs(const Inputs& inputs) {
                                       .temperature = arrangement().design().mounting_temperature};
   if (!find_condition(point, speed_)) return false;
   if (speed_.sets.shifts.empty()) speed_.sets.shifts.assign(bearings(), {});
-  bearing::ArrangementEquilibrium cold = solve_arrangement(
-      arrangement(), speed_.sets, model_.solver, cold_.report.converged() ? &cold_ : nullptr);
+  bearing::ArrangementEquilibrium cold =
+      solve_sets(model_, arrangement(), speed_.sets, {&point.temperature, 1},
+                 cold_.report.converged() ? &cold_ : nullptr);
   if (!cold.report.converged()) return false;
   inputs_ = inputs;
   cold_ = std::move(cold);
@@ -93,7 +100,9 @@ bool WarmSets::solve(const SetsAsked& asked) {
   bearing::ArrangementCondition& sets = asked_.sets;
   sets.elongation += asked.elongation;
   const double mounted_at = arrangement().design().mounting_temperature;
+  std::vector<double> temperatures;
   for (std::size_t k = 0; k < bearings(); ++k) {
+    temperatures.push_back(oil_temperature(k, asked));
     const bearing::RingShift warm = thermal_shift(
         *arrangement().bearings()[k].bearing,
         {.inner_ring = asked.inner_ring[k], .outer_ring = asked.outer_ring[k]}, mounted_at);
@@ -104,8 +113,8 @@ bool WarmSets::solve(const SetsAsked& asked) {
     shift.outer_length += warm.outer_length;
   }
   if (!within_range(sets)) return false;
-  bearing::ArrangementEquilibrium found = solve_arrangement(
-      arrangement(), sets, model_.solver, sets_.report.converged() ? &sets_ : &cold_);
+  bearing::ArrangementEquilibrium found = solve_sets(model_, arrangement(), sets, temperatures,
+                                                     sets_.report.converged() ? &sets_ : &cold_);
   if (!found.report.converged()) return false;
   std::vector<BearingHeat> heat(bearings());
   for (std::size_t k = 0; k < bearings(); ++k) {
@@ -125,7 +134,7 @@ BearingHeat WarmSets::heat_of(std::size_t k, const SetsAsked& asked,
   heat.inner_contact = b.lost() ? 0.0 : b.ball.inner_load;
   heat.outer_contact = b.ball.outer_load;
   const double load = feedback_ * b.axial_load + (1.0 - feedback_) * cold_.bearings[k].axial_load;
-  const double temperature = 0.5 * (asked.inner_ring[k] + asked.outer_ring[k]);
+  const double temperature = oil_temperature(k, asked);
   if (has_effects_) {
     const BearingHeat split = heat_with_effects(k, load, temperature, asked, sets);
     heat.inner = split.inner, heat.outer = split.outer;

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "bearing/ball_equilibrium.h"
 
 namespace raceway::friction::contact {
 namespace {
@@ -13,116 +17,163 @@ constexpr double balance_tolerance = 1e-8;     // of the load on a ball [1]
 constexpr double film_speed_tolerance = 1e-7;  // of the cage speed that a film is made at [1]
 constexpr int most_passes = 40;
 
-/// m of a ball that rolls without slip at both contacts about an axis at pitch β; see
-/// GivenRotation.
-double rolling_cage_ratio(const bearing::BallEquilibrium& ball, double g, double pitch) {
-  const double p =
-      (1.0 - g * std::cos(ball.inner_contact_angle)) * std::cos(ball.outer_contact_angle - pitch);
-  const double q =
-      (1.0 + g * std::cos(ball.outer_contact_angle)) * std::cos(ball.inner_contact_angle - pitch);
-  return p / (p + q);
+GivenRotation given_rotation(const BallAttitude& a, const bearing::BallEquilibrium& ball, double g,
+                             double turning) {
+  const double pitch = a.pitch_angle();
+  GivenRotation r{.cos_pitch = std::cos(pitch),
+                  .sin_pitch = std::sin(pitch),
+                  .inner_friction = a.inner_force,
+                  .outer_friction = a.outer_force,
+                  .inner_load = ball.inner_load};
+  r.creep = a.cage_speed / turning - bearing::rolling_cage_ratio(r.cos_pitch, r.sin_pitch,
+                                                                 ball.inner_contact_angle,
+                                                                 ball.outer_contact_angle, g);
+  return r;
 }
 
-GivenRotation given_rotation(const BallAttitude& a, const bearing::BallEquilibrium& ball, double g,
-                             double speed) {
-  const double pitch = a.pitch_angle();
-  return {.cos_pitch = std::cos(pitch),
-          .sin_pitch = std::sin(pitch),
-          .creep = a.cage_speed / speed - rolling_cage_ratio(ball, g, pitch),
-          .inner_friction = a.inner_force,
-          .outer_friction = a.outer_force,
-          .inner_load = ball.inner_load};
+/// Those of the distinct balls for all balls of a bearing, or one for all.
+void give(const std::vector<GivenRotation>& distinct, const bearing::Balls& balls,
+          std::vector<GivenRotation>& all) {
+  all.clear();
+  const std::size_t wanted = distinct.size() == 1 ? 1 : balls.size();
+  for (std::size_t k = 0; k < wanted; ++k) all.push_back(distinct[balls.twin(k)]);
 }
 
 }  // namespace
 
+bool TurningBalls::turn(std::span<const bearing::BallEquilibrium> balls, double ball_scale) {
+  const double g = bearing_->geometry().diameter_ratio(), turning = attitudes_of_.turning();
+  const double full = bearing::full_centrifugal(*bearing_, speed_);
+  change_ = films_ = 0.0;
+  std::vector<BallAttitude> next(balls.size());
+  rotations_.assign(balls.size(), {});
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    const bearing::BallEquilibrium& ball = balls[k];
+    if (!(ball.outer_load > 0.0)) continue;  // loose, at rest
+    const bool known = attitudes_.size() == balls.size();
+    next[k] = attitudes_of_.solve_once(ball, known ? &attitudes_[k] : nullptr);
+    if (!next[k].report.converged()) {
+      status_ = next[k].report.status;
+      return false;
+    }
+    if (!(ball.inner_load > 0.0)) continue;
+    const double m = next[k].cage_speed / turning;
+    const double weight = ball_scale > 0.0 ? std::min(1.0, ball.inner_load / ball_scale) : 1.0;
+    films_ = std::max(films_, weight * std::abs(m - next[k].film_cage_speed / turning));
+    const double off = std::max({std::abs(full * m * m - ball.centrifugal_force),
+                                 std::abs(next[k].inner_force - ball.inner_friction),
+                                 std::abs(next[k].outer_force - ball.outer_friction)});
+    change_ = std::max(change_, off / (ball_scale + ball.outer_load));
+    rotations_[k] = given_rotation(next[k], ball, g, turning);
+  }
+  attitudes_ = std::move(next);
+  status_ = SolveStatus::converged;
+  return true;
+}
+
+bool TurningBalls::settled() const {
+  return (change_ <= balance_tolerance || speed_ == 0.0) && films_ <= film_speed_tolerance;
+}
+
 BalancedEquilibrium solve_balanced_equilibrium(const bearing::Bearing& bearing,
                                                const bearing::OperatingPoint& point,
                                                const OilState& oil, const ContactLaw& law,
-                                               const bearing::EquilibriumOptions& options) {
+                                               const bearing::EquilibriumOptions& options,
+                                               const bearing::BearingEquilibrium* neighbour) {
   BalancedEquilibrium b;
   bearing::EquilibriumOptions with = options;
   with.race_control = bearing::RaceControl::outer;
-  with.rotations = {};
-  const BallAttitudes attitudes(bearing, point.speed, oil, law);
-  const double g = bearing.geometry().diameter_ratio();
-  const double full =
-      0.5 * bearing.ball_mass() * bearing.geometry().pitch_diameter * point.speed * point.speed;
-  const auto count = static_cast<std::size_t>(bearing.geometry().ball_count);
+  std::vector<GivenRotation> rotations;
+  if (neighbour && !neighbour->rotations.empty())
+    give(neighbour->rotations, neighbour->balls, rotations);
+  with.rotations = rotations;
+  TurningBalls turning(bearing, point.speed, oil, law);
   const double ball_scale = std::max({std::abs(point.axial_load), std::abs(point.radial_load),
                                       std::abs(point.radial_load_z)}) /
-                            static_cast<double>(count);
-  std::vector<GivenRotation> rotations;
-  b.equilibrium = bearing::solve_bearing_equilibrium(bearing, point, with);
+                            static_cast<double>(bearing.geometry().ball_count);
+  bearing::BearingEquilibrium& e = b.equilibrium;
+  int steps = 0;
+  b.report.status = SolveStatus::iteration_limit;
   for (int pass = 0; pass < most_passes; ++pass) {
     b.report.iterations = pass + 1;
-    if (!b.equilibrium.report.converged()) {
-      b.report.status = b.equilibrium.report.status;
+    e = neighbour ? solve_bearing_equilibrium(bearing, point, with, *neighbour)
+                  : solve_bearing_equilibrium(bearing, point, with);
+    e.report.iterations = steps += e.report.iterations;
+    if (!e.report.converged()) {
+      b.report.status = e.report.status;
       return b;
     }
-    const auto balls = b.equilibrium.balls.distinct();
-    std::vector<BallAttitude> next(balls.size());
-    double change = 0.0, films = 0.0;
-    rotations.resize(balls.size() == 1 ? 1 : count);
-    for (std::size_t k = 0; k < balls.size(); ++k) {
-      next[k] = attitudes.solve_once(balls[k], b.attitudes.empty() ? nullptr : &b.attitudes[k]);
-      if (!next[k].report.converged()) {
-        b.report.status = next[k].report.status;
-        return b;
-      }
-      const double m = next[k].cage_speed / attitudes.turning();
-      rotations[k] = {};
-      if (!(balls[k].inner_load > 0.0)) continue;
-      const double weight = std::min(1.0, balls[k].inner_load / ball_scale);
-      films = std::max(films, weight * std::abs(m - next[k].film_cage_speed / attitudes.turning()));
-      const double off = std::max({std::abs(full * m * m - balls[k].centrifugal_force),
-                                   std::abs(next[k].inner_force - balls[k].inner_friction),
-                                   std::abs(next[k].outer_force - balls[k].outer_friction)});
-      change = std::max(change, off / (ball_scale + balls[k].outer_load));
-      rotations[k] = given_rotation(next[k], balls[k], g, attitudes.turning());
+    if (!turning.turn(e.balls.distinct(), ball_scale)) {
+      b.report.status = turning.status();
+      break;
     }
-    b.attitudes = std::move(next);
-    b.report.residual = change;
-    if ((change <= balance_tolerance || point.speed == 0.0) && films <= film_speed_tolerance) {
+    b.report.residual = turning.change();
+    if (turning.settled()) {
       b.report.status = SolveStatus::converged;
+      e.rotations = turning.rotations();
+      b.attitudes = turning.attitudes();
       return b;
     }
-    for (std::size_t k = balls.size(); k < rotations.size(); ++k)
-      rotations[k] = rotations[count - k];
+    give(turning.rotations(), e.balls, rotations);
     with.rotations = rotations;
-    b.equilibrium = bearing::solve_bearing_equilibrium(bearing, point, with, b.equilibrium);
+    neighbour = &e;
   }
-  b.report.status = SolveStatus::iteration_limit;
+  bearing::SolveReport refused = e.report;
+  refused.status = b.report.status;
+  e = {};
+  e.report = refused;
   return b;
 }
 
-BearingFriction bearing_friction(const bearing::Bearing& bearing,
-                                 const BalancedEquilibrium& balanced, double speed,
-                                 const OilState& oil, const ContactLaw& law) {
-  if (!balanced.report.converged()) return BearingFriction::none();
-  const BallAttitudes races(bearing, speed, oil, law);
-  const RaceFriction &inner = races.race(bearing::Race::inner),
-                     &outer = races.race(bearing::Race::outer);
-  const double turning = races.turning(), film_speed = races.film_speed();
-  BearingFriction sum;
-  sum.converged = true;
-  const bearing::Balls& balls = balanced.equilibrium.balls;
-  for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
-    const bearing::BallEquilibrium& ball = balls.distinct()[k];
-    const BallAttitude& a = balanced.attitudes[k];
-    if (!(ball.outer_load > 0.0)) continue;
-    const BallMotion m = ball_motion(bearing.geometry(), a, ball, turning);
-    const double alike = balls.weight(k);
-    const auto contact = [&](const RaceFriction& race, double load, const ContactMotion& motion,
-                             const Traction& traction) {
-      const ContactFriction film = race.film(load, motion, film_speed);
-      return race.contact(film, load, motion, film_speed, traction);
-    };
-    if (ball.inner_load > 0.0)
-      sum.add(contact(inner, ball.inner_load, m.inner, a.inner), alike, turning, sum.inner);
-    sum.add(contact(outer, ball.outer_load, m.outer, a.outer), alike, turning, sum.outer);
+bearing::ArrangementEquilibrium solve_balanced_arrangement(
+    const bearing::Arrangement& arrangement, const bearing::ArrangementCondition& condition,
+    std::span<const OilState> oils, const ContactLaw& law,
+    const bearing::EquilibriumOptions& options, const bearing::ArrangementEquilibrium* neighbour) {
+  const auto bearings = arrangement.bearings();
+  if (oils.size() != 1 && oils.size() != bearings.size())
+    throw std::invalid_argument("oils: as many as bearings are needed, or one");
+  std::vector<TurningBalls> turning;
+  turning.reserve(bearings.size());
+  for (std::size_t i = 0; i < bearings.size(); ++i)
+    turning.emplace_back(*bearings[i].bearing, condition.speed, oils[oils.size() == 1 ? 0 : i],
+                         law);
+  bearing::EquilibriumOptions with = options;
+  with.race_control = bearing::RaceControl::outer;
+  std::vector<GivenRotation> rotations;
+  if (neighbour) rotations = neighbour->rotations();
+  with.rotations = rotations;
+  bearing::ArrangementEquilibrium e, last;
+  int steps = 0;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    e = solve_arrangement(arrangement, condition, with, neighbour);
+    e.report.iterations = steps += e.report.iterations;
+    if (!e.report.converged()) return e;
+    bool settled = true;
+    rotations.clear();
+    for (std::size_t i = 0; i < bearings.size(); ++i) {
+      const bearing::BearingInSet& b = e.bearings[i];
+      const double balls = bearings[i].bearing->geometry().ball_count;
+      if (!turning[i].turn({&b.ball, 1}, b.axial_load / balls)) {
+        bearing::ArrangementEquilibrium refused;
+        refused.report = e.report;
+        refused.report.status = turning[i].status();
+        return refused;
+      }
+      settled = settled && turning[i].settled();
+      rotations.push_back(turning[i].rotations().front());
+    }
+    if (settled) {
+      for (std::size_t i = 0; i < bearings.size(); ++i) e.bearings[i].rotation = rotations[i];
+      return e;
+    }
+    with.rotations = rotations;
+    last = std::move(e);
+    neighbour = &last;
   }
-  return sum;
+  bearing::ArrangementEquilibrium refused;
+  refused.report = last.report;
+  refused.report.status = SolveStatus::iteration_limit;
+  return refused;
 }
 
 }  // namespace raceway::friction::contact

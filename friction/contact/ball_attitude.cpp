@@ -183,6 +183,20 @@ BallAttitude BallAttitudes::solve(const bearing::BallEquilibrium& ball,
   return a;
 }
 
+ContactsOfBall BallAttitudes::contacts(const BallAttitude& a,
+                                       const bearing::BallEquilibrium& ball) const {
+  const BallMotion m = ball_motion(bearing_->geometry(), a, ball, turning());
+  const auto contact = [this](const RaceFriction& race, double load, const ContactMotion& motion,
+                              const Traction& traction) {
+    return race.contact(race.film(load, motion, film_speed()), load, motion, film_speed(),
+                        traction);
+  };
+  ContactsOfBall c;
+  if (ball.inner_load > 0.0) c.inner = contact(inner_, ball.inner_load, m.inner, a.inner);
+  c.outer = contact(outer_, ball.outer_load, m.outer, a.outer);
+  return c;
+}
+
 BallMotion ball_motion(const bearing::BearingGeometry& g, const BallAttitude& a,
                        const bearing::BallEquilibrium& ball, double speed) {
   // The inner contact angle of a ball off the race is no number.

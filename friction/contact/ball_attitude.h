@@ -63,6 +63,10 @@ class BallAttitudes {
   [[nodiscard]] BallAttitude solve_once(const bearing::BallEquilibrium& ball,
                                         const BallAttitude* start = nullptr) const;
 
+  /// Friction of both contacts of a ball in that attitude.
+  [[nodiscard]] ContactsOfBall contacts(const BallAttitude& attitude,
+                                        const bearing::BallEquilibrium& ball) const;
+
   [[nodiscard]] const RaceFriction& race(bearing::Race race) const {
     return race == bearing::Race::inner ? inner_ : outer_;
   }

@@ -202,6 +202,35 @@ struct BearingFriction {
   return ball_motion(g, r, inner, ball.outer_contact_angle, speed);
 }
 
+/// Both contacts of a ball; that at the inner race says nothing where the ball has lost it.
+struct ContactsOfBall {
+  ContactFriction inner, outer;
+};
+
+/// Sums the friction of all loaded contacts of a bearing in balance that turns at this speed.
+/// `contacts(k, ball)` gives those of distinct ball k; `look(k, race, ContactFriction, weight)` is
+/// shown each of them.
+template <typename Contacts, typename Look>
+[[nodiscard]] BearingFriction sum_over_contacts(const bearing::BearingEquilibrium& equilibrium,
+                                                double turning, Contacts&& contacts, Look&& look) {
+  BearingFriction sum;
+  sum.converged = true;
+  const bearing::Balls& balls = equilibrium.balls;
+  for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
+    const bearing::BallEquilibrium& ball = balls.distinct()[k];
+    if (!(ball.outer_load > 0.0)) continue;
+    const double weight = balls.weight(k);
+    const ContactsOfBall c = contacts(k, ball);
+    if (ball.inner_load > 0.0) {
+      look(k, bearing::Race::inner, c.inner, weight);
+      sum.add(c.inner, weight, turning, sum.inner);
+    }
+    look(k, bearing::Race::outer, c.outer, weight);
+    sum.add(c.outer, weight, turning, sum.outer);
+  }
+  return sum;
+}
+
 /// Friction of all contacts of a bearing in balance.
 ///
 ///   M = Σ (sliding + rolling + hysteresis)/ω       over the balls, at both races
@@ -214,7 +243,7 @@ struct BearingFriction {
 /// Accuracy: the laws to rounding, sliding 0.1 %. The level of a bearing at speed is known to +-40
 ///           %: supply of the inlets (+32 to +55 % flooded) and their heat; ratios of bearings are
 ///           known much better.
-/// `look(ball, race, ContactFriction, weight)` is shown every loaded contact of the distinct balls.
+/// `look` as of sum_over_contacts().
 template <typename Look>
 [[nodiscard]] BearingFriction bearing_friction(const bearing::Bearing& bearing,
                                                const bearing::BearingEquilibrium& equilibrium,
@@ -225,32 +254,23 @@ template <typename Look>
   const RaceFriction inner = race_friction(bearing, bearing::Race::inner, oil, law, speed);
   const RaceFriction outer = race_friction(bearing, bearing::Race::outer, oil, law, speed);
   const double turning = speed > 0.0 ? speed : 1.0, film_speed = speed > 0.0 ? 1.0 : 0.0;
-  BearingFriction sum;
-  sum.converged = true;
-  const bearing::Balls& balls = equilibrium.balls;
-  const auto add = [&](std::size_t ball, bearing::Race which, double load,
-                       const ContactMotion& motion, BearingFriction::Parts& parts) {
-    if (!(load > 0.0)) return;
-    const ContactFriction c =
-        (which == bearing::Race::inner ? inner : outer).contact(load, motion, film_speed);
-    look(ball, which, c, balls.weight(ball));
-    sum.add(c, balls.weight(ball), turning, parts);
-  };
-  for (std::size_t k = 0; k < balls.distinct().size(); ++k) {
-    const bearing::BallEquilibrium& ball = balls.distinct()[k];
-    if (!(ball.outer_load > 0.0)) continue;
+  const auto contacts = [&](std::size_t, const bearing::BallEquilibrium& ball) {
     const BallMotion motion = ball_motion(bearing.geometry(), ball, control, turning);
-    add(k, bearing::Race::inner, ball.inner_load, motion.inner, sum.inner);
-    add(k, bearing::Race::outer, ball.outer_load, motion.outer, sum.outer);
-  }
-  return sum;
+    ContactsOfBall c;
+    if (ball.inner_load > 0.0) c.inner = inner.contact(ball.inner_load, motion.inner, film_speed);
+    c.outer = outer.contact(ball.outer_load, motion.outer, film_speed);
+    return c;
+  };
+  return sum_over_contacts(equilibrium, turning, contacts, look);
 }
+
+/// What looks at no contact.
+inline constexpr auto no_look = [](std::size_t, bearing::Race, const ContactFriction&, double) {};
 
 [[nodiscard]] inline BearingFriction bearing_friction(
     const bearing::Bearing& bearing, const bearing::BearingEquilibrium& equilibrium,
     bearing::RaceControl control, double speed, const OilState& oil, const ContactLaw& law) {
-  return bearing_friction(bearing, equilibrium, control, speed, oil, law,
-                          [](std::size_t, bearing::Race, const ContactFriction&, double) {});
+  return bearing_friction(bearing, equilibrium, control, speed, oil, law, no_look);
 }
 
 }  // namespace raceway::friction::contact

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "friction/contact/balanced_equilibrium.h"
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
 
@@ -91,17 +92,21 @@ ContactResult contact_result(const BearingState<double>& s, std::span<const doub
   }
   const OilState oil = oil_of(s);
   Sums sums;
-  r.friction = bearing_friction(
-      *s.bearing, *s.equilibrium, s.race_control, s.speed, oil, contact_law(*s.contact, values),
-      [&](std::size_t ball, bearing::Race race, const ContactFriction& c, double weight) {
-        const bearing::BallEquilibrium& b = s.equilibrium->balls.distinct()[ball];
-        const bool inner = race == bearing::Race::inner;
-        sums.add(c, inner ? b.inner_load : b.outer_load,
-                 inner ? b.inner_friction : b.outer_friction, weight);
-        if (!balls_out) return;
-        balls_out->resize(std::max(balls_out->size(), ball + 1));
-        (inner ? (*balls_out)[ball].inner : (*balls_out)[ball].outer) = c;
-      });
+  const ContactLaw law = contact_law(*s.contact, values);
+  const auto look = [&](std::size_t ball, bearing::Race race, const ContactFriction& c,
+                        double weight) {
+    const bearing::BallEquilibrium& b = s.equilibrium->balls.distinct()[ball];
+    const bool inner = race == bearing::Race::inner;
+    sums.add(c, inner ? b.inner_load : b.outer_load, inner ? b.inner_friction : b.outer_friction,
+             weight);
+    if (!balls_out) return;
+    balls_out->resize(std::max(balls_out->size(), ball + 1));
+    (inner ? (*balls_out)[ball].inner : (*balls_out)[ball].outer) = c;
+  };
+  r.friction =
+      s.equilibrium->rotations.empty()
+          ? bearing_friction(*s.bearing, *s.equilibrium, s.race_control, s.speed, oil, law, look)
+          : balanced_friction(*s.bearing, *s.equilibrium, s.speed, oil, law, look);
   r.drag = ball_drag(s, oil.density, values[5]);
   r.mean_slip = sums.load > 0.0 ? sums.slip / sums.load : 0.0;
   r.holding_coefficient = sums.holding;

@@ -31,33 +31,39 @@ struct State {
 
 constexpr double moment_arm_ratio = 0.14;
 
-std::array<double, 5> values(const BallConstants& c, const State& s) {
-  const BallBalance b = ball_balance(c, s.groove_centre, s.ball_centre, moment_arm_ratio);
+BallBalance balance_of(const BallConstants& c, const State& s, const GivenRotation* given) {
+  return ball_balance(c, s.groove_centre, s.ball_centre, moment_arm_ratio, InnerContact::automatic,
+                      given);
+}
+
+std::array<double, 5> values(const BallConstants& c, const State& s, const GivenRotation* given) {
+  const BallBalance b = balance_of(c, s, given);
   return {b.imbalance.axial, b.imbalance.radial, b.force.axial, b.force.radial, b.moment_force};
 }
 
 /// Central difference of values() when one coordinate of the state moves.
 std::array<double, 5> difference(const BallConstants& c, State s, Plane State::*point,
-                                 double Plane::*coordinate) {
+                                 double Plane::*coordinate, const GivenRotation* given) {
   const double step = 1e-10;
   (s.*point).*coordinate += step;
-  const auto forward = values(c, s);
+  const auto forward = values(c, s, given);
   (s.*point).*coordinate -= 2.0 * step;
-  const auto backward = values(c, s);
+  const auto backward = values(c, s, given);
   std::array<double, 5> slope;
   for (std::size_t k = 0; k < slope.size(); ++k)
     slope[k] = (forward[k] - backward[k]) / (2.0 * step);
   return slope;
 }
 
-void expect_derivatives(const BallConstants& c, const State& s) {
-  const BallBalance b = ball_balance(c, s.groove_centre, s.ball_centre, moment_arm_ratio);
+void expect_derivatives(const BallConstants& c, const State& s,
+                        const GivenRotation* given = nullptr) {
+  const BallBalance b = balance_of(c, s, given);
   // Rounding of the forces over the step; stiffnesses are of order 1e7 N/m.
   const double tolerance = 200.0;
   const std::array coordinates{&Plane::axial, &Plane::radial};
   for (std::size_t column = 0; column < 2; ++column) {
-    const auto by_groove = difference(c, s, &State::groove_centre, coordinates[column]);
-    const auto by_ball = difference(c, s, &State::ball_centre, coordinates[column]);
+    const auto by_groove = difference(c, s, &State::groove_centre, coordinates[column], given);
+    const auto by_ball = difference(c, s, &State::ball_centre, coordinates[column], given);
     for (std::size_t row = 0; row < 2; ++row) {
       EXPECT_NEAR(b.r_a[2 * row + column], by_groove[row], tolerance);
       EXPECT_NEAR(b.r_x[2 * row + column], by_ball[row], tolerance);
@@ -77,6 +83,24 @@ TEST(BallEquilibrium, DerivativesEqualTheDifferenceQuotient) {
         SCOPED_TRACE(speed / rpm);
         expect_derivatives(ball_constants(bearing, speed, control, gyroscopic), State{});
       }
+}
+
+TEST(BallEquilibrium, DerivativesHoldForAGivenRotation) {
+  const BallConstants c = ball_constants(spindle_bearing(), 20000 * rpm, RaceControl::outer, true);
+  const double load = balance_of(c, State{}, nullptr).inner_load;
+  ASSERT_GT(load, 10.0);
+  // Frictions as found, and growing where they were found under more load.
+  for (const double found_at : {0.5 * load, 2.0 * load})
+    for (const double pitch : {-5 * degree, 0.0, 12 * degree}) {
+      SCOPED_TRACE(pitch / degree);
+      const GivenRotation given{.cos_pitch = std::cos(pitch),
+                                .sin_pitch = std::sin(pitch),
+                                .creep = 2e-3,
+                                .inner_friction = 3.0,
+                                .outer_friction = 7.0,
+                                .inner_load = found_at};
+      expect_derivatives(c, State{}, &given);
+    }
 }
 
 TEST(BallEquilibrium, DerivativesHoldWhereTheInnerRaceIsLost) {

@@ -43,6 +43,30 @@ TEST(Kinematics, ReducedFormsEqualTheGeneralFormula) {
   }
 }
 
+TEST(Kinematics, ABallWhoseAxisIsGivenRollsByTheGeneralFormula) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> angle(0.0, 60 * degree), ratio(0.05, 0.3);
+  for (int k = 0; k < 1000; ++k) {
+    const double inner = angle(random), outer = angle(random), pitch = angle(random);
+    const double g = ratio(random), speed = 1000.0, creep = 1e-3;
+    const GivenRotation given{
+        .cos_pitch = std::cos(pitch), .sin_pitch = std::sin(pitch), .creep = creep};
+    const BallSpeeds s = ball_rotation(given, inner, outer, g, speed).speeds();
+    const GeneralSpeeds general = general_speeds(inner, outer, pitch, g);
+    expect_relative(s.ball_speed, general.ball * speed, 1e-12);
+    expect_relative(s.cage_speed, (general.cage + creep) * speed, 1e-12);
+    EXPECT_NEAR(s.pitch_angle, pitch, 1e-12);
+  }
+  // About the axis that a race would hold, the ball does what it does there.
+  const BallSpeeds held = ball_speeds(RaceControl::outer, 0.5, 0.3, 0.14, 1000.0);
+  const BallSpeeds same = ball_rotation(GivenRotation{.cos_pitch = std::cos(held.pitch_angle),
+                                                      .sin_pitch = std::sin(held.pitch_angle)},
+                                        0.5, 0.3, 0.14, 1000.0)
+                              .speeds();
+  EXPECT_NEAR(same.inner_spin_speed, held.inner_spin_speed, 1e-9);
+  EXPECT_NEAR(same.outer_spin_speed, 0.0, 1e-9);
+}
+
 TEST(Kinematics, TheControllingRaceDoesNotSpin) {
   const BallSpeeds outer = ball_speeds(RaceControl::outer, 0.5, 0.3, 0.14, 1000.0);
   EXPECT_NEAR(outer.outer_spin_speed, 0.0, 1e-10);

@@ -104,6 +104,45 @@ TEST_F(ContactLaw, SaysOfABearingWhatAnIndependentProgramSays) {
   }
 }
 
+TEST_F(ContactLaw, TurnsBallsThatNoRaceHoldsAsTheIndependentProgramDoes) {
+  for (const json& c : contact_cases("balanced_")) {
+    const json &in = c.at("inputs"), &expected = c.at("outputs");
+    const std::string where = c.at("id");
+    const std::string model = model_of(in, in.at("ball") == "steel" ? "steel" : "silicon-nitride") +
+                              "[solver]\nrace_control = \"balanced\"\n";
+    const json d = solved(model, flags_of(in, in.at("rpm").get<double>()));
+    EXPECT_EQ(d.at("race_control"), "balanced");
+    EXPECT_NEAR(d.at("axial_displacement_um"), expected.at("displacement_um"), 0.01) << where;
+    expect_near(d.at("friction_torque_Nmm"), expected.at("torque_Nmm"), 0.005, where);
+    expect_part(d.at("friction").at("sliding_Nmm"), expected.at("sliding_Nmm"), where + " sliding");
+    expect_near(d.at("cage_speed_rpm"),
+                expected.at("cage_ratio").get<double>() * in.at("rpm").get<double>(), 1e-4,
+                where + " cage");
+    const json& ball = d.at("balls").at(0);
+    expect_near(ball.at("pitch_angle_deg"), expected.at("beta_deg"), 5e-3, where + " pitch");
+    for (const std::string race : {"inner", "outer"}) {
+      expect_near(ball.at(race + "_load_N"), expected.at("Q_" + race), 1e-4, where + race);
+      expect_near(ball.at(race + "_contact_angle_deg"), expected.at("angle_" + race + "_deg"), 1e-4,
+                  where + race);
+    }
+    EXPECT_LE(d.at("holding_coefficient").get<double>(), 0.1) << where;
+    const double heat =
+        d.at("inner_ring_heat_W").get<double>() + d.at("outer_ring_heat_W").get<double>();
+    expect_near(heat, d.at("power_loss_W"), 1e-9, where + " heat of the rings");
+  }
+}
+
+TEST_F(ContactLaw, AloneCanTurnBallsByTraction) {
+  const std::string model = scratch_.write(
+      "my.toml",
+      "[bearing]\ncatalogue = \"S 6014 C\"\n[lubricant]\nviscosity_40C_mm2_s = 22\n"
+      "viscosity_100C_mm2_s = 4.8\n[solver]\nrace_control = \"balanced\"\n");
+  const Result r = run("solve " + model + " --speed 1000 --axial-load 100");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_THAT(r.err, HasSubstr("my.toml:7"));
+  EXPECT_THAT(r.err, HasSubstr("[friction] law = \"contact\""));
+}
+
 TEST_F(ContactLaw, AddsUpOverBallsThatDiffer) {
   const json c = contact_cases("bearing_combined").front();
   const json &in = c.at("inputs"), &expected = c.at("outputs");

@@ -33,7 +33,7 @@ struct BalancedRun {
     return solve_balanced_equilibrium(bearing, point, oil, law);
   }
   [[nodiscard]] BearingFriction friction(const BalancedEquilibrium& e) const {
-    return bearing_friction(bearing, e, point.speed, oil, law);
+    return balanced_friction(bearing, e.equilibrium, point.speed, oil, law);
   }
   [[nodiscard]] BearingFriction friction_under(bearing::RaceControl control) const {
     const auto e = solve_bearing_equilibrium(bearing, point, {.race_control = control});

@@ -44,6 +44,36 @@ ShaftPrediction at(const Model& model, const ShaftPoint& point) {
 
 constexpr ShaftPoint fast{.speed = 10000 * rpm};
 
+// A set and a bearing alone are solved by different systems of equations.
+TEST(ShaftPrediction, BallsThatNoRaceHoldsTurnInASetAsTheyDoAlone) {
+  Model model = shaft_model();
+  model.law = friction::FrictionLaw::contact;
+  model.law_values.clear();
+  for (const friction::Parameter& p : friction::parameters(model.law))
+    model.law_values.push_back(p.initial);
+  const ShaftPoint point{.speed = 10000 * rpm, .external_load = -200, .temperature = kelvin(45)};
+  const double held = at(model, point).displacement;
+  model.balanced_balls = true;
+  const ShaftPrediction p = at(model, point);
+  EXPECT_GT(std::abs(p.displacement - held), 0.5 * um);  // it moves the shaft
+  Model alone = model;
+  alone.shaft.reset();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bearing::BearingInSet& in_set = p.equilibrium.bearings[i];
+    const FrictionPrediction one = predict_friction(
+        alone,
+        {.speed = point.speed, .axial_load = in_set.axial_load, .temperature = point.temperature},
+        true);
+    ASSERT_TRUE(one.report.converged());
+    const bearing::BallEquilibrium ball = one.equilibrium->balls[0];
+    EXPECT_NEAR(in_set.displacement, one.equilibrium->displacement[0], 1e-11);
+    EXPECT_NEAR(in_set.ball.outer_contact_angle, ball.outer_contact_angle, 1e-7);
+    EXPECT_NEAR(in_set.ball.inner_friction, ball.inner_friction, 1e-6 * ball.inner_load);
+    EXPECT_NEAR(p.friction[i].torque, one.torque, 1e-6 * one.torque);
+    ASSERT_TRUE(in_set.rotation.has_value());
+  }
+}
+
 TEST(ShaftPrediction, FrictionIsThatOfEveryBearingUnderTheLoadOfItsSet) {
   const Model model = with_effect("spin-friction", {0.06});
   const ShaftPrediction p = at(model, {.speed = 8000 * rpm, .external_load = -200});
