@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "bearing/lost_contacts.h"
 #include "bearing/thrust_start.h"
 
 namespace raceway::bearing {
@@ -16,8 +17,9 @@ constexpr int steps_of_load_path = 300;
 constexpr int steps_of_speed_path = 400;
 constexpr int steps_of_axial_path = 150;
 constexpr double small_axial_share = 0.1;  // of the radial load: above it other paths find all
+constexpr int steps_of_contacts = 300;
 constexpr int steps_of_drops = 250;
-constexpr int steps_of_search = 960;
+constexpr int steps_of_search = 500;
 
 class Search {
  public:
@@ -36,6 +38,9 @@ class Search {
     }
     if (point.axial_load > 0.0 && start_from_thrust(point.axial_load, state) &&
         system_.newton(state))
+      return SolveStatus::converged;
+    if (system_.options().race_control == RaceControl::inner &&
+        system_.options().rotations.empty() && settle_contacts(system_, steps_of_contacts, state))
       return SolveStatus::converged;
     system_.allow(steps_of_load_path);
     if (point.axial_load > 0.0 && follow_load(point, state)) return SolveStatus::converged;

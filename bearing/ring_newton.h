@@ -11,6 +11,8 @@ namespace raceway::bearing {
 struct NewtonLimits {
   double tolerance;  ///< on the scaled residual [1]
   int steps;         ///< of one lane
+  /// Of the merit that a whole step may leave behind: a ball that changes sides may raise it once.
+  double rise = 4.0;
 };
 
 /// How far lanes have come; each is true in at most one of these.
@@ -172,7 +174,7 @@ NewtonProgress<T> RingNewton<T>::pass(const BallCircle& circle, const NewtonLimi
   using std::abs, std::max, std::min;
   assemble<model, C>(circle, contacts);
   const Mask<T> fresh = fresh_ != T(0.0);
-  const T accept = select(halvings_ == T(0.0), T(4.0), T(1.0));
+  const T accept = select(halvings_ == T(0.0), T(limits.rise), T(1.0));
   NewtonProgress<T> progress;
   progress.taken = fresh || trial_merit_ <= accept * merit_ || halvings_ == T(6.0);
   // As near as rounding lets it come, which under a tiny load is not within the tolerance.

@@ -32,7 +32,8 @@ bool RingSystem::newton(RingState& state) {
   newton.trial_balls.swap(state.balls);
   newton.begin(0);
   const NewtonLimits limits{.tolerance = options_.tolerance,
-                            .steps = std::min(newton_limit, std::max(0, end_ - iterations_))};
+                            .steps = std::min(newton_limit, std::max(0, end_ - iterations_)),
+                            .rise = newton_rise};
   const InnerContact* const held = contacts.empty() ? nullptr : contacts.data();
   const NewtonProgress<double> end = with_model(model_, [&](auto model) {
     return with_coordinates(circle_.symmetry, options_.tilt == Tilt::free, [&](auto coordinates) {

@@ -1,0 +1,238 @@
+#include "bearing/load_shares.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bearing/thrust_start.h"
+
+namespace raceway::bearing {
+
+LoadShares::LoadShares(const RingSystem& system, double direction)
+    : system_(system),
+      constants_(system.constants()),
+      tilts_(system.options().tilt == Tilt::free),
+      cos_direction_(std::cos(direction)),
+      sin_direction_(std::sin(direction)),
+      free_(system.free_groove_centre()),
+      thrown_(system.thrown_ball()) {
+  const Vector5 load = system.load();
+  axial_ = load[0];
+  radial_ = load[1] * cos_direction_ + load[2] * sin_direction_;
+  moment_ = load[3] * sin_direction_ - load[4] * cos_direction_;
+  const std::size_t n = system.balls_used();
+  for (std::size_t k = 0; k < n; ++k)
+    along_.push_back(system.bearing().cos_azimuth()[k] * cos_direction_ +
+                     system.bearing().sin_azimuth()[k] * sin_direction_);
+  order_.resize(n);
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::size_t a, std::size_t b) { return along_[a] > along_[b] + 1e-9; });
+}
+
+void LoadShares::Sums::add(double weight, double cosine) {
+  w += weight;
+  c += weight * cosine;
+  cc += weight * cosine * cosine;
+  most = std::max(most, cosine);
+  least = std::min(least, cosine);
+}
+
+bool LoadShares::choose(std::vector<InnerContact>& contacts, RingState& state) const {
+  const std::size_t n = order_.size();
+  const bool mirrored = system_.symmetry() == Symmetry::mirror;
+  if (n < 2 || !(axial_ > 0.0)) return false;
+  // As few as hold the ring's coordinates that are free: from one end, or from both.
+  std::size_t first = mirrored ? 1 : 2, last = tilts_ ? first : 0;
+  if (first + last > n) return false;
+  Sums sums;
+  const auto keep = [&](std::size_t place) {
+    sums.add(system_.weight(order_[place]), along_[order_[place]]);
+  };
+  for (std::size_t i = 0; i < first; ++i) keep(i);
+  for (std::size_t i = 0; i < last; ++i) keep(n - 1 - i);
+  Vector5 ring;
+  while (ring_of(sums, ring) && first + last < n) {
+    const std::size_t place = reaching(ring, first, last);
+    if (place == n) break;
+    if (tilts_ && along_[order_[place]] <= 0.0) {
+      keep(n - 1 - last++);
+    } else {
+      keep(first++);
+    }
+  }
+  contacts.assign(n, InnerContact::lost);
+  for (std::size_t i = 0; i < first; ++i) contacts[order_[i]] = InnerContact::kept;
+  for (std::size_t i = 0; i < last; ++i) contacts[order_[n - 1 - i]] = InnerContact::kept;
+  return spread(contacts, state);
+}
+
+bool LoadShares::spread(const std::vector<InnerContact>& contacts, RingState& state) const {
+  const Sums sums = sums_of(contacts);
+  if (!ring_of(sums, state.ring)) return false;
+  state.balls.assign(contacts.size(), thrown_);
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (contacts[k] == InnerContact::kept)
+      state.balls[k] =
+          share_at(axial_share(sums, along_[k]), system_.groove_centre(state.ring, k).radial).ball;
+  return true;
+}
+
+double LoadShares::violation(const std::vector<InnerContact>& contacts, RingState& state) const {
+  const Sums sums = sums_of(contacts);
+  if (!ring_of(sums, state.ring)) return unset;
+  state.balls.assign(contacts.size(), thrown_);
+  double worst = 0.0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Plane a = system_.groove_centre(state.ring, k);
+    if (contacts[k] == InnerContact::kept) {
+      const Share share = share_at(axial_share(sums, along_[k]), a.radial);
+      state.balls[k] = share.ball;
+      const double root = std::cbrt(std::max(-share.inner_load, 0.0) / constants_.inner_stiffness);
+      worst = std::max(worst, root * root);
+    } else {
+      const double reach =
+          std::hypot(a.axial - thrown_.axial, a.radial - thrown_.radial) - constants_.inner_radius;
+      worst = std::max(worst, reach);
+    }
+  }
+  return worst;
+}
+
+LoadShares::Share LoadShares::share_at(double axial, double radius) const {
+  constexpr int rounds = 10;
+  constexpr double least_angle = 1e-3, most_angle = 1.5;  // [rad]
+  const BallConstantsOf<double>& c = constants_;
+  double so = 0.0, co = 1.0;
+  double angle = std::acos(std::clamp((radius - thrown_.radial) / c.inner_radius, 0.05, 0.99));
+  Share share{};
+  for (int round = 0; round < rounds; ++round) {
+    const double si = std::sin(angle), ci = std::cos(angle);
+    const double m =
+        cage_speed_ratio(RaceControl::inner, ci, co, ci * co + si * so, c.diameter_ratio);
+    const double tau = 0.2 * c.full_centrifugal * c.gyroscopic * m * (1.0 - m);
+    share.radial = axial * ci / si - tau;
+    share.inner_load = axial / si - tau * ci;
+    // axial cos αo - radial sin αo = To, as in ball_under_force().
+    const double radial = share.radial + c.full_centrifugal * m * m;
+    const double total = std::hypot(axial, radial);
+    const double sin_turn = std::min(tau * si / total, 0.9);
+    const double cos_turn = std::sqrt(1.0 - sin_turn * sin_turn);
+    so = (axial * cos_turn - radial * sin_turn) / total;
+    co = (radial * cos_turn + axial * sin_turn) / total;
+    const double outer_load = std::max(axial * so + radial * co, 0.0);
+    const double outer_root = std::cbrt(outer_load / c.outer_stiffness);
+    const double inner_root = std::cbrt(share.inner_load / c.inner_stiffness);
+    const double inner_approach = inner_root * std::abs(inner_root);
+    const double outer = c.outer_radius + outer_root * outer_root;
+    const double inner = c.inner_radius + inner_approach;
+    share.ball = {outer * so, outer * co};
+    share.groove = {share.ball.axial + inner * si, share.ball.radial + inner * ci};
+    const double missing = radius - share.groove.radial;
+    if (std::abs(missing) < 1e-7 * outer) break;
+    // Newton's step, the outer angle held: the approaches follow the loads.
+    const double per_load = std::max(std::abs(share.inner_load), 1e-3 * axial);
+    const double slope =
+        -inner * si +
+        ci * std::abs(inner_approach) / (1.5 * per_load) * (tau * si - axial * ci / (si * si)) -
+        co * outer_root * outer_root / (1.5 * std::max(outer_load, 1e-3 * axial)) * axial /
+            (si * si) * co;
+    angle = std::clamp(angle + missing / slope, std::max(least_angle, 0.4 * angle),
+                       std::min(most_angle, angle + 0.3));
+  }
+  return share;
+}
+
+bool LoadShares::ring_of(const Sums& sums, Vector5& ring) const {
+  return tilts_ ? linear_ring(sums, ring) : even_ring(sums, ring);
+}
+
+bool LoadShares::even_ring(const Sums& sums, Vector5& ring) const {
+  const Plane share{axial_ / sums.w, radial_ / sums.c};
+  Plane groove, ball;
+  if (!std::isfinite(share.radial) || !ball_under_force(constants_, share, groove, ball))
+    return false;
+  const double shift = (groove.radial - free_.radial) * sums.w / sums.c;
+  ring.setZero();
+  ring[0] = groove.axial - free_.axial;
+  ring[1] = shift * cos_direction_;
+  ring[2] = shift * sin_direction_;
+  return ring.allFinite();
+}
+
+double LoadShares::axial_share(const Sums& s, double c) const {
+  if (!tilts_) return axial_ / s.w;
+  const double determinant = s.w * s.cc - s.c * s.c;
+  return ((axial_ * s.cc - moment_ * s.c) + (s.w * moment_ - s.c * axial_) * c) / determinant;
+}
+
+bool LoadShares::linear_ring(const Sums& s, Vector5& ring) const {
+  if (!(s.most - s.least > 1e-6) || !(s.w * s.cc - s.c * s.c > 1e-9)) return false;
+  const double axial_most = axial_share(s, s.most), axial_least = axial_share(s, s.least);
+  Share most{}, least{};
+  const auto surplus = [&](double shift) {
+    most = share_at(axial_most, free_.radial + shift * s.most);
+    least = share_at(axial_least, free_.radial + shift * s.least);
+    const double slope = (most.radial - least.radial) / (s.most - s.least);
+    return (most.radial - slope * s.most) * s.c + slope * s.cc - radial_;
+  };
+  const double length = constants_.inner_radius + constants_.outer_radius;
+  double near = 0.0, at_near = surplus(near);
+  double step = (at_near < 0.0 ? 0.01 : -0.01) * length;
+  double far = step, at_far = surplus(far);
+  for (int i = 0; i < 10 && at_near * at_far > 0.0; ++i) {
+    near = far;
+    at_near = at_far;
+    step *= 2.0;
+    far += step;
+    at_far = surplus(far);
+  }
+  if (!(at_near * at_far <= 0.0)) return false;
+  // A secant that keeps both ends; a start needs few digits.
+  const double enough = 1e-4 * std::max(std::abs(radial_), 0.01 * axial_);
+  for (int i = 0; i < 16 && std::abs(at_far) > enough && std::abs(far - near) > 1e-6 * length;
+       ++i) {
+    const double next = far - at_far * (far - near) / (at_far - at_near);
+    const double at_next = surplus(next);
+    if (at_next * at_far < 0.0) {
+      near = far;
+      at_near = at_far;
+    } else {
+      at_near *= 0.5;
+    }
+    far = next;
+    at_far = at_next;
+  }
+  const double tilt = (least.groove.axial - most.groove.axial) / (s.most - s.least);
+  const double shift = (most.groove.radial - least.groove.radial) / (s.most - s.least);
+  ring[0] = most.groove.axial + tilt * s.most - free_.axial;
+  ring[1] = shift * cos_direction_;
+  ring[2] = shift * sin_direction_;
+  ring[3] = -tilt * sin_direction_;
+  ring[4] = tilt * cos_direction_;
+  return ring.allFinite();
+}
+
+LoadShares::Sums LoadShares::sums_of(const std::vector<InnerContact>& contacts) const {
+  Sums sums;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (contacts[k] == InnerContact::kept) sums.add(system_.weight(k), along_[k]);
+  return sums;
+}
+
+std::size_t LoadShares::reaching(const Vector5& ring, std::size_t first, std::size_t last) const {
+  const std::size_t n = order_.size();
+  std::size_t found = n;
+  double furthest = 0.0;
+  for (std::size_t i = first; i + last < n; ++i) {
+    const Plane a = system_.groove_centre(ring, order_[i]);
+    const double approach =
+        std::hypot(a.axial - thrown_.axial, a.radial - thrown_.radial) - constants_.inner_radius;
+    if (!(approach > furthest)) continue;
+    furthest = approach;
+    found = i;
+  }
+  return found;
+}
+
+}  // namespace raceway::bearing

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bearing/ring_system.h"
+
+namespace raceway::bearing {
+
+/// Under inner control: which balls can keep the inner race, and where ring and balls then stand,
+/// from statics alone and without a Newton step.
+///
+/// The load is spread over the kept balls linearly in c = cos(ψ - φ), φ the direction of the load
+/// (with locked tilt evenly). A kept ball carries an axial force f with its groove centre at radius
+/// R:
+///
+///   tan αi = f/(f_r + τ),   τ = Ti/sin αi,   Lo cos αo + Li cos αi = R
+///
+/// With f given by axial load and moment, the radial displacement is what makes Σ f_r c the radial
+/// load. The couple τ does not shrink with the load, so a light one is carried by few balls: the
+/// fewest that hold the ring away from all that have lost the race.
+class LoadShares {
+ public:
+  LoadShares(const RingSystem& system, double direction);
+
+  /// Chooses the kept balls. False where statics says nothing, as for a load without axial part.
+  [[nodiscard]] bool choose(std::vector<InnerContact>& contacts, RingState& state) const;
+  /// Ring and balls with these contacts, the lost balls thrown against the outer race.
+  [[nodiscard]] bool spread(const std::vector<InnerContact>& contacts, RingState& state) const;
+  /// The same, and how far the worst contact is on the wrong side by it [m]; NaN where there is
+  /// none.
+  [[nodiscard]] double violation(const std::vector<InnerContact>& contacts, RingState& state) const;
+  /// Balls in falling order of c.
+  [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+  [[nodiscard]] Plane thrown_ball() const { return thrown_; }
+
+ private:
+  struct Sums {
+    double w = 0.0, c = 0.0, cc = 0.0;  ///< Σ over kept balls of weight, weight c, weight c²
+    double most = -2.0, least = 2.0;    ///< c
+    void add(double weight, double cosine);
+  };
+  /// A kept ball.
+  struct Share {
+    double radial;      ///< force on the ring [N]
+    double inner_load;  ///< negative where the contact would have to pull [N]
+    Plane groove, ball;
+  };
+
+  [[nodiscard]] Share share_at(double axial, double radius) const;
+  [[nodiscard]] bool ring_of(const Sums& sums, Vector5& ring) const;
+  [[nodiscard]] bool even_ring(const Sums& sums, Vector5& ring) const;
+  [[nodiscard]] bool linear_ring(const Sums& sums, Vector5& ring) const;
+  [[nodiscard]] double axial_share(const Sums& sums, double c) const;
+  [[nodiscard]] Sums sums_of(const std::vector<InnerContact>& contacts) const;
+  /// The lost ball that reaches furthest into the race, as a place in order(); none: its size.
+  [[nodiscard]] std::size_t reaching(const Vector5& ring, std::size_t first,
+                                     std::size_t last) const;
+
+  const RingSystem& system_;
+  BallConstantsOf<double> constants_;
+  bool tilts_;
+  double cos_direction_, sin_direction_;
+  double axial_, radial_, moment_;  ///< load, the latter along and across the direction [N]
+  Plane free_, thrown_;
+  std::vector<double> along_;  ///< c of the balls
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace raceway::bearing
