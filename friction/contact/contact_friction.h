@@ -54,7 +54,8 @@ struct RaceFriction {
 
   /// Friction of one contact of load Q > 0. A film is made by the speed of `motion` times
   /// `film_speed`, 0 at standstill, so that power over shaft speed has its limit there: φ = 1, no
-  /// rolling resistance.
+  /// rolling resistance. A ball that has climbed its race by more than a right angle rolls on it
+  /// the other way round, which resists no less.
   [[nodiscard]] ContactFriction contact(double load, const ContactMotion& motion,
                                         double film_speed = 1.0) const {
     const ContactFriction c = film(load, motion, film_speed);
@@ -78,7 +79,7 @@ struct RaceFriction {
                                        law.supply);
     c.rolling = law.rolling_factor * supply_factor * thermal_rolling_factor(loading_of(inlet)) *
                 rolling_power(force, inlet.speed);
-    c.hysteresis = law.hysteresis_factor * motion.rolling *
+    c.hysteresis = law.hysteresis_factor * std::abs(motion.rolling) *
                    hysteresis_moment(ball_diameter, load, shape.radius_across / shape.radius_along,
                                      0.5 * shape.modulus);
     return c;
@@ -123,7 +124,7 @@ struct RaceFriction {
             .limiting_traction = law.limiting_traction,
             .asperity_share = c.asperity_share,
             .boundary_friction = law.boundary_friction,
-            .small_speed = 1e-6 * motion.surface_speed};
+            .small_speed = 1e-6 * std::abs(motion.surface_speed)};
   }
 
  private:
@@ -131,7 +132,7 @@ struct RaceFriction {
                                       double film_speed) const {
     return {.viscosity = oil.viscosity,
             .pressure_viscosity = oil.pressure_viscosity,
-            .speed = motion.surface_speed * film_speed,
+            .speed = std::abs(motion.surface_speed) * film_speed,
             .modulus = shape.modulus,
             .radius_along = shape.radius_along,
             .load = load};
