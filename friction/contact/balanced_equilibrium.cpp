@@ -15,7 +15,7 @@ using bearing::SolveStatus;
 
 constexpr double balance_tolerance = 1e-8;     // of the load on a ball [1]
 constexpr double film_speed_tolerance = 1e-7;  // of the cage speed that a film is made at [1]
-constexpr int most_passes = 40;
+constexpr int most_passes = 80;
 
 GivenRotation given_rotation(const BallAttitude& a, const bearing::BallEquilibrium& ball, double g,
                              double turning) {
@@ -28,6 +28,21 @@ GivenRotation given_rotation(const BallAttitude& a, const bearing::BallEquilibri
   r.creep = a.cage_speed / turning - bearing::rolling_cage_ratio(r.cos_pitch, r.sin_pitch,
                                                                  ball.inner_contact_angle,
                                                                  ball.outer_contact_angle, g);
+  return r;
+}
+
+/// `share` of the way from one rotation to another.
+GivenRotation between(const GivenRotation& from, const GivenRotation& to, double share) {
+  const auto mix = [share](double a, double b) { return a + share * (b - a); };
+  GivenRotation r{.cos_pitch = mix(from.cos_pitch, to.cos_pitch),
+                  .sin_pitch = mix(from.sin_pitch, to.sin_pitch),
+                  .creep = mix(from.creep, to.creep),
+                  .inner_friction = mix(from.inner_friction, to.inner_friction),
+                  .outer_friction = mix(from.outer_friction, to.outer_friction),
+                  .inner_load = mix(from.inner_load, to.inner_load)};
+  const double length = std::hypot(r.cos_pitch, r.sin_pitch);
+  r.cos_pitch /= length;
+  r.sin_pitch /= length;
   return r;
 }
 
@@ -46,11 +61,11 @@ bool TurningBalls::turn(std::span<const bearing::BallEquilibrium> balls, double 
   const double full = bearing::full_centrifugal(*bearing_, speed_);
   change_ = films_ = 0.0;
   std::vector<BallAttitude> next(balls.size());
-  rotations_.assign(balls.size(), {});
+  const bool known = attitudes_.size() == balls.size();
+  std::vector<GivenRotation> found(balls.size());
   for (std::size_t k = 0; k < balls.size(); ++k) {
     const bearing::BallEquilibrium& ball = balls[k];
     if (!(ball.outer_load > 0.0)) continue;  // loose, at rest
-    const bool known = attitudes_.size() == balls.size();
     next[k] = attitudes_of_.solve_once(ball, known ? &attitudes_[k] : nullptr);
     if (!next[k].report.converged()) {
       status_ = next[k].report.status;
@@ -64,11 +79,24 @@ bool TurningBalls::turn(std::span<const bearing::BallEquilibrium> balls, double 
                                  std::abs(next[k].inner_force - ball.inner_friction),
                                  std::abs(next[k].outer_force - ball.outer_friction)});
     change_ = std::max(change_, off / (ball_scale + ball.outer_load));
-    rotations_[k] = given_rotation(next[k], ball, g, turning);
+    found[k] = given_rotation(next[k], ball, g, turning);
   }
+  follow(found);
   attitudes_ = std::move(next);
   status_ = SolveStatus::converged;
   return true;
+}
+
+void TurningBalls::follow(const std::vector<GivenRotation>& found) {
+  share_ =
+      change_ > 0.7 * last_change_ ? std::max(0.05, 0.5 * share_) : std::min(1.0, 1.2 * share_);
+  last_change_ = change_;
+  if (rotations_.size() != found.size()) {
+    rotations_ = found;
+    return;
+  }
+  for (std::size_t k = 0; k < found.size(); ++k)
+    rotations_[k] = between(rotations_[k], found[k], share_);
 }
 
 bool TurningBalls::settled() const {

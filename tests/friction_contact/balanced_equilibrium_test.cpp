@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
+#include "tests/bearing/random_case.h"
 #include "tests/friction_contact/balanced_cases.h"
 
 namespace raceway::friction::contact {
@@ -64,6 +66,47 @@ TEST(BalancedEquilibrium, AtStandstillIsTheLimitOfSlowRotation) {
   const BalancedRun still = steel_7014(0.0), slow = steel_7014(1e-4);
   const double moment = still.friction(still.solve()).moment();
   EXPECT_NEAR(slow.friction(slow.solve()).moment(), moment, 2e-3 * moment);
+}
+
+/// What traction takes from the shaft, and what is lost at the contacts [W].
+std::pair<double, double> powers(const BalancedEquilibrium& e) {
+  double taken = 0.0, lost = 0.0;
+  for (std::size_t k = 0; k < e.attitudes.size(); ++k) {
+    if (!(e.equilibrium.balls.distinct()[k].inner_load > 0.0)) continue;
+    const double weight = e.equilibrium.balls.weight(k);
+    taken += weight * e.attitudes[k].shaft_power;
+    lost += weight * (e.attitudes[k].inner.power + e.attitudes[k].outer.power);
+  }
+  return {taken, lost};
+}
+
+TEST(BalancedEquilibrium, IsFoundInRandomStatesAndAgainFromANeighbour) {
+  const BalancedRun oil = steel_7014(1000.0);
+  const auto sizes = tests::catalogue_sizes();
+  int asked = 0, found = 0;
+  for (std::uint64_t index = 0; index < 300; ++index) {
+    SCOPED_TRACE(index);
+    const auto c = robustness::make_case(sizes, bearing::RaceControl::outer, 5, index);
+    const bearing::Bearing bearing(
+        c.geometry, index % 3 ? bearing::steel() : bearing::silicon_nitride(), bearing::steel());
+    if (!solve_bearing_equilibrium(bearing, c.point, c.options).report.converged()) continue;
+    ++asked;
+    const auto e = solve_balanced_equilibrium(bearing, c.point, oil.oil, oil.law, c.options);
+    if (!e.report.converged()) continue;
+    ++found;
+    const auto [taken, lost] = powers(e);
+    EXPECT_NEAR(lost, taken, 1e-5 * taken);
+    if (index % 10 != 0) continue;
+    bearing::OperatingPoint near = c.point;
+    near.speed *= 0.99;
+    const auto neighbour = solve_balanced_equilibrium(bearing, near, oil.oil, oil.law, c.options);
+    const auto again = solve_balanced_equilibrium(bearing, c.point, oil.oil, oil.law, c.options,
+                                                  &neighbour.equilibrium);
+    if (!neighbour.report.converged() || !again.report.converged()) continue;
+    EXPECT_NEAR(again.equilibrium.displacement[0], e.equilibrium.displacement[0], 1e-10);
+  }
+  EXPECT_GT(asked, 290);
+  EXPECT_GE(found, 0.99 * asked);
 }
 
 TEST(BalancedEquilibrium, DoesNotDependOnTheSignOfARadialLoad) {
