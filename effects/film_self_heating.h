@@ -68,6 +68,39 @@ struct FilmSelfHeating {
     film.temperature = temperature;
     film.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
   }
+
+  /// The whole moment of the contacts as it goes with temperature along ν(T) of the oil:
+  ///
+  ///   M(T) = moment + slope (T - temperature),   |T - temperature| <= reach
+  struct Tangent {
+    double temperature, moment, slope, reach;  ///< [K], [N m], [N m/K], [K]
+  };
+
+  /// The same by Newton's method, where somebody remembers tangents and is asked for that about a
+  /// temperature or close by; begins at `temperature`. M falls ever more slowly with T, so that
+  /// every tangent leads to a temperature below that of the film or at it, and the next one nearer.
+  /// False where it finds none.
+  template <typename TangentAbout>
+  static bool lubricant_by_tangents(const LubricantInputs& in, std::span<const double> values,
+                                    double temperature, const TangentAbout& tangent_about,
+                                    Film& film) {
+    const double rise = values[0] * 1e-3 * in.state.speed;  // by one N m [K]
+    if (!(rise > 0.0)) return true;
+    const double outside = in.state.temperature;
+    if (std::isnan(temperature)) temperature = outside;
+    for (int i = 0; i < 60; ++i) {
+      const Tangent t = tangent_about(temperature);
+      const double fall = 1.0 - rise * t.slope;
+      if (!std::isfinite(t.moment) || !(fall > 0.0)) return false;
+      temperature =
+          outside + std::fmax(rise * (t.moment + t.slope * (outside - t.temperature)) / fall, 0.0);
+      if (!(std::abs(temperature - t.temperature) <= t.reach)) continue;
+      film.temperature = temperature;
+      film.kinematic_viscosity = in.lubricant.kinematic_viscosity(temperature);
+      return true;
+    }
+    return false;
+  }
 };
 
 }  // namespace raceway::effects

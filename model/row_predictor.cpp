@@ -16,7 +16,8 @@ namespace {
 using effects::Condition;
 using effects::Effect;
 
-constexpr std::size_t chunk = 256;  // rows that a thread takes
+constexpr std::size_t chunk = 256;        // rows that a thread takes
+constexpr std::size_t most_balances = 4;  // a point, both sides of a difference, and one more
 
 bool finite(const bearing::OperatingPoint& p) {
   return std::isfinite(p.speed) && std::isfinite(p.axial_load) && std::isfinite(p.radial_load) &&
@@ -54,7 +55,12 @@ RowPredictor::RowPredictor(const Model& model, const Steps& steps,
   turning_ = ball_turning(model, oil(model), temperature_);
   bearing_ = std::move(bearing);
   report_ = known->report;
+  if (given == Condition{} && !bearing_) {
+    entered_ = known;
+    entered_turning_ = turning_;
+  }
   equilibrium_ = std::move(known);
+  remember();
 }
 
 void RowPredictor::correct(const Model& model, const Steps& steps) {
@@ -81,14 +87,35 @@ friction::BearingState<double> RowPredictor::state(const Model& model) const {
           .kinematic_viscosity = film_.kinematic_viscosity};
 }
 
-bool RowPredictor::find_condition(const Model& model, const Steps& steps,
-                                  Condition& condition) const {
+/// Power of the base law at the entered load, where an effect looks at it [W]; a law of the
+/// contacts gets the balls of that load first.
+double RowPredictor::entered_power(const Model& model, const Steps& steps,
+                                   friction::BearingState<double> entered) {
+  if (!uses_power(model, steps)) return unset;
+  if (model.law != friction::FrictionLaw::contact)
+    return model::entered_power(model, entered, point_);
+  const BallTurning turning = ball_turning(model, oil(model), temperature_);
+  if (!entered_ || turning != entered_turning_) {
+    bearing::OperatingPoint point = point_;
+    point.temperature = temperature_;
+    entered_ = std::make_shared<const bearing::BearingEquilibrium>(
+        solve_balls(model, model.bearing, point, model.solver, oil(model)));
+    entered_turning_ = turning;
+  }
+  entered.equilibrium = entered_.get();
+  const friction::BaseMoments<double> base =
+      known_contacts_.at(entered_, entered, model.law_values).moments();
+  return (base.load + base.viscous) * point_.speed;
+}
+
+bool RowPredictor::find_condition(const Model& model, const Steps& steps, Condition& condition) {
   if (!finite(point_) || !std::isfinite(viscosity_)) return false;
   friction::BearingState<double> entered = state(model);
   entered.equilibrium = nullptr;
   entered.axial_load = with_extra(point_.axial_load, 0.0);
   entered.kinematic_viscosity = viscosity_;
-  condition = condition_of(model, steps, entered, point_, record_, given_);
+  condition = condition_of(model, steps, entered, point_, record_, given_,
+                           entered_power(model, steps, entered));
   return condition.finite();
 }
 
@@ -115,13 +142,34 @@ void RowPredictor::solve(const Model& model) {
   const bearing::BearingEquilibrium* start =
       last && last->report.converged() ? last.get() : nullptr;
   const auto asked = question(model);
-  turning_ = ball_turning(model, oil(model), temperature_);
   if (!asked) return;
   equilibrium_ = std::make_shared<const bearing::BearingEquilibrium>(
       condition_.tilt != 0.0
           ? solve_tilted(model, *asked->bearing, asked->point, condition_.tilt, oil(model), start)
           : solve_balls(model, *asked->bearing, asked->point, model.solver, oil(model), start));
   report_ = equilibrium_->report;
+  remember();
+}
+
+/// Takes up what was solved under that condition, if it is known.
+bool RowPredictor::recall(const Model& model, const Condition& condition) {
+  const BallTurning turning = ball_turning(model, oil(model), temperature_);
+  if (condition == condition_ && turning == turning_ && known_report(report_)) return true;
+  const auto known = std::find_if(
+      known_balances_.begin(), known_balances_.end(),
+      [&](const KnownBalance& b) { return b.condition == condition && b.turning == turning; });
+  condition_ = condition;
+  turning_ = turning;
+  if (known == known_balances_.end()) return false;
+  bearing_ = known->bearing;
+  equilibrium_ = known->balls;
+  report_ = known->report;
+  return true;
+}
+
+void RowPredictor::remember() {
+  if (known_balances_.size() == most_balances) known_balances_.pop_back();
+  known_balances_.push_front({condition_, turning_, bearing_, equilibrium_, report_});
 }
 
 std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const Steps& steps) {
@@ -130,19 +178,14 @@ std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const 
   if (model.balanced_balls || !steps.equilibrium || !find_condition(model, steps, condition) ||
       condition.tilt != 0.0)
     return {};
-  if (known_balance(model, condition)) return {};
-  condition_ = condition;
+  if (recall(model, condition)) return {};
   return question(model);
 }
 
 void RowPredictor::answer(bearing::BearingEquilibrium&& equilibrium) {
   report_ = equilibrium.report;
   equilibrium_ = std::make_shared<const bearing::BearingEquilibrium>(std::move(equilibrium));
-}
-
-bool RowPredictor::known_balance(const Model& model, const Condition& condition) const {
-  return condition == condition_ && known_report(report_) &&
-         turning_ == ball_turning(model, oil(model), temperature_);
+  remember();
 }
 
 void RowPredictor::balance(const Model& model, const Steps& steps) {
@@ -156,10 +199,24 @@ bool RowPredictor::find_balance(const Model& model, const Steps& steps) {
     report_.status = bearing::SolveStatus::not_finite;
     return false;
   }
-  const bool solved = known_balance(model, condition);
-  condition_ = condition;
-  if (steps.equilibrium && !solved) solve(model);
+  if (!recall(model, condition) && steps.equilibrium) solve(model);
   return true;
+}
+
+/// A film that warms itself, where the row knows its contacts from before.
+bool RowPredictor::warm_by_tangents(const Model& model, const Effect& effect,
+                                    const effects::LubricantInputs& in) {
+  if (model.law != friction::FrictionLaw::contact || !predicted_ ||
+      effect.description->id != effects::FilmSelfHeating::id)
+    return false;
+  friction::BearingState<double> about = in.state;
+  return effects::FilmSelfHeating::lubricant_by_tangents(
+      in, effect.values, known_contacts_.last_temperature(),
+      [&](double temperature) {
+        about.temperature = temperature;
+        return known_contacts_.tangent(equilibrium_, about, model.law_values);
+      },
+      film_);
 }
 
 void RowPredictor::find_film(const Model& model, const Steps& steps,
@@ -169,28 +226,15 @@ void RowPredictor::find_film(const Model& model, const Steps& steps,
   const effects::BaseLaw law{model.law, model.law_values};
   const effects::LubricantInputs inputs{.lubricant = oil(model), .state = s, .base = law};
   for (const std::size_t k : steps.lubricant)
-    model.effects[k].description->lubricant(inputs, model.effects[k].values, film_);
+    if (!warm_by_tangents(model, model.effects[k], inputs))
+      model.effects[k].description->lubricant(inputs, model.effects[k].values, film_);
   s.kinematic_viscosity = film_.kinematic_viscosity;
-}
-
-bool RowPredictor::contacts_are(const friction::Lubricant& oil,
-                                const std::vector<double>& values) const {
-  return known_contacts_ && known_contacts_->balls == equilibrium_ &&
-         known_contacts_->oil.viscosity_40C() == oil.viscosity_40C() &&
-         known_contacts_->oil.viscosity_100C() == oil.viscosity_100C() &&
-         known_contacts_->film.kinematic_viscosity == film_.kinematic_viscosity &&
-         known_contacts_->film.temperature == film_.temperature &&
-         friction::contact::ContactResult::rescales(known_contacts_->values, values);
 }
 
 void RowPredictor::find_base(const Model& model, friction::BearingState<double> s) {
   s.temperature = film_.temperature;
   if (model.law == friction::FrictionLaw::contact) {
-    if (!contacts_are(*s.lubricant, model.law_values))
-      known_contacts_ = {equilibrium_, film_, *s.lubricant, model.law_values,
-                         friction::contact::contact_result(s, model.law_values)};
-    contacts_ = known_contacts_->result;
-    contacts_->rescale(known_contacts_->values, model.law_values);
+    contacts_ = known_contacts_.at(equilibrium_, s, model.law_values);
     contacts_->thin(film_.viscous_share);
     base_ = contacts_->moments();
     return;
@@ -247,6 +291,7 @@ double RowPredictor::predict(const Model& model, const Steps& steps, Stage from)
     add_moments(model, steps, from, s);
   }
   read(model, steps);
+  predicted_ = true;
   return reading_;
 }
 

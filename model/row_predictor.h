@@ -7,13 +7,11 @@
 
 #include "bearing/solve_many.h"
 #include "model/balance.h"
+#include "model/contact_memory.h"
 #include "model/prediction.h"
 #include "model/steps.h"
 
 namespace raceway::model {
-
-/// Balls in balance, shared by all that look at them.
-using Balance = std::shared_ptr<const bearing::BearingEquilibrium>;
 
 /// One row that is predicted again and again with other numbers of the same model. It remembers the
 /// equilibrium, solved again only where the condition has moved, and whatever else a number leaves
@@ -46,20 +44,23 @@ class RowPredictor {
 
  private:
   [[nodiscard]] bool find_condition(const Model& model, const Steps& steps,
-                                    effects::Condition& condition) const;
+                                    effects::Condition& condition);
+  double entered_power(const Model& model, const Steps& steps,
+                       friction::BearingState<double> entered);
+  [[nodiscard]] bool recall(const Model& model, const effects::Condition& condition);
+  void remember();
   [[nodiscard]] friction::BearingState<double> state(const Model& model) const;
   std::optional<bearing::BearingCase> question(const Model& model);
   void solve(const Model& model);
   [[nodiscard]] const friction::Lubricant& oil(const Model& model) const {
     return oil_ ? *oil_ : model.lubricant;
   }
-  [[nodiscard]] bool known_balance(const Model& model, const effects::Condition& condition) const;
   void correct(const Model& model, const Steps& steps);
   // The steps; each from what those before it have left in the members below.
   [[nodiscard]] bool find_balance(const Model& model, const Steps& steps);
+  [[nodiscard]] bool warm_by_tangents(const Model& model, const effects::Effect& effect,
+                                      const effects::LubricantInputs& in);
   void find_film(const Model& model, const Steps& steps, friction::BearingState<double>& s);
-  [[nodiscard]] bool contacts_are(const friction::Lubricant& oil,
-                                  const std::vector<double>& values) const;
   void find_base(const Model& model, friction::BearingState<double> s);
   void add_moments(const Model& model, const Steps& steps, Stage from,
                    const friction::BearingState<double>& s);
@@ -73,6 +74,18 @@ class RowPredictor {
   double temperature_, viscosity_;          // of the row, as corrected
   std::optional<friction::Lubricant> oil_;  // where it is not that of the model
 
+  /// What was solved under other conditions: fits come back to where they took differences.
+  struct KnownBalance {
+    effects::Condition condition;
+    BallTurning turning;
+    std::shared_ptr<const bearing::Bearing> bearing;
+    Balance balls;
+    bearing::SolveReport report;
+  };
+  std::deque<KnownBalance> known_balances_;  // the newest first
+  Balance entered_;                          // balls at the load as entered, where a step asked
+  BallTurning entered_turning_;
+
   effects::Condition condition_;
   std::shared_ptr<const bearing::Bearing> bearing_;  // null: as entered
   Balance equilibrium_;
@@ -81,15 +94,8 @@ class RowPredictor {
   effects::Film film_;
   friction::BaseMoments<double> base_{unset, unset};
   std::optional<friction::contact::ContactResult> contacts_;
-  /// The integrals of the contacts, as they were found last: they are most of a fit's time.
-  struct KnownContacts {
-    Balance balls;  // kept, so that no other balance has its address
-    effects::Film film;
-    friction::Lubricant oil;
-    std::vector<double> values;  // of the law
-    friction::contact::ContactResult result;
-  };
-  std::optional<KnownContacts> known_contacts_;
+  ContactMemory known_contacts_;
+  bool predicted_ = false;     // once, without anything from before
   std::vector<double> units_;  // unit moments of Steps::moment, NaN where it has none
   double torque_ = unset, reading_ = unset;
 };

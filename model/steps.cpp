@@ -65,15 +65,13 @@ friction::BearingState<double> bearing_state(const Model& model,
   return state;
 }
 
-namespace {
+bool uses_power(const Model& model, const Steps& steps) {
+  return std::any_of(steps.condition.begin(), steps.condition.end(),
+                     [&](std::size_t k) { return model.effects[k].description->uses_power; });
+}
 
-/// Of the base law at the entered load, where an effect looks at it [W]; a law of the contacts gets
-/// the balls of that load first.
-double entered_power(const Model& model, const Steps& steps, friction::BearingState<double> entered,
+double entered_power(const Model& model, friction::BearingState<double> entered,
                      const bearing::OperatingPoint& point) {
-  if (std::none_of(steps.condition.begin(), steps.condition.end(),
-                   [&](std::size_t k) { return model.effects[k].description->uses_power; }))
-    return unset;
   bearing::BearingEquilibrium balls;
   if (friction::needs_equilibrium(model.law)) {
     balls = solve_balls(model, *entered.bearing, point, model.solver, *entered.lubricant);
@@ -84,18 +82,22 @@ double entered_power(const Model& model, const Steps& steps, friction::BearingSt
   return (base.load + base.viscous) * point.speed;
 }
 
-}  // namespace
-
 effects::Condition condition_of(const Model& model, const Steps& steps,
                                 const friction::BearingState<double>& entered,
                                 const bearing::OperatingPoint& point, const effects::Record& record,
                                 const effects::Condition& given) {
+  return condition_of(model, steps, entered, point, record, given,
+                      uses_power(model, steps) ? entered_power(model, entered, point) : unset);
+}
+
+effects::Condition condition_of(const Model& model, const Steps& steps,
+                                const friction::BearingState<double>& entered,
+                                const bearing::OperatingPoint& point, const effects::Record& record,
+                                const effects::Condition& given, double power) {
   effects::Condition condition = given;
   if (steps.condition.empty()) return condition;
-  const effects::ConditionInputs inputs{.bearing = *entered.bearing,
-                                        .point = point,
-                                        .record = record,
-                                        .power = entered_power(model, steps, entered, point)};
+  const effects::ConditionInputs inputs{
+      .bearing = *entered.bearing, .point = point, .record = record, .power = power};
   for (const std::size_t k : steps.condition)
     model.effects[k].description->condition(inputs, model.effects[k].values, condition);
   return condition;

@@ -42,5 +42,17 @@ enum class Stage { entry, condition, lubricant, base, moment, reading };
                                               const bearing::OperatingPoint& point,
                                               const effects::Record& record,
                                               const effects::Condition& given = {});
+/// The same, where the power at the entered load is known [W].
+[[nodiscard]] effects::Condition condition_of(const Model& model, const Steps& steps,
+                                              const friction::BearingState<double>& entered,
+                                              const bearing::OperatingPoint& point,
+                                              const effects::Record& record,
+                                              const effects::Condition& given, double power);
+
+/// True if an effect on the condition looks at the power of the base law at the entered load.
+[[nodiscard]] bool uses_power(const Model& model, const Steps& steps);
+/// That power [W]; a law of the contacts gets the balls of that load first.
+[[nodiscard]] double entered_power(const Model& model, friction::BearingState<double> entered,
+                                   const bearing::OperatingPoint& point);
 
 }  // namespace raceway::model

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -115,6 +116,60 @@ TEST(ContactLawInAModel, ARowThatRemembersItsContactsPredictsAsANewOne) {
   }
   model.effects.front().values = {1.2};
   agrees(Stage::entry, "viscosity at 100 C alone");
+}
+
+// As a fit does it: a point, both sides of it in each number, another point. A tangent gives the
+// film its temperature there, to 2e-3 K of where the contacts were looked at.
+TEST(ContactLawInAModel, ARowWhoseFilmWarmsItselfFollowsAFitAsANewOne) {
+  Model model = contact_model_with("film-self-heating", {15.0});
+  model.effects.push_back({.description = effects::find("misalignment"), .values = {0.5}});
+  const Steps steps(model);
+  RowPredictor row(model, steps, fast, {});
+  double &resistance = model.effects[0].values[0], &tilt = model.effects[1].values[0],
+         &factor = model.law_values[0];
+  double slope = 0.0, expected_slope = 0.0;
+  const auto agrees = [&](double& number, double value, Stage from) {
+    const double before = number;
+    number = value;
+    const double fresh = predict_friction(model, fast, {}).reading,
+                 known = row.predict(model, steps, from);
+    EXPECT_NEAR(known, fresh, 2e-7 * fresh) << resistance << ' ' << tilt << ' ' << factor;
+    slope = known - slope;
+    expected_slope = fresh - expected_slope;
+    number = before;
+  };
+  for (const auto& [r, t, f] : {std::array{15.0, 0.5, 1.0},
+                                {15.0, 0.7, 1.1},
+                                {40.0, 0.7, 0.6},
+                                {41.0, 0.71, 0.61},
+                                {3.0, 0.02, 2.0},
+                                {15.0, 0.5, 1.0}}) {
+    resistance = r;
+    tilt = t;
+    factor = f;
+    agrees(resistance, r, Stage::condition);
+    for (const auto& [number, step] :
+         {std::pair{&factor, 1e-4}, {&resistance, 1.5e-3}, {&tilt, 5e-5}}) {
+      const double here = *number;
+      agrees(*number, here - step, Stage::condition);
+      slope = expected_slope = 0.0;
+      agrees(*number, here - step, Stage::condition);
+      agrees(*number, here + step, Stage::condition);
+      EXPECT_NEAR(slope, expected_slope, 1e-2 * std::abs(expected_slope)) << here;
+      agrees(*number, here, Stage::condition);
+    }
+  }
+}
+
+TEST(ContactLawInAModel, ThermalPreloadTakesThePowerAtTheLoadAsEntered) {
+  Model model = contact_model_with("thermal-preload", {1.0});
+  const Steps steps(model);
+  RowPredictor row(model, steps, fast, {});
+  for (const double size : {1.0, 1.5, 1.0, 0.0, 2.0}) {
+    model.effects[0].values[0] = size;
+    const double expected = predict_friction(model, fast, {}).reading;
+    EXPECT_NEAR(row.predict(model, steps, Stage::condition), expected, 1e-9 * expected) << size;
+  }
 }
 
 TEST(ContactLawInAModel, LimitingTractionIsANumberOfTheLubricant) {
