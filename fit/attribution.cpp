@@ -1,5 +1,7 @@
 #include "fit/attribution.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
@@ -52,6 +54,15 @@ bool ran_away(std::span<const Screened* const> on, const ResponseFit& fit, std::
     at += s->candidate.parameters.size();
   }
   return false;
+}
+
+/// What `make` makes of 0 to count - 1, on all threads and in that order: each refit has rows of
+/// its own, so that no digit depends on the others.
+template <typename Make>
+std::vector<Explanation> side_by_side(std::size_t count, const Make& make) {
+  std::vector<Explanation> list(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) { list[k] = make(k); });
+  return list;
 }
 
 /// Logarithm about its mean, with a floor where a factor is nearly zero.
@@ -211,10 +222,12 @@ Explanation Attribution::refit(const std::vector<std::size_t>& members,
 }
 
 std::vector<Explanation> Attribution::singles() const {
-  std::vector<Explanation> all;
+  std::vector<std::size_t> tried;
   for (std::size_t k = 0; k < problem_.candidates.size(); ++k)
     if (problem_.candidates[k].not_testable.empty() && visibility(k) >= invisible)
-      all.push_back(refit({k}));
+      tried.push_back(k);
+  std::vector<Explanation> all =
+      side_by_side(tried.size(), [&](std::size_t k) { return refit({tried[k]}); });
   // Not converged: last. Gains that differ by rounding alone keep the order of the candidates.
   const double quantum = same_gain * std::max(1.0, base_.misfit);
   std::stable_sort(all.begin(), all.end(), [&](const Explanation& a, const Explanation& b) {
@@ -312,18 +325,27 @@ std::vector<Explanation> Attribution::pairs(const std::vector<Explanation>& sing
   const std::vector<std::pair<double, Members>> order = weigh_pairs(singles);
   std::map<std::size_t, const Explanation*> alone;
   for (const Explanation& single : singles) alone[single.members.front()] = &single;
+  const double best = order.empty() ? 0.0 : -order.front().first;
+  const double least = best - std::max(pair_reach, pair_reach_share * best);
+  const auto within = static_cast<std::size_t>(
+      std::find_if(order.begin(), order.end(),
+                   [&](const auto& weighed) { return -weighed.first < least; }) -
+      order.begin());
   std::vector<Explanation> result;
-  for (const auto& [negative, members] : order) {
-    const double best = -order.front().first;
-    if (result.size() >= most_pairs ||
-        -negative < best - std::max(pair_reach, pair_reach_share * best))
-      break;
+  // As many at once as are surely wanted: those that do not converge make room for others.
+  for (std::size_t next = 0; next < within && result.size() < most_pairs;) {
     if (cancelled && cancelled()) break;
-    const Explanation &first = *alone[members.first], &second = *alone[members.second];
-    Explanation pair = refit_together(first, second);
-    if (!pair.fit.converged) continue;
-    pair.least_loss = pair.gain - std::max(first.gain, second.gain);
-    result.push_back(std::move(pair));
+    const std::size_t count = std::min(within - next, most_pairs - result.size());
+    std::vector<Explanation> refitted = side_by_side(count, [&](std::size_t k) {
+      const Members& members = order[next + k].second;
+      const Explanation &first = *alone.at(members.first), &second = *alone.at(members.second);
+      Explanation pair = refit_together(first, second);
+      pair.least_loss = pair.gain - std::max(first.gain, second.gain);
+      return pair;
+    });
+    for (Explanation& pair : refitted)
+      if (pair.fit.converged) result.push_back(std::move(pair));
+    next += count;
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const Explanation& a, const Explanation& b) { return a.gain > b.gain; });
@@ -369,17 +391,20 @@ std::vector<Explanation> Attribution::triples(const std::vector<Explanation>& pa
   }
   std::stable_sort(order.begin(), order.end(),
                    [](const Choice& a, const Choice& b) { return a.gain > b.gain; });
-  std::vector<Explanation> result;
+  std::vector<Choice> chosen;
   std::set<std::vector<std::size_t>> tried;
   for (const Choice& c : order) {
-    if (tried.size() >= most_triples || (cancelled && cancelled())) break;
+    if (tried.size() >= most_triples) break;
     std::vector<std::size_t> members = c.pair->members;
     members.push_back(c.single->members.front());
     std::sort(members.begin(), members.end());
-    if (!tried.insert(members).second) continue;
-    Explanation triple = refit_together(*c.pair, *c.single);
-    if (triple.fit.converged) result.push_back(std::move(triple));
+    if (tried.insert(members).second) chosen.push_back(c);
   }
+  std::vector<Explanation> result = side_by_side(chosen.size(), [&](std::size_t k) {
+    if (cancelled && cancelled()) return Explanation();
+    return refit_together(*chosen[k].pair, *chosen[k].single);
+  });
+  std::erase_if(result, [](const Explanation& triple) { return !triple.fit.converged; });
   std::stable_sort(result.begin(), result.end(),
                    [](const Explanation& a, const Explanation& b) { return a.gain > b.gain; });
   return result;
