@@ -16,7 +16,9 @@ struct Visibility {
 };
 
 /// From the scores of the candidates with the base parameters projected off: the size at which
-/// -2 ln L would fall by 25, and that at which the most alike other effect would leave 20.
+/// -2 ln L would fall by 25, and that at which the most alike other effect would leave 20. Where it
+/// lies beyond the range of the effect's own parameter, one within is sought that changes as much;
+/// an effect that has none could not have been found.
 [[nodiscard]] Visibility what_can_be_seen(const Evidence& evidence, const Attribution& attribution);
 
 }  // namespace raceway::fit
