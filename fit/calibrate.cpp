@@ -318,12 +318,24 @@ Calibration fit_moving(const Subject& started, const std::optional<Evidence>& ev
   for (;;) {
     Calibration fitted = fit_once(started, evidence, weighed, result);
     const Parameter* const lost = fitted.converged() ? adrift(result, fitted) : nullptr;
-    if (!lost) return fitted;
+    if (!lost) {
+      for (const Parameter& p : fitted.parameters)
+        if (const std::string needed = p.held ? "" : started.lacks(p.name, *weighed.problem.record);
+            !needed.empty())
+          fitted.messages.push_back(
+              fmt::format("{} needs {}: its value says little", p.name, needed));
+      return fitted;
+    }
     Parameter& p = result.parameters[static_cast<std::size_t>(lost - fitted.parameters.data())];
     p.held = true;
     p.identifiable = false;
     const std::string carried = with_unit(lost->value, p.unit, 5),
                       held = with_unit(p.value, p.unit, 5);
+    if (const std::string needed = started.lacks(p.name, *weighed.problem.record);
+        !needed.empty()) {
+      result.messages.push_back(not_identifiable(p, needed));
+      continue;
+    }
     result.messages.push_back(
         lost->at_bound != Bound::none
             ? fmt::format("{} is not fixed by these data: a fit carries it to its bound, {}; it is "
@@ -365,7 +377,10 @@ Calibration calibrate(const Subject& subject, const Record& record) {
     return response_of(of, problem.record, observed, names, problem.prepared);
   };
   set_errors(observed, response_by(subject, {}).readings({}), &ChannelError::rmse_before, result);
-  hold_dependent(response_by(*started, started->free()), weighed.whitening, result);
+  hold_dependent(
+      response_by(*started, started->free()), weighed.whitening,
+      [&](const std::string& parameter) { return started->lacks(parameter, *problem.record); },
+      result);
   return fit_moving(*started, evidence, weighed, std::move(result));
 }
 

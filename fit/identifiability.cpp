@@ -183,7 +183,9 @@ class Errors {
 
 }  // namespace
 
-void hold_dependent(const Response& response, const Whitening& whitening, Calibration& result) {
+void hold_dependent(const Response& response, const Whitening& whitening,
+                    const std::function<std::string(const std::string& parameter)>& lacks,
+                    Calibration& result) {
   // A second point, because a parameter may be without effect at its start only (the shape of an
   // effect whose size starts at zero).
   const Eigen::VectorXd start = response.start();
@@ -208,8 +210,11 @@ void hold_dependent(const Response& response, const Whitening& whitening, Calibr
       group.push_back(other.name);
     }
     if (group.empty()) {
-      result.messages.push_back(fmt::format("the data do not depend on {}: it stays at {}", p.name,
-                                            with_unit(p.value, p.unit, 5)));
+      const std::string needed = lacks(p.name);
+      result.messages.push_back(needed.empty()
+                                    ? fmt::format("the data do not depend on {}: it stays at {}",
+                                                  p.name, with_unit(p.value, p.unit, 5))
+                                    : not_identifiable(p, needed));
       continue;
     }
     group.push_back(p.name);
@@ -219,6 +224,11 @@ void hold_dependent(const Response& response, const Whitening& whitening, Calibr
                     joined(group, "and"), p.name, with_unit(p.value, p.unit, 5),
                     group.size() == 2 ? "value is" : "values are"));
   }
+}
+
+std::string not_identifiable(const Parameter& held, const std::string& needed) {
+  return fmt::format("{} is not identifiable from these data, it stays at {}: it needs {}",
+                     held.name, with_unit(held.value, held.unit, 5), needed);
 }
 
 void estimate_errors(const Eigen::MatrixXd& jacobian, double factor, Calibration& result) {

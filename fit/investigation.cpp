@@ -206,8 +206,14 @@ void Investigation::describe_base() {
   if (!evidence_.hint.empty()) tell(evidence_.hint);
   for (const std::string& note : evidence_.notes) tell(note);
   tell_declared_noise();
-  for (const std::string& name : evidence_.idle)
-    tell("the readings do not depend on " + name + ", which stays as it is");
+  for (const std::string& name : evidence_.idle) {
+    const std::string needed = problem_.subject->lacks(name, *problem_.record);
+    tell("the readings do not depend on " + name + ", which stays as it is" +
+         (needed.empty() ? "" : ": it needs " + needed));
+  }
+  for (const std::string& name : problem_.base)
+    if (const std::string needed = problem_.subject->lacks(name, *problem_.record); !needed.empty())
+      tell(name + " needs " + needed + ": its value says little");
   if (!base_is_identifiable())
     tell(joined(problem_.base, "and") +
          " cannot all be told apart on these data: their values mean little; free fewer of them "

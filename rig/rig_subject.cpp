@@ -7,10 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bearing/contact_pressure.h"
 #include "effects/catalogue.h"
 #include "effects/oil_card.h"
 #include "effects/temperature_sensor.h"
 #include "fit/grid.h"
+#include "model/prediction.h"
 #include "model/row.h"
 #include "rig/rig_predictor.h"
 
@@ -203,6 +205,30 @@ std::vector<std::string> RigSubject::records_needed(
   add(effects::TemperatureGain::datum,
       "the temperature by a second sensor nearer the film, as at the outer ring");
   return needed;
+}
+
+std::string RigSubject::lacks(const std::string& id, const fit::Record& record) const {
+  constexpr double thick_film = 2.0;  // film over roughness that no asperity reaches through
+  constexpr double low_pressure = 1.2 * GPa;  // below which no film comes to its limit
+  if (id != "mu_boundary" && id != "limiting_traction") return ModelSubject::lacks(id, record);
+  if (model().law != friction::FrictionLaw::contact) return {};
+  double film_ratio = unset, pressure = unset;
+  for (const model::FrictionPrediction& p : predict_rows(active(), record)) {
+    if (!p.contacts || !p.equilibrium) continue;
+    film_ratio = std::fmin(film_ratio, p.contacts->friction.smallest_film_ratio);
+    const bearing::ContactPressure largest =
+        largest_pressure(p.bearing ? *p.bearing : model().bearing, *p.equilibrium);
+    pressure = std::fmax(pressure, std::fmax(largest.inner, largest.outer));
+  }
+  if (id == "mu_boundary" && film_ratio >= thick_film)
+    return fmt::format("rows with lambda < {:.0f}; the smallest lambda of these rows is {:.3g}",
+                       thick_film, film_ratio);
+  if (id == "limiting_traction" && pressure < low_pressure)
+    return fmt::format(
+        "rows above about {:.1f} GPa, below which it changes the torque by less than 0.1 %; the "
+        "largest pressure of these rows is {:.3g} GPa",
+        low_pressure / GPa, pressure / GPa);
+  return {};
 }
 
 model::Expected RigSubject::expected() const {
