@@ -317,14 +317,21 @@ std::vector<Reading> measure(const Rig& rig, std::span<const Point> points, std:
   return rows;
 }
 
+std::vector<double> free_values(const BaseLaw& law) {
+  if (law.contacts) return {law.rolling_factor};
+  return {law.f0, law.z};
+}
+
 std::string model_text(const Rig& rig) {
   const Machine& m = *rig.setup.machine;
   const Mistake& wrong = rig.setup.mistake;
   const double at_40 = wrong.viscosity_40 > 0.0 ? wrong.viscosity_40 : m.viscosity_40;
   const double at_100 = wrong.viscosity_100 > 0.0 ? wrong.viscosity_100 : m.viscosity_100;
-  return "# What the user believes about this rig: the bearing, its lubricant, Palmgren friction "
-         "with catalogue factors.\n[bearing]\nname = \"" +
-         std::string(m.name) + "\"\n" + text("ball_count = %d\n", m.balls) +
+  const bool contacts = rig.setup.law.contacts;
+  return std::string("# What the user believes about this rig: the bearing, its lubricant, ") +
+         (contacts ? "the friction of its contacts" : "Palmgren friction with catalogue factors") +
+         ".\n[bearing]\nname = \"" + std::string(m.name) + "\"\n" +
+         text("ball_count = %d\n", m.balls) +
          text("ball_diameter_mm = %.10g\npitch_diameter_mm = %.10g\n", m.ball_diameter,
               m.pitch_diameter) +
          text("contact_angle_deg = %.10g\ninner_conformity = %.10g\nouter_conformity = %.10g\n",
@@ -333,9 +340,11 @@ std::string model_text(const Rig& rig) {
          (m.ceramic_balls ? "silicon-nitride" : "steel") +
          "\"\nring_material = \"steel\"\n\n[lubricant]\n" +
          text("viscosity_40C_mm2_s = %.10g\nviscosity_100C_mm2_s = %.10g\n", at_40, at_100) +
-         "\n[friction]\nf0 = 2.0\nz = 0.0008\ny = 0.33\n"
-         "f1_load = \"F_b\"  # these rigs are made with z (F_b/C0)^y\n\n[calibration]\nfree = "
-         "[\"f0\", \"z\"]\n";
+         (contacts ? "\n[friction]\nlaw = \"contact\"\n\n[calibration]\nfree = "
+                     "[\"rolling_factor\"]\n"
+                   : "\n[friction]\nf0 = 2.0\nz = 0.0008\ny = 0.33\n"
+                     "f1_load = \"F_b\"  # these rigs are made with z (F_b/C0)^y\n\n"
+                     "[calibration]\nfree = [\"f0\", \"z\"]\n");
 }
 
 std::string measurement_text(const Rig& rig, std::span<const Reading> rows) {
@@ -383,8 +392,9 @@ std::string truth_text(const Rig& rig) {
   return "{\"hidden\": " + by_id([&](std::size_t i) { return rig.setup.hidden[i].share; }) +
          ",\n \"accept\": " + quoted_list(ids) + ",\n \"verdicts\": " + quoted_list(verdicts) +
          ",\n \"size\": " + by_id([&](std::size_t i) { return rig.hidden[i].values.size; }) +
-         text(",\n \"friction\": {\"f0\": %.10g, \"z\": %.10g, \"y\": %.10g}", law.f0, law.z,
-              law.y) +
+         (law.contacts ? text(",\n \"friction\": {\"rolling_factor\": %.10g}", law.rolling_factor)
+                       : text(",\n \"friction\": {\"f0\": %.10g, \"z\": %.10g, \"y\": %.10g}",
+                              law.f0, law.z, law.y)) +
          ",\n \"train\": " + part(rig.train) + ",\n \"test\": " + part(rig.test) + "}\n";
 }
 

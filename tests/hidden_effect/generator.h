@@ -104,6 +104,10 @@ struct Rig {
 [[nodiscard]] std::vector<Reading> measure(const Rig& rig, std::span<const Point> points,
                                            std::uint64_t seed);
 
+/// Of the numbers of a law that the user leaves free, as the rig really has them: f0 and z, or the
+/// rolling factor of the contacts.
+[[nodiscard]] std::vector<double> free_values(const BaseLaw& law);
+
 [[nodiscard]] std::string model_text(const Rig& rig);
 [[nodiscard]] std::string measurement_text(const Rig& rig, std::span<const Reading> readings);
 [[nodiscard]] std::string truth_text(const Rig& rig);

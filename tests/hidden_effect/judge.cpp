@@ -150,15 +150,18 @@ Improvement improve(const Rig& rig, std::span<const std::string> names) {
   data.set(record::torque_deviation, std::move(sigma)).known = true;
   const fit::Calibration fitted = fit::calibrate(*subject, data);
   out.converged = fitted.converged();
-  const model::Model& after = model::model_of(*fitted.subject);
-  out.f0 = after.law_values[0];
-  out.z = after.law_values[1];
+  // Those of the law stand before those of the effects.
+  const std::size_t count = free_values(rig.setup.law).size();
+  for (std::size_t k = 0; k < count; ++k) out.free.push_back(fitted.parameters[k].value);
   out.in_sample = rms_error(*fitted.subject, data, rig.train, false);
   out.validation =
       rms_error(*fitted.subject, read(measurement_text(rig, rig.test), *subject), rig.test, true);
   return out;
 }
 
+bool joins_contacts(std::string_view id) {
+  return is_known(id) && effects::find(id)->within_contacts.empty();
+}
 bool is_known(std::string_view id) { return effects::find(id) != nullptr; }
 bool is_datum(std::string_view id) { return is_known(id) && !effects::find(id)->datum.empty(); }
 

@@ -29,7 +29,7 @@ struct Answer {
 struct Improvement {
   double validation = 0.0;   ///< rms of prediction over true torque - 1, on the test points
   double in_sample = 0.0;    ///< rms of (prediction - reading)/sigma on the rows of the fit
-  double f0 = 0.0, z = 0.0;  ///< refitted
+  std::vector<double> free;  ///< numbers of the law, refitted, as free_values() has them
   bool converged = false;
 };
 
@@ -51,6 +51,8 @@ struct Presentation {
 /// Adds these effects to the believed model and refits it.
 [[nodiscard]] Improvement improve(const Rig& rig, std::span<const std::string> names);
 
+/// True if the library adds the effect of that id to its law of the contacts.
+[[nodiscard]] bool joins_contacts(std::string_view id);
 /// True if the library has an effect of that id.
 [[nodiscard]] bool is_known(std::string_view id);
 /// True if it stands for wrong data, as of an oil card or a sensor.

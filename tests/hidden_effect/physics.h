@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <span>
 #include <string_view>
@@ -51,6 +52,7 @@ struct Contact {
   double stiffness;       ///< Q = K d^1.5 [N/mm^1.5]
   double major_axis;      ///< a at 1 N [mm], a grows as Q^(1/3)
   double second_ellipse;  ///< E(e)
+  double ellipse_ratio;   ///< a/b
   double conformity;
   double radius_ratio;  ///< equivalent radius across rolling over that along it
   double softer_by;     ///< modulus of steel on steel over that of this contact
@@ -69,6 +71,12 @@ class Bearing {
   ///
   /// the first found by iteration at a given inner angle, the second by bracketing. Load > 0.
   [[nodiscard]] const Balance& balance(double speed, double load) const;
+  /// The same of the moments of its contacts, with rolling as it is and all else; temperature of
+  /// the film [C].
+  struct Moments {
+    double rolling, other;  ///< [N mm]
+  };
+  [[nodiscard]] const Moments& contact_moments(double speed, double load, double temperature) const;
 
   [[nodiscard]] const Machine& machine() const { return machine_; }
   [[nodiscard]] const Contact& inner() const { return inner_; }
@@ -82,14 +90,17 @@ class Bearing {
   double ball_mass_;  // [kg]
   double astm_offset_, astm_slope_;
   mutable std::map<std::pair<double, double>, Balance> found_;
+  mutable std::map<std::array<double, 3>, Moments> moments_;
 
   [[nodiscard]] Balance solve(double speed, double load) const;
 };
 
-/// Palmgren's law as the rig really has it.
+/// Palmgren's law as the rig really has it; or, of its contacts, that of contact_truth.h.
 struct BaseLaw {
   double f0 = 1.5, z = 1e-3, y = 0.33;
   double viscous_exponent = 2.0 / 3.0;
+  bool contacts = false;
+  double rolling_factor = 1.0;  ///< on the rolling resistance in the contacts
 };
 
 /// The values of an effect: its size, and a second number that only gives the shape.
@@ -130,6 +141,8 @@ struct Effect {
 [[nodiscard]] std::span<const Effect> other_forms();
 /// What no catalogue has.
 [[nodiscard]] std::span<const Effect> outside_effects();
+/// True of one that a law of the contacts has itself, or that has no place in it.
+[[nodiscard]] bool within_contacts(std::string_view id);
 /// Throws std::out_of_range.
 [[nodiscard]] const Effect& effect(std::string_view id);
 

@@ -78,6 +78,11 @@ TEST(SmallStudy, TwoEffectsAreFoundTogether) {
   expect_within_reach(small_study("two", 1, 2), {"14"});
 }
 
+// The true torque is that of formulas and integrals of the study's own (contact_truth.h).
+TEST(SmallStudy, EffectsBesideTheContactLawAreFound) {
+  expect_within_reach(small_study("contact", 1, 2), {"c1", "c2", "c3"});
+}
+
 TEST(SmallStudy, RigsAsPeopleBuildThemAreSeldomMisjudged) {
   for (const std::string_view kind :
        {"16 rows", "8 rows", "11 rows", "run per load, 3 %", "oil card", "60 % of the rise",
