@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "bearing/thrust_start.h"
 
@@ -43,7 +44,7 @@ bool LoadShares::choose(std::vector<InnerContact>& contacts, RingState& state) c
   const bool mirrored = system_.symmetry() == Symmetry::mirror;
   if (n < 2 || !(axial_ > 0.0)) return false;
   // As few as hold the ring's coordinates that are free: from one end, or from both.
-  std::size_t first = mirrored ? 1 : 2, last = tilts_ ? first : 0;
+  std::size_t first = mirrored ? 1 : 2, last = tilts_ ? 1 : 0;
   if (first + last > n) return false;
   Sums sums;
   const auto keep = [&](std::size_t place) {
@@ -52,14 +53,17 @@ bool LoadShares::choose(std::vector<InnerContact>& contacts, RingState& state) c
   for (std::size_t i = 0; i < first; ++i) keep(i);
   for (std::size_t i = 0; i < last; ++i) keep(n - 1 - i);
   Vector5 ring;
-  while (ring_of(sums, ring) && first + last < n) {
+  bool at_far_end = false;
+  for (bool grown = false; first + last <= n; grown = true) {
+    if (!ring_of(sums, ring)) {
+      // More than statics can have: the one before.
+      if (grown) --(at_far_end ? last : first);
+      break;
+    }
     const std::size_t place = reaching(ring, first, last);
     if (place == n) break;
-    if (tilts_ && along_[order_[place]] <= 0.0) {
-      keep(n - 1 - last++);
-    } else {
-      keep(first++);
-    }
+    at_far_end = tilts_ && along_[order_[place]] <= 0.0;
+    keep(at_far_end ? n - 1 - last++ : first++);
   }
   contacts.assign(n, InnerContact::lost);
   for (std::size_t i = 0; i < first; ++i) contacts[order_[i]] = InnerContact::kept;
@@ -68,25 +72,22 @@ bool LoadShares::choose(std::vector<InnerContact>& contacts, RingState& state) c
 }
 
 bool LoadShares::spread(const std::vector<InnerContact>& contacts, RingState& state) const {
-  const Sums sums = sums_of(contacts);
-  if (!ring_of(sums, state.ring)) return false;
-  state.balls.assign(contacts.size(), thrown_);
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k] == InnerContact::kept)
-      state.balls[k] =
-          share_at(axial_share(sums, along_[k]), system_.groove_centre(state.ring, k).radial).ball;
-  return true;
+  return std::isfinite(violation(contacts, state));
 }
 
 double LoadShares::violation(const std::vector<InnerContact>& contacts, RingState& state) const {
   const Sums sums = sums_of(contacts);
-  if (!ring_of(sums, state.ring)) return unset;
+  double moment = tilts_ ? moment_ : axial_ * sums.c / sums.w;
+  if (tilts_ || !untilted_ring(sums, state.ring, moment)) {
+    if (!ring_of(sums, state.ring)) return unset;
+    if (!tilts_) moment = axial_ * sums.c / sums.w;
+  }
   state.balls.assign(contacts.size(), thrown_);
   double worst = 0.0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Plane a = system_.groove_centre(state.ring, k);
     if (contacts[k] == InnerContact::kept) {
-      const Share share = share_at(axial_share(sums, along_[k]), a.radial);
+      const Share share = share_at(axial_share(sums, moment, along_[k]), a.radial);
       state.balls[k] = share.ball;
       const double root = std::cbrt(std::max(-share.inner_load, 0.0) / constants_.inner_stiffness);
       worst = std::max(worst, root * root);
@@ -144,7 +145,7 @@ LoadShares::Share LoadShares::share_at(double axial, double radius) const {
 }
 
 bool LoadShares::ring_of(const Sums& sums, Vector5& ring) const {
-  return tilts_ ? linear_ring(sums, ring) : even_ring(sums, ring);
+  return tilts_ ? linear_ring(sums, moment_, ring) : even_ring(sums, ring);
 }
 
 bool LoadShares::even_ring(const Sums& sums, Vector5& ring) const {
@@ -160,15 +161,41 @@ bool LoadShares::even_ring(const Sums& sums, Vector5& ring) const {
   return ring.allFinite();
 }
 
-double LoadShares::axial_share(const Sums& s, double c) const {
-  if (!tilts_) return axial_ / s.w;
+double LoadShares::axial_share(const Sums& s, double moment, double c) const {
   const double determinant = s.w * s.cc - s.c * s.c;
-  return ((axial_ * s.cc - moment_ * s.c) + (s.w * moment_ - s.c * axial_) * c) / determinant;
+  if (!(determinant > 1e-9)) return axial_ / s.w;
+  return ((axial_ * s.cc - moment * s.c) + (s.w * moment - s.c * axial_) * c) / determinant;
 }
 
-bool LoadShares::linear_ring(const Sums& s, Vector5& ring) const {
+bool LoadShares::untilted_ring(const Sums& s, Vector5& ring, double& moment) const {
+  // The moment at which a ring that could tilt would not, by a secant from even shares.
+  double before = axial_ * s.c / s.w, at_before = 0.0;
+  const auto tilt_at = [&](double m, double& tilt) {
+    if (!linear_ring(s, m, ring)) return false;
+    tilt = ring[4] * cos_direction_ - ring[3] * sin_direction_;
+    return true;
+  };
+  if (!tilt_at(before, at_before)) return false;
+  moment = before + 0.02 * axial_ * s.w;
+  double at_moment = 0.0;
+  const double length = constants_.inner_radius + constants_.outer_radius;
+  for (int i = 0; i < 8; ++i) {
+    if (!tilt_at(moment, at_moment)) return false;
+    if (std::abs(at_moment) < 1e-4 * length) {
+      ring[3] = ring[4] = 0.0;
+      return true;
+    }
+    const double next = moment - at_moment * (moment - before) / (at_moment - at_before);
+    before = std::exchange(moment, next);
+    at_before = at_moment;
+  }
+  return false;
+}
+
+bool LoadShares::linear_ring(const Sums& s, double moment, Vector5& ring) const {
   if (!(s.most - s.least > 1e-6) || !(s.w * s.cc - s.c * s.c > 1e-9)) return false;
-  const double axial_most = axial_share(s, s.most), axial_least = axial_share(s, s.least);
+  const double axial_most = axial_share(s, moment, s.most);
+  const double axial_least = axial_share(s, moment, s.least);
   Share most{}, least{};
   const auto surplus = [&](double shift) {
     most = share_at(axial_most, free_.radial + shift * s.most);

@@ -50,8 +50,9 @@ class LoadShares {
   [[nodiscard]] Share share_at(double axial, double radius) const;
   [[nodiscard]] bool ring_of(const Sums& sums, Vector5& ring) const;
   [[nodiscard]] bool even_ring(const Sums& sums, Vector5& ring) const;
-  [[nodiscard]] bool linear_ring(const Sums& sums, Vector5& ring) const;
-  [[nodiscard]] double axial_share(const Sums& sums, double c) const;
+  [[nodiscard]] bool linear_ring(const Sums& sums, double moment, Vector5& ring) const;
+  [[nodiscard]] bool untilted_ring(const Sums& sums, Vector5& ring, double& moment) const;
+  [[nodiscard]] double axial_share(const Sums& sums, double moment, double c) const;
   [[nodiscard]] Sums sums_of(const std::vector<InnerContact>& contacts) const;
   /// The lost ball that reaches furthest into the race, as a place in order(); none: its size.
   [[nodiscard]] std::size_t reaching(const Vector5& ring, std::size_t first,

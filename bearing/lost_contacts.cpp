@@ -89,7 +89,7 @@ class ContactSearch {
     if (ranked.size() > most_ranked) ranked.resize(most_ranked);
     for (Candidate& c : ranked) {
       if (system_.exhausted()) return false;
-      if (is_seen(c.contacts) || !balance(c.contacts, c.state)) continue;
+      if (is_seen(c.contacts) || !balance(c.contacts, c.state, 10)) continue;
       const auto [worst, pulls] = worst_contact(c.contacts, c.state);
       if (worst == c.contacts.size()) {
         state = std::move(c.state);
@@ -100,7 +100,8 @@ class ContactSearch {
     return false;
   }
 
-  /// A few more or less kept at either end, a group moved by one, or its inmost ball.
+  /// A few more or less kept at either end, and the same with one ball of a group moved on to its
+  /// inner side: K.KK, KK.K or .KKK in place of KKK.
   std::vector<Contacts> similar_sets(const LoadShares& shares, const Contacts& chosen) const {
     const bool free_tilt = system_.options().tilt == Tilt::free;
     const std::vector<std::size_t>& order = shares.order();
@@ -112,23 +113,26 @@ class ContactSearch {
     while (first < n && kept_at(first)) ++first;
     while (first < n && kept_at(n - 1 - last)) ++last;
     std::vector<Contacts> sets;
+    std::vector<int> places;
+    const auto add = [&] {
+      Contacts& contacts = sets.emplace_back(chosen.size(), InnerContact::lost);
+      for (const int place : places)
+        contacts[order[static_cast<std::size_t>(place)]] = InnerContact::kept;
+    };
     for (int a = std::max(1, first - 2); a <= std::min(n, first + 2); ++a) {
       for (int b = std::max(0, last - 2); b <= std::min(n - a, last + (free_tilt ? 2 : 1)); ++b) {
-        for (int form = 0; form < 5; ++form) {
-          std::vector<int> places;
-          for (int i = 0; i < a; ++i) places.push_back(i);
-          for (int i = 0; i < b; ++i) places.push_back(n - 1 - i);
-          const auto at_first = places.begin(), at_last = places.begin() + a;
-          if (a + b >= n && form > 0) continue;
-          if (form == 1) *at_first = a;        // .KK
-          if (form == 2) at_first[a - 1] = a;  // K.K
-          if (form >= 3 && b == 0) continue;
-          if (form == 3) *at_last = n - 1 - b;        // KK.
-          if (form == 4) at_last[b - 1] = n - 1 - b;  // K.K
-          Contacts contacts(chosen.size(), InnerContact::lost);
-          for (const int place : places)
-            contacts[order[static_cast<std::size_t>(place)]] = InnerContact::kept;
-          sets.push_back(std::move(contacts));
+        places.clear();
+        for (int i = 0; i < a; ++i) places.push_back(i);
+        for (int i = 0; i < b; ++i) places.push_back(n - 1 - i);
+        add();
+        if (a + b >= n) continue;
+        for (int i = 0; i < a + b; ++i) {
+          const bool middle = i < a ? i > 3 && i < a - 4 : i - a > 3 && i - a < b - 4;
+          if (middle) continue;
+          const int place =
+              std::exchange(places[static_cast<std::size_t>(i)], i < a ? a : n - 1 - b);
+          add();
+          places[static_cast<std::size_t>(i)] = place;
         }
       }
     }
@@ -161,16 +165,16 @@ class ContactSearch {
         if (system_.exhausted() || is_seen(contacts)) continue;
         state = open.state;
         state.balls[k] = open.pulls ? shares.thrown_ball() : between_grooves(state, k);
-        if (balance(contacts, state) && worst_contact(contacts, state).first == contacts.size())
+        if (balance(contacts, state, 8) && worst_contact(contacts, state).first == contacts.size())
           return true;
       }
     }
     return false;
   }
 
-  bool balance(const Contacts& contacts, RingState& state) {
+  bool balance(const Contacts& contacts, RingState& state, int limit = 12) {
     system_.contacts = contacts;
-    system_.newton_limit = 12;
+    system_.newton_limit = limit;
     system_.newton_rise = 400.0;
     const bool found = system_.newton(state);
     system_.newton_limit = 40;
