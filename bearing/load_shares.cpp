@@ -84,10 +84,11 @@ double LoadShares::violation(const std::vector<InnerContact>& contacts, RingStat
   }
   state.balls.assign(contacts.size(), thrown_);
   double worst = 0.0;
+  Share share{};
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Plane a = system_.groove_centre(state.ring, k);
     if (contacts[k] == InnerContact::kept) {
-      const Share share = share_at(axial_share(sums, moment, along_[k]), a.radial);
+      share = share_at(axial_share(sums, moment, along_[k]), a.radial, share);
       state.balls[k] = share.ball;
       const double root = std::cbrt(std::max(-share.inner_load, 0.0) / constants_.inner_stiffness);
       worst = std::max(worst, root * root);
@@ -100,28 +101,44 @@ double LoadShares::violation(const std::vector<InnerContact>& contacts, RingStat
   return worst;
 }
 
-LoadShares::Share LoadShares::share_at(double axial, double radius) const {
-  constexpr int rounds = 10;
-  constexpr double least_angle = 1e-3, most_angle = 1.5;  // [rad]
+void LoadShares::set_outer_angle(double axial, Share& share) const {
+  // Newton's method on axial cos αo - radial sin αo = To, with m, τ and Fc that follow αo.
   const BallConstantsOf<double>& c = constants_;
-  double so = 0.0, co = 1.0;
-  double angle = std::acos(std::clamp((radius - thrown_.radial) / c.inner_radius, 0.05, 0.99));
-  Share share{};
-  for (int round = 0; round < rounds; ++round) {
-    const double si = std::sin(angle), ci = std::cos(angle);
-    const double m =
-        cage_speed_ratio(RaceControl::inner, ci, co, ci * co + si * so, c.diameter_ratio);
-    const double tau = 0.2 * c.full_centrifugal * c.gyroscopic * m * (1.0 - m);
-    share.radial = axial * ci / si - tau;
-    share.inner_load = axial / si - tau * ci;
-    // axial cos αo - radial sin αo = To, as in ball_under_force().
+  const double si = std::sin(share.inner_angle), ci = std::cos(share.inner_angle);
+  for (int i = 0; i < 8; ++i) {
+    const double so = std::sin(share.outer_angle), co = std::cos(share.outer_angle);
+    const double cd = ci * co + si * so, sd = si * co - ci * so, g = c.diameter_ratio;
+    const double m = (cd - g * co) / (1.0 + cd);
+    const double m_o = (sd + g * so - m * sd) / (1.0 + cd);
+    const double scale = 0.2 * c.full_centrifugal * c.gyroscopic;
+    share.tau = scale * m * (1.0 - m);
+    const double tau_o = scale * (1.0 - 2.0 * m) * m_o;
+    share.radial = axial * ci / si - share.tau;
     const double radial = share.radial + c.full_centrifugal * m * m;
-    const double total = std::hypot(axial, radial);
-    const double sin_turn = std::min(tau * si / total, 0.9);
-    const double cos_turn = std::sqrt(1.0 - sin_turn * sin_turn);
-    so = (axial * cos_turn - radial * sin_turn) / total;
-    co = (radial * cos_turn + axial * sin_turn) / total;
-    const double outer_load = std::max(axial * so + radial * co, 0.0);
+    share.outer_load = axial * so + radial * co;
+    const double h = axial * co - radial * so - share.tau * si;
+    const double slope =
+        share.outer_load + (2.0 * c.full_centrifugal * m * m_o - tau_o) * so + tau_o * si;
+    const double step = std::clamp(h / slope, -0.3, 0.3);
+    share.outer_angle = std::clamp(share.outer_angle + step, -1.2, 1.2);
+    if (!(std::abs(step) > 1e-5)) break;
+  }
+  share.inner_load = axial / si - share.tau * ci;
+}
+
+LoadShares::Share LoadShares::share_at(double axial, double radius, const Share& near) const {
+  constexpr double least_angle = 1e-3, most_angle = 1.55;  // [rad]
+  const BallConstantsOf<double>& c = constants_;
+  Share share = near;
+  if (!(share.inner_angle > 0.0))
+    share.inner_angle =
+        std::acos(std::clamp((radius - thrown_.radial) / c.inner_radius, 0.05, 0.99));
+  double last_angle = unset, last_missing = unset;
+  for (int round = 0; round < 12; ++round) {
+    set_outer_angle(axial, share);
+    const double angle = share.inner_angle, si = std::sin(angle), ci = std::cos(angle);
+    const double so = std::sin(share.outer_angle), co = std::cos(share.outer_angle);
+    const double outer_load = std::max(share.outer_load, 0.0);
     const double outer_root = std::cbrt(outer_load / c.outer_stiffness);
     const double inner_root = std::cbrt(share.inner_load / c.inner_stiffness);
     const double inner_approach = inner_root * std::abs(inner_root);
@@ -130,16 +147,20 @@ LoadShares::Share LoadShares::share_at(double axial, double radius) const {
     share.ball = {outer * so, outer * co};
     share.groove = {share.ball.axial + inner * si, share.ball.radial + inner * ci};
     const double missing = radius - share.groove.radial;
-    if (std::abs(missing) < 1e-7 * outer) break;
-    // Newton's step, the outer angle held: the approaches follow the loads.
-    const double per_load = std::max(std::abs(share.inner_load), 1e-3 * axial);
-    const double slope =
-        -inner * si +
-        ci * std::abs(inner_approach) / (1.5 * per_load) * (tau * si - axial * ci / (si * si)) -
-        co * outer_root * outer_root / (1.5 * std::max(outer_load, 1e-3 * axial)) * axial /
-            (si * si) * co;
-    angle = std::clamp(angle + missing / slope, std::max(least_angle, 0.4 * angle),
-                       std::min(most_angle, angle + 0.3));
+    if (!(std::abs(missing) > 1e-6 * outer)) break;
+    // Newton's step with the outer angle held, then secants: the approaches follow the loads.
+    const double per_inner = std::max(std::abs(share.inner_load), 1e-3 * axial);
+    const double per_outer = std::max(outer_load, 1e-3 * axial);
+    double slope = -inner * si +
+                   ci * std::abs(inner_approach) / (1.5 * per_inner) *
+                       (share.tau * si - axial * ci / (si * si)) -
+                   co * co * outer_root * outer_root / (1.5 * per_outer) * axial / (si * si);
+    const double secant = -(missing - last_missing) / (angle - last_angle);
+    if (secant < 0.0 && std::isfinite(secant)) slope = secant;
+    last_angle = angle;
+    last_missing = missing;
+    share.inner_angle = std::clamp(angle + missing / slope, std::max(least_angle, 0.4 * angle),
+                                   std::min(most_angle, angle + 0.3));
   }
   return share;
 }
@@ -198,8 +219,8 @@ bool LoadShares::linear_ring(const Sums& s, double moment, Vector5& ring) const 
   const double axial_least = axial_share(s, moment, s.least);
   Share most{}, least{};
   const auto surplus = [&](double shift) {
-    most = share_at(axial_most, free_.radial + shift * s.most);
-    least = share_at(axial_least, free_.radial + shift * s.least);
+    most = share_at(axial_most, free_.radial + shift * s.most, most);
+    least = share_at(axial_least, free_.radial + shift * s.least, least);
     const double slope = (most.radial - least.radial) / (s.most - s.least);
     return (most.radial - slope * s.most) * s.c + slope * s.cc - radial_;
   };

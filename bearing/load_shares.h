@@ -44,10 +44,16 @@ class LoadShares {
   struct Share {
     double radial;      ///< force on the ring [N]
     double inner_load;  ///< negative where the contact would have to pull [N]
+    double outer_load;
+    double tau;  ///< Ti/sin αi [N]
+    double inner_angle, outer_angle;
     Plane groove, ball;
   };
 
-  [[nodiscard]] Share share_at(double axial, double radius) const;
+  /// Of a ball under this axial force with its groove centre at this radius; `near` is a start.
+  [[nodiscard]] Share share_at(double axial, double radius, const Share& near) const;
+  /// All that follows from the inner angle.
+  void set_outer_angle(double axial, Share& share) const;
   [[nodiscard]] bool ring_of(const Sums& sums, Vector5& ring) const;
   [[nodiscard]] bool even_ring(const Sums& sums, Vector5& ring) const;
   [[nodiscard]] bool linear_ring(const Sums& sums, double moment, Vector5& ring) const;
