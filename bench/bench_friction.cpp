@@ -7,6 +7,7 @@
 
 #include "effects/catalogue.h"
 #include "friction/contact/contact_friction.h"
+#include "friction/contact/many_contacts.h"
 #include "friction/stribeck_table.h"
 #include "model/prediction.h"
 
@@ -135,7 +136,7 @@ BENCHMARK(laws_only)->Name("friction/palmgren");
 struct ContactPoint {
   bearing::BearingEquilibrium equilibrium;
   friction::contact::OilState oil;
-  double speed;
+  double speed, temperature;
 };
 
 std::vector<ContactPoint> contact_points(const bearing::Bearing& bearing, double radial_load) {
@@ -146,7 +147,7 @@ std::vector<ContactPoint> contact_points(const bearing::Bearing& bearing, double
       points.push_back(
           {bearing::solve_bearing_equilibrium(
                bearing, {.speed = n * rpm, .axial_load = 800, .radial_load = radial_load}),
-           friction::contact::oil_state(lubricant, {}, kelvin(celsius)), n * rpm});
+           friction::contact::oil_state(lubricant, {}, kelvin(celsius)), n * rpm, kelvin(celsius)});
   return points;
 }
 
@@ -171,5 +172,50 @@ void contacts(benchmark::State& state, double radial_load) {
 }
 BENCHMARK_CAPTURE(contacts, thrust, 0.0)->Name("contact/thrust");
 BENCHMARK_CAPTURE(contacts, combined, 300.0)->Name("contact/combined");
+
+/// The same points side by side; beside the time the largest distance of a torque from that of one
+/// at a time [1].
+void contacts_in_batch(benchmark::State& state, double radial_load, bearing::InstructionSet set) {
+  const model::Model model = spindle_model(false);
+  const std::vector<ContactPoint> points = contact_points(model.bearing, radial_load);
+  const friction::contact::ContactData data;
+  const std::vector<double> values{1.0, 1.0, 0.1, 0.06, 0.0, 0.0};
+  std::vector<friction::BearingState<double>> states;
+  // As many as a thread takes of a table.
+  while (states.size() < 256)
+    for (const ContactPoint& p : points) {
+      const double temperature = p.temperature;
+      states.push_back({.bearing = &model.bearing,
+                        .equilibrium = &p.equilibrium,
+                        .lubricant = &model.lubricant,
+                        .contact = &data,
+                        .speed = p.speed,
+                        .temperature = temperature,
+                        .kinematic_viscosity = model.lubricant.kinematic_viscosity(temperature)});
+    }
+  std::vector<friction::contact::ContactResult> results(states.size());
+  for (auto _ : state) {
+    friction::contact::contact_results(states, values, results, set);
+    benchmark::DoNotOptimize(results.data());
+  }
+  double off = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double one = friction::contact::contact_result(states[i], values).moment();
+    off = std::fmax(off, std::abs(results[i].moment() / one - 1.0));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(states.size()));
+  state.counters["us_per_point"] = benchmark::Counter(
+      static_cast<double>(states.size()) * 1e-6,
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["off"] = off;
+}
+BENCHMARK_CAPTURE(contacts_in_batch, thrust_avx2, 0.0, bearing::InstructionSet::avx2)
+    ->Name("contact/thrust_batch");
+BENCHMARK_CAPTURE(contacts_in_batch, combined_avx2, 300.0, bearing::InstructionSet::avx2)
+    ->Name("contact/combined_batch");
+BENCHMARK_CAPTURE(contacts_in_batch, thrust_sse2, 0.0, bearing::InstructionSet::sse2)
+    ->Name("contact/thrust_batch_sse2");
+BENCHMARK_CAPTURE(contacts_in_batch, combined_sse2, 300.0, bearing::InstructionSet::sse2)
+    ->Name("contact/combined_batch_sse2");
 
 }  // namespace

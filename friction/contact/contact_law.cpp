@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "friction/contact/balanced_equilibrium.h"
+#include "friction/contact/contact_sums.h"
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
 
@@ -11,20 +12,6 @@ namespace raceway::friction::contact {
 namespace {
 
 constexpr double drag_coefficient = 0.45;  // of a sphere at high Reynolds number [1]
-
-/// Sums that the powers of the contacts alone do not carry.
-struct Sums {
-  double slip = 0.0, load = 0.0;
-  double holding = unset, over_traction = unset;
-
-  void add(const ContactFriction& c, double contact_load, double friction_force, double weight) {
-    slip += weight * contact_load * c.mean_slip;
-    load += weight * contact_load;
-    const double asked = std::abs(friction_force) / contact_load;
-    holding = std::fmax(holding, asked);
-    if (c.mean_friction > 0.0) over_traction = std::fmax(over_traction, asked / c.mean_friction);
-  }
-};
 
 }  // namespace
 
@@ -91,14 +78,14 @@ ContactResult contact_result(const BearingState<double>& s, std::span<const doub
     return r;
   }
   const OilState oil = oil_of(s);
-  Sums sums;
+  ContactSums sums;
   const ContactLaw law = contact_law(*s.contact, values);
   const auto look = [&](std::size_t ball, bearing::Race race, const ContactFriction& c,
                         double weight) {
     const bearing::BallEquilibrium& b = s.equilibrium->balls.distinct()[ball];
     const bool inner = race == bearing::Race::inner;
-    sums.add(c, inner ? b.inner_load : b.outer_load, inner ? b.inner_friction : b.outer_friction,
-             weight);
+    sums.add(c.mean_slip, c.mean_friction, inner ? b.inner_load : b.outer_load,
+             inner ? b.inner_friction : b.outer_friction, weight);
     if (!balls_out) return;
     balls_out->resize(std::max(balls_out->size(), ball + 1));
     (inner ? (*balls_out)[ball].inner : (*balls_out)[ball].outer) = c;
@@ -108,9 +95,7 @@ ContactResult contact_result(const BearingState<double>& s, std::span<const doub
           ? bearing_friction(*s.bearing, *s.equilibrium, s.race_control, s.speed, oil, law, look)
           : balanced_friction(*s.bearing, *s.equilibrium, s.speed, oil, law, look);
   r.drag = ball_drag(s, oil.density, values[5]);
-  r.mean_slip = sums.load > 0.0 ? sums.slip / sums.load : 0.0;
-  r.holding_coefficient = sums.holding;
-  r.holding_over_traction = sums.over_traction;
+  sums.give(r);
   return r;
 }
 

@@ -163,9 +163,7 @@ class SlidingContact {
 }  // namespace
 
 Traction film_traction(const SlidingEllipse& ellipse, const FilmShear& shear) {
-  // Under race control one race spins by what rounding leaves: below a billionth of the other slip.
-  const double rolling = std::abs(ellipse.differential) * ellipse.semi_major_axis;
-  const bool spins = std::abs(ellipse.spin) > 1e-9 * rolling;
+  const bool spins = spins_beside(ellipse.spin, ellipse.differential, ellipse.semi_major_axis);
   return SlidingContact(ellipse, shear, spins).rolling();
 }
 

@@ -4,6 +4,12 @@
 
 namespace raceway::friction::contact {
 
+/// Whether a contact of half axis a slides by spin beside its rolling. Under race control one race
+/// spins by what rounding leaves: below a billionth of the other slip, ω_roll/(2 R) a.
+[[nodiscard]] inline bool spins_beside(double spin, double differential, double semi_major_axis) {
+  return std::abs(spin) > 1e-9 * std::abs(differential) * semi_major_axis;
+}
+
 /// rolling_traction() of a film, fast: the same laws and equations with the points side by side,
 /// v_x0 sought in single precision and confirmed in double.
 ///

@@ -3,108 +3,11 @@
 #include <xsimd/xsimd.hpp>
 
 #include "friction/contact/traction_pass.h"
+#include "friction/contact/vector_math.h"
 
 // Included by one source for each instruction set. What is compiled with the flags of that set must
 // not be taken by the linker for another: here all functions are named by V, or always inlined.
 namespace raceway::friction::contact {
-
-template <class V>
-inline constexpr bool is_double = sizeof(typename V::value_type) == 8;
-
-/// 1/sqrt(x), x from 1e-36 to 1e36: an estimate of some 12 bits and Newton's method, which is
-/// faster than a root and a division. To 5e-7 in single precision, 1e-13 in double.
-template <class V>
-[[gnu::always_inline]] inline V inverse_root(const V& x) {
-  using Real = typename V::value_type;
-  V r = xsimd::rsqrt(x);
-  const V half = Real(0.5) * x;
-  r = r * (Real(1.5) - half * r * r);
-  if constexpr (is_double<V>) r = r * (Real(1.5) - half * r * r);
-  return r;
-}
-
-/// Exponent of x >= 1, and x over that power of two, from sqrt(1/2) to sqrt(2).
-template <class V>
-struct Split {
-  V exponent, mantissa;
-};
-template <class V>
-[[gnu::always_inline]] inline Split<V> split(const V& x) {
-  using Real = typename V::value_type;
-  using Bits = xsimd::as_unsigned_integer_t<V>;
-  using Bit = typename Bits::value_type;
-  constexpr int digits = is_double<V> ? 52 : 23;
-  constexpr Bit fraction = (Bit{1} << digits) - 1;
-  // 2^digits, whose last digits count units.
-  constexpr Bit one = is_double<V> ? static_cast<Bit>(0x3ff0000000000000) : 0x3f800000;
-  constexpr Bit unit = is_double<V> ? static_cast<Bit>(0x4330000000000000) : 0x4b000000;
-  constexpr Real bias = static_cast<Real>(fraction) + Real(1) + Real(is_double<V> ? 1023 : 127);
-  const Bits bits = xsimd::bitwise_cast<Bits>(x);
-  const V m = xsimd::bitwise_cast<V>((bits & Bits(fraction)) | Bits(one));
-  const V e = xsimd::bitwise_cast<V>((bits >> digits) | Bits(unit)) - V(bias);
-  const auto upper = m > V(Real(1.4142135623730951));
-  return {.exponent = xsimd::select(upper, e + Real(1), e),
-          .mantissa = xsimd::select(upper, m * Real(0.5), m)};
-}
-
-/// 2 atanh(s), |s| <= 0.172, to 1e-15 relative in double, 1e-7 in single precision.
-template <class V>
-[[gnu::always_inline]] inline V twice_area_tangent(const V& s) {
-  const V q = s * s;
-  if constexpr (is_double<V>) {
-    const V q2 = q * q, q4 = q2 * q2;
-    const V low = (1.0 + q * (1.0 / 3)) + q2 * (1.0 / 5 + q * (1.0 / 7));
-    const V high = (1.0 / 9 + q * (1.0 / 11)) + q2 * (1.0 / 13 + q * (1.0 / 15));
-    return (s + s) * (low + q4 * (high + q4 * (1.0 / 17 + q * (1.0 / 19))));
-  } else {
-    return (s + s) * (1.0f + q * (1.0f / 3 + q * (1.0f / 5 + q * (1.0f / 7 + q * (1.0f / 9)))));
-  }
-}
-
-inline constexpr double ln_2 = 0.693147180559945309;
-
-/// asinh(z), z >= 0, `length` = sqrt(1 + z²): the logarithm of their sum, or where that is small
-/// 2 atanh(z/(1 + length)), which keeps the digits of a small z.
-template <class V>
-[[gnu::always_inline]] inline V area_sine(const V& z, const V& length) {
-  using Real = typename V::value_type;
-  const V sum = z + length;
-  const Split<V> at = split(sum);
-  const auto small = sum < V(Real(1.4142135623730951));
-  const V above = xsimd::select(small, z, at.mantissa - Real(1));
-  const V below = xsimd::select(small, length + Real(1), at.mantissa + Real(1));
-  return at.exponent * Real(ln_2) + twice_area_tangent(above / below);
-}
-
-/// ln(1 + t), t >= 0.
-template <class V>
-[[gnu::always_inline]] inline V log_one_plus(const V& t) {
-  const V sum = t + 1.0;
-  const Split<V> at = split(sum);
-  const auto small = sum < V(1.4142135623730951);
-  const V above = xsimd::select(small, t, at.mantissa - 1.0);
-  const V below = xsimd::select(small, t + 2.0, at.mantissa + 1.0);
-  return at.exponent * ln_2 + twice_area_tangent(above / below);
-}
-
-/// e^x, x from -700 to 700, to 1e-15 relative.
-template <class V>
-[[gnu::always_inline]] inline V exponential(const V& x) {
-  using Bits = xsimd::as_unsigned_integer_t<V>;
-  constexpr double round = 6755399441055744.0;  // 1.5 2^52, whose last digits count units
-  const V shifted = x * 1.44269504088896341 + round;
-  const V n = shifted - round;
-  const V r = (x - n * 0x1.62e42fefa3800p-1) - n * 0x1.ef35793c76730p-45;
-  V series = 1.0 / 479001600.0 + r * (1.0 / 6227020800.0);
-  series = 1.0 / 3628800.0 + r * (1.0 / 39916800.0 + r * series);
-  series = 1.0 / 40320.0 + r * (1.0 / 362880.0 + r * series);
-  series = 1.0 / 720.0 + r * (1.0 / 5040.0 + r * series);
-  series = 1.0 / 24.0 + r * (1.0 / 120.0 + r * series);
-  series = 0.5 + r * (1.0 / 6.0 + r * series);
-  series = 1.0 + r * (1.0 + r * series);
-  const Bits power = (xsimd::bitwise_cast<Bits>(shifted) + Bits(1023)) << 52;
-  return series * xsimd::bitwise_cast<V>(power);
-}
 
 template <class V>
 void stresses_in(const CirclePoints<double>& points, const RingPressures& p,

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+
+namespace raceway::friction::contact {
+
+// What many_contacts.cpp asks of contact_kernel_*.cpp: the laws of contact_friction.h for contacts
+// side by side. One source, compiled for each instruction set. Not for other code.
+
+inline constexpr std::size_t contacts_of_block = 8;
+inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
+
+/// What all contacts of a call share: race, law, whether they spin. Names as in contact_friction.h;
+/// powers of a contact's own numbers are left out of the factors.
+struct KernelRace {
+  bool flooded, starves;  ///< inlets of rolling_force(); inlet_over_b is given
+  // Ellipse and motion.
+  double unit_major_axis, ellipse_ratio, pressed_radius;
+  // isothermal_film(): h = factor · (η u)^n α^m Q^-q.
+  double central_factor, minimum_factor, roughness, asperities_B, asperities_C;
+  // starvation_factors(): m* - 1 = factor · (h/b²)^n.
+  double inlet_excess, starved_central, starved_minimum;
+  // rolling_force(): rigid and elastic ends, M; powers of U, W and G as the law has them.
+  double rigid_factor, elastic_factor, moes_factor, rolling_factor, hysteresis_factor;
+  // FilmShear.
+  double eyring_stress, limiting_traction, boundary_friction, glass, reference_pressure;
+  /// Points of the half ellipse where the ball spins, else of the quarter: ring by ring p/p0 and
+  /// weight, sines and cosines of the angles; copies of them that make the ellipse.
+  std::size_t rings, angles;
+  double s[most_kernel_rings], radius[most_kernel_rings], weight[most_kernel_rings];
+  double cosine[most_kernel_angles], sine[most_kernel_angles];
+  double copies;
+};
+
+/// Contacts side by side. Speeds > 0, loads > 0.
+struct ContactBlock {
+  // Of each contact: Q [N], |u| [m/s], |ω_roll|, ω_s [rad/s]; of its oil: η [Pa s], α [1/Pa],
+  // L/u² [s²/m²]; φ_rs [1].
+  alignas(64) double load[contacts_of_block], speed[contacts_of_block], rolling[contacts_of_block],
+      spin[contacts_of_block], viscosity[contacts_of_block],
+      pressure_viscosity[contacts_of_block], loading[contacts_of_block], supply[contacts_of_block];
+  // Powers [W]; h_min [m]; Σ|τ|/Q, Σ p |v|/Q [m/s]; 1 where the sliding has been found, else 0.
+  alignas(64) double sliding[contacts_of_block], rolled[contacts_of_block],
+      hysteresis[contacts_of_block], film[contacts_of_block], friction[contacts_of_block],
+      slip[contacts_of_block], found[contacts_of_block];
+};
+
+using ContactKernel = void (*)(const KernelRace& race, bool spins, ContactBlock* blocks,
+                               std::size_t count);
+void contact_kernel_sse2(const KernelRace& race, bool spins, ContactBlock* blocks,
+                         std::size_t count);
+void contact_kernel_avx2(const KernelRace& race, bool spins, ContactBlock* blocks,
+                         std::size_t count);
+
+}  // namespace raceway::friction::contact

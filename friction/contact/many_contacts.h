@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+
+#include "bearing/solve_many.h"
+#include "friction/contact/contact_law.h"
+
+namespace raceway::friction::contact {
+
+/// contact_result() of many states of one bearing, its contacts side by side: the same laws, points
+/// and statuses.
+///
+/// All states should name one bearing and one ContactData; those that name others than the first,
+/// stand still or have no balance are made one by one. What a state gets depends on nothing but
+/// itself and the instruction set, to the last bit. Memory: a fixed amount per thread, kept between
+/// calls; none per state.
+/// Accuracy: film, rolling and hysteresis to 1e-11 of contact_result(). Sliding, of the same points
+/// in
+///           single precision, to 1e-4 of it, in most states to 1e-6 (5e-7 of the torque of a 7014
+///           at speed), slip to 5e-4, what a film can hold to 2 % (tested).
+/// Throws std::invalid_argument if the sizes differ or the machine lacks the instructions (avx512
+/// takes those of avx2).
+void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,
+                     std::span<ContactResult> results,
+                     bearing::InstructionSet set = bearing::best_instruction_set());
+
+/// Where friction_of_many() writes: one number a point, or nothing where a span is empty.
+struct FrictionColumns {
+  std::span<double> torque{};                                    ///< [N m]
+  std::span<double> rolling{}, sliding{}, hysteresis{}, drag{};  ///< parts of it [N m]
+  std::span<double> inner_heat{}, outer_heat{};                  ///< [W]
+  std::span<double> smallest_film{};                             ///< h_min [m]
+  std::span<double> smallest_film_ratio{};                       ///< Λ [1]
+  std::span<double> kinematic_viscosity{};                       ///< of the oil there [m²/s]
+  /// Equivalent loads of the races, which a life by ISO/TS 16281 takes with that viscosity [N]:
+  /// inner Q_ei = (Σ Q^3/Z)^(1/3), turning; outer Q_ee = (Σ Q^(10/3)/Z)^(3/10), standing.
+  std::span<double> inner_equivalent_load{}, outer_equivalent_load{};
+};
+
+/// What friction_of_many() is asked about, beside the operating points.
+struct FrictionOfMany {
+  const bearing::Bearing* bearing = nullptr;
+  const Lubricant* lubricant = nullptr;
+  const ContactData* data = nullptr;
+  std::span<const double> values;  ///< of contact_parameters
+};
+
+/// Balance and friction of one bearing at many operating points (speed, loads, temperature), shared
+/// among threads in fixed chunks. NaN where a point has no balance.
+/// Domain:   as solve_bearing_equilibrium() and Lubricant. Accuracy: as contact_results().
+/// Throws std::invalid_argument where a span that is not empty has not one number a point, or for
+/// points that are out of range.
+void friction_of_many(const FrictionOfMany& asked, std::span<const bearing::OperatingPoint> points,
+                      const FrictionColumns& columns,
+                      const bearing::EquilibriumOptions& options = {},
+                      bearing::InstructionSet set = bearing::best_instruction_set());
+
+}  // namespace raceway::friction::contact
