@@ -16,6 +16,10 @@ double BearingGeometry::inner_groove_centre_radius() const {
   return pitch_diameter / 2.0 + (inner_conformity - 0.5) * ball_diameter * std::cos(contact_angle);
 }
 
+double BearingGeometry::outer_groove_centre_radius() const {
+  return pitch_diameter / 2.0 - (outer_conformity - 0.5) * ball_diameter * std::cos(contact_angle);
+}
+
 double BearingGeometry::diameter_ratio() const { return ball_diameter / pitch_diameter; }
 
 BearingGeometry validated(BearingGeometry g) {
@@ -55,6 +59,15 @@ BearingGeometry validated(BearingGeometry g) {
   require_between("bore", g.bore, 0.0, g.pitch_diameter - g.ball_diameter, mm, "mm");
   require_between("outer_diameter", g.outer_diameter, g.pitch_diameter + g.ball_diameter,
                   2.0 * g.pitch_diameter + 2.0 * g.ball_diameter, mm, "mm");
+  // From the bottom of the groove to the pitch circle.
+  if (!std::isnan(g.inner_shoulder_diameter))
+    require_between("inner_shoulder_diameter", g.inner_shoulder_diameter,
+                    2.0 * (g.inner_groove_centre_radius() - g.inner_conformity * g.ball_diameter),
+                    g.pitch_diameter, mm, "mm");
+  if (!std::isnan(g.outer_shoulder_diameter))
+    require_between("outer_shoulder_diameter", g.outer_shoulder_diameter, g.pitch_diameter,
+                    2.0 * (g.outer_groove_centre_radius() + g.outer_conformity * g.ball_diameter),
+                    mm, "mm");
   if (!std::isnan(g.static_load_rating))
     require_between("static_load_rating", g.static_load_rating, 1.0, 1e9, 1.0, "N");
   return g;

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cmath>
+
+#include "bearing/bearing_equilibrium.h"
+
+namespace raceway::bearing {
+
+/// How far a groove reaches up its shoulder: the angle of its edge from the groove's bottom, seen
+/// from the groove's centre as contact angles are [rad]. NaN where no shoulder diameter is given.
+///
+///   inner   cos θ = (R_i - d_s/2)/r_i,   r_i = f_i D,   R_i = d_m/2 + (f_i - 0.5) D cos α0
+///   outer   cos θ = (d_s/2 - R_o)/r_o,   r_o = f_o D,   R_o = d_m/2 - (f_o - 0.5) D cos α0
+///
+/// Source: geometry, derived. The land heights h = d_s/2 - (R_i - r_i) of [Harris2006] say the
+/// same:
+///         cos θ = 1 - h/r. Domain: d_s of validated(BearingGeometry).
+[[nodiscard]] double shoulder_angle(const BearingGeometry& geometry, Race race);
+
+/// What is left between the edge of the contact ellipse and that of the shoulder [rad]:
+///
+///   θ - (α + asin(a/r))
+///
+/// a: half axis of the ellipse across rolling; the least of all balls that touch. Below zero the
+/// shoulder cuts the ellipse off, and its edge carries more than Hertz says.
+/// Source:   static ellipse against land height as in [Harris2006, vol. 1], from memory, print not
+///           seen.
+/// Domain:   a balance; of α0 = 0 (deep groove, two shoulders) |α|, else α: beyond the bottom of
+/// the
+///           groove no shoulder stands. NaN without a shoulder, or where no ball touches.
+/// Accuracy: the shoulder has a sharp edge here; a real one is rounded over a tenth of a millimetre
+///           or so, some 1 deg.
+struct ShoulderMargins {
+  double inner = unset, outer = unset;
+  /// Share of the ellipse's length that is cut off, at the ball that the margin is of [1].
+  double inner_cut = 0.0, outer_cut = 0.0;
+};
+[[nodiscard]] ShoulderMargins shoulder_margins(const Bearing& bearing,
+                                               const BearingEquilibrium& equilibrium);
+
+/// Pure axial load at standstill under which the ellipse of a race reaches the edge of its shoulder
+/// [N], by the balance of the bearing at each load.
+///
+/// Domain:   NaN without a shoulder; 0 where the edge lies below the nominal contact already;
+///           infinite where nothing up to 1e8 N reaches it.
+/// Accuracy: 1e-9 relative. A limit of the geometry: the pressure there may be above 4.2 GPa.
+struct PermissibleLoads {
+  double inner = unset, outer = unset;
+  /// The smaller one of those that are known.
+  [[nodiscard]] double least() const { return std::fmin(inner, outer); }
+};
+[[nodiscard]] PermissibleLoads permissible_axial_loads(const Bearing& bearing);
+
+}  // namespace raceway::bearing
