@@ -162,7 +162,8 @@ class ManyContacts {
  private:
   [[nodiscard]] bool alike(const BearingState<double>& s) const {
     return s.bearing == states_[0].bearing && s.contact == states_[0].contact && s.speed > 0.0 &&
-           s.equilibrium != nullptr && s.equilibrium->report.converged();
+           s.equilibrium != nullptr && s.equilibrium->report.converged() &&
+           s.equilibrium->rotations.empty();
   }
 
   [[nodiscard]] RaceFriction race_of(std::size_t state, bool outer) const {

@@ -11,11 +11,10 @@ namespace raceway::friction::contact {
 /// and statuses.
 ///
 /// All states should name one bearing and one ContactData; those that name others than the first,
-/// stand still or have no balance are made one by one. What a state gets depends on nothing but
-/// itself and the instruction set, to the last bit. Memory: a fixed amount per thread, kept between
-/// calls; none per state.
-/// Accuracy: film, rolling and hysteresis to 1e-11 of contact_result(). Sliding, of the same points
-/// in
+/// stand still, have no balance or balls that no race holds are made one by one. What a state gets
+/// depends on nothing but itself and the instruction set, to the last bit. Memory: a fixed amount
+/// per thread, kept between calls; none per state. Accuracy: film, rolling and hysteresis to 1e-11
+/// of contact_result(). Sliding, of the same points in
 ///           single precision, to 1e-4 of it, in most states to 1e-6 (5e-7 of the torque of a 7014
 ///           at speed), slip to 5e-4, what a film can hold to 2 % (tested).
 /// Throws std::invalid_argument if the sizes differ or the machine lacks the instructions (avx512
