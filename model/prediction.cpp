@@ -113,6 +113,7 @@ void predict_sweep(const Model& model, std::span<const bearing::OperatingPoint> 
       rows.emplace_back(model, steps, points[first + i],
                         records.empty() ? effects::Record{} : records[first + i]);
     solve_balances(model, steps, rows);
+    solve_contacts(model, steps, rows);
     for (std::size_t i = 0; i < count; ++i) {
       (void)rows[i].predict(model, steps);
       predictions[first + i] = rows[i].prediction(model);

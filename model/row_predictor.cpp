@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "friction/contact/many_contacts.h"
 #include "model/changed_bearing.h"
 #include "model/corrected_data.h"
 #include "model/tilted_equilibrium.h"
@@ -295,6 +296,23 @@ double RowPredictor::predict(const Model& model, const Steps& steps, Stage from)
   return reading_;
 }
 
+std::optional<friction::BearingState<double>> RowPredictor::ask_contacts(const Model& model,
+                                                                         const Steps& steps) {
+  // What the condition makes of a bearing, or an effect of its film, is this row's own.
+  if (model.law != friction::FrictionLaw::contact || !steps.lubricant.empty()) return {};
+  correct(model, steps);
+  if (!find_balance(model, steps) || !report_.converged() || bearing_) return {};
+  friction::BearingState<double> s = state(model);
+  find_film(model, steps, s);
+  return s;
+}
+
+void RowPredictor::answer_contacts(const Model& model,
+                                   const friction::contact::ContactResult& contacts) {
+  known_contacts_ = {equilibrium_, film_, oil_ ? *oil_ : model.lubricant, model.law_values,
+                     contacts};
+}
+
 FrictionPrediction RowPredictor::prediction(const Model& model) const {
   FrictionPrediction p;
   p.condition = condition_;
@@ -340,6 +358,21 @@ void solve_balances(const Model& model, const Steps& steps, std::span<RowPredict
   std::vector<bearing::BearingEquilibrium> solved(asked.size());
   bearing::solve_many(asked, solved, model.solver);
   for (std::size_t n = 0; n < asked.size(); ++n) rows[asking[n]].answer(std::move(solved[n]));
+}
+
+void solve_contacts(const Model& model, const Steps& steps, std::span<RowPredictor> rows) {
+  if (model.law != friction::FrictionLaw::contact) return;
+  std::vector<friction::BearingState<double>> asked;
+  std::vector<std::size_t> asking;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (const auto state = rows[i].ask_contacts(model, steps)) {
+      asked.push_back(*state);
+      asking.push_back(i);
+    }
+  if (asked.empty()) return;
+  std::vector<friction::contact::ContactResult> found(asked.size());
+  contact_results(asked, model.law_values, found);
+  for (std::size_t n = 0; n < asked.size(); ++n) rows[asking[n]].answer_contacts(model, found[n]);
 }
 
 void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor> rows,

@@ -38,6 +38,13 @@ class RowPredictor {
   /// Finds the balance alone, as predict() would.
   void balance(const Model& model, const Steps& steps);
 
+  /// The same of the contacts, whose balance is known: their state, and their friction, which
+  /// predict() then remembers. Nothing under other laws, without a balance, on a bearing that the
+  /// condition has changed, or where effects act on the film.
+  [[nodiscard]] std::optional<friction::BearingState<double>> ask_contacts(const Model& model,
+                                                                           const Steps& steps);
+  void answer_contacts(const Model& model, const friction::contact::ContactResult& contacts);
+
   /// All that the last predict() found.
   [[nodiscard]] FrictionPrediction prediction(const Model& model) const;
   [[nodiscard]] const Balance& equilibrium() const { return equilibrium_; }
@@ -102,6 +109,10 @@ class RowPredictor {
 
 /// Solves the balances that rows ask for side by side.
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
+
+/// Finds the friction of the contacts that rows ask for side by side (friction/contact/
+/// many_contacts.h), after their balances.
+void solve_contacts(const Model& model, const Steps& steps, std::span<RowPredictor> rows);
 
 /// predict() for all rows, the balances they need solved side by side and the rows shared among
 /// threads: each row is predicted by itself, so that the number of threads changes no digit.
