@@ -7,6 +7,7 @@
 #include "bearing/arrangement_equilibrium.h"
 #include "bearing/contact_pressure.h"
 #include "bearing/frequencies.h"
+#include "bearing/shoulder.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
 #include "cli/contact_statement.h"
@@ -130,6 +131,42 @@ void print_life(const model::Model& model, const bearing::OperatingPoint& point,
              number(turns.outer_race * point.speed / (2.0 * pi)));
 }
 
+/// What the shoulders leave, where they are given.
+void print_shoulders(const bearing::Bearing& bearing, const bearing::BearingEquilibrium& e) {
+  const bearing::PermissibleLoads load = permissible_axial_loads(bearing);
+  if (std::isnan(load.least())) return;
+  const bearing::ShoulderMargins left = shoulder_margins(bearing, e);
+  const auto angle = [](double margin) {
+    return std::isnan(margin) ? std::string("none") : fmt::format("{:.2f}", margin / degree);
+  };
+  fmt::print("to inner shoulder   {:>10} deg     to outer shoulder {:>8} deg\n", angle(left.inner),
+             angle(left.outer));
+  if (std::isinf(load.least()))
+    fmt::print(
+        "permissible axial load at standstill: no load brings the ellipses to the shoulders\n");
+  else
+    fmt::print("permissible axial load at standstill {} N, by the {} shoulder\n",
+               number(load.least()), load.inner == load.least() ? "inner" : "outer");
+}
+
+/// Where a shoulder cuts the ellipse of a contact off.
+std::vector<std::string> shoulder_warnings(const bearing::Bearing& bearing,
+                                           const bearing::BearingEquilibrium& e) {
+  const bearing::ShoulderMargins left = shoulder_margins(bearing, e);
+  std::vector<std::string> lines;
+  const auto look = [&](const char* race, double margin, double cut) {
+    if (margin < 0.0)
+      lines.push_back(
+          fmt::format("the {} shoulder cuts the contact ellipse off, {:.2g} deg short, "
+                      "{:.2g} % of its length: its edge carries more than the contact "
+                      "pressure says",
+                      race, -margin / degree, 100.0 * cut));
+  };
+  look("inner", left.inner, left.inner_cut);
+  look("outer", left.outer, left.outer_cut);
+  return lines;
+}
+
 void print(const model::Model& model, const bearing::OperatingPoint& p,
            const bearing::BearingEquilibrium& e, const model::FrictionPrediction& friction,
            const friction::HeatSplit& heat) {
@@ -153,6 +190,7 @@ void print(const model::Model& model, const bearing::OperatingPoint& p,
       largest_pressure(friction.bearing ? *friction.bearing : model.bearing, e);
   fmt::print("inner pressure      {:>10} MPa     outer pressure    {:>8} MPa\n",
              number(pressure.inner / MPa), number(pressure.outer / MPa));
+  print_shoulders(friction.bearing ? *friction.bearing : model.bearing, e);
   if (model.solver.tilt == bearing::Tilt::free)
     fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[3] / mrad), number(u[4] / mrad));
   print_friction(model, friction, heat);
@@ -239,6 +277,7 @@ int run(const SolveFlags& flags) {
                 .least_inner_angle = least,
                 .largest_inner_angle = largest});
     tell(notes.lines());
+    for (const std::string& line : shoulder_warnings(bearing, e)) warn("raceway solve: " + line);
     tell(notes_on_state(file.model, bearing, point, friction));
     return done;
   }

@@ -25,6 +25,8 @@ constexpr Key outer_conformity{"outer_conformity", "", 0.5005, 0.7};
 constexpr Key bore{"bore_mm", "mm", 0, 5000};
 constexpr Key outer_diameter{"outer_diameter_mm", "mm", 1, 10000};
 constexpr Key radial_clearance{"radial_clearance_um", "um", 0, 10000};
+constexpr Key inner_shoulder{"inner_shoulder_diameter_mm", "mm", 0.1, 5000};
+constexpr Key outer_shoulder{"outer_shoulder_diameter_mm", "mm", 1, 10000};
 constexpr Key elastic_modulus{"elastic_modulus_GPa", "GPa", 1, 1200};
 constexpr Key poisson_ratio{"poisson_ratio", "", 0, 0.49};
 constexpr Key density{"density_kg_m3", "kg/m3", 500, 20000};
@@ -48,7 +50,8 @@ Names keys_of_a_bearing(const Names& further) {
                           inner_conformity, outer_conformity, static_load_rating});
   known.insert(known.end(), numbers.begin(), numbers.end());
   known.insert(known.end(), {"ball_material", "ring_material"});
-  const Names envelope = names_of(std::array{bore, outer_diameter, radial_clearance});
+  const Names envelope =
+      names_of(std::array{bore, outer_diameter, radial_clearance, inner_shoulder, outer_shoulder});
   known.insert(known.end(), envelope.begin(), envelope.end());
   known.insert(known.end(), further.begin(), further.end());
   return known;
@@ -227,12 +230,14 @@ void BearingReader::read_geometry(const Section& s, Draft& draft) {
   if (const auto given = s.number(radial_clearance)) g.radial_clearance = *given * um;
 }
 
-/// Bore and outer diameter, and whether the bearing can be.
+/// Bore, outer diameter and shoulders, and whether the bearing can be.
 void BearingReader::read_envelope(const Section& s, const Names& known, BearingGeometry& g) {
   // A bore from the catalogue is no more that of a bearing with another pitch circle.
   if (s.find(ball_diameter.name) || s.find(pitch_diameter.name)) g.bore = g.outer_diameter = unset;
   if (const auto given = s.number(bore)) g.bore = *given * mm;
   if (const auto given = s.number(outer_diameter)) g.outer_diameter = *given * mm;
+  if (const auto given = s.number(inner_shoulder)) g.inner_shoulder_diameter = *given * mm;
+  if (const auto given = s.number(outer_shoulder)) g.outer_shoulder_diameter = *given * mm;
   const bool no_bore = std::isnan(g.bore), no_outer_diameter = std::isnan(g.outer_diameter);
   try {
     g = bearing::validated(g);

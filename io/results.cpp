@@ -7,6 +7,7 @@
 #include "bearing/contact_pressure.h"
 #include "bearing/frequencies.h"
 #include "bearing/seat.h"
+#include "bearing/shoulder.h"
 #include "io/json_text.h"
 #include "io/units.h"
 #include "model/bearing_life.h"
@@ -117,6 +118,24 @@ void add_life(json& document, const model::Model& model, const bearing::Operatin
                                 {"ball_spin", turns.ball_spin * per_second}};
 }
 
+/// What the shoulders leave of the contact ellipses; null where none is given.
+json shoulder_json(const bearing::Bearing& bearing, const bearing::BearingEquilibrium& e) {
+  const bearing::PermissibleLoads load = permissible_axial_loads(bearing);
+  if (std::isnan(load.least())) return nullptr;
+  const bearing::ShoulderMargins left = shoulder_margins(bearing, e);
+  const auto race = [&](bearing::Race which, double margin, double cut, double permissible) {
+    const double angle = shoulder_angle(bearing.geometry(), which);
+    if (std::isnan(angle)) return json();
+    return json{{"shoulder_angle_deg", angle / degree},
+                {"margin_deg", margin / degree},
+                {"cut_share", std::isnan(margin) ? json() : json(cut)},
+                {"permissible_axial_load_N", std::isinf(permissible) ? json() : json(permissible)}};
+  };
+  return {{"inner", race(bearing::Race::inner, left.inner, left.inner_cut, load.inner)},
+          {"outer", race(bearing::Race::outer, left.outer, left.outer_cut, load.outer)},
+          {"permissible_axial_load_N", std::isinf(load.least()) ? json() : json(load.least())}};
+}
+
 }  // namespace
 
 std::string error_json(const std::string& message, const Place& place) {
@@ -175,6 +194,7 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                    {"tilt_z_mrad", u[4] / mrad},
                    {"lost_balls", e.report.converged() ? json(e.lost_balls()) : json(nullptr)},
                    {"seat", seat},
+                   {"shoulder", shoulder_json(bearing, e)},
                    {"inner_contact_pressure_MPa", pressure.inner / MPa},
                    {"outer_contact_pressure_MPa", pressure.outer / MPa},
                    {"balls", balls},

@@ -109,6 +109,40 @@ TEST_F(Solve, ARadialLoadAloneSaysWhatCarriesIt) {
   EXPECT_EQ(parsed(solve(model_text, "--speed 6000 --axial-load 300 --json"))["seat"], "shoulder");
 }
 
+std::string with_shoulders(double inner, double outer) {
+  return replaced(model_text, "[bearing]\n",
+                  "[bearing]\ninner_shoulder_diameter_mm = " + std::to_string(inner) +
+                      "\nouter_shoulder_diameter_mm = " + std::to_string(outer) + "\n");
+}
+
+TEST_F(Solve, SaysHowFarTheEllipsesStayBelowTheShoulders) {
+  EXPECT_EQ(parsed(solve(model_text, "--speed 6000 --axial-load 300 --json"))["shoulder"], nullptr);
+  const std::string model = with_shoulders(83.0, 97.0), flags = "--speed 0 --axial-load ";
+  const Result text = solve(model, flags + "300");
+  EXPECT_THAT(text.out, HasSubstr("to inner shoulder"));
+  EXPECT_THAT(text.out, HasSubstr("permissible axial load at standstill"));
+  EXPECT_THAT(text.err, Not(HasSubstr("shoulder")));
+  const json shoulder = parsed(solve(model, flags + "300 --json"))["shoulder"];
+  EXPECT_GT(shoulder["inner"]["margin_deg"], 0.0);
+  EXPECT_EQ(shoulder["inner"]["cut_share"], 0.0);
+  const double load = shoulder["permissible_axial_load_N"];
+  EXPECT_EQ(load, std::min(shoulder["inner"]["permissible_axial_load_N"].get<double>(),
+                           shoulder["outer"]["permissible_axial_load_N"].get<double>()));
+  const auto at = [&](double share) {
+    return solve(model, flags + std::to_string(share * load)).err;
+  };
+  EXPECT_THAT(at(0.999), Not(HasSubstr("cuts the contact ellipse off")));
+  EXPECT_THAT(at(1.01), HasSubstr("warning: raceway solve: the "));
+  EXPECT_THAT(at(1.01), HasSubstr(" shoulder cuts the contact ellipse off"));
+}
+
+TEST_F(Solve, AShoulderOutsideItsGrooveIsRefusedWithItsLine) {
+  const Result r = solve(with_shoulders(70.0, 97.0), "--speed 0 --axial-load 300");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_THAT(r.err, HasSubstr("inner_shoulder_diameter_mm = 70"));
+  EXPECT_THAT(r.err, HasSubstr("must be from"));
+}
+
 TEST_F(Solve, AMomentAloneIsCarriedWhereTiltIsFree) {
   const std::string free = model_text + "[solver]\ntilt = \"free\"\n";
   const std::string flags = "--speed 6000 --axial-load 0 --moment-z 10000";
