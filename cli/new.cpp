@@ -19,8 +19,16 @@ struct NewFlags {
   std::string bearing, output;
   io::BearingOutline outline;
   double contact_angle = unset;  // [deg]
+  std::string law = "contact";
   bool force = false;
 };
+
+friction::FrictionLaw law_of(const NewFlags& flags) {
+  using friction::FrictionLaw;
+  for (const FrictionLaw law : {FrictionLaw::palmgren, FrictionLaw::skf})
+    if (flags.law == friction::name(law)) return law;
+  return FrictionLaw::contact;
+}
 
 /// What the flags say of a bearing; of one in the catalogue they must say nothing.
 io::BearingOutline outline(const NewFlags& flags, const std::vector<io::CatalogueBearing>& rows) {
@@ -46,7 +54,7 @@ std::string model_text(const NewFlags& flags) {
                       "--outer-diameter, --balls and --contact-angle are for one that is not",
                       row->full_name()),
           {.key = "BEARING"});
-    if (given.ball_material == "steel") return io::new_model_text(*row);
+    if (given.ball_material == "steel") return io::new_model_text(*row, law_of(flags));
     io::CatalogueBearing hybrid = *row;
     if (!std::isnan(row->static_load_rating_silicon_nitride))
       hybrid.geometry.static_load_rating = row->static_load_rating_silicon_nitride;
@@ -54,7 +62,9 @@ std::string model_text(const NewFlags& flags) {
                                                         "default is written out: change what you "
                                                         "know better.",
                                                         row->full_name()),
-                                   .ball_material = given.ball_material});
+                                   .ball_material = given.ball_material,
+                                   .of_key = {},
+                                   .law = law_of(flags)});
   }
   const io::BearingOutline known = outline(flags, rows);
   // A misspelt name of the catalogue is answered with the nearest ones.
@@ -76,7 +86,7 @@ std::string model_text(const NewFlags& flags) {
       flags.bearing, known.bore / mm, known.outer_diameter / mm,
       bearing.outline.contact_angle / degree,
       std::isnan(given.bore) ? " by its designation" : "")});
-  return io::estimated_model_text(bearing);
+  return io::estimated_model_text(bearing, law_of(flags));
 }
 
 int run(const NewFlags& flags) {
@@ -112,6 +122,12 @@ Run setup_new(CLI::App& command) {
       .add_option("--ball-material", flags->outline.ball_material,
                   "steel or silicon-nitride (a hybrid bearing)")
       ->check(CLI::IsMember({"steel", "silicon-nitride"}))
+      ->type_name("NAME");
+  command
+      .add_option(
+          "--law", flags->law,
+          "palmgren, skf or contact, the one law that knows balls and rings apart (default)")
+      ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
   command.add_option("-o,--output", flags->output, "model file to write; stdout without it")
       ->type_name("FILE");

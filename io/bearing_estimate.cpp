@@ -136,7 +136,7 @@ EstimatedBearing estimated_bearing(const BearingOutline& given,
   return b;
 }
 
-std::string estimated_model_text(const EstimatedBearing& b) {
+std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLaw law) {
   const BearingOutline& o = b.outline;
   CatalogueBearing row;
   row.designation = o.designation;
@@ -166,6 +166,7 @@ std::string estimated_model_text(const EstimatedBearing& b) {
                  {"static_load_rating_N", spread(b.static_load_rating, 1.0, of_rows)}}};
   if (b.ball_count.lower < b.ball_count.upper)
     remarks.of_key.emplace_back("ball_count", spread(b.ball_count, 1.0, of_rows));
+  remarks.law = law;
   return model_text(row, remarks);
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "friction/friction_law.h"
 #include "io/catalogue_file.h"
 
 namespace raceway::io {
@@ -51,6 +52,7 @@ struct EstimatedBearing {
                                                  const std::vector<CatalogueBearing>& rows);
 
 /// A commented model of it, every estimated key marked with its spread.
-[[nodiscard]] std::string estimated_model_text(const EstimatedBearing& bearing);
+[[nodiscard]] std::string estimated_model_text(
+    const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
 
 }  // namespace raceway::io

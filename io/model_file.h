@@ -73,14 +73,16 @@ struct KeyValue {
 /// there.
 [[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
 
-/// A commented model of a catalogue bearing, with every default written out.
-[[nodiscard]] std::string new_model_text(const CatalogueBearing& row);
+/// A commented model of a catalogue bearing, with every default of its law written out.
+[[nodiscard]] std::string new_model_text(
+    const CatalogueBearing& row, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
 
 /// What a new model says of its keys.
 struct ModelRemarks {
   std::string title;
   std::string ball_material = "steel";
   std::vector<std::pair<std::string_view, std::string>> of_key{};  ///< in place of the usual remark
+  friction::FrictionLaw law = friction::FrictionLaw::palmgren;
 };
 /// The same of a bearing that may be in no catalogue (then it has no maker).
 [[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);

@@ -14,7 +14,7 @@ const std::string german_export =
 TEST(Columns, AGermanExcelExportGoesInWithoutAScript) {
   const ScratchFolder folder;
   const std::string at = "cd '" + folder.path().string() + "'; ";
-  EXPECT_EQ(run_shell(at + "$raceway new 'S 6014 C' -o my.toml").status, 0);
+  EXPECT_EQ(run_shell(at + "$raceway new 'S 6014 C' --law palmgren -o my.toml").status, 0);
   // As it stands it is refused, with the way on.
   expect_refused(run_shell(at + "$raceway check my.toml " + german_export), "--suggest-columns");
   EXPECT_EQ(
@@ -135,6 +135,47 @@ TEST(Columns, ABearingOfNoCatalogueIsProposed) {
   const Result list = run("bearings --bore 70");
   EXPECT_THAT(list.out, HasSubstr("S 6014 C"));
   EXPECT_THAT(list.out, Not(HasSubstr("S 6010 C")));
+}
+
+TEST(Columns, ANewHybridDiffersFromSteelAndSaysWhy) {
+  const ScratchFolder folder;
+  const std::string at = "cd '" + folder.path().string() + "'; ";
+  const auto torque = [&](const std::string& flags) {
+    EXPECT_EQ(run_shell(at + "$raceway new 'S 6014 C' --force -o my.toml " + flags).status, 0);
+    const Result r = run_shell(at + "$raceway table my.toml --speed 15000 --axial-load 300");
+    EXPECT_EQ(r.status, 0) << r.err;
+    return std::pair(r.out, r.err);
+  };
+  const auto steel = torque(""), hybrid = torque("--ball-material silicon-nitride");
+  EXPECT_NE(steel.first.substr(steel.first.find("15000")),
+            hybrid.first.substr(hybrid.first.find("15000")));
+  EXPECT_THAT(hybrid.second, HasSubstr("steel balls"));
+  EXPECT_EQ(torque("--law contact"), steel);
+}
+
+TEST(Columns, ANewModelOfEachLawReadsBackWithoutAWord) {
+  const ScratchFolder folder;
+  const std::string at = "cd '" + folder.path().string() + "'; ";
+  for (const char* law : {"palmgren", "skf", "contact"}) {
+    const std::string name = law;
+    EXPECT_EQ(
+        run_shell(at + "$raceway new 'S 6014 C' --law " + name + " -o " + name + ".toml").status,
+        0);
+    const Result text = run_shell(at + "cat " + name + ".toml");
+    EXPECT_THAT(text.out, HasSubstr("law = \"" + name + "\""));
+    // What it says is what is taken without it.
+    EXPECT_EQ(run_shell(at +
+                        "grep -Ev '^(f1_load|mu_|K_rs|rolling_f|hysteresis_f|oil_f|type|"
+                        "eyring|race_r|ball_r)' " +
+                        name + ".toml >short.toml")
+                  .status,
+              0);
+    const std::string flags = " --speed 10000 --axial-load 600 --json";
+    EXPECT_EQ(parsed(run_shell(at + "$raceway solve " + name + ".toml" + flags))["friction"],
+              parsed(run_shell(at + "$raceway solve short.toml" + flags))["friction"])
+        << law;
+  }
+  expect_refused(run("new 'S 6014 C' --law newton"), "--law");
 }
 
 TEST(Columns, ATableGoesOutForOtherPrograms) {
