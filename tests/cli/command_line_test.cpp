@@ -124,14 +124,24 @@ TEST(Bearings, ThatDoNotExistAreWrongInput) {
 
 TEST(New, WritesAModelThatEveryCommandTakes) {
   const ScratchFolder scratch;
-  const std::string model = scratch.file("my.toml");
-  const Result written = run("new \"S 6014 C\" -o " + model);
-  EXPECT_EQ(written.status, 0);
-  EXPECT_EQ(written.out, "");
-  EXPECT_EQ(written.err, model + " written\n");
-  const Result r = run("solve " + model + " --speed 10000 --axial-load 600");
-  EXPECT_EQ(r.status, 0);
-  EXPECT_EQ(r.err, "") << "every default stands in the file";
+  for (const std::string law : {"palmgren", "skf"}) {
+    const std::string model = scratch.file(law + ".toml");
+    const Result written = run("new \"S 6014 C\" --law " + law + " -o " + model);
+    EXPECT_EQ(written.status, 0);
+    EXPECT_EQ(written.out, "");
+    EXPECT_EQ(written.err, model + " written\n");
+    const Result r = run("solve " + model + " --speed 10000 --axial-load 600");
+    EXPECT_EQ(r.status, 0);
+    EXPECT_EQ(r.err, "") << "every default stands in the file";
+  }
+  const std::string model = scratch.file("contact.toml");
+  EXPECT_EQ(run("new \"S 6014 C\" -o " + model).status, 0);
+  // What follows from the type of the oil stands there as remarks, and `check` lists it.
+  const json defaults = parsed(run("check " + model + " --json"))["defaults"];
+  EXPECT_EQ(defaults.size(), 5U) << defaults;
+  for (const json& d : defaults)
+    EXPECT_THAT(d.get<std::string>(), testing::StartsWith("lubricant.")) << defaults;
+  EXPECT_EQ(run("solve " + model + " --speed 10000 --axial-load 600").status, 0);
   EXPECT_EQ(run("new \"S 6014 C\"").out, file_text(model));
   EXPECT_EQ(run("new \"S 6014 C\" -o -").out, file_text(model));
 }

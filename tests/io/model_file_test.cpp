@@ -439,6 +439,18 @@ TEST(ModelFile, ANewModelReadsBackWithoutDefaultsExceptCommentedOnes) {
   }
 }
 
+TEST(ModelFile, ANewModelOfEachLawSaysWhatItTakes) {
+  const auto row = read_catalogues().front();
+  for (const auto law : {friction::FrictionLaw::palmgren, friction::FrictionLaw::skf,
+                         friction::FrictionLaw::contact}) {
+    const ModelFile file = parse_model(new_model_text(row, law), "new.toml");
+    EXPECT_EQ(file.model.law, law);
+    EXPECT_EQ(file.model.free, model::default_free(law));
+    // Of the contact law what follows from the type of the oil stands there as remarks.
+    EXPECT_EQ(file.defaults.size(), law == friction::FrictionLaw::contact ? 5U : 0U);
+  }
+}
+
 TEST(ModelFile, TheFlywheelModelIsRead) {
   const ModelFile file =
       read_model(std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/flywheel.toml");
