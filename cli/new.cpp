@@ -124,9 +124,8 @@ Run setup_new(CLI::App& command) {
       ->check(CLI::IsMember({"steel", "silicon-nitride"}))
       ->type_name("NAME");
   command
-      .add_option(
-          "--law", flags->law,
-          "palmgren, skf or contact, the one law that knows balls and rings apart (default)")
+      .add_option("--law", flags->law,
+                  "palmgren, skf or contact (default), which takes in balls and rings")
       ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
   command.add_option("-o,--output", flags->output, "model file to write; stdout without it")
