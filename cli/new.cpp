@@ -23,7 +23,7 @@ struct NewFlags {
   bool force = false;
 };
 
-friction::FrictionLaw law_of(const NewFlags& flags) {
+friction::FrictionLaw wanted_law(const NewFlags& flags) {
   using friction::FrictionLaw;
   for (const FrictionLaw law : {FrictionLaw::palmgren, FrictionLaw::skf})
     if (flags.law == friction::name(law)) return law;
@@ -54,7 +54,7 @@ std::string model_text(const NewFlags& flags) {
                       "--outer-diameter, --balls and --contact-angle are for one that is not",
                       row->full_name()),
           {.key = "BEARING"});
-    if (given.ball_material == "steel") return io::new_model_text(*row, law_of(flags));
+    if (given.ball_material == "steel") return io::new_model_text(*row, wanted_law(flags));
     io::CatalogueBearing hybrid = *row;
     if (!std::isnan(row->static_load_rating_silicon_nitride))
       hybrid.geometry.static_load_rating = row->static_load_rating_silicon_nitride;
@@ -64,7 +64,7 @@ std::string model_text(const NewFlags& flags) {
                                                         row->full_name()),
                                    .ball_material = given.ball_material,
                                    .of_key = {},
-                                   .law = law_of(flags)});
+                                   .law = wanted_law(flags)});
   }
   const io::BearingOutline known = outline(flags, rows);
   // A misspelt name of the catalogue is answered with the nearest ones.
@@ -86,7 +86,7 @@ std::string model_text(const NewFlags& flags) {
       flags.bearing, known.bore / mm, known.outer_diameter / mm,
       bearing.outline.contact_angle / degree,
       std::isnan(given.bore) ? " by its designation" : "")});
-  return io::estimated_model_text(bearing, law_of(flags));
+  return io::estimated_model_text(bearing, wanted_law(flags));
 }
 
 int run(const NewFlags& flags) {
