@@ -28,6 +28,11 @@ class ContactMemory {
   [[nodiscard]] friction::contact::ContactResult at(const Balance& balls,
                                                     const friction::BearingState<double>& s,
                                                     std::span<const double> values);
+  /// Takes up what somebody else found for a state.
+  void know(const Balance& balls, const friction::BearingState<double>& s,
+            std::span<const double> values, const friction::contact::ContactResult& result) {
+    (void)remember(balls, s, values, result);
+  }
   /// The whole moment of that state as it goes with temperature along ν(T) of its oil, about one
   /// that is known close to s.temperature, or there.
   [[nodiscard]] effects::FilmSelfHeating::Tangent tangent(const Balance& balls,
@@ -55,7 +60,7 @@ class ContactMemory {
   [[nodiscard]] static friction::contact::ContactResult moved(const Known& known, double rise,
                                                               std::span<const double> values);
   Known& remember(const Balance& balls, const friction::BearingState<double>& s,
-                  std::span<const double> values);
+                  std::span<const double> values, const friction::contact::ContactResult& result);
   void find_slope(Known& known, friction::BearingState<double> s);
 
   std::deque<Known> known_;  // the newest first

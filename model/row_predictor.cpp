@@ -299,7 +299,9 @@ double RowPredictor::predict(const Model& model, const Steps& steps, Stage from)
 std::optional<friction::BearingState<double>> RowPredictor::ask_contacts(const Model& model,
                                                                          const Steps& steps) {
   // What the condition makes of a bearing, or an effect of its film, is this row's own.
-  if (model.law != friction::FrictionLaw::contact || !steps.lubricant.empty()) return {};
+  if (model.law != friction::FrictionLaw::contact || model.balanced_balls ||
+      !steps.lubricant.empty())
+    return {};
   correct(model, steps);
   if (!find_balance(model, steps) || !report_.converged() || bearing_) return {};
   friction::BearingState<double> s = state(model);
@@ -309,8 +311,9 @@ std::optional<friction::BearingState<double>> RowPredictor::ask_contacts(const M
 
 void RowPredictor::answer_contacts(const Model& model,
                                    const friction::contact::ContactResult& contacts) {
-  known_contacts_ = {equilibrium_, film_, oil_ ? *oil_ : model.lubricant, model.law_values,
-                     contacts};
+  friction::BearingState<double> s = state(model);
+  s.temperature = film_.temperature;
+  known_contacts_.know(equilibrium_, s, model.law_values, contacts);
 }
 
 FrictionPrediction RowPredictor::prediction(const Model& model) const {
