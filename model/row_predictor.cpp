@@ -143,10 +143,12 @@ void RowPredictor::solve(const Model& model) {
   const bearing::BearingEquilibrium* start =
       last && last->report.converged() ? last.get() : nullptr;
   const auto asked = question(model);
+  if (condition_.tilt == 0.0) held_ = {};
   if (!asked) return;
   equilibrium_ = std::make_shared<const bearing::BearingEquilibrium>(
       condition_.tilt != 0.0
-          ? solve_tilted(model, *asked->bearing, asked->point, condition_.tilt, oil(model), start)
+          ? solve_tilted(model, *asked->bearing, asked->point, condition_.tilt, oil(model), start,
+                         held_)
           : solve_balls(model, *asked->bearing, asked->point, model.solver, oil(model), start));
   report_ = equilibrium_->report;
   remember();
@@ -165,12 +167,13 @@ bool RowPredictor::recall(const Model& model, const Condition& condition) {
   bearing_ = known->bearing;
   equilibrium_ = known->balls;
   report_ = known->report;
+  held_ = known->held;
   return true;
 }
 
 void RowPredictor::remember() {
   if (known_balances_.size() == most_balances) known_balances_.pop_back();
-  known_balances_.push_front({condition_, turning_, bearing_, equilibrium_, report_});
+  known_balances_.push_front({condition_, turning_, bearing_, equilibrium_, report_, held_});
 }
 
 std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const Steps& steps) {
@@ -185,6 +188,7 @@ std::optional<bearing::BearingCase> RowPredictor::ask(const Model& model, const 
 
 void RowPredictor::answer(bearing::BearingEquilibrium&& equilibrium) {
   report_ = equilibrium.report;
+  held_ = {};
   equilibrium_ = std::make_shared<const bearing::BearingEquilibrium>(std::move(equilibrium));
   remember();
 }

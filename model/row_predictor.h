@@ -10,6 +10,7 @@
 #include "model/contact_memory.h"
 #include "model/prediction.h"
 #include "model/steps.h"
+#include "model/tilted_equilibrium.h"
 
 namespace raceway::model {
 
@@ -88,6 +89,7 @@ class RowPredictor {
     std::shared_ptr<const bearing::Bearing> bearing;
     Balance balls;
     bearing::SolveReport report;
+    HoldingMoments held;
   };
   std::deque<KnownBalance> known_balances_;  // the newest first
   Balance entered_;                          // balls at the load as entered, where a step asked
@@ -98,6 +100,7 @@ class RowPredictor {
   Balance equilibrium_;
   BallTurning turning_;  // of that balance
   bearing::SolveReport report_;
+  HoldingMoments held_;  // of a tilt that is imposed; no numbers without
   effects::Film film_;
   friction::BaseMoments<double> base_{unset, unset};
   std::optional<friction::contact::ContactResult> contacts_;
