@@ -116,8 +116,14 @@ double film_temperature(const Scene& s, double resistance) {
     return resistance * power(base.rolling + (s.law.contacts ? base.other : 0.0), s.point.speed);
   };
   const auto gap = [&](double rise) { return rise - heat(rise); };
-  const double most = heat(0.0);
+  double most = heat(0.0);
   if (!(most > 0.0)) return s.point.temperature;
+  // Hotter than that no oil is; what asks for it is no size of an effect.
+  constexpr double hottest = 150.0;
+  if (s.law.contacts && most > hottest) {
+    most = hottest;
+    if (gap(most) < 0.0) return s.point.temperature + hottest;
+  }
   return s.point.temperature + root(gap, 0.0, most * (1.0 + 1e-12));
 }
 
