@@ -15,7 +15,8 @@ namespace raceway::effects {
 ///
 /// M is the viscous moment of the base law without other effects on the lubricant, of the contact
 /// law its whole moment: there the film is what all of it heats. P falls with
-/// temperature, so there is one solution, between T and T + R P(T).
+/// temperature, so there is one solution, between T and T + R P(T); where asperities make it grow,
+/// the lowest is above that.
 /// Source:   heat balance with one resistance R; 5 to 40 K/kW assumed for a spindle bearing.
 /// Domain:   speed >= 0, R >= 0. A sensor away from the film reads the same way: that alias cannot
 ///           be resolved.
@@ -52,6 +53,13 @@ struct FilmSelfHeating {
     };
     double low = outside, f_low = rise(low);
     double high = outside - f_low, f_high = rise(high);  // power there is less than at `low`
+    // Slow and hot, asperities carry more as the oil thins, and power grows with temperature.
+    for (int i = 0; i < 20 && f_high < 0.0; ++i) {
+      low = high;
+      f_low = f_high;
+      high = outside + 2.0 * (high - outside);
+      f_high = rise(high);
+    }
     if (!std::isfinite(f_low) || !(f_high > 0.0)) return;
     // Secants of the last two points, and the middle of the bracket where they leave it.
     double before = low, f_before = f_low, temperature = high, f = f_high;

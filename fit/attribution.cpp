@@ -61,7 +61,10 @@ bool ran_away(std::span<const Screened* const> on, const ResponseFit& fit, std::
 template <typename Make>
 std::vector<Explanation> side_by_side(std::size_t count, const Make& make) {
   std::vector<Explanation> list(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) { list[k] = make(k); });
+  // What ends the loop of a caller ends no loop within it half way.
+  tbb::task_group_context own(tbb::task_group_context::isolated);
+  tbb::parallel_for(
+      std::size_t{0}, count, [&](std::size_t k) { list[k] = make(k); }, own);
   return list;
 }
 

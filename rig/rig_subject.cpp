@@ -209,7 +209,8 @@ std::vector<std::string> RigSubject::records_needed(
 
 std::string RigSubject::lacks(const std::string& id, const fit::Record& record) const {
   constexpr double thick_film = 2.0;  // film over roughness that no asperity reaches through
-  constexpr double low_pressure = 1.2 * GPa;  // below which no film comes to its limit
+  constexpr double low_pressure = 1.2 * GPa;   // below which no film comes to its limit
+  constexpr double high_pressure = 1.5 * GPa;  // of contacts that have enough of it
   if (id != "mu_boundary" && id != "limiting_traction") return ModelSubject::lacks(id, record);
   if (model().law != friction::FrictionLaw::contact) return {};
   double film_ratio = unset, pressure = unset;
@@ -223,9 +224,9 @@ std::string RigSubject::lacks(const std::string& id, const fit::Record& record) 
   if (id == "mu_boundary" && film_ratio >= thick_film)
     return fmt::format("rows with lambda < {:.0f}; the smallest lambda of these rows is {:.3g}",
                        thick_film, film_ratio);
-  if (id == "limiting_traction" && pressure < low_pressure)
+  if (id == "limiting_traction" && pressure < high_pressure)
     return fmt::format(
-        "rows above about {:.1f} GPa, below which it changes the torque by less than 0.1 %; the "
+        "rows well above {:.1f} GPa, below which it changes the torque by less than 0.1 %; the "
         "largest pressure of these rows is {:.3g} GPa",
         low_pressure / GPa, pressure / GPa);
   return {};

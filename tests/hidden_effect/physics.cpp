@@ -120,7 +120,9 @@ double film_temperature(const Scene& s, double resistance) {
   if (!(most > 0.0)) return s.point.temperature;
   // Hotter than that no oil is; what asks for it is no size of an effect.
   constexpr double hottest = 150.0;
-  if (s.law.contacts && most > hottest) {
+  // Where asperities carry more as the oil thins, the power grows with temperature.
+  while (s.law.contacts && most < hottest && gap(most) < 0.0) most *= 1.5;
+  if (s.law.contacts && most >= hottest) {
     most = hottest;
     if (gap(most) < 0.0) return s.point.temperature + hottest;
   }

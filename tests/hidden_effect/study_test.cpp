@@ -80,7 +80,7 @@ TEST(SmallStudy, TwoEffectsAreFoundTogether) {
 
 // The true torque is that of formulas and integrals of the study's own (contact_truth.h).
 TEST(SmallStudy, EffectsBesideTheContactLawAreFound) {
-  expect_within_reach(small_study("contact", 1, 2), {"c1", "c2", "c3"});
+  expect_within_reach(small_study("contact", 1, 3), {"c1", "c2", "c3"});
 }
 
 TEST(SmallStudy, RigsAsPeopleBuildThemAreSeldomMisjudged) {

@@ -124,39 +124,45 @@ TEST(ContactLawInAModel, ARowWhoseFilmWarmsItselfFollowsAFitAsANewOne) {
   Model model = contact_model_with("film-self-heating", {15.0});
   model.effects.push_back({.description = effects::find("misalignment"), .values = {0.5}});
   const Steps steps(model);
-  RowPredictor row(model, steps, fast, {});
   double &resistance = model.effects[0].values[0], &tilt = model.effects[1].values[0],
          &factor = model.law_values[0];
-  double slope = 0.0, expected_slope = 0.0;
-  const auto agrees = [&](double& number, double value, Stage from) {
-    const double before = number;
-    number = value;
-    const double fresh = predict_friction(model, fast, {}).reading,
-                 known = row.predict(model, steps, from);
-    EXPECT_NEAR(known, fresh, 2e-7 * fresh) << resistance << ' ' << tilt << ' ' << factor;
-    slope = known - slope;
-    expected_slope = fresh - expected_slope;
-    number = before;
-  };
-  for (const auto& [r, t, f] : {std::array{15.0, 0.5, 1.0},
-                                {15.0, 0.7, 1.1},
-                                {40.0, 0.7, 0.6},
-                                {41.0, 0.71, 0.61},
-                                {3.0, 0.02, 2.0},
-                                {15.0, 0.5, 1.0}}) {
-    resistance = r;
-    tilt = t;
-    factor = f;
-    agrees(resistance, r, Stage::condition);
-    for (const auto& [number, step] :
-         {std::pair{&factor, 1e-4}, {&resistance, 1.5e-3}, {&tilt, 5e-5}}) {
-      const double here = *number;
-      agrees(*number, here - step, Stage::condition);
-      slope = expected_slope = 0.0;
-      agrees(*number, here - step, Stage::condition);
-      agrees(*number, here + step, Stage::condition);
-      EXPECT_NEAR(slope, expected_slope, 1e-2 * std::abs(expected_slope)) << here;
-      agrees(*number, here, Stage::condition);
+  for (const bearing::OperatingPoint& point :
+       {fast, bearing::OperatingPoint{
+                  .speed = 200.0 * rpm, .axial_load = 3000.0, .temperature = kelvin(65.0)}}) {
+    RowPredictor row(model, steps, point, {});
+    double slope = 0.0, expected_slope = 0.0;
+    const auto agrees = [&](double& number, double value, Stage from) {
+      const double before = number;
+      number = value;
+      const double fresh = predict_friction(model, point, {}).reading,
+                   known = row.predict(model, steps, from);
+      EXPECT_NEAR(known, fresh, 2e-7 * fresh) << resistance << ' ' << tilt << ' ' << factor;
+      slope = known - slope;
+      expected_slope = fresh - expected_slope;
+      number = before;
+    };
+    for (const auto& [r, t, f] : {std::array{15.0, 0.5, 1.0},
+                                  {15.0, 0.7, 1.1},
+                                  {40.0, 0.7, 0.6},
+                                  {41.0, 0.71, 0.61},
+                                  {3.0, 0.02, 2.0},
+                                  {15.0, 0.5, 1.0}}) {
+      resistance = r;
+      tilt = t;
+      factor = f;
+      agrees(resistance, r, Stage::condition);
+      for (const auto& [number, step] :
+           {std::pair{&factor, 1e-4}, {&resistance, 1.5e-3}, {&tilt, 5e-5}}) {
+        const double here = *number;
+        agrees(*number, here - step, Stage::condition);
+        slope = expected_slope = 0.0;
+        agrees(*number, here - step, Stage::condition);
+        agrees(*number, here + step, Stage::condition);
+        // Slow, the resistance moves less than the integrals are rounded to.
+        const double rounding = 1e-9 * row.prediction(model).reading;
+        EXPECT_NEAR(slope, expected_slope, 1e-2 * std::abs(expected_slope) + rounding) << here;
+        agrees(*number, here, Stage::condition);
+      }
     }
   }
 }
