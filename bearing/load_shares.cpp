@@ -121,7 +121,7 @@ void LoadShares::set_outer_angle(double axial, Share& share) const {
         share.outer_load + (2.0 * c.full_centrifugal * m * m_o - tau_o) * so + tau_o * si;
     const double step = std::clamp(h / slope, -0.3, 0.3);
     share.outer_angle = std::clamp(share.outer_angle + step, -1.2, 1.2);
-    if (!(std::abs(step) > 1e-5)) break;
+    if (!(std::abs(step) > 1e-7)) break;
   }
   share.inner_load = axial / si - share.tau * ci;
 }
@@ -129,7 +129,8 @@ void LoadShares::set_outer_angle(double axial, Share& share) const {
 LoadShares::Share LoadShares::share_at(double axial, double radius, const Share& near) const {
   constexpr double least_angle = 1e-3, most_angle = 1.55;  // [rad]
   const BallConstantsOf<double>& c = constants_;
-  Share share = near;
+  Share share = near.found ? near : Share{};
+  share.found = false;
   if (!(share.inner_angle > 0.0))
     share.inner_angle =
         std::acos(std::clamp((radius - thrown_.radial) / c.inner_radius, 0.05, 0.99));
@@ -147,7 +148,8 @@ LoadShares::Share LoadShares::share_at(double axial, double radius, const Share&
     share.ball = {outer * so, outer * co};
     share.groove = {share.ball.axial + inner * si, share.ball.radial + inner * ci};
     const double missing = radius - share.groove.radial;
-    if (!(std::abs(missing) > 1e-6 * outer)) break;
+    share.found = std::abs(missing) < 1e-8 * outer;
+    if (share.found || !std::isfinite(missing)) break;
     // Newton's step with the outer angle held, then secants: the approaches follow the loads.
     const double per_inner = std::max(std::abs(share.inner_load), 1e-3 * axial);
     const double per_outer = std::max(outer_load, 1e-3 * axial);
@@ -189,26 +191,30 @@ double LoadShares::axial_share(const Sums& s, double moment, double c) const {
 }
 
 bool LoadShares::untilted_ring(const Sums& s, Vector5& ring, double& moment) const {
-  // The moment at which a ring that could tilt would not, by a secant from even shares.
-  double before = axial_ * s.c / s.w, at_before = 0.0;
-  const auto tilt_at = [&](double m, double& tilt) {
-    if (!linear_ring(s, m, ring)) return false;
-    tilt = ring[4] * cos_direction_ - ring[3] * sin_direction_;
-    return true;
-  };
-  if (!tilt_at(before, at_before)) return false;
-  moment = before + 0.02 * axial_ * s.w;
-  double at_moment = 0.0;
+  // The moment at which a ring that could tilt would not. The unknown is by how much the axial
+  // shares fall along the load, in parts of their mean: a secant from even shares.
   const double length = constants_.inner_radius + constants_.outer_radius;
-  for (int i = 0; i < 8; ++i) {
-    if (!tilt_at(moment, at_moment)) return false;
-    if (std::abs(at_moment) < 1e-4 * length) {
+  const double per_slope = (s.w * s.cc - s.c * s.c) / ((s.most - s.least) * s.w * s.w) * axial_;
+  const auto tilt_at = [&](double slope) {
+    moment = axial_ * s.c / s.w + slope * per_slope;
+    return linear_ring(s, moment, ring) ? ring[4] * cos_direction_ - ring[3] * sin_direction_
+                                        : unset;
+  };
+  double before = 0.0, at_before = tilt_at(before), slope = 0.2;
+  if (!std::isfinite(at_before)) return false;
+  for (int i = 0; i < 12; ++i) {
+    const double at_slope = tilt_at(slope);
+    if (std::abs(at_slope) < 1e-5 * length) {
       ring[3] = ring[4] = 0.0;
       return true;
     }
-    const double next = moment - at_moment * (moment - before) / (at_moment - at_before);
-    before = std::exchange(moment, next);
-    at_before = at_moment;
+    if (std::isnan(at_slope)) {
+      slope = 0.5 * (slope + before);
+      continue;
+    }
+    const double step = -at_slope * (slope - before) / (at_slope - at_before);
+    before = std::exchange(slope, slope + std::clamp(step, -0.6, 0.6));
+    at_before = at_slope;
   }
   return false;
 }
@@ -221,36 +227,45 @@ bool LoadShares::linear_ring(const Sums& s, double moment, Vector5& ring) const 
   const auto surplus = [&](double shift) {
     most = share_at(axial_most, free_.radial + shift * s.most, most);
     least = share_at(axial_least, free_.radial + shift * s.least, least);
+    if (!most.found || !least.found) return unset;
     const double slope = (most.radial - least.radial) / (s.most - s.least);
     return (most.radial - slope * s.most) * s.c + slope * s.cc - radial_;
   };
+  // From where the balls pressed most stand at no angle, which is too far, back to too little. No
+  // share at all is too little as well: a ball that carries little does not reach that far in.
   const double length = constants_.inner_radius + constants_.outer_radius;
-  double near = 0.0, at_near = surplus(near);
-  double step = (at_near < 0.0 ? 0.01 : -0.01) * length;
-  double far = step, at_far = surplus(far);
-  for (int i = 0; i < 10 && at_near * at_far > 0.0; ++i) {
-    near = far;
-    at_near = at_far;
-    step *= 2.0;
-    far += step;
-    at_far = surplus(far);
+  double step = 0.01 * length;
+  double high = (thrown_.radial + constants_.inner_radius - free_.radial) / std::max(s.most, 0.1);
+  double at_high = surplus(high);
+  for (int i = 0; i < 8 && !(at_high > 0.0); ++i) at_high = surplus(high += step *= 2.0);
+  if (!(at_high > 0.0)) return false;
+  step = 0.01 * length;
+  double low = high - step, at_low = surplus(low);
+  for (int i = 0; i < 8 && at_low > 0.0; ++i) {
+    high = low;
+    at_high = at_low;
+    at_low = surplus(low -= step *= 2.0);
   }
-  if (!(at_near * at_far <= 0.0)) return false;
+  if (at_low > 0.0) return false;
   // A secant that keeps both ends; a start needs few digits.
-  const double enough = 1e-4 * std::max(std::abs(radial_), 0.01 * axial_);
-  for (int i = 0; i < 16 && std::abs(at_far) > enough && std::abs(far - near) > 1e-6 * length;
-       ++i) {
-    const double next = far - at_far * (far - near) / (at_far - at_near);
-    const double at_next = surplus(next);
-    if (at_next * at_far < 0.0) {
-      near = far;
-      at_near = at_far;
+  const double enough = 1e-5 * std::max(std::abs(radial_), 0.01 * axial_);
+  double value = at_low;
+  for (int i = 0; i < 24 && !(std::abs(value) < enough) && high - low > 1e-8 * length; ++i) {
+    const double secant = high - at_high * (high - low) / (at_high - at_low);
+    const double middle = std::isfinite(secant) ? secant : 0.5 * (low + high);
+    const double before = value;
+    value = surplus(middle);
+    if (value > 0.0) {
+      high = middle;
+      at_high = value;
+      if (before > 0.0) at_low *= 0.5;
     } else {
-      at_near *= 0.5;
+      low = middle;
+      at_low = value;
+      if (before < 0.0) at_high *= 0.5;
     }
-    far = next;
-    at_far = at_next;
   }
+  if (std::isnan(value)) return false;
   const double tilt = (least.groove.axial - most.groove.axial) / (s.most - s.least);
   const double shift = (most.groove.radial - least.groove.radial) / (s.most - s.least);
   ring[0] = most.groove.axial + tilt * s.most - free_.axial;

@@ -47,6 +47,7 @@ class LoadShares {
     double outer_load;
     double tau;  ///< Ti/sin αi [N]
     double inner_angle, outer_angle;
+    bool found;
     Plane groove, ball;
   };
 
