@@ -148,7 +148,7 @@ minimum_speed_rpm = {}              # slower rows of a coast-down are left out
 # inertia_kgm2 = 0.5               # of all that turns; coast-down records need it, or "unknown"
 
 [solver]
-race_control = "outer"             # or "inner"
+race_control = "outer"             # or "inner"; of the contact law "balanced"
 tilt = "locked"                    # or "free"
 
 [calibration]
