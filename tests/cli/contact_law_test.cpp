@@ -133,10 +133,10 @@ TEST_F(ContactLaw, TurnsBallsThatNoRaceHoldsAsTheIndependentProgramDoes) {
 }
 
 TEST_F(ContactLaw, AloneCanTurnBallsByTraction) {
-  const std::string model = scratch_.write(
-      "my.toml",
-      "[bearing]\ncatalogue = \"S 6014 C\"\n[lubricant]\nviscosity_40C_mm2_s = 22\n"
-      "viscosity_100C_mm2_s = 4.8\n[solver]\nrace_control = \"balanced\"\n");
+  const std::string model =
+      scratch_.write("my.toml",
+                     "[bearing]\ncatalogue = \"S 6014 C\"\n[lubricant]\nviscosity_40C_mm2_s = 22\n"
+                     "viscosity_100C_mm2_s = 4.8\n[solver]\nrace_control = \"balanced\"\n");
   const Result r = run("solve " + model + " --speed 1000 --axial-load 100");
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(r.err, HasSubstr("my.toml:7"));

@@ -9,8 +9,8 @@ namespace hidden_effect {
 
 /// How much of a hidden effect a rig's plan shows, from the torque without noise.
 struct Visibility {
-  double detection = 0.0;  ///< lambda_det: misfit over sigma, squared, once the law's own factors
-                           ///< are refitted
+  double detection = 0.0;   ///< lambda_det: misfit over sigma, squared, once the law's own factors
+                            ///< are refitted
   double separation = 0.0;  ///< lambda_sep: the same with the best wrong entry of the catalogue
   /// Chance that the right one ranks first. The gap to one rival is normal with mean lambda and
   /// variance 4 lambda, so it wins with Phi(sqrt(lambda)/2); the odds against several rivals add.
