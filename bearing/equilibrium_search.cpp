@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "bearing/lost_contacts.h"
@@ -15,11 +14,12 @@ namespace {
 // where a path crawls towards a fold, or where no pattern of lost balls fits.
 constexpr int steps_of_load_path = 300;
 constexpr int steps_of_speed_path = 400;
+constexpr int steps_of_inner_speed_path = 100;  // it ends where the first ball is lost
 constexpr int steps_of_axial_path = 150;
 constexpr double small_axial_share = 0.1;  // of the radial load: above it other paths find all
 constexpr int steps_of_contacts = 300;
-constexpr int steps_of_drops = 250;
-constexpr int steps_of_search = 500;
+constexpr int steps_of_drops = 200;
+constexpr int steps_of_search = 900;
 
 class Search {
  public:
@@ -39,13 +39,18 @@ class Search {
     if (point.axial_load > 0.0 && start_from_thrust(point.axial_load, state) &&
         system_.newton(state))
       return SolveStatus::converged;
-    if (system_.options().race_control == RaceControl::inner &&
-        system_.options().rotations.empty() && settle_contacts(system_, steps_of_contacts, state))
-      return SolveStatus::converged;
+    const bool contacts_open = system_.options().race_control == RaceControl::inner &&
+                               system_.options().rotations.empty() && !system_.at_rest() &&
+                               point.axial_load > 0.0;
+    ContactSearch contacts(system_);
+    if (contacts_open) {
+      system_.allow(steps_of_contacts);
+      if (contacts.settle(state)) return SolveStatus::converged;
+    }
     system_.allow(steps_of_load_path);
     if (point.axial_load > 0.0 && follow_load(point, state)) return SolveStatus::converged;
     system_.set_point(point);
-    system_.allow(steps_of_speed_path);
+    system_.allow(contacts_open ? steps_of_inner_speed_path : steps_of_speed_path);
     if (follow_speed(point, state)) return SolveStatus::converged;
     if (point.axial_load > 0.0 &&
         point.axial_load < small_axial_share * std::hypot(point.radial_load, point.radial_load_z)) {
@@ -53,13 +58,12 @@ class Search {
       if (follow_axial(point, state)) return SolveStatus::converged;
     }
     system_.set_point(point);
-    if (system_.options().race_control == RaceControl::inner) {
+    if (contacts_open) {
       const RingState last = expanded(state);
       system_.allow(steps_of_drops);
-      if (point.axial_load > 0.0 && drop_least_loaded(point.axial_load, last, state))
-        return SolveStatus::converged;
+      if (drop_least_loaded(point.axial_load, last, state)) return SolveStatus::converged;
       system_.allow(steps_of_search);
-      if (search_contacts(point, state)) return SolveStatus::converged;
+      if (contacts.widen(state)) return SolveStatus::converged;
     }
     if (system_.iterations() >= system_.options().max_iterations)
       return SolveStatus::iteration_limit;
@@ -113,119 +117,9 @@ class Search {
         0.1, state);
   }
 
-  /// Inner control switches off where a ball loses the inner race, so the balls that have lost it
-  /// are a discrete unknown. With A on a line in cos(ψ - φ), φ the direction of the load, and the
-  /// region of lost contact convex, they form one interval in the order of that cosine (at one of
-  /// its ends where the tilt is locked). Tries every interval, each held fixed while Newton runs
-  /// from the solution of its neighbour.
-  bool search_contacts(const OperatingPoint& point, RingState& state) {
-    if (system_.at_rest()) return false;
-    const auto n = system_.balls_used();
-    std::vector<std::size_t> order(n);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const double phi = system_.symmetry() != Symmetry::none ? 0.0
-                       : load().segment<2>(1).norm() > 0.0  ? std::atan2(load()[2], load()[1])
-                                                            : std::atan2(load()[3], -load()[4]);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return along(a, phi) > along(b, phi) + 1e-9;
-    });
-    RingState base;
-    system_.contacts.assign(n, InnerContact::kept);
-    bool found = follow_couple(point, base);
-    if (!found) {
-      system_.contacts.clear();
-      return false;
-    }
-    found = contacts_hold(base);
-    state = base;
-    // A pattern that fits is found in a few steps; there are many that do not.
-    system_.newton_limit = 8;
-    const bool free_tilt = system_.options().tilt == Tilt::free;
-    // Intervals that grow away from each place where they can begin.
-    for (std::size_t first = 0; first < n && !found && !system_.exhausted(); ++first) {
-      found = grow_lost(order, first, 1, base, state);
-      if (!found && (free_tilt ? first > 0 : true))
-        found = grow_lost(order, n - 1 - first, -1, base, state);
-      if (!free_tilt) break;
-    }
-    system_.contacts.clear();
-    system_.newton_limit = 40;
-    return found;
-  }
-
-  /// Lost contacts from order[first] on, one more at a time in the given direction.
-  bool grow_lost(const std::vector<std::size_t>& order, std::size_t first, int direction,
-                 const RingState& base, RingState& state) {
-    const auto n = order.size();
-    system_.contacts.assign(n, InnerContact::kept);
-    RingState chain = base;
-    for (std::size_t lost = 1, place = first; lost < n && place < n && !system_.exhausted();
-         ++lost, place += static_cast<std::size_t>(direction)) {
-      system_.contacts[order[place]] = InnerContact::lost;
-      chain.balls[order[place]] = system_.thrown_ball();
-      RingState from_base = base;
-      for (std::size_t j = 0; j < n; ++j)
-        if (system_.contacts[j] == InnerContact::lost) from_base.balls[j] = system_.thrown_ball();
-      for (const RingState* start : {&chain, &from_base}) {
-        state = *start;
-        if (!system_.newton(state)) continue;
-        if (contacts_hold(state)) return true;
-        chain = state;
-        break;
-      }
-      if (system_.options().tilt == Tilt::locked && start_from_shares(state) &&
-          system_.newton(state) && contacts_hold(state))
-        return true;
-    }
-    return false;
-  }
-
-  /// The ring where each kept ball would carry the same share of the load.
-  bool start_from_shares(RingState& state) const {
-    const double phi = std::atan2(load()[2], load()[1]);
-    double carrying = 0.0, arms = 0.0;
-    for (std::size_t j = 0; j < system_.contacts.size(); ++j) {
-      if (system_.contacts[j] == InnerContact::lost) continue;
-      carrying += system_.weight(j);
-      arms += system_.weight(j) * along(j, phi);
-    }
-    const Plane share{load()[0] / carrying, std::hypot(load()[1], load()[2]) / arms};
-    Plane groove, ball;
-    if (!std::isfinite(share.radial) || !ball_under_force(constants(), share, groove, ball))
-      return false;
-    const double shift = (groove.radial - system_.free_groove_centre().radial) * carrying / arms;
-    state.ring.setZero();
-    state.ring[0] = groove.axial - system_.free_groove_centre().axial;
-    state.ring[1] = shift * std::cos(phi);
-    state.ring[2] = shift * std::sin(phi);
-    state.balls.assign(system_.contacts.size(), ball);
-    for (std::size_t j = 0; j < system_.contacts.size(); ++j)
-      if (system_.contacts[j] == InnerContact::lost) state.balls[j] = system_.thrown_ball();
-    return true;
-  }
-
-  /// From the same load without gyroscopic couple, the couple growing to its full size.
-  bool follow_couple(const OperatingPoint& target, RingState& state) {
-    system_.couple = 0.0;
-    system_.set_point(target);
-    bool ok = start_from_thrust(target.axial_load, state) && system_.newton(state);
-    if (ok) {
-      ok = follow(
-          [&](double s) {
-            system_.couple = s;
-            return target;
-          },
-          1.0, state);
-    }
-    system_.couple = 1.0;
-    system_.set_point(target);
-    return ok;
-  }
-
   /// Natural contacts, from states in which the balls that carried least where the path in speed
   /// ended have lost the race, and the others share the thrust.
   bool drop_least_loaded(double axial_load, const RingState& last, RingState& state) {
-    if (system_.at_rest()) return false;
     const auto n = system_.balls_used();
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t k = 0; k < n; ++k) {
@@ -250,22 +144,6 @@ class Search {
       }
     }
     return false;
-  }
-
-  double along(std::size_t ball, double phi) const {
-    return system_.bearing().cos_azimuth()[ball] * std::cos(phi) +
-           system_.bearing().sin_azimuth()[ball] * std::sin(phi);
-  }
-
-  /// No kept contact pulls, no lost ball reaches into the race.
-  bool contacts_hold(const RingState& state) const {
-    for (std::size_t k = 0; k < state.balls.size(); ++k) {
-      const Plane a = system_.groove_centre(state.ring, k), x = state.balls[k];
-      const double approach =
-          std::hypot(a.axial - x.axial, a.radial - x.radial) - constants().inner_radius;
-      if ((approach > 0.0) != (system_.contacts[k] == InnerContact::kept)) return false;
-    }
-    return true;
   }
 
   bool start_at_rest(const OperatingPoint& rest, RingState& state) {

@@ -7,14 +7,15 @@ namespace raceway::bearing {
 /// Finds a state of balance for the system's operating point, from a neighbour's solution where one
 /// is given, and otherwise by
 ///   1. Newton from the closed-form thrust solution,
-///   2. following the solution from pure thrust to the full radial load and moment,
-///   3. following it from standstill to full speed,
-///   4. where the axial load is small, following it from the radial load alone,
-///   5. under inner control, searching which balls have lost the inner race.
-/// Under outer control the forces are continuous in the displacement and 1 to 4 find every state
+///   2. under inner control, from the balls that statics lets keep the inner race
+///   (lost_contacts.h),
+///   3. following the solution from pure thrust to the full radial load and moment,
+///   4. following it from standstill to full speed,
+///   5. where the axial load is small, following it from the radial load alone,
+///   6. under inner control, from states without the balls that carry least, and more of 2.
+/// Under outer control the forces are continuous in the displacement and the paths find every state
 /// known to exist. Under inner control the gyroscopic couple vanishes with the contact, a state can
-/// hang on a combination of lost balls; 5 tries the combinations that are contiguous in the
-/// direction of the load, and a few more.
+/// hang on a combination of lost balls; 2 and 6 try those that are likely.
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 

@@ -18,7 +18,6 @@ RingSystem::RingSystem(const Bearing& bearing, const OperatingPoint& point,
 
 void RingSystem::set_point(const OperatingPoint& p) {
   set_operating_point(point_, bearing_, p, options_);
-  point_.ball.gyroscopic = options_.gyroscopic_moment ? couple : 0.0;
   circle_ = ball_circle(bearing_, p, options_);
   model_ = ball_model(point_, options_);
 }

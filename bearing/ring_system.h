@@ -68,7 +68,6 @@ class RingSystem {
   std::vector<InnerContact> contacts;  ///< held contacts; empty while physics decides
   int newton_limit = 40;               ///< steps of one newton()
   double newton_rise = 4.0;            ///< NewtonLimits::rise
-  double couple = 1.0;  ///< share of the gyroscopic couple that is applied [1]; see set_point()
 
  private:
   bool fail(SolveStatus why);
