@@ -78,7 +78,8 @@ ContactResult ContactMemory::at(const Balance& balls, const BearingState<double>
   }
   if (close && s.kinematic_viscosity == s.lubricant->kinematic_viscosity(s.temperature))
     return moved(*close, s.temperature - close->temperature, values);
-  return moved(remember(balls, s, values, contact_result(s, values)), 0.0, values);
+  return moved(remember(balls, s, values, friction::contact::contact_result(s, values)), 0.0,
+               values);
 }
 
 /// The slope of the newest: a secant to the nearest of the same balance; that of another balance,
@@ -132,7 +133,7 @@ effects::FilmSelfHeating::Tangent ContactMemory::tangent(const Balance& balls,
     if (!found && known.along_oil && alike(known, balls, s, values) &&
         std::abs(s.temperature - known.temperature) <= known.reach)
       found = &known;
-  if (!found) found = &remember(balls, s, values, contact_result(s, values));
+  if (!found) found = &remember(balls, s, values, friction::contact::contact_result(s, values));
   if (!(found->reach > 0.0)) find_slope(*found, s);
   last_temperature_ = found->temperature;
   const double moment = moved(*found, 0.0, values).moment();

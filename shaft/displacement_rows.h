@@ -31,7 +31,7 @@ class DisplacementRows {
     std::optional<bearing::SetTemperatures> temperatures;
     std::size_t balance = 0;  ///< index into balances_
     bearing::ArrangementCondition condition{};
-    model::BallTurning turning;
+    model::BallTurning turning{};
     bearing::ArrangementEquilibrium equilibrium{};
     int version = 0;          ///< of the balance that it belongs to
     double standstill = 0.0;  ///< [m]
