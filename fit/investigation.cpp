@@ -69,8 +69,7 @@ void Investigation::look() {
   describe_channels();
   describe_base();
   Visibility seen = what_can_be_seen(evidence_, attribution_);
-  result_.candidates_tried =
-      static_cast<int>(seen.would_have_been_found.size()) + options_.tried_before;
+  result_.candidates_tried = static_cast<int>(seen.tried) + options_.tried_before;
   result_.would_have_been_found = std::move(seen.would_have_been_found);
   result_.not_testable = std::move(seen.not_testable);
   result_.aliases = std::move(seen.aliases);

@@ -205,6 +205,7 @@ Visibility what_can_be_seen(const Evidence& evidence, const Attribution& attribu
     else
       visible.push_back(k);
   }
+  result.tried = visible.size();
   Sizes(evidence, attribution, std::move(visible)).add_to(result);
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,8 @@ namespace raceway::fit {
 
 /// What these data can show at all, whatever is missing.
 struct Visibility {
-  std::vector<DetectableSize> would_have_been_found;  ///< every effect that can be tested
+  std::size_t tried = 0;  ///< effects that readings can show at all, whatever their range [1]
+  std::vector<DetectableSize> would_have_been_found;  ///< those of them that have a size for it
   std::vector<NotTestable> not_testable;
   std::vector<std::vector<std::string>> aliases;  ///< effects alike on these data
 };
