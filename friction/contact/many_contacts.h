@@ -13,10 +13,10 @@ namespace raceway::friction::contact {
 /// All states should name one bearing and one ContactData; those that name others than the first,
 /// stand still, have no balance or balls that no race holds are made one by one. What a state gets
 /// depends on nothing but itself and the instruction set, to the last bit. Memory: a fixed amount
-/// per thread, kept between calls; none per state. Accuracy: film, rolling and hysteresis to 1e-11
-/// of contact_result(). Sliding, of the same points in
-///           single precision, to 1e-4 of it, in most states to 1e-6 (5e-7 of the torque of a 7014
-///           at speed), slip to 5e-4, what a film can hold to 2 % (tested).
+/// per thread, kept between calls; none per state.
+/// Accuracy: film, rolling and hysteresis to 1e-11 of contact_result(). Sliding, of the same points
+///           in single precision, to 2e-4 of it at worst in 4000 random states, in most to 1e-6
+///           (5e-7 of the torque of a 7014 at speed), slip to 5e-4, what a film can hold to 2 %.
 /// Throws std::invalid_argument if the sizes differ or the machine lacks the instructions (avx512
 /// takes those of avx2).
 void contact_results(std::span<const BearingState<double>> states, std::span<const double> values,
