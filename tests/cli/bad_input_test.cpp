@@ -57,8 +57,9 @@ TEST_F(BadInput, MisspeltKeyTableAndNameAreAnsweredWithTheNearest) {
                        ":20: id = \"spin-frction\": unknown effect; did you mean spin-friction?");
   expect_refused_with("name = \"7014\"", "catalogue = \"S 6041 C\"",
                       ":2: bearing \"S 6041 C\" is not in the catalogue; the nearest are");
-  expect_model_refused(model_text + "[solver]\nrace_control = \"iner\"\n",
-                       ":20: race_control = \"iner\": must be outer, inner or balanced; did you mean inner?");
+  expect_model_refused(
+      model_text + "[solver]\nrace_control = \"iner\"\n",
+      ":20: race_control = \"iner\": must be outer, inner or balanced; did you mean inner?");
 }
 
 TEST_F(BadInput, WrongTypeIsNamed) {
