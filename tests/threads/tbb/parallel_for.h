@@ -10,6 +10,12 @@
 
 namespace tbb {
 
+/// Which loops end with which; here each for itself.
+struct task_group_context {
+  enum kind { isolated };
+  explicit task_group_context(kind) {}
+};
+
 /// Every index by one of several threads, in turns: each thread has its share, however short the
 /// work, and nothing but the end of the loop puts them in order.
 template <typename Index, typename Body>
@@ -32,6 +38,11 @@ void parallel_for(Index first, Index last, const Body& body, simple_partitioner 
   }
   for (const std::exception_ptr& problem : problems)
     if (problem) std::rethrow_exception(problem);
+}
+
+template <typename Index, typename Body>
+void parallel_for(Index first, Index last, const Body& body, task_group_context&) {
+  parallel_for(first, last, body);
 }
 
 }  // namespace tbb
