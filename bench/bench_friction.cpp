@@ -1,11 +1,13 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <mutex>
 
 #include "effects/catalogue.h"
+#include "friction/contact/balanced_equilibrium.h"
 #include "friction/contact/contact_friction.h"
 #include "friction/contact/many_contacts.h"
 #include "friction/stribeck_table.h"
@@ -172,6 +174,29 @@ void contacts(benchmark::State& state, double radial_load) {
 }
 BENCHMARK_CAPTURE(contacts, thrust, 0.0)->Name("contact/thrust");
 BENCHMARK_CAPTURE(contacts, combined, 300.0)->Name("contact/combined");
+
+/// The balance of one point whose balls no race holds. Next to the time what the last rotations
+/// would change of the forces, of the load on a ball [1].
+void balanced(benchmark::State& state, double radial_load) {
+  const bearing::Bearing bearing = spindle_model(false).bearing;
+  const friction::contact::OilState oil = friction::contact::oil_state(
+      friction::Lubricant(22 * mm2_per_s, 4.8 * mm2_per_s), {}, kelvin(40));
+  constexpr std::array speeds{1000.0, 4000.0, 8000.0, 12000.0, 16000.0};
+  double residual = 0.0;
+  for (auto _ : state)
+    for (const double n : speeds) {
+      const auto e = friction::contact::solve_balanced_equilibrium(
+          bearing, {.speed = n * rpm, .axial_load = 500, .radial_load = radial_load}, oil, {});
+      if (!e.report.converged()) state.SkipWithError("no balance");
+      residual = std::fmax(residual, e.report.residual);
+    }
+  state.counters["us_per_point"] =
+      benchmark::Counter(1e-6 * static_cast<double>(state.iterations()) * speeds.size(),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["residual"] = residual;
+}
+BENCHMARK_CAPTURE(balanced, thrust, 0.0)->Name("contact/balanced_thrust");
+BENCHMARK_CAPTURE(balanced, combined, 300.0)->Name("contact/balanced_combined");
 
 /// The same points side by side; beside the time the largest distance of a torque from that of one
 /// at a time [1].

@@ -61,8 +61,8 @@ struct BalancedEquilibrium {
 /// Forces for given rotations and rotations for given forces in turn, from outer control or the
 /// rotations of a neighbour. The pitch angles, creeps and frictions that go from one to the other
 /// hardly depend on what they change, and where they do the steps become shorter; balls that are
-/// nearly unloaded at very high speed may not settle (4 in 1000 wild states), and the report says
-/// so.
+/// nearly unloaded at very high speed may not settle (fewer than 1 in 100 wild ones, tested), and
+/// the report says so.
 ///
 /// Domain:   as solve_bearing_equilibrium(); at standstill the attitudes move nothing.
 ///           `options.race_control` and `rotations` are not looked at.
