@@ -19,7 +19,8 @@ constexpr int steps_of_axial_path = 150;
 constexpr double small_axial_share = 0.1;  // of the radial load: above it other paths find all
 constexpr int steps_of_contacts = 300;
 constexpr int steps_of_drops = 200;
-constexpr int steps_of_search = 900;
+constexpr int steps_of_search = 300;
+constexpr int steps_of_scan = 600;
 
 class Search {
  public:
@@ -64,6 +65,8 @@ class Search {
       if (drop_least_loaded(point.axial_load, last, state)) return SolveStatus::converged;
       system_.allow(steps_of_search);
       if (contacts.widen(state)) return SolveStatus::converged;
+      system_.allow(steps_of_scan);
+      if (contacts.scan(state)) return SolveStatus::converged;
     }
     if (system_.iterations() >= system_.options().max_iterations)
       return SolveStatus::iteration_limit;

@@ -3,26 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/contact_scan.h"
+
 namespace raceway::bearing {
 namespace {
 
 // Steps of one Newton run: from the first set, from others.
-constexpr int first_limit = 12, ranked_limit = 10, neighbour_limit = 8, wide_limit = 15;
-constexpr int most_rounds = 12;          // changes of one set
-constexpr std::size_t most_ranked = 10;  // sets tried of those that statics ranks
+constexpr int first_limit = 12, ranked_limit = 10, neighbour_limit = 8, wide_limit = 15,
+              scan_limit = 20;
+constexpr int most_rounds = 12;           // changes of one set
+constexpr std::size_t most_ranked = 10;   // sets tried of those that statics ranks
+constexpr std::size_t most_scanned = 60;  // that a scan leaves open
 
 }  // namespace
 
 bool ContactSearch::settle(RingState& state) {
   if (system_.balls_used() < 2) return false;
-  const Vector5 load = system_.load();
-  const double direction = load.segment<2>(1).norm() > 0.0 ? std::atan2(load[2], load[1])
-                                                           : std::atan2(load[3], -load[4]);
   std::vector<std::pair<LoadShares, Contacts>> sides;
-  sides.emplace_back(LoadShares(system_, direction), Contacts());
+  sides.emplace_back(LoadShares(system_, direction()), Contacts());
   // The couple turns the force of a ball so far that balls opposite to the load may carry it.
   if (system_.options().tilt == Tilt::locked)
-    sides.emplace_back(LoadShares(system_, direction + pi), Contacts());
+    sides.emplace_back(LoadShares(system_, direction() + pi), Contacts());
   for (auto& [shares, chosen] : sides)
     if (shares.choose(chosen, state) && settle_from(shares, chosen, state)) return true;
   for (const auto& [shares, chosen] : sides)
@@ -31,6 +32,30 @@ bool ContactSearch::settle(RingState& state) {
 }
 
 bool ContactSearch::widen(RingState& state) { return try_neighbours(wide_limit, state); }
+
+bool ContactSearch::scan(RingState& state) {
+  if (system_.balls_used() < 2) return false;
+  std::vector<OpenSet> open;
+  for (ScannedSet& set : scan_contacts(system_, direction())) {
+    if (system_.exhausted() || open.size() == most_scanned) break;
+    if (!balance(set.contacts, set.state, scan_limit)) continue;
+    const auto [worst, pulls] = worst_contact(set.contacts, set.state);
+    if (worst == set.contacts.size()) {
+      state = std::move(set.state);
+      return true;
+    }
+    open.push_back({std::move(set.contacts), std::move(set.state), pulls});
+  }
+  open_.assign(open.rbegin(), open.rend());
+  return try_neighbours(wide_limit, state);
+}
+
+/// Of the load, or of what a moment alone presses most.
+double ContactSearch::direction() const {
+  const Vector5 load = system_.load();
+  return load.segment<2>(1).norm() > 0.0 ? std::atan2(load[2], load[1])
+                                         : std::atan2(load[3], -load[4]);
+}
 
 /// From a set and its start to one in which all contacts hold.
 bool ContactSearch::settle_from(const LoadShares& shares, Contacts contacts, RingState& state) {

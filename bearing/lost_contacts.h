@@ -22,6 +22,8 @@ class ContactSearch {
   [[nodiscard]] bool settle(RingState& state);
   /// More of the last, with balls that turn far over.
   [[nodiscard]] bool widen(RingState& state);
+  /// From the sets that occur where the ring may stand (contact_scan.h), as a last resort.
+  [[nodiscard]] bool scan(RingState& state);
 
  private:
   using Contacts = std::vector<InnerContact>;
@@ -33,6 +35,7 @@ class ContactSearch {
     bool pulls;  ///< a kept ball does; else a lost one reaches into the race
   };
 
+  [[nodiscard]] double direction() const;
   bool settle_from(const LoadShares& shares, Contacts contacts, RingState& state);
   bool retreat(const LoadShares& shares, Contacts& contacts, RingState& state);
   bool try_ranked(const LoadShares& shares, const Contacts& chosen, RingState& state);
