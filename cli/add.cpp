@@ -6,21 +6,23 @@
 #include <utility>
 
 #include "cli/commands.h"
-#include "cli/correction_input.h"
-#include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
-#include "cli/open_input.h"
-#include "cli/per_record_flag.h"
+#include "cli/messages.h"
 #include "cli/report_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "cli/tolerance_flag.h"
 #include "io/diagnosis_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/record_report.h"
 #include "io/report.h"
 #include "io/subject.h"
+#include "session/correction_input.h"
+#include "session/loop_subject.h"
+#include "session/open_input.h"
+#include "session/reading.h"
+#include "session/tolerance.h"
 
 namespace raceway::cli {
 namespace {
@@ -28,11 +30,11 @@ namespace {
 struct AddFlags {
   std::vector<std::string> names;  // model, effects, further data
   std::string data, output, displacement;
-  PerRecordFlag per_record;
-  DataFlag reading;
+  session::PerRecord per_record;
+  session::Reading reading;
   bool json = false, force = false;
   ReportFlag report;
-  ToleranceFlag tolerance;
+  session::Tolerance tolerance;
 };
 
 void print_parameters(const std::vector<fit::Parameter>& parameters) {
@@ -73,7 +75,7 @@ fit::AddResult added(const fit::Subject& subject, const std::vector<std::string>
   try {
     return fit::add(subject, ids, data);
   } catch (const std::invalid_argument& e) {
-    refuse_data(model, data, e);
+    session::refuse_data(model, data, e);
   }
 }
 
@@ -82,7 +84,7 @@ int finish(const AddFlags& flags, const std::string& source, fit::AddResult resu
            const record::Record& data,
            const std::function<std::string(const fit::AddResult&)>& page,
            const std::function<void(const fit::Calibration&)>& write) {
-  tell_of_scale(data, result.messages);
+  session::tell_of_scale(data, result.messages);
   if (flags.json) {
     put_document(io::add_json(source, data, result));
   } else {
@@ -105,32 +107,33 @@ int finish(const AddFlags& flags, const std::string& source, fit::AddResult resu
 /// The effects that a person means by these names.
 std::vector<std::string> meant(const correction::CorrectionSubject& subject,
                                const std::vector<std::string>& ids,
-                               const CorrectionQuestion& asked) {
+                               const session::CorrectionQuestion& asked) {
   std::vector<std::string> list;
   try {
     const auto informed = subject.informed_by(asked.data);
     const auto& on_this_record = dynamic_cast<const correction::CorrectionSubject&>(*informed);
     for (const std::string& id : ids) list.push_back(on_this_record.meant_by(id));
   } catch (const std::invalid_argument& e) {
-    refuse_data(asked.file.source, asked.data, e);
+    session::refuse_data(asked.file.source, asked.data, e);
   }
   return list;
 }
 
 int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
                    const std::vector<std::string>& files) {
-  CorrectionQuestion asked =
-      ask_correction(flags.names.front(), files, flags.displacement, flags.reading);
+  session::CorrectionQuestion asked = session::ask_correction(
+      messages(), flags.names.front(), session::files(files), flags.displacement, flags.reading);
   flags.tolerance.set(asked.model, asked.file.source);
-  prepare_fit(asked.model, asked.file.source, asked.data);
+  session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
   const correction::CorrectionSubject subject(asked.model);
   const auto page = [&](const fit::AddResult& r) {
     return io::record_add_report(asked.file.source, asked.data, r, asked.file.defaults);
   };
-  return finish(
-      flags, asked.file.source,
-      added(subject, meant(subject, ids, asked), asked.data, asked.file.source), asked.data, page,
-      [&](const fit::Calibration& c) { write_correction(asked, c, flags.output, flags.force); });
+  return finish(flags, asked.file.source,
+                added(subject, meant(subject, ids, asked), asked.data, asked.file.source),
+                asked.data, page, [&](const fit::Calibration& c) {
+                  write_model(flags.output, session::fitted_text(asked, c), flags.force);
+                });
 }
 
 int run(const AddFlags& flags) {
@@ -147,20 +150,22 @@ int run(const AddFlags& flags) {
         "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
         {.key = "EFFECT"});
   if (io::takes_correction(path, files)) return run_correction(flags, ids, files);
-  io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
+  io::ModelFile file = session::open_model(messages(), path, session::Accepts::rig_or_shaft);
   {
     std::vector<std::string> given;
     if (!flags.displacement.empty()) given.emplace_back("--displacement");
-    refuse_for_spindle(file.model, given);
+    session::refuse_for_spindle(file.model, given);
   }
   flags.tolerance.set(file);
   const record::Record data =
-      open_records(files, path, *io::make_subject(file.model), flags.reading.options(file));
+      session::open_records(messages(), session::files(files), path, *io::make_subject(file.model),
+                            flags.reading.options(file));
   const auto subject = flags.per_record.subject(file.model, data);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*subject);
   fit::AddResult result = added(*subject, ids, data, path);
-  const std::vector<io::ModelOfPage> facts{of_page(file, output.model(result.calibration))};
+  const std::vector<io::ModelOfPage> facts{
+      session::of_page(file, output.model(result.calibration))};
   const auto page = [&](const fit::AddResult& r) {
     if (subject->approximates()) return io::record_add_report(file.source, data, r, {}, facts);
     return io::add_report(file.source, data, r, facts);
@@ -190,10 +195,10 @@ Run setup_add(CLI::App& command) {
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
   declare_displacement(command, flags->displacement);
-  flags->per_record.declare(command);
-  flags->reading.declare(command);
-  flags->reading.period.declare(command);
-  flags->tolerance.declare(command);
+  declare(command, flags->per_record);
+  declare(command, flags->reading);
+  declare(command, flags->reading.period);
+  declare(command, flags->tolerance);
   command.add_flag("--force", flags->force,
                    "add an effect that does not help, and replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");

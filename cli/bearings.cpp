@@ -5,7 +5,6 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
 #include "cli/text_table.h"
 #include "io/catalogue_file.h"
 #include "io/error.h"

@@ -7,17 +7,19 @@
 
 #include "cli/calibrate_conformity.h"
 #include "cli/commands.h"
-#include "cli/correction_input.h"
-#include "cli/data_flag.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
-#include "cli/open_input.h"
-#include "cli/per_record_flag.h"
+#include "cli/messages.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/results.h"
 #include "io/subject.h"
+#include "session/correction_input.h"
+#include "session/loop_subject.h"
+#include "session/open_input.h"
+#include "session/reading.h"
 
 namespace raceway::cli {
 namespace {
@@ -25,8 +27,8 @@ namespace {
 struct CalibrateFlags {
   std::string model, output, displacement;
   std::vector<std::string> data;
-  PerRecordFlag per_record;
-  DataFlag reading;
+  session::PerRecord per_record;
+  session::Reading reading;
   bool json = false, force = false;
 };
 
@@ -72,14 +74,14 @@ fit::Calibration calibrated(const fit::Subject& subject, const record::Record& d
   try {
     return fit::calibrate(subject, data);
   } catch (const std::invalid_argument& e) {
-    refuse_data(model, data, e);
+    session::refuse_data(model, data, e);
   }
 }
 
 /// What was found, and `write` where it is to be kept.
 int finish(const CalibrateFlags& flags, fit::Calibration c, const record::Record& data,
            const std::string& files, const std::function<void(const fit::Calibration&)>& write) {
-  tell_of_scale(data, c.messages);
+  session::tell_of_scale(data, c.messages);
   if (flags.json) {
     put_document(io::calibration_json(c, data));
   } else if (c.converged()) {
@@ -97,13 +99,14 @@ int finish(const CalibrateFlags& flags, fit::Calibration c, const record::Record
 }
 
 int run_correction(const CalibrateFlags& flags) {
-  CorrectionQuestion asked =
-      ask_correction(flags.model, flags.data, flags.displacement, flags.reading);
-  prepare_fit(asked.model, asked.file.source, asked.data);
+  session::CorrectionQuestion asked = session::ask_correction(
+      messages(), flags.model, session::files(flags.data), flags.displacement, flags.reading);
+  session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
   const correction::CorrectionSubject subject(asked.model);
-  return finish(
-      flags, calibrated(subject, asked.data, asked.file.source), asked.data, flags.output,
-      [&](const fit::Calibration& c) { write_correction(asked, c, flags.output, flags.force); });
+  return finish(flags, calibrated(subject, asked.data, asked.file.source), asked.data, flags.output,
+                [&](const fit::Calibration& c) {
+                  write_model(flags.output, session::fitted_text(asked, c), flags.force);
+                });
 }
 
 int run(const CalibrateFlags& flags) {
@@ -120,14 +123,16 @@ int run(const CalibrateFlags& flags) {
   if (!flags.output.empty() && flags.per_record.names.empty())
     io::require_writable(flags.output, if_exists);
   if (io::takes_correction(flags.model, flags.data)) return run_correction(flags);
-  const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  const io::ModelFile file =
+      session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
   {
     std::vector<std::string> given;
     if (!flags.displacement.empty()) given.emplace_back("--displacement");
-    refuse_for_spindle(file.model, given);
+    session::refuse_for_spindle(file.model, given);
   }
-  const record::Record data = open_records(flags.data, flags.model, *io::make_subject(file.model),
-                                           flags.reading.options(file));
+  const record::Record data =
+      session::open_records(messages(), session::files(flags.data), flags.model,
+                            *io::make_subject(file.model), flags.reading.options(file));
   const auto subject = flags.per_record.subject(file.model, data);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*subject);
@@ -155,9 +160,9 @@ Run setup_calibrate(CLI::App& command) {
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
   declare_displacement(command, flags->displacement);
-  flags->per_record.declare(command);
-  flags->reading.declare(command);
-  flags->reading.period.declare(command);
+  declare(command, flags->per_record);
+  declare(command, flags->reading);
+  declare(command, flags->reading.period);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

@@ -6,12 +6,13 @@
 #include <filesystem>
 
 #include "cli/commands.h"
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "cli/text_table.h"
 #include "io/conformity_results.h"
 #include "io/error.h"
 #include "io/model_file.h"
 #include "io/output_file.h"
+#include "session/open_input.h"
 #include "shaft/conformity.h"
 
 namespace raceway::cli {
@@ -33,7 +34,7 @@ Start start_of(const std::string& model) {
     std::string text = io::new_model_text(row);
     return {std::move(row), std::move(text)};
   }
-  io::ModelFile file = open_model(model);
+  io::ModelFile file = session::open_model(messages(), model);
   if (file.catalogue.empty())
     throw io::InputError(
         fmt::format("raceway calibrate: DATA is missing; without measurements {} needs catalogue = "

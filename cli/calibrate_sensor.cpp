@@ -5,12 +5,13 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/data_flag.h"
 #include "cli/messages.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/sensor_file.h"
+#include "session/reading.h"
 
 namespace raceway::cli {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 struct SensorFlags {
   std::string readings, degree = "auto", output;
   bool json = false, force = false;
-  DataFlag reading;
+  session::Reading reading;
 };
 
 std::optional<int> degree_of(const std::string& text) {
@@ -151,7 +152,7 @@ Run setup_calibrate_sensor(CLI::App& command) {
       .add_option("-o,--output", flags->output,
                   "[torque_sensor] to write, for a model to hold or to name; - for stdout")
       ->type_name("FILE");
-  flags->reading.declare(command);
+  declare(command, flags->reading);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "cli/commands.h"
-#include "cli/correction_input.h"
-#include "cli/data_flag.h"
 #include "cli/error_text.h"
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "cli/run_files.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "correction/record_check.h"
 #include "io/error.h"
@@ -20,6 +19,9 @@
 #include "io/results.h"
 #include "io/subject.h"
 #include "io/suggest_columns.h"
+#include "session/correction_input.h"
+#include "session/open_input.h"
+#include "session/reading.h"
 
 namespace raceway::cli {
 namespace {
@@ -74,14 +76,14 @@ void print(const fit::Check& c, const record::Record& data) {
 int suggest(const std::string& model, const std::string& path) {
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
-  const io::ModelFile file = open_model(model, Accepts::rig_or_shaft);
+  const io::ModelFile file = session::open_model(messages(), model, session::Accepts::rig_or_shaft);
   fmt::print("{}", io::suggested_columns(path, *io::make_subject(file.model)));
   return done;
 }
 
 struct CheckFlags {
   std::string model, data, output, displacement;
-  DataFlag reading;
+  session::Reading reading;
   bool json = false, suggest = false, force = false;
 };
 
@@ -134,14 +136,14 @@ int check_corrections(const CheckFlags& flags, io::IfExists if_exists) {
     }
     return done;
   }
-  const CorrectionQuestion asked =
-      ask_correction(flags.model, {flags.data}, flags.displacement, flags.reading);
+  const session::CorrectionQuestion asked = session::ask_correction(
+      messages(), flags.model, session::files({flags.data}), flags.displacement, flags.reading);
   const auto subject = correction::CorrectionSubject(asked.model).informed_by(asked.data);
   fit::Check check;
   try {
     check = fit::check(*subject, asked.data);
   } catch (const std::invalid_argument& e) {
-    refuse_data(asked.file.source, asked.data, e);
+    session::refuse_data(asked.file.source, asked.data, e);
   }
   const correction::RecordCheck over_time = correction::check_record(asked.model, asked.data);
   if (!check.problem.empty()) warn({check.problem});
@@ -174,15 +176,17 @@ int run(const CheckFlags& flags) {
   if (!flags.data.empty()) data_files.push_back(flags.data);
   if (io::takes_correction(flags.model, data_files)) return check_corrections(flags, if_exists);
   const std::string& model = flags.model;
-  const io::ModelFile file = open_model(model, Accepts::rig_or_shaft, Defaults::keep);
+  const io::ModelFile file = session::open_model(messages(), model, session::Accepts::rig_or_shaft,
+                                                 session::Defaults::keep);
   {
     std::vector<std::string> given;
     if (!flags.displacement.empty()) given.emplace_back("--displacement");
-    refuse_for_spindle(file.model, given);
+    session::refuse_for_spindle(file.model, given);
   }
   if (flags.data.empty()) return run_model(file, flags.json);
   const auto subject = io::make_subject(file.model);
-  const record::Record data = open_data(flags.data, *subject, flags.reading.options(file));
+  const record::Record data =
+      session::open_data(messages(), flags.data, *subject, flags.reading.options(file));
   const fit::Check check = fit::check(*subject, data);
   std::vector<std::string> notes = file.notes;
   notes.insert(notes.end(), data.notes.begin(), data.notes.end());
@@ -220,7 +224,7 @@ Run setup_check(CLI::App& command) {
   command.add_option("DATA", flags->data, "measurements (CSV); without them the model alone")
       ->type_name("");
   declare_displacement(command, flags->displacement);
-  flags->reading.declare(command);
+  declare(command, flags->reading);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command
       .add_option("-o,--output", flags->output,

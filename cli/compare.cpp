@@ -6,15 +6,12 @@
 #include <cmath>
 
 #include "cli/commands.h"
-#include "cli/correction_input.h"
-#include "cli/data_flag.h"
 #include "cli/error_text.h"
-#include "cli/open_input.h"
-#include "cli/per_record_flag.h"
+#include "cli/messages.h"
 #include "cli/report_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
-#include "cli/tolerance_flag.h"
 #include "correction/alignment.h"
 #include "correction/phases.h"
 #include "correction/record_check.h"
@@ -26,6 +23,11 @@
 #include "io/results.h"
 #include "io/subject.h"
 #include "model/row.h"
+#include "session/correction_input.h"
+#include "session/loop_subject.h"
+#include "session/open_input.h"
+#include "session/reading.h"
+#include "session/tolerance.h"
 
 namespace raceway::cli {
 namespace {
@@ -35,12 +37,12 @@ using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured 
 struct CompareFlags {
   std::vector<std::string> files;  // models, then data
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
-  PerRecordFlag per_record;
-  DataFlag reading;  // the same, to each record by itself
+  session::PerRecord per_record;
+  session::Reading reading;  // the same, to each record by itself
   std::string displacement, zero = "mean";
   bool json = false, force = false;
   ReportFlag report;
-  ToleranceFlag tolerance;
+  session::Tolerance tolerance;
 };
 
 /// Values beside an error show its decimals: rounding noise reads 0.
@@ -320,12 +322,12 @@ void tell_not_predicted(const std::string& file, const model::Model& model,
 }
 
 std::vector<io::ModelFile> open_models(const std::vector<std::string>& paths,
-                                       const ToleranceFlag& tolerance) {
+                                       const session::Tolerance& tolerance) {
   std::vector<io::ModelFile> files;
   for (const std::string& path : paths) {
-    files.push_back(open_model(path, Accepts::rig_or_shaft));
+    files.push_back(session::open_model(messages(), path, session::Accepts::rig_or_shaft));
     tolerance.set(files.back());
-    if (!files.back().model.shaft) warn_of_ignored_data(files.back());
+    if (!files.back().model.shaft) session::warn_of_ignored_data(messages(), files.back());
   }
   note_other_rigs(files);
   return files;
@@ -384,7 +386,8 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
       throw io::InputError(
           path + ": has no [correction]: only corrections can be compared with one",
           {.file = path, .key = "correction"});
-    CorrectionQuestion asked = ask_correction(path, data, flags.displacement, flags.reading);
+    session::CorrectionQuestion asked = session::ask_correction(
+        messages(), path, session::files(data), flags.displacement, flags.reading);
     flags.tolerance.set(asked.model, asked.file.source);
     try {
       const Compared one = aligned(asked.model, flags, asked.data);
@@ -394,7 +397,7 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
                        .held_out = {},
                        .defaults = asked.file.defaults});
     } catch (const std::invalid_argument& e) {
-      refuse_data(asked.file.source, asked.data, e);
+      session::refuse_data(asked.file.source, asked.data, e);
     }
     if (const std::string leaves = correction::power_beyond_element(asked.model, asked.data);
         !leaves.empty())
@@ -405,7 +408,7 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
     models.push_back(asked.file.source);
     const correction::Series series(asked.data);
     beyond.push_back(correction::beyond_range(asked.model, series));
-    warn(range_notes(asked.model, series, beyond.back()));
+    warn(session::range_notes(asked.model, series, beyond.back()));
     record = std::move(asked.data);
   }
   show(flags, models, comparisons, record, beyond);
@@ -435,16 +438,16 @@ int run(const CompareFlags& flags) {
   if (!flags.displacement.empty()) given.emplace_back("--displacement");
   if (flags.zero != "mean") given.emplace_back("--zero");
   for (const io::ModelFile& file : files) {
-    refuse_for_spindle(file.model, given);
+    session::refuse_for_spindle(file.model, given);
     if (file.model.spindle.has_value() != files.front().model.spindle.has_value())
       throw io::InputError(file.source + ": a spindle is compared with spindles alone",
                            {.file = file.source});
   }
   std::vector<std::string> models;
   for (const io::ModelFile& file : files) models.push_back(file.source);
-  const record::Record data =
-      open_records({data_begin, flags.files.end()}, models.front(),
-                   *io::make_subject(files.front().model), flags.reading.options(files.front()));
+  const record::Record data = session::open_records(
+      messages(), session::files({data_begin, flags.files.end()}), models.front(),
+      *io::make_subject(files.front().model), flags.reading.options(files.front()));
   warn_of_other_sensors(files);
   std::vector<model::Model> compared;
   std::vector<Comparisons> comparisons;
@@ -460,7 +463,7 @@ int run(const CompareFlags& flags) {
       for (const fit::Comparison& c : comparisons.back())
         drawn.back().tolerances.push_back(c.tolerance);
     } catch (const std::invalid_argument& e) {
-      refuse_data(file.source, data, e);
+      session::refuse_data(file.source, data, e);
     }
     tell_not_predicted(file.source, file.model, comparisons.back(), data);
   }
@@ -474,7 +477,8 @@ int run(const CompareFlags& flags) {
                       fmt::join(flags.per_record.names, " and "))});
   show(flags, models, comparisons, data);
   std::vector<io::ModelOfPage> facts;
-  for (std::size_t i = 0; i < files.size(); ++i) facts.push_back(of_page(files[i], compared[i]));
+  for (std::size_t i = 0; i < files.size(); ++i)
+    facts.push_back(session::of_page(files[i], compared[i]));
   flags.report.write(
       [&] {
         if (subject->approximates())
@@ -506,10 +510,10 @@ Run setup_compare(CLI::App& command) {
                   "(which leaves least; default), first (reading of a run), none")
       ->check(CLI::IsMember({"mean", "first", "none"}))
       ->type_name("WHICH");
-  flags->per_record.declare(command);
-  flags->reading.declare(command);
-  flags->reading.period.declare(command);
-  flags->tolerance.declare(command);
+  declare(command, flags->per_record);
+  declare(command, flags->reading);
+  declare(command, flags->reading.period);
+  declare(command, flags->tolerance);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");

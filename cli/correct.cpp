@@ -5,9 +5,9 @@
 
 #include "cli/commands.h"
 #include "cli/correct_learn.h"
-#include "cli/correction_input.h"
 #include "cli/messages.h"
 #include "cli/report_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "correction/alignment.h"
 #include "correction/band.h"
@@ -16,13 +16,14 @@
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/record_report.h"
+#include "session/correction_input.h"
 
 namespace raceway::cli {
 namespace {
 
 struct CorrectFlags {
   std::string model, data, output;
-  DataFlag reading;
+  session::Reading reading;
   LearnFlags learning;
   bool json = false, force = false;
   ReportFlag report;
@@ -51,7 +52,7 @@ io::Corrected corrected(const correction::Model& model, const record::Record& re
   const auto series = std::make_shared<const correction::Series>(record);
   result.parts = correction::contributions(subject->model(), *series);
   result.beyond = correction::beyond_range(model, *series);
-  for (std::string& note : range_notes(model, *series, result.beyond))
+  for (std::string& note : session::range_notes(model, *series, result.beyond))
     messages.push_back(std::move(note));
   if (model.left)
     result.band = correction::band_of(*subject, model, series, result.beyond).half_width();
@@ -139,9 +140,10 @@ int run(const CorrectFlags& flags) {
   if (to_file) io::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   flags.learning.check(if_exists);
-  const io::CorrectionFile file = open_corrections(flags.model);
-  const record::Record record = open_series(
-      flags.data, file.models, flags.reading.options(file.columns), flags.reading.period);
+  const io::CorrectionFile file = session::open_corrections(messages(), flags.model);
+  const record::Record record =
+      session::open_series(messages(), flags.data, file.models, flags.reading.options(file.columns),
+                           flags.reading.period);
   if (flags.learning.learn) {
     run_learning(file, record, flags.learning, {flags.output, flags.json, if_exists});
     return done;
@@ -196,8 +198,8 @@ Run setup_correct(CLI::App& command) {
                   "residual_um; of several displacements predicted_COLUMN, residual_COLUMN")
       ->type_name("FILE");
   flags->learning.declare(command);
-  flags->reading.declare(command);
-  flags->reading.period.declare(command);
+  declare(command, flags->reading);
+  declare(command, flags->reading.period);
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");

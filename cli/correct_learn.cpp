@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "cli/correction_input.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "correction/learning.h"
@@ -15,6 +14,7 @@
 #include "io/learning_results.h"
 #include "io/number_text.h"
 #include "io/units.h"
+#include "session/correction_input.h"
 
 namespace raceway::cli {
 namespace {
@@ -184,7 +184,8 @@ void run_learning(const io::CorrectionFile& file, const record::Record& record,
   for (const correction::Model& model : file.models) {
     list.push_back({model.displacement, learnt(model, record, flags, file.source)});
     for (std::string& text : warnings_on(list.back(), record)) messages.push_back(std::move(text));
-    for (std::string& text : range_notes(model, record)) messages.push_back(std::move(text));
+    for (std::string& text : session::range_notes(model, record))
+      messages.push_back(std::move(text));
     for (std::string& text : notes_on(model)) notes.push_back(std::move(text));
     if (list.back().learning.error.readings == 0)
       notes.push_back(

@@ -8,13 +8,13 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
 #include "io/beam_report.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/shaft_results.h"
+#include "session/open_input.h"
 #include "spindle/loaded_shaft.h"
 
 namespace raceway::cli {
@@ -162,7 +162,7 @@ int run(const DeflectionFlags& f) {
         fmt::format("raceway deflection: --{} goes with a radial --force, which may be 0",
                     f.moment_Nm != 0.0 ? "moment" : "axial-force"),
         {.key = "--direction"});
-  const io::ModelFile file = open_model(f.model, Accepts::shaft);
+  const io::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
   BeamOfModel b = beam_of(file, f.at_mm * mm);
   const io::DeflectionResult r = solve_deflection(f, file.model, b);
   if (!f.output.empty()) {
@@ -181,8 +181,8 @@ int run(const DeflectionFlags& f) {
   constexpr double rigid = 1e6;  // times as stiff
   f.report.write(
       [&] {
-        return io::deflection_report(of_page(file, file.model), b.sets.arrangement(), b.beam,
-                                     b.places, f.warm, r, tangent_line(b, r),
+        return io::deflection_report(session::of_page(file, file.model), b.sets.arrangement(),
+                                     b.beam, b.places, f.warm, r, tangent_line(b, r),
                                      tangent_line(b, r, rigid));
       },
       if_exists);

@@ -7,22 +7,24 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/correction_input.h"
-#include "cli/data_flag.h"
 #include "cli/error_text.h"
+#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
-#include "cli/per_record_flag.h"
 #include "cli/process.h"
 #include "cli/progress.h"
 #include "cli/report_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
-#include "cli/tolerance_flag.h"
 #include "io/diagnosis_results.h"
 #include "io/record_report.h"
 #include "io/report.h"
 #include "io/subject.h"
+#include "session/correction_input.h"
+#include "session/loop_subject.h"
+#include "session/open_input.h"
+#include "session/reading.h"
+#include "session/tolerance.h"
 
 namespace raceway::cli {
 namespace {
@@ -34,9 +36,9 @@ struct DiagnoseFlags {
   int tried_before = 0;
   double time_limit = 120.0;  // [s]
   ReportFlag report;
-  ToleranceFlag tolerance;
-  PerRecordFlag per_record;
-  DataFlag reading;
+  session::Tolerance tolerance;
+  session::PerRecord per_record;
+  session::Reading reading;
 };
 
 constexpr int error_digits = 3;
@@ -327,7 +329,7 @@ fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const fit::Subject& subj
   try {
     return fit::diagnose(subject, data, options);
   } catch (const std::invalid_argument& e) {
-    refuse_data(flags.model, data, e);
+    session::refuse_data(flags.model, data, e);
   } catch (const fit::Cancelled&) {
     if (!interrupt.out_of_time()) throw;
     throw OutOfTime(out_of_time(flags, data));
@@ -346,26 +348,27 @@ struct Question {
 
 Question ask(const DiagnoseFlags& flags) {
   if (io::takes_correction(flags.model, flags.data)) {
-    CorrectionQuestion asked =
-        ask_correction(flags.model, flags.data, flags.displacement, flags.reading);
+    session::CorrectionQuestion asked = session::ask_correction(
+        messages(), flags.model, session::files(flags.data), flags.displacement, flags.reading);
     flags.tolerance.set(asked.model, asked.file.source);
-    prepare_fit(asked.model, asked.file.source, asked.data);
+    session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
     const auto subject = std::make_shared<const correction::CorrectionSubject>(asked.model);
     return {asked.file.source, subject, subject, std::move(asked.data), {}, asked.file.defaults};
   }
-  io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  io::ModelFile file = session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
   {
     std::vector<std::string> given;
     if (!flags.displacement.empty()) given.emplace_back("--displacement");
-    refuse_for_spindle(file.model, given);
+    session::refuse_for_spindle(file.model, given);
   }
   flags.tolerance.set(file);
   Question question{.source = file.source};
   const auto model = io::make_subject(file.model);
   question.model = model;
-  question.data = open_records(flags.data, flags.model, *model, flags.reading.options(file));
+  question.data = session::open_records(messages(), session::files(flags.data), flags.model, *model,
+                                        flags.reading.options(file));
   question.subject = flags.per_record.subject(file.model, question.data);
-  question.facts = {of_page(file, file.model)};
+  question.facts = {session::of_page(file, file.model)};
   return question;
 }
 
@@ -379,7 +382,7 @@ int run(const DiagnoseFlags& flags) {
     say(e.what());
     return not_converged;
   }
-  tell_of_scale(asked.data, diagnosis.messages);
+  session::tell_of_scale(asked.data, diagnosis.messages);
   if (flags.json) {
     put_document(io::diagnosis_json(asked.source, asked.data, diagnosis));
   } else {
@@ -414,10 +417,10 @@ Run setup_diagnose(CLI::App& command) {
   add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
              "[s] after which it gives up; default 120");
   declare_displacement(command, flags->displacement);
-  flags->per_record.declare(command);
-  flags->reading.declare(command);
-  flags->reading.period.declare(command);
-  flags->tolerance.declare(command);
+  declare(command, flags->per_record);
+  declare(command, flags->reading);
+  declare(command, flags->reading.period);
+  declare(command, flags->tolerance);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");

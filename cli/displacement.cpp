@@ -7,15 +7,16 @@
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
-#include "cli/law_statement.h"
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "cli/report_flag.h"
-#include "cli/shaft.h"
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/report.h"
 #include "io/shaft_results.h"
+#include "session/law_statement.h"
+#include "session/open_input.h"
+#include "session/shaft_answers.h"
 #include "shaft/shaft_balance.h"
 
 namespace raceway::cli {
@@ -35,7 +36,7 @@ std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const model::M
   if (speeds.size() > 1000000)
     throw io::InputError(fmt::format("raceway displacement: {} speeds: at most 1e6", speeds.size()),
                          {.key = "--speed"});
-  tell_of_kelvin({f.temperature});
+  session::tell_of_kelvin(messages(), {f.temperature});
   std::vector<shaft::ShaftPoint> result;
   for (const double speed : speeds)
     result.push_back(
@@ -90,7 +91,7 @@ io::LawOfReport law_of(std::span<const shaft::ShaftPoint> asked,
       curve.push_back({.speed = asked[k].speed, .displacement = predictions[k].displacement});
   try {
     const shaft::KinematicLawFit f = shaft::fit_kinematic_law(curve);
-    if (f.converged()) return {f, law_statement(f, "raceway fit-law -o FILE writes it")};
+    if (f.converged()) return {f, session::law_statement(f, "raceway fit-law -o FILE writes it")};
     return {std::nullopt,
             fmt::format("No law was found: {} after {} steps.", fit::name(f.status), f.iterations)};
   } catch (const std::invalid_argument& e) {
@@ -101,7 +102,7 @@ io::LawOfReport law_of(std::span<const shaft::ShaftPoint> asked,
 std::vector<std::string> warnings(const model::Model& model,
                                   std::span<const shaft::ShaftPoint> asked,
                                   std::span<const shaft::ShaftPrediction> predictions) {
-  std::vector<std::string> lines = shaft_warnings(model, asked, predictions);
+  std::vector<std::string> lines = session::shaft_warnings(model, asked, predictions);
   const auto failed = [](const shaft::ShaftPrediction& p) {
     return p.status() != bearing::SolveStatus::converged;
   };
@@ -112,7 +113,7 @@ std::vector<std::string> warnings(const model::Model& model,
         std::count_if(predictions.begin(), predictions.end(), failed), asked.size(),
         first->equilibrium.report.converged() ? "a position, but no torque" : "no value",
         asked[static_cast<std::size_t>(first - predictions.begin())].speed / rpm,
-        shaft_problem(model, *first)));
+        session::shaft_problem(model, *first)));
   return lines;
 }
 
@@ -125,13 +126,13 @@ int run(const DisplacementFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
-  const io::ModelFile file = open_model(flags.model, Accepts::shaft);
+  const io::ModelFile file = session::open_model(messages(), flags.model, session::Accepts::shaft);
   const model::Model& model = file.model;
   const std::vector<shaft::ShaftPoint> asked = points(flags, model);
   const std::optional<model::Band> band = flags.band.of(file);
   const std::vector<shaft::ShaftPrediction> predictions = shaft::predict_shaft(model, asked);
   std::optional<io::BandOfResult> half_widths;
-  if (band) half_widths = shaft_band(*band, asked);
+  if (band) half_widths = session::shaft_band(*band, asked);
   const io::BandOfResult* const of_band = half_widths ? &*half_widths : nullptr;
   if (!flags.output.empty()) {
     const std::string csv = io::displacement_text(model, asked, predictions, file.text, of_band);
@@ -152,7 +153,8 @@ int run(const DisplacementFlags& flags) {
   flags.report.write(
       [&] {
         return io::displacement_report(file.source, model, asked, predictions,
-                                       law_of(asked, predictions), said, {of_page(file, model)});
+                                       law_of(asked, predictions), said,
+                                       {session::of_page(file, model)});
       },
       flags.force);
   warn(said);

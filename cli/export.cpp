@@ -6,12 +6,12 @@
 #include <string>
 
 #include "cli/commands.h"
-#include "cli/correction_input.h"
 #include "cli/messages.h"
 #include "cli/run_files.h"
 #include "io/control_files.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "session/correction_input.h"
 
 namespace raceway::cli {
 namespace {
@@ -60,7 +60,7 @@ int run(const ExportFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
   if (flags.format == "linuxcnc") require_component_name(flags.output, name_of(flags.output));
-  const io::CorrectionFile file = open_corrections(flags.model);
+  const io::CorrectionFile file = session::open_corrections(messages(), flags.model);
   const io::ControlPlan plan = io::control_plan(file.models, file.source);
   const std::filesystem::path folder = std::filesystem::path(flags.model).parent_path();
   for (const io::ControlTable& t : plan.tables) add_input((folder / t.file).string());

@@ -5,15 +5,16 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/data_flag.h"
-#include "cli/law_statement.h"
+#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "io/displacement_curve.h"
 #include "io/error.h"
 #include "io/kinematic_results.h"
 #include "io/output_file.h"
+#include "session/law_statement.h"
+#include "session/reading.h"
 #include "shaft/displacement_table.h"
 
 namespace raceway::cli {
@@ -23,7 +24,7 @@ struct FitLawFlags {
   std::string curve, output;
   double at = unset;  // [rpm]
   bool json = false, force = false;
-  DataFlag reading;
+  session::Reading reading;
 };
 
 void print(const shaft::KinematicLawFit& f, const std::string& source,
@@ -83,7 +84,7 @@ int run(const FitLawFlags& flags) {
   warn(f.notes);
   const std::optional<io::LawAtSpeed> at = at_speed(flags, f.law);
   const std::string words =
-      law_statement(f, flags.output.empty() ? "-o FILE writes it" : flags.output);
+      session::law_statement(f, flags.output.empty() ? "-o FILE writes it" : flags.output);
   if (flags.json) {
     put_document(io::kinematic_law_json(f, words, at));
   } else if (f.converged() && flags.output != "-") {
@@ -122,7 +123,7 @@ Run setup_fit_law(CLI::App& command) {
       .add_option("-o,--output", flags->output,
                   "monotone table to write in place of the law; - for stdout")
       ->type_name("FILE");
-  flags->reading.declare(command);
+  declare(command, flags->reading);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "cli/run_files.h"
 #include "fit/several_records.h"
 #include "io/names.h"
@@ -122,6 +122,12 @@ void FittedModels::write(const io::ModelFile& file, const fit::Calibration& cali
                       "{}",
                       paths[k], file.sensor_file));
   }
+}
+
+void write_model(const std::string& path, const std::string& text, bool replace) {
+  if (path.empty()) return;
+  io::write_text(path, text, replace ? io::IfExists::replace : io::IfExists::refuse);
+  say(path + " written");
 }
 
 }  // namespace raceway::cli

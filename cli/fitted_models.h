@@ -34,4 +34,7 @@ class FittedModels {
   io::IfExists if_exists_;
 };
 
+/// Writes the text of a fitted model and says so; nothing for an empty path.
+void write_model(const std::string& path, const std::string& text, bool replace);
+
 }  // namespace raceway::cli

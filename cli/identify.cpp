@@ -8,11 +8,10 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/correction_input.h"
 #include "cli/messages.h"
-#include "cli/open_input.h"
 #include "cli/process.h"
 #include "cli/progress.h"
+#include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "correction/alignment.h"
 #include "correction/baseline.h"
@@ -23,6 +22,8 @@
 #include "io/output_file.h"
 #include "io/series_file.h"
 #include "record/series_channel.h"
+#include "session/correction_input.h"
+#include "session/open_input.h"
 
 namespace raceway::cli {
 namespace {
@@ -30,7 +31,7 @@ namespace {
 struct IdentifyFlags {
   std::string model, data, validate, output, order = "1:3", baseline;
   std::vector<std::string> inputs, lags;
-  DataFlag reading;
+  session::Reading reading;
   bool json = false, force = false;
 };
 
@@ -199,7 +200,7 @@ correction::Identification identified(const correction::Model& model, const reco
     try {
       return correction::regression_baseline(model, offered(flags.inputs, record), record);
     } catch (const std::invalid_argument& e) {
-      refuse_data(source, record, e);
+      session::refuse_data(source, record, e);
     }
   }
   correction::IdentifyOptions options{
@@ -234,7 +235,7 @@ std::vector<io::Validation> validated(const std::vector<correction::Model>& mode
   std::vector<io::Validation> list;
   if (flags.validate.empty()) return list;
   const record::Record other =
-      open_series(flags.validate, models, flags.reading.options(file.columns));
+      session::open_series(messages(), flags.validate, models, flags.reading.options(file.columns));
   for (const correction::Model& model : models) {
     require_readings(model, other);
     const auto subject = correction::aligned(model, other, correction::Zero::mean);
@@ -249,7 +250,7 @@ std::vector<io::Validation> validated(const std::vector<correction::Model>& mode
       fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
                  model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
                  number(m.fit_percent, 3));
-    warn(range_notes(model, series, beyond));
+    warn(session::range_notes(model, series, beyond));
   }
   return list;
 }
@@ -293,9 +294,10 @@ int run_arx(const IdentifyFlags& flags) {
         "--baseline",
         {.key = "--output"});
   const auto [lowest, highest] = orders(flags.order);
-  const io::CorrectionFile file = open_corrections(flags.model);
-  const record::Record record = open_series(
-      flags.data, file.models, flags.reading.options(file.columns), flags.reading.period);
+  const io::CorrectionFile file = session::open_corrections(messages(), flags.model);
+  const record::Record record =
+      session::open_series(messages(), flags.data, file.models, flags.reading.options(file.columns),
+                           flags.reading.period);
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
   for (const correction::Model& model : file.models) {
     require_readings(model, record);
@@ -304,7 +306,7 @@ int run_arx(const IdentifyFlags& flags) {
           model.displacement,
           correction::arx_baseline(model, offered(flags.inputs, record), record, lowest, highest));
     } catch (const std::invalid_argument& e) {
-      refuse_data(file.source, record, e);
+      session::refuse_data(file.source, record, e);
     }
     if (!flags.json) print(*model.displacement, found.back().second, record);
     warn(found.back().second.messages);
@@ -329,14 +331,15 @@ int run(const IdentifyFlags& flags) {
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
   (void)orders(flags.order);
   (void)lags_of(flags);
-  const io::CorrectionFile file = open_corrections(flags.model);
-  record::Record record = open_series(flags.data, file.models, flags.reading.options(file.columns),
-                                      flags.reading.period);
+  const io::CorrectionFile file = session::open_corrections(messages(), flags.model);
+  record::Record record =
+      session::open_series(messages(), flags.data, file.models, flags.reading.options(file.columns),
+                           flags.reading.period);
   std::vector<correction::Identification> found;
   std::vector<correction::Model> models;
   for (const correction::Model& model : file.models) {
     require_readings(model, record);
-    prepare_fit(model, file.source, record);
+    session::prepare_fit(messages(), model, file.source, record);
     found.push_back(identified(model, record, flags, file.source));
     models.push_back(found.back().model);
     if (!flags.json) {
@@ -398,8 +401,8 @@ Run setup_identify(CLI::App& command) {
       .add_option("-o,--output", flags->output,
                   "model file to write: MODEL with the new sections, numbers and range")
       ->type_name("FILE");
-  flags->reading.declare(command);
-  flags->reading.period.declare(command);
+  declare(command, flags->reading);
+  declare(command, flags->reading.period);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "cli/table_memory.h"
 #include "io/error.h"
 #include "io/input_file.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/process.h"
+#include "cli/run_files.h"
 
 namespace raceway::cli {
 namespace {
@@ -25,6 +26,13 @@ void put_line(const char* kind, const std::string& line) {
   std::fflush(stdout);  // a log of both keeps the order
   write_message(fmt::format("{}{}\n", kind, line));
 }
+
+class ToPeople : public session::Messages {
+ public:
+  void note(const std::string& line) override { tell({line}); }
+  void warn(const std::string& line) override { cli::warn(line); }
+  void reads(const std::string& file) override { add_input(file); }
+};
 
 }  // namespace
 
@@ -45,6 +53,11 @@ void warn(const std::string& warning) { put_line("warning: ", warning); }
 
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) warn(warning);
+}
+
+session::Messages& messages() {
+  static ToPeople of_this_run;
+  return of_this_run;
 }
 
 void complain(const std::string& line) { put_line("", line); }

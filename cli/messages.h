@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "session/messages.h"
+
 /// What a run says beside its numbers: one function for each kind, and no other way to stderr or,
 /// for a JSON document, to stdout.
 namespace raceway::cli {
@@ -23,6 +25,9 @@ void tell(const std::vector<std::string>& notes);
 /// What makes a result doubtful, each behind `warning: `. Said in any case.
 void warn(const std::string& warning);
 void warn(const std::vector<std::string>& warnings);
+
+/// What a session says, as tell() and warn(); files that it reads are none of the outputs.
+[[nodiscard]] session::Messages& messages();
 
 /// Why there is no result. Said in any case.
 void complain(const std::string& line);

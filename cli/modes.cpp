@@ -8,13 +8,14 @@
 #include "cli/axis_flag.h"
 #include "cli/beam.h"
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
 #include "io/beam_report.h"
 #include "io/error.h"
 #include "io/output_file.h"
+#include "session/open_input.h"
 
 namespace raceway::cli {
 namespace {
@@ -101,7 +102,7 @@ int run(const ModesFlags& f) {
   for (const std::string& path : {f.output, f.shapes})
     if (!path.empty() && path != "-") io::require_writable(path, if_exists);
   f.report.check(f.force);
-  const io::ModelFile file = open_model(f.model, Accepts::shaft);
+  const io::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
   const std::vector<double> speeds = campbell_speeds(f);
   BeamOfModel b = beam_of(file, 0.0);
   const std::vector<io::ModesAtSpeed> results = find_all(f, file.model, b, speeds);
@@ -123,8 +124,8 @@ int run(const ModesFlags& f) {
     print(f, file.model, b, results);
   f.report.write(
       [&] {
-        return io::modes_report(of_page(file, file.model), b.sets.arrangement(), b.beam, b.places,
-                                f.warm, results);
+        return io::modes_report(session::of_page(file, file.model), b.sets.arrangement(), b.beam,
+                                b.places, f.warm, results);
       },
       f.force);
   tell({"damping, and what gives way in the housing, are not modelled: damping_ratio is empty"});

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
 #include "io/bearing_estimate.h"
 #include "io/catalogue_file.h"
 #include "io/error.h"

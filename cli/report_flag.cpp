@@ -1,6 +1,6 @@
 #include "cli/report_flag.h"
 
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "io/error.h"
 #include "io/report.h"
 

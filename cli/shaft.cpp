@@ -7,60 +7,13 @@
 
 #include "cli/band_flag.h"
 #include "cli/commands.h"
-#include "cli/load_notes.h"
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "cli/text_table.h"
 #include "io/shaft_results.h"
-#include "shaft/lift_off.h"
+#include "session/load_notes.h"
+#include "session/shaft_answers.h"
 
 namespace raceway::cli {
-namespace {
-
-std::string places_of(const shaft::UnloadedRange& range, const bearing::Arrangement& a) {
-  std::vector<std::string> places;
-  for (const std::size_t i : range.bearings) places.push_back(io::bearing_place(a, i));
-  return fmt::format("{}", fmt::join(places, ", "));
-}
-
-std::string speeds_of(const shaft::UnloadedRange& range) {
-  return std::isnan(range.end)
-             ? fmt::format("from {:.0f} rpm on", range.first.speed / rpm)
-             : fmt::format("from {:.0f} to {:.0f} rpm", range.first.speed / rpm, range.end / rpm);
-}
-
-}  // namespace
-
-std::vector<std::string> shaft_warnings(const model::Model& model,
-                                        std::span<const shaft::ShaftPoint> points,
-                                        std::span<const shaft::ShaftPrediction> predictions) {
-  std::vector<std::string> lines;
-  for (const shaft::UnloadedRange& r : shaft::unloaded_ranges(model, points, predictions)) {
-    const std::string places = places_of(r, model.shaft->arrangement), speeds = speeds_of(r);
-    lines.push_back(
-        r.what == shaft::Unloaded::no_contact
-            ? fmt::format("{}: no contact with the inner ring {}; no load", places, speeds)
-            : fmt::format("{}: below the minimum load {}, there {:.4g} N of {:.4g} N; balls may "
-                          "skid",
-                          places, speeds, r.load, r.minimum_load));
-  }
-  return lines;
-}
-
-std::string shaft_problem(const model::Model& model, const shaft::ShaftPrediction& prediction) {
-  for (const model::FrictionPrediction& f : prediction.friction)
-    if (f.status() != bearing::SolveStatus::converged) return why_not_converged(model, f);
-  switch (prediction.status()) {
-    case bearing::SolveStatus::no_equilibrium:
-      return "no_equilibrium: the sets balance at no position of the shaft";
-    case bearing::SolveStatus::singular:
-      return "singular: both sets are free, nothing holds the shaft";
-    case bearing::SolveStatus::not_finite:
-      return "not_finite: an effect lacks what it looks at, as ring temperatures";
-    default:
-      return std::string(bearing::name(prediction.status()));
-  }
-}
-
 namespace {
 
 void print_bearings(const bearing::Arrangement& a, const shaft::ShaftPrediction& p) {
@@ -116,35 +69,18 @@ void print(const model::Model& model, const shaft::ShaftPoint& point,
 
 }  // namespace
 
-io::BandOfResult shaft_band(const model::Band& band, std::span<const shaft::ShaftPoint> points) {
-  io::BandOfResult result{
-      .parameters = band.fitted(),
-      .names = {"axial_displacement_band_um", "friction_torque_band_Nmm", "power_loss_band_W"},
-      .half_widths = {}};
-  result.half_widths = band([&](const model::Model& m) {
-    std::vector<double> numbers;
-    for (const shaft::ShaftPrediction& p : shaft::predict_shaft(m, points)) {
-      const bool found = p.equilibrium.report.converged();
-      for (const double v : {p.displacement, p.torque, p.power_loss})
-        numbers.push_back(found ? v : unset);
-    }
-    return numbers;
-  });
-  return result;
-}
-
 int solve_shaft(const std::string& file, const model::Model& model, const shaft::ShaftPoint& point,
                 bool json, const model::Band* band) {
   const auto predictions = shaft::predict_shaft(model, {&point, 1});
   const shaft::ShaftPrediction& p = predictions[0];
   const bearing::SolveStatus status = p.status();
   std::optional<io::BandOfResult> half_widths;
-  if (band) half_widths = shaft_band(*band, {&point, 1});
+  if (band) half_widths = session::shaft_band(*band, {&point, 1});
   if (json)
     put_document(io::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr));
   if (status != bearing::SolveStatus::converged) {
     complain(fmt::format("raceway solve: {}: {:.6g} rpm, {:.6g} N external load: {}", file,
-                         point.speed / rpm, point.external_load, shaft_problem(model, p)));
+                         point.speed / rpm, point.external_load, session::shaft_problem(model, p)));
     return not_converged;
   }
   if (!json) print(model, point, p);
@@ -153,8 +89,8 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
                band_statement(*band), band_text(half_widths->half_widths[0], um),
                band_text(half_widths->half_widths[1], N_mm),
                band_text(half_widths->half_widths[2]));
-  warn(shaft_warnings(model, {&point, 1}, predictions));
-  LoadNotes notes;
+  warn(session::shaft_warnings(model, {&point, 1}, predictions));
+  session::LoadNotes notes;
   for (std::size_t i = 0; i < p.equilibrium.bearings.size(); ++i) {
     const bearing::BearingInSet& b = p.equilibrium.bearings[i];
     const bearing::Arrangement& a = model.shaft->arrangement;

@@ -10,16 +10,17 @@
 #include "bearing/shoulder.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
-#include "cli/contact_statement.h"
-#include "cli/load_notes.h"
+#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
 #include "cli/shaft.h"
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/results.h"
 #include "model/bearing_life.h"
 #include "model/heat_split.h"
+#include "session/contact_statement.h"
+#include "session/load_notes.h"
+#include "session/open_input.h"
 
 namespace raceway::cli {
 namespace {
@@ -108,7 +109,7 @@ void print_friction(const model::Model& model, const model::FrictionPrediction& 
                  number(i == 0 ? heat.inner : heat.outer));
     fmt::print("\n");
   }
-  if (friction.contacts) fmt::print("{}\n", judgement(*friction.contacts));
+  if (friction.contacts) fmt::print("{}\n", session::judgement(*friction.contacts));
 }
 
 void print_life(const model::Model& model, const bearing::OperatingPoint& point,
@@ -220,9 +221,10 @@ void print_band(const model::Band& band, const std::vector<double>& half_widths)
 }
 
 int run(const SolveFlags& flags) {
-  const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
-  warn_of_ignored_data(file);
-  tell_of_kelvin({flags.temperature});
+  const io::ModelFile file =
+      session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
+  session::warn_of_ignored_data(messages(), file);
+  session::tell_of_kelvin(messages(), {flags.temperature});
   const std::optional<model::Band> band = flags.band.of(file);
   if (file.model.shaft)
     return solve_shaft(flags.model, file.model, shaft_point(flags, file.model), flags.json,
@@ -267,7 +269,7 @@ int run(const SolveFlags& flags) {
       least = std::fmin(least, b.inner_contact_angle);
       largest = std::fmax(largest, b.inner_contact_angle);
     }
-    LoadNotes notes;
+    session::LoadNotes notes;
     // Lost balls stand in the result.
     notes.look(bearing, "", point,
                {.axial_load = point.axial_load,
@@ -278,7 +280,7 @@ int run(const SolveFlags& flags) {
                 .largest_inner_angle = largest});
     tell(notes.lines());
     for (const std::string& line : shoulder_warnings(bearing, e)) warn("raceway solve: " + line);
-    tell(notes_on_state(file.model, bearing, point, friction));
+    tell(session::notes_on_state(file.model, bearing, point, friction));
     return done;
   }
   complain(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",

@@ -8,15 +8,17 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
-#include "cli/data_flag.h"
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "cli/report_flag.h"
+#include "cli/shared_flags.h"
 #include "cli/spindle_steady.h"
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/spindle_record.h"
 #include "io/spindle_report.h"
+#include "session/open_input.h"
+#include "session/reading.h"
 #include "spindle/drawn_run.h"
 #include "spindle/record_rows.h"
 
@@ -28,7 +30,7 @@ struct SpindleFlags {
   std::string coolant = "on";
   bool steady = false, json = false, force = false;
   double ambient = unset;
-  DataFlag reading;
+  session::Reading reading;
   ReportFlag report;
 
   [[nodiscard]] io::IfExists if_exists() const {
@@ -57,7 +59,7 @@ void check_flags(const SpindleFlags& f) {
 }
 
 io::ModelFile open_spindle(const std::string& path) {
-  io::ModelFile file = open_model(path, Accepts::rig_or_shaft);
+  io::ModelFile file = session::open_model(messages(), path, session::Accepts::rig_or_shaft);
   if (!file.model.spindle)
     throw io::InputError(path +
                              ": is no spindle: with [shaft] and [housing] beside its [arrangement] "
@@ -141,7 +143,7 @@ int run_steady(const SpindleFlags& f, const io::ModelFile& file) {
     print_steady(file.model, states, mesh);
   f.report.write(
       [&] {
-        return io::spindle_steady_report(of_page(file, file.model), states,
+        return io::spindle_steady_report(session::of_page(file, file.model), states,
                                          fields_of(simulator, states), mesh, words(mesh));
       },
       f.force);
@@ -233,8 +235,8 @@ std::string page_of(const SpindleFlags& f, const io::ModelFile& file, spindle::S
                       .speed = row == drawn.rows.end() ? unset : row->inputs.speed,
                       .cells = simulator.field(state)});
   }
-  return io::spindle_run_report(of_page(file, file.model), f.profile, profile.size(), run, drawn,
-                                fields, mesh, words(mesh));
+  return io::spindle_run_report(session::of_page(file, file.model), f.profile, profile.size(), run,
+                                drawn, fields, mesh, words(mesh));
 }
 
 int run_profile(const SpindleFlags& f, const io::ModelFile& file) {
@@ -310,7 +312,7 @@ Run setup_spindle(CLI::App& command) {
   command
       .add_option("--field", flags->field, "write the temperature of each cell at the end (CSV)")
       ->type_name("FILE");
-  flags->reading.declare(command);
+  declare(command, flags->reading);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

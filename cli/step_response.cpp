@@ -8,8 +8,8 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
 #include "cli/report_flag.h"
 #include "cli/run_files.h"
 #include "cli/step_parts.h"
@@ -23,6 +23,7 @@
 #include "io/step_report.h"
 #include "io/step_results.h"
 #include "io/superposition.h"
+#include "session/open_input.h"
 
 namespace raceway::cli {
 namespace {
@@ -267,7 +268,8 @@ int run(const StepFlags& flags) {
   check_step_flags(flags);
   require_step_files(flags);
   std::optional<io::ModelFile> file;
-  if (!flags.model.empty()) file = open_model(flags.model, Accepts::shaft);
+  if (!flags.model.empty())
+    file = session::open_model(messages(), flags.model, session::Accepts::shaft);
   const model::Model* const model = file ? &file->model : nullptr;
   const spindle::StepResponses responses =
       flags.imports() ? imported_steps(flags, model) : simulated_steps(flags, *model);
@@ -295,7 +297,7 @@ int run(const StepFlags& flags) {
   flags.report.write(
       [&] {
         std::vector<io::ModelOfPage> facts;
-        if (file) facts.push_back(of_page(*file, *model));
+        if (file) facts.push_back(session::of_page(*file, *model));
         return io::step_report(source, responses, laws, notes, error ? &*error : nullptr,
                                flags.programme, facts);
       },

@@ -10,14 +10,11 @@
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
-#include "cli/contact_statement.h"
-#include "cli/data_flag.h"
+#include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "cli/open_input.h"
 #include "cli/progress.h"
 #include "cli/report_flag.h"
-#include "cli/shaft.h"
-#include "cli/table_columns.h"
+#include "cli/shared_flags.h"
 #include "cli/table_memory.h"
 #include "cli/text_table.h"
 #include "friction/stribeck_table.h"
@@ -30,6 +27,11 @@
 #include "io/table_exchange.h"
 #include "io/table_file.h"
 #include "io/table_plot.h"
+#include "session/contact_statement.h"
+#include "session/open_input.h"
+#include "session/reading.h"
+#include "session/shaft_answers.h"
+#include "session/table_columns.h"
 
 namespace raceway::cli {
 namespace {
@@ -41,7 +43,7 @@ struct TableFlags {
   bool json = false, force = false;
   ReportFlag report;
   BandFlag band;
-  DataFlag reading;
+  session::Reading reading;
 };
 
 friction::TableAxes axes(const TableFlags& f, const model::Model& model) {
@@ -68,7 +70,7 @@ friction::TableAxes axes(const TableFlags& f, const model::Model& model) {
   a.temperature = f.temperature.empty() ? std::vector{celsius(rig.temperature)}
                                         : axis(f.temperature, "--temperature");
   require_all(a.temperature, temperature_range, "--temperature");
-  if (!f.temperature.empty()) tell_of_kelvin(a.temperature);
+  if (!f.temperature.empty()) session::tell_of_kelvin(messages(), a.temperature);
   for (double& v : a.temperature) v = kelvin(v);
   return a;
 }
@@ -118,7 +120,7 @@ void fill_band(const model::Model& model, const model::Band& band,
                std::span<const bearing::OperatingPoint> points,
                std::span<friction::TablePoint> out) {
   const std::vector<double> half_widths =
-      model.shaft ? shaft_band(band, shaft_points(points)).half_widths
+      model.shaft ? session::shaft_band(band, session::shaft_points(points)).half_widths
                   : band([&](const model::Model& m) { return numbers_with_band(m, points); });
   const std::size_t count = band_columns(model).size();
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -249,15 +251,17 @@ int run(const TableFlags& flags) {
     throw io::InputError("raceway table: --data is drawn in a report: --report is missing",
                          {.key = "--report"});
   flags.report.check(flags.force);
-  const io::ModelFile file = open_model(flags.model, Accepts::rig_or_shaft);
+  const io::ModelFile file =
+      session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
   const model::Model& model = file.model;
-  warn_of_ignored_data(file);
+  session::warn_of_ignored_data(messages(), file);
   std::optional<record::Record> measured;
   if (!flags.data.empty())
-    measured = open_data(flags.data, *io::make_subject(model), flags.reading.options(file));
+    measured = session::open_data(messages(), flags.data, *io::make_subject(model),
+                                  flags.reading.options(file));
   const friction::TableAxes grid = axes(flags, model);
   const std::optional<model::Band> band = flags.band.of(file);
-  std::vector<std::string> names = table_columns(model);
+  std::vector<std::string> names = session::table_columns(model);
   if (band)
     for (std::string& name : band_columns(model)) names.push_back(std::move(name));
   require_memory(grid, part, names.size(),
@@ -277,7 +281,7 @@ int run(const TableFlags& flags) {
   const friction::StribeckTable table = friction::build_stribeck_table(
       grid, std::move(names),
       [&](auto given, auto out) {
-        fill_table_line(model, given, out);
+        session::fill_table_line(model, given, out);
         if (band) fill_band(model, *band, given, out);
       },
       progress(0.0, solved, {}), part);
@@ -308,12 +312,12 @@ int run(const TableFlags& flags) {
   flags.report.write(
       [&] {
         return io::table_report(file.source, model, table, states_to_draw(model, grid),
-                                measured ? &*measured : nullptr, {of_page(file, model)});
+                                measured ? &*measured : nullptr, {session::of_page(file, model)});
       },
       flags.force);
-  tell(table_notes(model, table));
+  tell(session::table_notes(model, table));
   if (table.points() > 0)  // at the highest speed of the first loads
-    if (const std::string why = balls_statement(model, table.point(grid.speed.size() - 1));
+    if (const std::string why = session::balls_statement(model, table.point(grid.speed.size() - 1));
         !why.empty())
       tell({why});
   return tell_of_failures(model, table);
@@ -361,7 +365,7 @@ Run setup_table(CLI::App& command) {
   command
       .add_option("--data", flags->data, "measurements (CSV) to draw into the curves of the report")
       ->type_name("FILE");
-  flags->reading.declare(command);
+  declare(command, flags->reading);
   command.footer(
       "Example:\n  raceway table my.toml --speed 0:12000:250 --axial-load 100,300,900 "
       "-o stribeck.csv");

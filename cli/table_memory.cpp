@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "cli/open_input.h"
+#include "cli/messages.h"
 #include "io/error.h"
 
 namespace raceway::cli {

@@ -110,14 +110,6 @@ std::string TextTable::text(std::size_t width) const {
   return out;
 }
 
-std::string number(double value, int digits) {
-  if (std::isnan(value)) return "-";
-  if (value == 0.0 || std::isinf(value)) return fmt::format("{:g}", value + 0.0);
-  const int magnitude = magnitude_of(value);
-  if (magnitude < -4 || magnitude > 7) return fmt::format("{:.{}e}", value, digits - 1);
-  return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - magnitude));
-}
-
 std::string beside(double value, double scale, int digits, bool sign) {
   const int magnitude = scale == 0.0 || !std::isfinite(scale) ? 0 : magnitude_of(scale);
   if (!std::isfinite(value) || magnitude < -4 || magnitude > 7) return number(value, digits);

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/number_text.h"
+
 namespace raceway::cli {
 
 /// A plain table for people: columns of text, right-aligned, header and unit line on top. Columns
@@ -33,9 +35,7 @@ class TextTable {
 /// Words in lines of at most `width` characters, longer only where a word is.
 [[nodiscard]] std::vector<std::string> filled(std::string_view words, std::size_t width);
 
-/// A number in so many significant digits, without exponent where people would write none;
-/// "-" for NaN.
-[[nodiscard]] std::string number(double value, int digits = 4);
+using io::number;
 
 /// A value with the decimals that number() gives `scale`, for values to be read against it; never
 /// "-0.0". `sign` writes + before positive values.

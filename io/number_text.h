@@ -18,6 +18,10 @@ namespace raceway::io {
 /// A double as TOML: the shortest text that reads back the same, always a float.
 [[nodiscard]] std::string toml_float(double value);
 
+/// A number for people in so many significant digits, without exponent where they would write none;
+/// "-" for NaN.
+[[nodiscard]] std::string number(double value, int digits = 4);
+
 /// A value of a channel in its unit, without the rounding of an offset that is larger than the
 /// value: 60 C are not 59.9999999999999.
 [[nodiscard]] double value_in_unit(const record::Channel& channel, double si);

@@ -14,7 +14,8 @@ set(on_shaft ${on_model} model)
 set(on_correction record fit shaft)
 set(on_spindle ${on_model} model shaft)
 set(on_io ${on_model} model rig shaft spindle correction)
-set(libraries record fit bearing friction life effects model rig shaft spindle correction io)
+set(on_session ${on_io} io)
+set(libraries record fit bearing friction life effects model rig shaft spindle correction io session)
 set(users cli bench tests)  # may include every folder and each other
 set(faults "")
 

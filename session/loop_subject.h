@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,14 +8,12 @@
 #include "model/model.h"
 #include "record/record.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 /// `--per-record f0,z` of a command: what every one of several records has for itself.
-struct PerRecordFlag {
+struct PerRecord {
   std::vector<std::string> names;
 
-  /// Declares the flag.
-  void declare(CLI::App& command);
   /// A model as the loop sees it: of one record, or of several that were joined. What is named is
   /// free, whether or not it is in the model. Throws io::InputError: names where there is one
   /// record, a name that is no parameter of the model, one given twice.
@@ -24,4 +21,4 @@ struct PerRecordFlag {
                                                             const record::Record& data) const;
 };
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -1,12 +1,10 @@
-#include "cli/open_input.h"
+#include "session/open_input.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "cli/process.h"
-#include "cli/run_files.h"
 #include "io/data_file.h"
 #include "io/doubts.h"
 #include "io/error.h"
@@ -16,7 +14,7 @@
 #include "model/steps.h"
 #include "shaft/displacement_rows.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 void refuse_data(const std::string& model, const record::Record& data,
                  const std::invalid_argument& error) {
@@ -27,10 +25,12 @@ void refuse_data(const std::string& model, const record::Record& data,
                        {.file = data.source});
 }
 
-io::ModelFile open_model(const std::string& path, Accepts accepts, Defaults defaults) {
+io::ModelFile open_model(Messages& messages, const Source& source, Accepts accepts,
+                         Defaults defaults) {
+  const std::string& path = source.name;
   io::ModelFile file = [&] {
     try {
-      return io::read_model(path);
+      return source.text ? io::parse_model(*source.text, path) : io::read_model(path);
     } catch (const io::InputError& e) {
       if (!path.ends_with(".csv")) throw;
       throw io::InputError(
@@ -51,12 +51,13 @@ io::ModelFile open_model(const std::string& path, Accepts accepts, Defaults defa
                              ": has no [arrangement]: a shaft position needs one, with layout, "
                              "front, rear and preload_N",
                          {.file = path, .key = "arrangement"});
-  if (!file.sensor_file.empty()) add_input(file.sensor_file);
+  if (!file.sensor_file.empty()) messages.reads(file.sensor_file);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
-    tell({fmt::format("{} default{}: raceway check {} lists {}", count, count == 1 ? "" : "s",
-                      path == "-" ? "MODEL" : path, count == 1 ? "it" : "them")});
-  for (const std::string& note : file.notes) tell({file.source + ": " + note});
+    messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
+                              count == 1 ? "" : "s", path == "-" ? "MODEL" : path,
+                              count == 1 ? "it" : "them"));
+  for (const std::string& note : file.notes) messages.note(file.source + ": " + note);
   return file;
 }
 
@@ -69,19 +70,19 @@ void refuse_for_spindle(const model::Model& model, const std::vector<std::string
                          {.key = flag});
 }
 
-void tell_of_kelvin(const std::vector<double>& temperatures_C) {
+void tell_of_kelvin(Messages& messages, const std::vector<double>& temperatures_C) {
   for (const double value : temperatures_C)
     if (const std::string note = io::looks_like_kelvin("--temperature", value); !note.empty())
-      return tell({note});
+      return messages.note(note);
 }
 
-void warn_of_ignored_data(const io::ModelFile& file) {
+void warn_of_ignored_data(Messages& messages, const io::ModelFile& file) {
   const std::vector<std::string> ignored = model::ignored_by_friction(file.model, file.written);
   if (ignored.empty()) return;
   const friction::FrictionLaw law = file.model.law;
   const std::vector<std::string> taken = model::taken_in(friction::FrictionLaw::skf, ignored);
   const bool skf = !taken.empty() && law != friction::FrictionLaw::skf;
-  warn(fmt::format(
+  messages.warn(fmt::format(
       "{}: in the friction torque {} ignores {}{}; {}law = \"contact\"{} all (docs/laws.md)",
       file.source, friction::name(law), fmt::join(ignored, ", "),
       model::needs_equilibrium(file.model) ? "" : " and running contact angles",
@@ -95,39 +96,45 @@ io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used) {
 
 namespace {
 
-/// Each of `lines` on stderr, and into the notes of the record for who reads its results as JSON.
+/// Each of `lines` said, and into the notes of the record for who reads its results as JSON.
 /// `from`: the file, where it is one of several.
-void put(record::Record& data, std::vector<std::string> lines, const std::string& from,
-         void (*say)(const std::vector<std::string>&)) {
+void put(Messages& messages, record::Record& data, std::vector<std::string> lines,
+         const std::string& from, void (Messages::*say)(const std::vector<std::string>&)) {
   for (std::string& line : lines)
     if (!from.empty()) line.insert(0, from + ": ");
-  say(lines);
+  (messages.*say)(lines);
   data.notes.insert(data.notes.end(), lines.begin(), lines.end());
 }
 
-record::Record open_one(const std::string& path, const model::ModelSubject& subject,
-                        const io::ReadOptions& options, bool of_several) {
+record::Record open_one(Messages& messages, const Source& source,
+                        const model::ModelSubject& subject, const io::ReadOptions& options,
+                        bool of_several) {
+  const std::string& path = source.name;
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
   if (const auto& spindle = subject.model().spindle) {
-    record::Record data = io::read_spindle_record(path, *spindle, options);
-    put(data, std::exchange(data.notes, {}), of_several ? path : std::string(), tell);
+    record::Record data = source.text
+                              ? io::parse_spindle_record(*source.text, path, *spindle, options)
+                              : io::read_spindle_record(path, *spindle, options);
+    put(messages, data, std::exchange(data.notes, {}), of_several ? path : std::string(),
+        &Messages::notes);
     return data;
   }
-  record::Record data = io::read_record(path, subject, options);
+  record::Record data = source.text ? io::parse_record(*source.text, path, subject, options)
+                                    : io::read_record(path, subject, options);
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(std::move(note));
   const std::string from = of_several ? path : std::string();
-  put(data, std::exchange(data.notes, {}), from, tell);
-  put(data, io::doubts(subject, data), from, warn);
+  put(messages, data, std::exchange(data.notes, {}), from, &Messages::notes);
+  put(messages, data, io::doubts(subject, data), from, &Messages::warnings);
   return data;
 }
 
 }  // namespace
 
-record::Record open_data(const std::string& path, const model::ModelSubject& subject,
+record::Record open_data(Messages& messages, const Source& data, const model::ModelSubject& subject,
                          const io::ReadOptions& options) {
-  return open_one(path, subject, options, false);
+  return open_one(messages, data, subject, options, false);
 }
 
 void tell_of_scale(const record::Record& data, std::vector<std::string>& messages) {
@@ -137,12 +144,13 @@ void tell_of_scale(const record::Record& data, std::vector<std::string>& message
         "this record does not tell; the result rests on the shape alone");
 }
 
-record::Record open_records(const std::vector<std::string>& paths, const std::string& model,
-                            const model::ModelSubject& subject, const io::ReadOptions& options) {
-  if (paths.size() == 1) return open_data(paths.front(), subject, options);
+record::Record open_records(Messages& messages, const std::vector<Source>& data,
+                            const std::string& model, const model::ModelSubject& subject,
+                            const io::ReadOptions& options) {
+  if (data.size() == 1) return open_data(messages, data.front(), subject, options);
   std::vector<record::Record> records;
-  for (const std::string& path : paths) {
-    records.push_back(open_one(path, subject, options, true));
+  for (const Source& source : data) {
+    records.push_back(open_one(messages, source, subject, options, true));
     try {
       subject.require(records.back());
     } catch (const std::invalid_argument& e) {
@@ -153,10 +161,10 @@ record::Record open_records(const std::vector<std::string>& paths, const std::st
     const auto declares = [&](const record::Record& r) { return r.deviation_of(*m.channel); };
     if (std::any_of(records.begin(), records.end(), declares) &&
         !std::all_of(records.begin(), records.end(), declares))
-      tell(
-          {fmt::format("std_{} is not in every file: it counts in none, and the noise is found "
-                       "from the rows",
-                       m.channel->key_unit())});
+      messages.note(
+          fmt::format("std_{} is not in every file: it counts in none, and the noise is found "
+                      "from the rows",
+                      m.channel->key_unit()));
   }
   try {
     return record::joined(std::move(records));
@@ -165,4 +173,4 @@ record::Record open_records(const std::vector<std::string>& paths, const std::st
   }
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

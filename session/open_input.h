@@ -4,23 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "cli/messages.h"
 #include "io/model_file.h"
 #include "io/report.h"
 #include "model/model_subject.h"
 #include "record/record.h"
+#include "session/messages.h"
+#include "session/source.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 /// Which models a command takes.
 enum class Accepts { rig, rig_or_shaft, shaft };
 
-/// Whether the defaults of a model are counted in a note; not where the command lists them.
+/// Whether the defaults of a model are counted in a note; not where they are listed.
 enum class Defaults { count, keep };
 
-/// Reads a model, counts on stderr the defaults that were used, and says what is to be known of it.
-/// Throws io::InputError for a model that the command does not take.
-[[nodiscard]] io::ModelFile open_model(const std::string& path, Accepts accepts = Accepts::rig,
+/// Reads a model, counts the defaults that were used, and says what is to be known of it. Throws
+/// io::InputError for a model that is not accepted.
+[[nodiscard]] io::ModelFile open_model(Messages& messages, const Source& model,
+                                       Accepts accepts = Accepts::rig,
                                        Defaults defaults = Defaults::count);
 
 /// Refuses flags that mean nothing for a record of a spindle; of a model of something else nothing.
@@ -32,16 +34,17 @@ void refuse_for_spindle(const model::Model& model, const std::vector<std::string
 
 /// Warns where the file says something of its bearing or solver that changes no digit of the
 /// friction torque: the law takes no account of it.
-void warn_of_ignored_data(const io::ModelFile& file);
+void warn_of_ignored_data(Messages& messages, const io::ModelFile& file);
 
 /// Reads measurements for a model, a coast-down turned into torque. What is to be known of them and
-/// what is doubtful of them goes to stderr, and stands in the notes of the record.
-[[nodiscard]] record::Record open_data(const std::string& path, const model::ModelSubject& subject,
+/// what is doubtful of them is said, and stands in the notes of the record.
+[[nodiscard]] record::Record open_data(Messages& messages, const Source& data,
+                                       const model::ModelSubject& subject,
                                        const io::ReadOptions& options);
 
 /// The same of one file or several, which are joined to one record. Each must be of what the model
 /// stands for; `model` is its file, for messages.
-[[nodiscard]] record::Record open_records(const std::vector<std::string>& paths,
+[[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,
                                           const io::ReadOptions& options);
@@ -55,6 +58,6 @@ void warn_of_ignored_data(const io::ModelFile& file);
 void tell_of_scale(const record::Record& data, std::vector<std::string>& messages);
 
 /// A note where a temperature of the flag --temperature looks like kelvin.
-void tell_of_kelvin(const std::vector<double>& temperatures_C);
+void tell_of_kelvin(Messages& messages, const std::vector<double>& temperatures_C);
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

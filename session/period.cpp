@@ -1,4 +1,4 @@
-#include "cli/period_flag.h"
+#include "session/period.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "io/error.h"
 #include "io/units.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 namespace {
 
 /// "22h" [s]
@@ -30,17 +30,8 @@ double seconds_of(const std::string& text, const std::string& flag) {
 
 }  // namespace
 
-void PeriodFlag::declare(CLI::App& command) {
-  command
-      .add_option("--from", from,
-                  "of a record over time: only readings from then on count, as 22h;\n"
-                  "all rows drive the model")
-      ->type_name("TIME");
-  command.add_option("--until", until, "the same: only readings up to then")->type_name("TIME");
-}
-
-void PeriodFlag::apply(record::Record& record,
-                       const std::vector<const record::Channel*>& measured) const {
+void Period::apply(record::Record& record,
+                   const std::vector<const record::Channel*>& measured) const {
   if (!is_given()) return;
   const double lowest = from.empty() ? 0.0 : seconds_of(from, "--from");
   const double highest =
@@ -71,4 +62,4 @@ void PeriodFlag::apply(record::Record& record,
   record.notes.push_back(fmt::format("{} of {} readings count", left, all));
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

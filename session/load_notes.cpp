@@ -1,4 +1,4 @@
-#include "cli/load_notes.h"
+#include "session/load_notes.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "bearing/seat.h"
 #include "friction/palmgren.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 namespace {
 
 double static_load(const bearing::Bearing& bearing, const CarriedLoad& carried) {
@@ -94,4 +94,4 @@ std::vector<std::string> LoadNotes::lines() const {
   return lines;
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -1,13 +1,10 @@
-#include "cli/correction_input.h"
+#include "session/correction_input.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "cli/messages.h"
-#include "cli/run_files.h"
-#include "cli/text_table.h"
 #include "correction/baseline.h"
 #include "correction/identify.h"
 #include "correction/record_check.h"
@@ -15,24 +12,30 @@
 #include "correction/simulation.h"
 #include "io/error.h"
 #include "io/names.h"
-#include "io/output_file.h"
+#include "io/number_text.h"
 #include "io/series_file.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
-io::CorrectionFile open_corrections(const std::string& path) {
-  io::CorrectionFile file = io::read_correction(path);
-  for (const std::string& table : file.tables) add_input(table);
+using io::number;
+
+io::CorrectionFile open_corrections(Messages& messages, const Source& source) {
+  const std::string& path = source.name;
+  io::CorrectionFile file =
+      source.text ? io::parse_correction(*source.text, path) : io::read_correction(path);
+  for (const std::string& table : file.tables) messages.reads(table);
   const std::size_t count = file.defaults.size();
   if (count > 0)
-    tell({fmt::format("{} default{}: raceway check {} lists {}", count, count == 1 ? "" : "s", path,
-                      count == 1 ? "it" : "them")});
-  for (const std::string& note : file.notes) tell({file.source + ": " + note});
+    messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
+                              count == 1 ? "" : "s", path, count == 1 ? "it" : "them"));
+  for (const std::string& note : file.notes) messages.note(file.source + ": " + note);
   return file;
 }
 
-record::Record open_series(const std::string& path, const std::vector<correction::Model>& models,
-                           const io::ReadOptions& options, const PeriodFlag& period) {
+record::Record open_series(Messages& messages, const Source& data,
+                           const std::vector<correction::Model>& models,
+                           const io::ReadOptions& options, const Period& period) {
+  const std::string& path = data.name;
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where a record over time (CSV) is expected",
                          {.file = path});
@@ -42,23 +45,17 @@ record::Record open_series(const std::string& path, const std::vector<correction
     for (const record::Channel* c : correction::inputs_of(m))
       if (std::find(needed.begin(), needed.end(), c) == needed.end()) needed.push_back(c);
   }
-  record::Record record = io::read_series(path, wanted, needed, options);
+  record::Record record = data.text ? io::parse_series(*data.text, path, wanted, needed, options)
+                                    : io::read_series(path, wanted, needed, options);
   period.apply(record, wanted);
-  tell(record.notes);
+  messages.notes(record.notes);
   return record;
 }
 
-void declare_displacement(CLI::App& command, std::string& column) {
-  command
-      .add_option("--displacement", column,
-                  "of a MODEL with several [[correction]]: which of them, such as\n"
-                  "displacement_z_um")
-      ->type_name("COLUMN");
-}
-
-CorrectionQuestion ask_correction(const std::string& model, const std::vector<std::string>& data,
-                                  const std::string& displacement, const DataFlag& reading) {
-  CorrectionQuestion asked{.file = open_corrections(model)};
+CorrectionQuestion ask_correction(Messages& messages, const Source& model,
+                                  const std::vector<Source>& data, const std::string& displacement,
+                                  const Reading& reading) {
+  CorrectionQuestion asked{.file = open_corrections(messages, model)};
   const std::vector<correction::Model>& models = asked.file.models;
   std::vector<std::string> known;
   for (const correction::Model& m : models) known.emplace_back(m.displacement->name);
@@ -79,8 +76,8 @@ CorrectionQuestion ask_correction(const std::string& model, const std::vector<st
         "with their run_id",
         {.key = "DATA"});
   asked.model = models[asked.index];
-  asked.data =
-      open_series(data.front(), {asked.model}, reading.options(asked.file.columns), reading.period);
+  asked.data = open_series(messages, data.front(), {asked.model},
+                           reading.options(asked.file.columns), reading.period);
   if (!asked.data.has(*asked.model.displacement))
     throw io::InputError(
         fmt::format("{}: has no column {}", asked.data.source, asked.model.displacement->name),
@@ -88,24 +85,20 @@ CorrectionQuestion ask_correction(const std::string& model, const std::vector<st
   return asked;
 }
 
-void prepare_fit(const correction::Model& model, const std::string& source,
+void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record) {
   if (const std::string beyond = correction::power_beyond_element(model, record); !beyond.empty())
     throw io::InputError(fmt::format("{} with {}: {}", record.source, source, beyond),
                          {.file = record.source});
   const std::vector<std::string> faults = correction::check_record(model, record).of_its_inputs;
-  warn(faults);
+  messages.warnings(faults);
   record.notes.insert(record.notes.end(), faults.begin(), faults.end());
 }
 
-void write_correction(const CorrectionQuestion& asked, const fit::Calibration& found,
-                      const std::string& path, bool replace) {
-  if (path.empty()) return;
+std::string fitted_text(const CorrectionQuestion& asked, const fit::Calibration& found) {
   std::vector<correction::Model> models = asked.file.models;
   models[asked.index] = correction::trusted(found, asked.data);
-  io::write_text(path, io::with_corrections(asked.file, models),
-                 replace ? io::IfExists::replace : io::IfExists::refuse);
-  say(path + " written");
+  return io::with_corrections(asked.file, models);
 }
 
 namespace {
@@ -164,4 +157,4 @@ std::vector<std::string> range_notes(const correction::Model& model, const recor
   return range_notes(model, series, correction::beyond_range(model, series));
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -7,7 +7,7 @@
 #include "friction/contact/contact_law.h"
 #include "model/prediction.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 /// One line on film and friction: "full film (lambda 15.7), rolling of the oil is 98 % of the
 /// torque of the contacts".
@@ -25,4 +25,4 @@ namespace raceway::cli {
                                                       const bearing::OperatingPoint& point,
                                                       const model::FrictionPrediction& prediction);
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -1,21 +1,18 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
-#include "cli/period_flag.h"
 #include "io/model_file.h"
+#include "session/period.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 /// `--columns map.toml` and `--drop-nan` of a command that reads measurements.
-struct DataFlag {
+struct Reading {
   std::string columns;
   bool drop_nan = false;
-  PeriodFlag period{};  ///< declared where records over time are read
+  Period period{};  ///< declared where records over time are read
 
-  /// Declares the flags.
-  void declare(CLI::App& command);
   /// How measurements are read: by the map of the flag, else by [columns] of the model. Throws
   /// io::InputError for a period: rows of a friction rig are no course in time.
   [[nodiscard]] io::ReadOptions options(const io::ModelFile& model) const;
@@ -24,4 +21,4 @@ struct DataFlag {
   [[nodiscard]] io::ReadOptions options() const;
 };
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -6,7 +6,7 @@
 #include "bearing/bearing.h"
 #include "bearing/operating_point.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 /// What one bearing carries at a point [SI]; NaN where it is not known.
 struct CarriedLoad {
@@ -42,4 +42,4 @@ class LoadNotes {
   std::size_t points_ = 0;
 };
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

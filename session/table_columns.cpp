@@ -1,4 +1,4 @@
-#include "cli/table_columns.h"
+#include "session/table_columns.h"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include <string_view>
 
 #include "bearing/contact_pressure.h"
-#include "cli/load_notes.h"
 #include "io/shaft_results.h"
 #include "model/bearing_life.h"
 #include "model/heat_split.h"
 #include "model/prediction.h"
+#include "session/load_notes.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 namespace {
 
 constexpr std::string_view lost_balls = "lost_balls", inner_pressure = "inner_contact_pressure_MPa",
@@ -182,4 +182,4 @@ std::vector<std::string> table_notes(const model::Model& model,
   return notes.lines();
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -10,14 +9,12 @@
 #include "fit/subject.h"
 #include "io/model_file.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 /// `--tolerance 2um,0.5K` of a command: errors that do not matter to whoever uses the model.
-struct ToleranceFlag {
+struct Tolerance {
   std::string text;
 
-  /// Declares the flag.
-  void declare(CLI::App& command);
   /// Gives them to the model, for this run. The unit says which measured channels are meant.
   /// Throws io::InputError: no number with a unit, a unit in which nothing is measured, a channel
   /// that has a tolerance already.
@@ -31,4 +28,4 @@ struct ToleranceFlag {
            std::string_view table, const Set& take) const;
 };
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

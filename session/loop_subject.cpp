@@ -1,4 +1,4 @@
-#include "cli/per_record_flag.h"
+#include "session/loop_subject.h"
 
 #include <fmt/format.h>
 
@@ -8,20 +8,10 @@
 #include "io/error.h"
 #include "io/subject.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
-void PerRecordFlag::declare(CLI::App& command) {
-  command
-      .add_option("--per-record", names,
-                  "of several DATA: fitted to each by itself, such as f0,z (by comma), as\n"
-                  "the oil and the temperature of a day; all else is one for all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
-}
-
-std::shared_ptr<const fit::Subject> PerRecordFlag::subject(const model::Model& model,
-                                                           const record::Record& data) const {
+std::shared_ptr<const fit::Subject> PerRecord::subject(const model::Model& model,
+                                                       const record::Record& data) const {
   if (model.spindle) {
     if (!names.empty())
       throw io::InputError(
@@ -53,4 +43,4 @@ std::shared_ptr<const fit::Subject> PerRecordFlag::subject(const model::Model& m
   }
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

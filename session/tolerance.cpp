@@ -1,4 +1,4 @@
-#include "cli/tolerance_flag.h"
+#include "session/tolerance.h"
 
 #include <fmt/format.h>
 
@@ -15,10 +15,10 @@
 #include "io/number_text.h"
 #include "io/subject.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 namespace {
 
-struct Tolerance {
+struct Amount {
   double value = unset;
   std::string unit = {};
 };
@@ -29,8 +29,8 @@ struct Tolerance {
 }
 
 /// "2 N mm" is 2 and "Nmm".
-Tolerance parsed(const std::string& text) {
-  Tolerance t;
+Amount parsed(const std::string& text) {
+  Amount t;
   const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data() + begin, last, t.value);
@@ -51,21 +51,13 @@ std::string allowed(const std::vector<fit::Measured>& measured) {
 
 }  // namespace
 
-void ToleranceFlag::declare(CLI::App& command) {
-  command
-      .add_option("--tolerance", text,
-                  "error below which nothing matters, e.g. 2Nmm or 2um,0.5K;\n"
-                  "for models without a tolerance under [loop]")
-      ->type_name("VALUES");
-}
-
-void ToleranceFlag::set(const std::vector<fit::Measured>& measured, const std::string& source,
-                        std::string_view table, const Set& take) const {
+void Tolerance::set(const std::vector<fit::Measured>& measured, const std::string& source,
+                    std::string_view table, const Set& take) const {
   std::vector<std::string> taken;
   if (text.empty()) return;
   std::istringstream items(text);
   for (std::string item; std::getline(items, item, ',');) {
-    const Tolerance given = parsed(item);
+    const Amount given = parsed(item);
     if (std::find(taken.begin(), taken.end(), given.unit) != taken.end())
       refuse(item, fmt::format("two of them in {}", given.unit));
     taken.push_back(given.unit);
@@ -85,7 +77,7 @@ void ToleranceFlag::set(const std::vector<fit::Measured>& measured, const std::s
   }
 }
 
-void ToleranceFlag::set(io::ModelFile& file) const {
+void Tolerance::set(io::ModelFile& file) const {
   if (text.empty()) return;
   set(io::make_subject(file.model)->measured(), file.source, "loop",
       [&](const record::Channel& channel, double value) {
@@ -93,9 +85,9 @@ void ToleranceFlag::set(io::ModelFile& file) const {
       });
 }
 
-void ToleranceFlag::set(correction::Model& model, const std::string& source) const {
+void Tolerance::set(correction::Model& model, const std::string& source) const {
   set(correction::CorrectionSubject(model).measured(), source, "correction",
       [&](const record::Channel&, double value) { model.tolerance = value; });
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -10,7 +10,7 @@
 
 /// What stands in a table beside the torque: of a bearing its moments, angles and pressures, of a
 /// shaft those of every bearing. The position comes last.
-namespace raceway::cli {
+namespace raceway::session {
 
 [[nodiscard]] std::vector<std::string> table_columns(const model::Model& model);
 
@@ -28,4 +28,4 @@ void fill_table_line(const model::Model& model, std::span<const bearing::Operati
 [[nodiscard]] std::vector<std::string> table_notes(const model::Model& model,
                                                    const friction::StribeckTable& table);
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -1,10 +1,12 @@
-#include "cli/law_statement.h"
+#include "session/law_statement.h"
 
 #include <fmt/core.h>
 
-#include "cli/text_table.h"
+#include "io/number_text.h"
 
-namespace raceway::cli {
+namespace raceway::session {
+
+using io::number;
 
 using shaft::KinematicLawVerdict;
 
@@ -28,4 +30,4 @@ std::string law_statement(const shaft::KinematicLawFit& f, const std::string& ta
       limit, table);
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -1,4 +1,4 @@
-#include "cli/contact_statement.h"
+#include "session/contact_statement.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "bearing/arrangement_equilibrium.h"
 #include "model/bearing_life.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 namespace {
 
 /// From where on a film is said to be full, and below which the asperities carry much [1]; the
@@ -97,4 +97,4 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
   return notes;
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -1,20 +1,10 @@
-#include "cli/data_flag.h"
+#include "session/reading.h"
 
 #include "io/error.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
-void DataFlag::declare(CLI::App& command) {
-  command
-      .add_option("--columns", columns,
-                  "which of their columns is which of ours (TOML, table [columns]);\n"
-                  "default: that of the model; check --suggest-columns proposes one")
-      ->type_name("FILE");
-  command.add_flag("--drop-nan", drop_nan,
-                   "leave out rows with an empty cell, nan or #N/A in a column that counts");
-}
-
-io::ReadOptions DataFlag::options(const io::ModelFile& model) const {
+io::ReadOptions Reading::options(const io::ModelFile& model) const {
   if (period.is_given())
     throw io::InputError(
         model.model.spindle
@@ -27,16 +17,16 @@ io::ReadOptions DataFlag::options(const io::ModelFile& model) const {
   return result;
 }
 
-io::ReadOptions DataFlag::options(const io::ColumnMap& of_model) const {
+io::ReadOptions Reading::options(const io::ColumnMap& of_model) const {
   io::ReadOptions result = options();
   if (columns.empty()) result.columns = of_model;
   return result;
 }
 
-io::ReadOptions DataFlag::options() const {
+io::ReadOptions Reading::options() const {
   io::ReadOptions result{.columns = {}, .sensor = {}, .drop_nan = drop_nan};
   if (!columns.empty()) result.columns = io::read_column_map(columns);
   return result;
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

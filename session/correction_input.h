@@ -1,32 +1,29 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "cli/data_flag.h"
 #include "correction/correction_subject.h"
 #include "correction/range.h"
 #include "fit/calibrate.h"
 #include "io/correction_file.h"
 #include "record/record.h"
+#include "session/messages.h"
+#include "session/reading.h"
+#include "session/source.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
-/// Reads a file of corrections, counts on stderr the defaults that were used, and says what is to
-/// be known of it.
-[[nodiscard]] io::CorrectionFile open_corrections(const std::string& path);
+/// Reads a file of corrections, counts the defaults that were used, and says what is to be known of
+/// it.
+[[nodiscard]] io::CorrectionFile open_corrections(Messages& messages, const Source& file);
 
 /// Reads a record over time for all of these models, of which only readings of that period count,
-/// and tells the notes on stderr.
-[[nodiscard]] record::Record open_series(const std::string& path,
+/// and says what is to be known of it.
+[[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
-                                         const io::ReadOptions& options,
-                                         const PeriodFlag& period = {});
-
-/// `--displacement COLUMN` of a command that works on one displacement of a file.
-void declare_displacement(CLI::App& command, std::string& column);
+                                         const io::ReadOptions& options, const Period& period = {});
 
 /// One model of a file with its record.
 struct CorrectionQuestion {
@@ -38,20 +35,21 @@ struct CorrectionQuestion {
 
 /// Throws io::InputError: several models and none chosen, more than one record, and as
 /// open_corrections() and open_series() do.
-[[nodiscard]] CorrectionQuestion ask_correction(const std::string& model,
-                                                const std::vector<std::string>& data,
+[[nodiscard]] CorrectionQuestion ask_correction(Messages& messages, const Source& model,
+                                                const std::vector<Source>& data,
                                                 const std::string& displacement,
-                                                const DataFlag& reading);
+                                                const Reading& reading);
 
 /// Looks at a record before a model is fitted to it. Warns of sensors on which the model rests and
 /// that stick, leap or never vary; into the notes of the record, too, for who reads results as
 /// JSON. Throws io::InputError where a power leaves the range of a delay element.
-void prepare_fit(const correction::Model& model, const std::string& source, record::Record& record);
+void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
+                 record::Record& record);
 
-/// Writes the file with the numbers of a calibration that grew out of its model, what its record
-/// showed them, and how sure they are; says so. Nothing for an empty path.
-void write_correction(const CorrectionQuestion& asked, const fit::Calibration& found,
-                      const std::string& path, bool replace);
+/// The text of the file with the numbers of a calibration that grew out of its model, what its
+/// record showed them, and how sure they are.
+[[nodiscard]] std::string fitted_text(const CorrectionQuestion& asked,
+                                      const fit::Calibration& found);
 
 /// What a record asks of a model that it was not asked when its numbers were found, in words:
 /// inputs beyond their range, all of them where they never were together, power beyond the friction
@@ -62,4 +60,4 @@ void write_correction(const CorrectionQuestion& asked, const fit::Calibration& f
 [[nodiscard]] std::vector<std::string> range_notes(const correction::Model& model,
                                                    const record::Record& record);
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

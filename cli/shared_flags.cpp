@@ -1,0 +1,51 @@
+#include "cli/shared_flags.h"
+
+namespace raceway::cli {
+
+void declare(CLI::App& command, session::Reading& reading) {
+  command
+      .add_option("--columns", reading.columns,
+                  "which of their columns is which of ours (TOML, table [columns]);\n"
+                  "default: that of the model; check --suggest-columns proposes one")
+      ->type_name("FILE");
+  command.add_flag("--drop-nan", reading.drop_nan,
+                   "leave out rows with an empty cell, nan or #N/A in a column that counts");
+}
+
+void declare(CLI::App& command, session::Period& period) {
+  command
+      .add_option("--from", period.from,
+                  "of a record over time: only readings from then on count, as 22h;\n"
+                  "all rows drive the model")
+      ->type_name("TIME");
+  command.add_option("--until", period.until, "the same: only readings up to then")
+      ->type_name("TIME");
+}
+
+void declare(CLI::App& command, session::Tolerance& tolerance) {
+  command
+      .add_option("--tolerance", tolerance.text,
+                  "error below which nothing matters, e.g. 2Nmm or 2um,0.5K;\n"
+                  "for models without a tolerance under [loop]")
+      ->type_name("VALUES");
+}
+
+void declare(CLI::App& command, session::PerRecord& per_record) {
+  command
+      .add_option("--per-record", per_record.names,
+                  "of several DATA: fitted to each by itself, such as f0,z (by comma), as\n"
+                  "the oil and the temperature of a day; all else is one for all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
+}
+
+void declare_displacement(CLI::App& command, std::string& column) {
+  command
+      .add_option("--displacement", column,
+                  "of a MODEL with several [[correction]]: which of them, such as\n"
+                  "displacement_z_um")
+      ->type_name("COLUMN");
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/band_of_result.h"
+#include "model/band.h"
+#include "shaft/shaft_prediction.h"
+
+namespace raceway::session {
+
+/// Where the bearings of a shaft lose their inner contacts or fall below their minimum load, each
+/// with the range of speeds in which it does, found between the points, which rise in speed.
+[[nodiscard]] std::vector<std::string> shaft_warnings(
+    const model::Model& model, std::span<const shaft::ShaftPoint> points,
+    std::span<const shaft::ShaftPrediction> predictions);
+
+/// Why a point has not converged, in words.
+[[nodiscard]] std::string shaft_problem(const model::Model& model,
+                                        const shaft::ShaftPrediction& prediction);
+
+/// The band of position, torque and loss at every point.
+[[nodiscard]] io::BandOfResult shaft_band(const model::Band& band,
+                                          std::span<const shaft::ShaftPoint> points);
+
+}  // namespace raceway::session
