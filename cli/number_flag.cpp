@@ -12,10 +12,6 @@
 namespace raceway::cli {
 namespace {
 
-std::string range_text(const NumberRange& range) {
-  return fmt::format("must be from {:.10g} to {:.10g} {}", range.lower, range.upper, range.unit);
-}
-
 double number_of(const std::string& number, const std::string& shown, const NumberRange& range,
                  const std::string& flag) {
   const io::ParsedNumber parsed = io::parse_number(number, true);
@@ -24,19 +20,12 @@ double number_of(const std::string& number, const std::string& shown, const Numb
         fmt::format(
             "{} = {}: {}; {}", flag, io::quoted(shown),
             parsed.problem.empty() ? "has a decimal comma, a point is expected" : parsed.problem,
-            range_text(range)),
+            io::range_text(range)),
         {.key = flag});
   return parsed.value;
 }
 
 }  // namespace
-
-void require_range(double value, const NumberRange& range, const std::string& flag) {
-  if (value >= range.lower && value <= range.upper) return;
-  throw io::InputError(
-      fmt::format("{} = {:.10g} {}: {}", flag, value, range.unit, range_text(range)),
-      {.key = flag});
-}
 
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help) {

@@ -2,25 +2,18 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <string_view>
+
+#include "io/number_range.h"
 
 namespace raceway::cli {
 
-/// What a number on the command line may be, both ends included, in the unit of the flag.
-struct NumberRange {
-  double lower, upper;
-  std::string_view unit;
-};
-
-inline constexpr NumberRange speed_range{0.0, 1e6, "rpm"};
-inline constexpr NumberRange load_range{0.0, 1e8, "N"};
-/// On a shaft, whose loads have a direction.
-inline constexpr NumberRange signed_load_range{-1e8, 1e8, "N"};
-inline constexpr NumberRange temperature_range{-100.0, 400.0, "C"};
-inline constexpr NumberRange moment_range{-1e9, 1e9, "N mm"};
-
-/// Throws io::InputError that names flag, value and range.
-void require_range(double value, const NumberRange& range, const std::string& flag);
+using io::load_range;
+using io::moment_range;
+using io::NumberRange;
+using io::require_range;
+using io::signed_load_range;
+using io::speed_range;
+using io::temperature_range;
 
 /// A flag that takes one number of a range; `value` keeps what it has where the flag is not given.
 /// Parsing throws io::InputError for anything else.

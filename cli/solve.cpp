@@ -19,8 +19,8 @@
 #include "model/bearing_life.h"
 #include "model/heat_split.h"
 #include "session/contact_statement.h"
-#include "session/load_notes.h"
 #include "session/open_input.h"
+#include "session/solve_point.h"
 
 namespace raceway::cli {
 namespace {
@@ -150,24 +150,6 @@ void print_shoulders(const bearing::Bearing& bearing, const bearing::BearingEqui
                number(load.least()), load.inner == load.least() ? "inner" : "outer");
 }
 
-/// Where a shoulder cuts the ellipse of a contact off.
-std::vector<std::string> shoulder_warnings(const bearing::Bearing& bearing,
-                                           const bearing::BearingEquilibrium& e) {
-  const bearing::ShoulderMargins left = shoulder_margins(bearing, e);
-  std::vector<std::string> lines;
-  const auto look = [&](const char* race, double margin, double cut) {
-    if (margin < 0.0)
-      lines.push_back(
-          fmt::format("the {} shoulder cuts the contact ellipse off, {:.2g} deg short, "
-                      "{:.2g} % of its length: its edge carries more than the contact "
-                      "pressure says",
-                      race, -margin / degree, 100.0 * cut));
-  };
-  look("inner", left.inner, left.inner_cut);
-  look("outer", left.outer, left.outer_cut);
-  return lines;
-}
-
 void print(const model::Model& model, const bearing::OperatingPoint& p,
            const bearing::BearingEquilibrium& e, const model::FrictionPrediction& friction,
            const friction::HeatSplit& heat) {
@@ -236,55 +218,26 @@ int run(const SolveFlags& flags) {
          ": --moment-y and --moment-z change nothing where the shaft holds the tilt; [solver] tilt "
          "= "
          "\"free\" lets the balls carry them");
-  model::FrictionPrediction friction = model::predict_friction(file.model, point, true);
-  bearing::SolveReport report = friction.report;
-  report.status = friction.status();
-  const std::string why = why_not_converged(file.model, friction);
-  // Without balance there are no numbers: what is printed then is all unset.
-  if (!report.converged()) {
-    const std::size_t effects = friction.effects.size();
-    friction = {};
-    friction.effects.assign(effects, unset);
-  }
-  bearing::BearingEquilibrium unbalanced;
-  unbalanced.report = report;
-  const bearing::BearingEquilibrium& e = report.converged() ? *friction.equilibrium : unbalanced;
-  const friction::HeatSplit heat = report.converged()
-                                       ? model::heat_split(file.model, point, e, friction)
-                                       : friction::HeatSplit();
+  const session::PointAnswer answer = session::solve_point(file.model, point);
+  const bearing::BearingEquilibrium& e = answer.equilibrium;
   std::optional<io::BandOfResult> half_widths;
   if (band) half_widths = band_at(*band, point);
   if (flags.json) {
-    put_document(io::solve_json(file.model, point, e, friction, heat,
+    put_document(io::solve_json(file.model, point, e, answer.friction, answer.heat,
                                 half_widths ? &*half_widths : nullptr));
-  } else if (report.converged()) {
-    print(file.model, point, e, friction, heat);
+  } else if (answer.converged()) {
+    print(file.model, point, e, answer.friction, answer.heat);
     if (band) print_band(*band, half_widths->half_widths);
   }
-  if (report.converged()) {
-    const bearing::Bearing& bearing = friction.bearing ? *friction.bearing : file.model.bearing;
-    const bearing::ContactPressure pressure = largest_pressure(bearing, e);
-    double least = unset, largest = unset;
-    for (const bearing::BallEquilibrium& b : e.balls.distinct()) {
-      least = std::fmin(least, b.inner_contact_angle);
-      largest = std::fmax(largest, b.inner_contact_angle);
-    }
-    session::LoadNotes notes;
-    // Lost balls stand in the result.
-    notes.look(bearing, "", point,
-               {.axial_load = point.axial_load,
-                .radial_load = std::hypot(point.radial_load, point.radial_load_z),
-                .inner_pressure = pressure.inner,
-                .outer_pressure = pressure.outer,
-                .least_inner_angle = least,
-                .largest_inner_angle = largest});
-    tell(notes.lines());
-    for (const std::string& line : shoulder_warnings(bearing, e)) warn("raceway solve: " + line);
-    tell(session::notes_on_state(file.model, bearing, point, friction));
+  if (answer.converged()) {
+    tell(session::notes_on_point(file.model, point, answer));
+    for (const std::string& line : session::warnings_on_point(file.model, answer))
+      warn("raceway solve: " + line);
     return done;
   }
+  const bearing::SolveReport& report = e.report;
   complain(fmt::format("raceway solve: {}: {} at {:.6g} rpm, {:.6g} N axial, {:.6g} N radial{}",
-                       flags.model, why, flags.speed, point.axial_load, point.radial_load,
+                       flags.model, answer.why, flags.speed, point.axial_load, point.radial_load,
                        report.status == bearing::SolveStatus::no_equilibrium
                            ? ": no position of the inner ring carries this load"
                        : report.status == bearing::SolveStatus::singular

@@ -24,7 +24,21 @@ constexpr std::array<std::string_view, 8> contact_columns{
     "film_min_um",       "lambda_min",        "kappa", "pressure_max_GPa", "slip_mean_m_s",
     "inner_ring_heat_W", "outer_ring_heat_W", "life_h"};
 
-std::vector<std::string> bearing_columns(const model::Model& model) {
+/// Of single states, behind all others.
+constexpr std::array<std::string_view, 5> state_columns{
+    "radial_displacement_z_um", "axial_stiffness_N_um", "radial_stiffness_N_um", "inner_load_max_N",
+    "outer_load_max_N"};
+
+std::array<double, state_columns.size()> state_values(const bearing::BearingEquilibrium& e) {
+  double inner = 0.0, outer = 0.0;
+  for (const bearing::BallEquilibrium& ball : e.balls.distinct()) {
+    inner = std::fmax(inner, ball.inner_load);
+    outer = std::fmax(outer, ball.outer_load);
+  }
+  return {e.displacement[2], e.stiffness(0, 0), e.stiffness(1, 1), inner, outer};
+}
+
+std::vector<std::string> bearing_columns(const model::Model& model, Columns which) {
   std::vector<std::string> names;
   for (const std::string& part : torque_parts(model)) names.push_back(part + "_Nmm");
   for (const std::string_view name :
@@ -36,6 +50,8 @@ std::vector<std::string> bearing_columns(const model::Model& model) {
     names.emplace_back(name);
   if (model.law == friction::FrictionLaw::contact)
     names.insert(names.end(), contact_columns.begin(), contact_columns.end());
+  if (which == Columns::of_states)
+    names.insert(names.end(), state_columns.begin(), state_columns.end());
   return names;
 }
 
@@ -93,7 +109,8 @@ void fill_shaft_point(const model::Model& model, const shaft::ShaftPrediction& p
 }
 
 void fill_bearing_point(const model::Model& model, const bearing::OperatingPoint& point,
-                        const model::FrictionPrediction& p, friction::TablePoint& out) {
+                        const model::FrictionPrediction& p, Columns which,
+                        friction::TablePoint& out) {
   out.status = p.status();
   out.friction_moment = p.torque;
   std::size_t c = 0;
@@ -116,12 +133,14 @@ void fill_bearing_point(const model::Model& model, const bearing::OperatingPoint
     out.columns[c++] = v;
   if (p.contacts)
     for (const double v : contact_values(model, point, p)) out.columns[c++] = v;
+  if (which == Columns::of_states)
+    for (const double v : state_values(*p.equilibrium)) out.columns[c++] = v;
 }
 
 }  // namespace
 
-std::vector<std::string> table_columns(const model::Model& model) {
-  return model.shaft ? shaft_columns(model) : bearing_columns(model);
+std::vector<std::string> table_columns(const model::Model& model, Columns which) {
+  return model.shaft ? shaft_columns(model) : bearing_columns(model, which);
 }
 
 std::vector<shaft::ShaftPoint> shaft_points(std::span<const bearing::OperatingPoint> points) {
@@ -133,7 +152,7 @@ std::vector<shaft::ShaftPoint> shaft_points(std::span<const bearing::OperatingPo
 }
 
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
-                     std::span<friction::TablePoint> out) {
+                     std::span<friction::TablePoint> out, Columns which) {
   if (model.shaft) {
     const auto predictions = shaft::predict_shaft(model, shaft_points(points));
     for (std::size_t i = 0; i < points.size(); ++i) fill_shaft_point(model, predictions[i], out[i]);
@@ -142,7 +161,7 @@ void fill_table_line(const model::Model& model, std::span<const bearing::Operati
   std::vector<model::FrictionPrediction> predictions(points.size());
   model::predict_sweep(model, points, predictions, true);
   for (std::size_t i = 0; i < points.size(); ++i)
-    fill_bearing_point(model, points[i], predictions[i], out[i]);
+    fill_bearing_point(model, points[i], predictions[i], which, out[i]);
 }
 
 std::vector<std::string> table_notes(const model::Model& model,

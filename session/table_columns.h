@@ -9,14 +9,18 @@
 #include "shaft/shaft_prediction.h"
 
 /// What stands in a table beside the torque: of a bearing its moments, angles and pressures, of a
-/// shaft those of every bearing. The position comes last.
+/// shaft those of every bearing. The position comes last. Of single states a bearing has stiffness
+/// and ball loads, too.
 namespace raceway::session {
 
-[[nodiscard]] std::vector<std::string> table_columns(const model::Model& model);
+enum class Columns { of_tables, of_states };
+
+[[nodiscard]] std::vector<std::string> table_columns(const model::Model& model,
+                                                     Columns which = Columns::of_tables);
 
 /// Fills the columns, the torque and the status of some points; safe from several threads.
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
-                     std::span<friction::TablePoint> out);
+                     std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
 /// The points of a table as those of a shaft.
 [[nodiscard]] std::vector<shaft::ShaftPoint> shaft_points(

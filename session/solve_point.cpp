@@ -1,0 +1,82 @@
+#include "session/solve_point.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bearing/contact_pressure.h"
+#include "bearing/shoulder.h"
+#include "model/heat_split.h"
+#include "session/contact_statement.h"
+#include "session/load_notes.h"
+
+namespace raceway::session {
+namespace {
+
+const bearing::Bearing& bearing_of(const model::Model& model, const PointAnswer& answer) {
+  return answer.friction.bearing ? *answer.friction.bearing : model.bearing;
+}
+
+}  // namespace
+
+PointAnswer solve_point(const model::Model& model, const bearing::OperatingPoint& point) {
+  PointAnswer answer;
+  answer.friction = model::predict_friction(model, point, true);
+  answer.status = answer.friction.status();
+  answer.why = why_not_converged(model, answer.friction);
+  if (answer.converged()) {
+    answer.equilibrium = *answer.friction.equilibrium;
+    answer.heat = model::heat_split(model, point, answer.equilibrium, answer.friction);
+    return answer;
+  }
+  answer.equilibrium.report = answer.friction.report;
+  answer.equilibrium.report.status = answer.status;
+  const std::size_t effects = answer.friction.effects.size();
+  answer.friction = {};
+  answer.friction.effects.assign(effects, unset);
+  return answer;
+}
+
+std::vector<std::string> notes_on_point(const model::Model& model,
+                                        const bearing::OperatingPoint& point,
+                                        const PointAnswer& answer) {
+  const bearing::Bearing& bearing = bearing_of(model, answer);
+  const bearing::ContactPressure pressure = largest_pressure(bearing, answer.equilibrium);
+  double least = unset, largest = unset;
+  for (const bearing::BallEquilibrium& b : answer.equilibrium.balls.distinct()) {
+    least = std::fmin(least, b.inner_contact_angle);
+    largest = std::fmax(largest, b.inner_contact_angle);
+  }
+  LoadNotes notes;
+  // Lost balls stand in the result.
+  notes.look(bearing, "", point,
+             {.axial_load = point.axial_load,
+              .radial_load = std::hypot(point.radial_load, point.radial_load_z),
+              .inner_pressure = pressure.inner,
+              .outer_pressure = pressure.outer,
+              .least_inner_angle = least,
+              .largest_inner_angle = largest});
+  std::vector<std::string> lines = notes.lines();
+  for (std::string& line : notes_on_state(model, bearing, point, answer.friction))
+    lines.push_back(std::move(line));
+  return lines;
+}
+
+std::vector<std::string> warnings_on_point(const model::Model& model, const PointAnswer& answer) {
+  const bearing::ShoulderMargins left =
+      shoulder_margins(bearing_of(model, answer), answer.equilibrium);
+  std::vector<std::string> lines;
+  const auto look = [&](const char* race, double margin, double cut) {
+    if (margin < 0.0)
+      lines.push_back(
+          fmt::format("the {} shoulder cuts the contact ellipse off, {:.2g} deg short, "
+                      "{:.2g} % of its length: its edge carries more than the contact "
+                      "pressure says",
+                      race, -margin / degree, 100.0 * cut));
+  };
+  look("inner", left.inner, left.inner_cut);
+  look("outer", left.outer, left.outer_cut);
+  return lines;
+}
+
+}  // namespace raceway::session

@@ -1,0 +1,228 @@
+#include "session/solve_states.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <numeric>
+
+#include "fit/problem.h"
+#include "io/error.h"
+#include "io/names.h"
+#include "io/number_range.h"
+#include "io/plausible.h"
+#include "io/units.h"
+#include "session/table_columns.h"
+
+namespace raceway::session {
+namespace {
+
+constexpr std::size_t block_size = 256;  // states of one task
+
+/// Walks through the elements of an array in the order of the shape.
+class Walk {
+ public:
+  Walk(const NumberArray& array, const std::vector<std::size_t>& shape, std::size_t first)
+      : array_(array), shape_(shape), index_(shape.size()) {
+    for (std::size_t d = shape.size(); d-- > 0; first /= shape[d]) index_[d] = first % shape[d];
+    for (std::size_t d = 0; d < shape.size(); ++d)
+      offset_ += static_cast<std::ptrdiff_t>(index_[d]) * array.strides[d];
+  }
+  double next() {
+    double value;
+    std::memcpy(&value, array_.data + offset_, sizeof value);  // may stand unaligned
+    for (std::size_t d = shape_.size(); d-- > 0;) {
+      offset_ += array_.strides[d];
+      if (++index_[d] < shape_[d]) break;
+      offset_ -= static_cast<std::ptrdiff_t>(shape_[d]) * array_.strides[d];
+      index_[d] = 0;
+    }
+    return value;
+  }
+  /// "[3, 2]" of the element that next() gives; empty of a single number.
+  [[nodiscard]] std::string place() const {
+    return index_.empty() ? std::string() : fmt::format("[{}]", fmt::join(index_, ", "));
+  }
+
+ private:
+  const NumberArray& array_;
+  const std::vector<std::size_t>& shape_;
+  std::vector<std::size_t> index_;
+  std::ptrdiff_t offset_ = 0;
+};
+
+using Field = double bearing::OperatingPoint::*;
+
+struct Input {
+  std::string_view name;
+  NumberArray StateArrays::*array;
+  io::NumberRange range;
+  Field field;
+  double unit, offset;  // to SI
+};
+
+const std::vector<Input>& inputs() {
+  using Point = bearing::OperatingPoint;
+  static const std::vector<Input> all{
+      {"speed_rpm", &StateArrays::speed_rpm, io::speed_range, &Point::speed, rpm, 0.0},
+      {"axial_load_N", &StateArrays::axial_load_N, io::load_range, &Point::axial_load, 1.0, 0.0},
+      {"radial_load_N", &StateArrays::radial_load_N, io::load_range, &Point::radial_load, 1.0, 0.0},
+      {"temperature_C", &StateArrays::temperature_C, io::temperature_range, &Point::temperature,
+       1.0, celsius_zero},
+      {"moment_y_Nmm", &StateArrays::moment_y_Nmm, io::moment_range, &Point::moment_y, N_mm, 0.0},
+      {"moment_z_Nmm", &StateArrays::moment_z_Nmm, io::moment_range, &Point::moment_z, N_mm, 0.0}};
+  return all;
+}
+
+/// The same number for the whole array.
+bool is_constant(const NumberArray& array) {
+  return std::all_of(array.strides.begin(), array.strides.end(),
+                     [](std::ptrdiff_t stride) { return stride == 0; });
+}
+
+void check(Messages& messages, const Input& input, const StateArrays& states, bool shaft) {
+  const NumberArray& array = states.*input.array;
+  if (!array.given() || states.size() == 0) return;
+  io::NumberRange range = input.range;
+  if (shaft && input.array == &StateArrays::axial_load_N) range = io::signed_load_range;
+  const std::size_t count = is_constant(array) ? 1 : states.size();
+  Walk walk(array, states.shape, 0);
+  bool said = input.array != &StateArrays::temperature_C;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = walk.next();
+    if (!(value >= range.lower && value <= range.upper))
+      io::require_range(value, range,
+                        std::string(input.name) +
+                            (count == 1 ? std::string() : Walk(array, states.shape, i).place()));
+    if (said) continue;
+    const std::string note = io::looks_like_kelvin(input.name, value);
+    said = !note.empty();
+    if (said) messages.note(note);
+  }
+}
+
+/// What holds where an array is not given.
+bearing::OperatingPoint default_point(const io::ModelFile& file, const StateArrays& states) {
+  const model::Model& model = file.model;
+  if (!states.speed_rpm.given()) throw io::InputError("speed_rpm is missing", {.key = "speed_rpm"});
+  bearing::OperatingPoint point;
+  point.axial_load = model.shaft ? model.shaft->external_load : model.rig.axial_load;
+  point.radial_load = model.shaft ? 0.0 : model.rig.radial_load;
+  point.temperature = model.rig.temperature;
+  if (std::isnan(point.axial_load) && !states.axial_load_N.given())
+    throw io::InputError(
+        fmt::format("axial_load_N is missing, and {} has no axial_load_N under [rig]", file.source),
+        {.file = file.source, .key = "axial_load_N"});
+  return point;
+}
+
+void require_bearing(const io::ModelFile& file, const StateArrays& states) {
+  if (!file.model.shaft) return;
+  for (const Input& input : inputs())
+    if ((states.*input.array).given() && input.array != &StateArrays::speed_rpm &&
+        input.array != &StateArrays::axial_load_N && input.array != &StateArrays::temperature_C)
+      throw io::InputError(
+          fmt::format("{}: {} has an [arrangement]: a shaft takes axial_load_N alone", input.name,
+                      file.source),
+          {.file = file.source, .key = std::string(input.name)});
+}
+
+/// Which of all columns are wanted, in the order asked.
+std::vector<std::size_t> chosen(const std::vector<std::string>& all,
+                                const std::vector<std::string>& wanted) {
+  std::vector<std::size_t> places(wanted.empty() ? all.size() : 0);
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  for (const std::string& name : wanted) {
+    const auto found = std::find(all.begin(), all.end(), name);
+    if (found == all.end())
+      throw io::InputError(fmt::format("{}: no such result; there are {}", name, io::listed(all)),
+                           {.key = name});
+    places.push_back(static_cast<std::size_t>(found - all.begin()));
+  }
+  return places;
+}
+
+/// The points of one task, and what becomes of them.
+class Block {
+ public:
+  Block(const StateArrays& states, const bearing::OperatingPoint& otherwise, std::size_t first,
+        std::size_t count)
+      : points_(count, otherwise) {
+    for (const Input& input : inputs()) {
+      const NumberArray& array = states.*input.array;
+      if (!array.given()) continue;
+      Walk walk(array, states.shape, first);
+      for (bearing::OperatingPoint& point : points_)
+        point.*input.field = walk.next() * input.unit + input.offset;
+    }
+  }
+  /// Row by row, torque before the columns.
+  void solve(const model::Model& model, std::size_t columns) {
+    values_.assign(points_.size() * columns, unset);
+    results_.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      results_[i].columns = std::span(values_).subspan(i * columns, columns);
+    fill_table_line(model, points_, results_, Columns::of_states);
+  }
+  [[nodiscard]] const friction::TablePoint& result(std::size_t i) const { return results_[i]; }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+
+ private:
+  std::vector<bearing::OperatingPoint> points_;
+  std::vector<double> values_;
+  std::vector<friction::TablePoint> results_;
+};
+
+}  // namespace
+
+std::size_t StateArrays::size() const {
+  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+}
+
+std::vector<std::string> state_columns(const model::Model& model) {
+  std::vector<std::string> names = table_columns(model, Columns::of_states);
+  names.insert(names.begin(), "friction_torque_Nmm");
+  return names;
+}
+
+SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const StateArrays& states,
+                          const std::vector<std::string>& columns,
+                          const std::atomic<bool>* cancelled) {
+  require_bearing(file, states);
+  const bearing::OperatingPoint otherwise = default_point(file, states);
+  for (const Input& input : inputs()) check(messages, input, states, file.model.shaft.has_value());
+  const std::vector<std::string> all = state_columns(file.model);
+  const std::vector<std::size_t> places = chosen(all, columns);
+  const std::size_t size = states.size();
+  SolvedStates solved;
+  std::vector<double> units;
+  for (const std::size_t place : places) {
+    solved.columns.push_back(all[place]);
+    units.push_back(io::column_unit(all[place]));
+  }
+  solved.values.resize(places.size() * size);
+  solved.status.resize(size);
+  const auto solve_block = [&](std::size_t first) {
+    if (cancelled && cancelled->load()) throw fit::Cancelled();
+    Block block(states, otherwise, first, std::min(block_size, size - first));
+    block.solve(file.model, all.size() - 1);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const friction::TablePoint& result = block.result(i);
+      solved.status[first + i] = result.status;
+      for (std::size_t c = 0; c < places.size(); ++c)
+        solved.values[c * size + first + i] =
+            (places[c] == 0 ? result.friction_moment : result.columns[places[c] - 1]) / units[c];
+    }
+  };
+  const std::size_t blocks = (size + block_size - 1) / block_size;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const auto& range) {
+    for (std::size_t b = range.begin(); b < range.end(); ++b) solve_block(b * block_size);
+  });
+  return solved;
+}
+
+}  // namespace raceway::session

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bearing/solve.h"
+#include "io/model_file.h"
+#include "session/messages.h"
+
+namespace raceway::session {
+
+/// Numbers of a caller, read where they stand: by dimension the bytes from one to the next, 0 where
+/// one number holds for all. Without data the model says.
+struct NumberArray {
+  const char* data = nullptr;
+  std::vector<std::ptrdiff_t> strides{};
+
+  [[nodiscard]] bool given() const { return data != nullptr; }
+};
+
+/// Operating points side by side, as arrays of one shape in the units of files.
+struct StateArrays {
+  std::vector<std::size_t> shape;  ///< empty: one state
+  NumberArray speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{}, moment_y_Nmm{},
+      moment_z_Nmm{};
+
+  [[nodiscard]] std::size_t size() const;
+};
+
+/// Results of states, in the order of their arrays with the last dimension fastest.
+struct SolvedStates {
+  std::vector<std::string> columns;  ///< names with their units; friction_torque_Nmm is the first
+  std::vector<double> values;        ///< one column behind the other; NaN where there is no value
+  std::vector<bearing::SolveStatus> status;
+};
+
+/// What solve_states() can answer of a model.
+[[nodiscard]] std::vector<std::string> state_columns(const model::Model& model);
+
+/// Solves a bearing, or the sets on a shaft (axial loads are then external ones), at many states,
+/// on all cores. Neither the number of threads nor the other states change a digit.
+///
+/// `columns`: those that are wanted, by name; all where empty. Loads and temperatures that are not
+/// given are those of the model. Throws io::InputError: no speed, no load, a number out of its
+/// range (with its place in the array), an unknown column, radial loads or moments on a shaft;
+/// Cancelled where `cancelled` is set meanwhile. Memory: what is returned, and a block per thread.
+[[nodiscard]] SolvedStates solve_states(Messages& messages, const io::ModelFile& file,
+                                        const StateArrays& states,
+                                        const std::vector<std::string>& columns = {},
+                                        const std::atomic<bool>* cancelled = nullptr);
+
+}  // namespace raceway::session
