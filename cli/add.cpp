@@ -16,25 +16,19 @@
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/record_report.h"
-#include "io/report.h"
-#include "io/subject.h"
 #include "session/correction_input.h"
-#include "session/loop_subject.h"
+#include "session/loop_question.h"
 #include "session/open_input.h"
-#include "session/reading.h"
-#include "session/tolerance.h"
 
 namespace raceway::cli {
 namespace {
 
 struct AddFlags {
   std::vector<std::string> names;  // model, effects, further data
-  std::string data, output, displacement;
-  session::PerRecord per_record;
-  session::Reading reading;
+  std::string data, output;
+  session::LoopOptions loop;
   bool json = false, force = false;
   ReportFlag report;
-  session::Tolerance tolerance;
 };
 
 void print_parameters(const std::vector<fit::Parameter>& parameters) {
@@ -121,9 +115,10 @@ std::vector<std::string> meant(const correction::CorrectionSubject& subject,
 
 int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
                    const std::vector<std::string>& files) {
-  session::CorrectionQuestion asked = session::ask_correction(
-      messages(), flags.names.front(), session::files(files), flags.displacement, flags.reading);
-  flags.tolerance.set(asked.model, asked.file.source);
+  session::CorrectionQuestion asked =
+      session::ask_correction(messages(), flags.names.front(), session::files(files),
+                              flags.loop.displacement, flags.loop.reading);
+  flags.loop.tolerance.set(asked.model, asked.file.source);
   session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
   const correction::CorrectionSubject subject(asked.model);
   const auto page = [&](const fit::AddResult& r) {
@@ -138,7 +133,7 @@ int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
 
 int run(const AddFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (!flags.output.empty() && flags.per_record.names.empty())
+  if (!flags.output.empty() && flags.loop.per_record.names.empty())
     io::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   const std::string& path = flags.names.front();
@@ -150,28 +145,14 @@ int run(const AddFlags& flags) {
         "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
         {.key = "EFFECT"});
   if (io::takes_correction(path, files)) return run_correction(flags, ids, files);
-  io::ModelFile file = session::open_model(messages(), path, session::Accepts::rig_or_shaft);
-  {
-    std::vector<std::string> given;
-    if (!flags.displacement.empty()) given.emplace_back("--displacement");
-    session::refuse_for_spindle(file.model, given);
-  }
-  flags.tolerance.set(file);
-  const record::Record data =
-      session::open_records(messages(), session::files(files), path, *io::make_subject(file.model),
-                            flags.reading.options(file));
-  const auto subject = flags.per_record.subject(file.model, data);
+  const session::LoopQuestion asked =
+      session::ask(messages(), path, session::files(files), flags.loop);
   const FittedModels output(flags.output, if_exists);
-  output.require_writable(*subject);
-  fit::AddResult result = added(*subject, ids, data, path);
-  const std::vector<io::ModelOfPage> facts{
-      session::of_page(file, output.model(result.calibration))};
-  const auto page = [&](const fit::AddResult& r) {
-    if (subject->approximates()) return io::record_add_report(file.source, data, r, {}, facts);
-    return io::add_report(file.source, data, r, facts);
-  };
-  return finish(flags, file.source, std::move(result), data, page,
-                [&](const fit::Calibration& c) { output.write(file, c); });
+  output.require_writable(*asked.subject);
+  return finish(
+      flags, asked.file.source, added(*asked.subject, ids, asked.data, path), asked.data,
+      [&](const fit::AddResult& r) { return session::add_page(asked, r); },
+      [&](const fit::Calibration& c) { output.write(asked.file, c); });
 }
 
 }  // namespace
@@ -194,11 +175,11 @@ Run setup_add(CLI::App& command) {
                   "model file to write: MODEL with the effects and the new values;\n"
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
-  declare_displacement(command, flags->displacement);
-  declare(command, flags->per_record);
-  declare(command, flags->reading);
-  declare(command, flags->reading.period);
-  declare(command, flags->tolerance);
+  declare_displacement(command, flags->loop.displacement);
+  declare(command, flags->loop.per_record);
+  declare(command, flags->loop.reading);
+  declare(command, flags->loop.reading.period);
+  declare(command, flags->loop.tolerance);
   command.add_flag("--force", flags->force,
                    "add an effect that does not help, and replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");

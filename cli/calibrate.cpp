@@ -15,20 +15,17 @@
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/results.h"
-#include "io/subject.h"
 #include "session/correction_input.h"
-#include "session/loop_subject.h"
+#include "session/loop_question.h"
 #include "session/open_input.h"
-#include "session/reading.h"
 
 namespace raceway::cli {
 namespace {
 
 struct CalibrateFlags {
-  std::string model, output, displacement;
+  std::string model, output;
+  session::LoopOptions loop;
   std::vector<std::string> data;
-  session::PerRecord per_record;
-  session::Reading reading;
   bool json = false, force = false;
 };
 
@@ -99,8 +96,9 @@ int finish(const CalibrateFlags& flags, fit::Calibration c, const record::Record
 }
 
 int run_correction(const CalibrateFlags& flags) {
-  session::CorrectionQuestion asked = session::ask_correction(
-      messages(), flags.model, session::files(flags.data), flags.displacement, flags.reading);
+  session::CorrectionQuestion asked =
+      session::ask_correction(messages(), flags.model, session::files(flags.data),
+                              flags.loop.displacement, flags.loop.reading);
   session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
   const correction::CorrectionSubject subject(asked.model);
   return finish(flags, calibrated(subject, asked.data, asked.file.source), asked.data, flags.output,
@@ -113,31 +111,23 @@ int run(const CalibrateFlags& flags) {
   if (flags.output == "-")
     throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file",
                          {.key = "--output"});
-  if (flags.data.empty() && !flags.per_record.names.empty())
+  if (flags.data.empty() && !flags.loop.per_record.names.empty())
     throw io::InputError("raceway calibrate: --per-record needs measurements: DATA is missing",
                          {.key = "DATA"});
   if (flags.data.empty())
     return calibrate_conformity(
         {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (!flags.output.empty() && flags.per_record.names.empty())
+  if (!flags.output.empty() && flags.loop.per_record.names.empty())
     io::require_writable(flags.output, if_exists);
   if (io::takes_correction(flags.model, flags.data)) return run_correction(flags);
-  const io::ModelFile file =
-      session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
-  {
-    std::vector<std::string> given;
-    if (!flags.displacement.empty()) given.emplace_back("--displacement");
-    session::refuse_for_spindle(file.model, given);
-  }
-  const record::Record data =
-      session::open_records(messages(), session::files(flags.data), flags.model,
-                            *io::make_subject(file.model), flags.reading.options(file));
-  const auto subject = flags.per_record.subject(file.model, data);
+  const session::LoopQuestion asked =
+      session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
   const FittedModels output(flags.output, if_exists);
-  output.require_writable(*subject);
-  return finish(flags, calibrated(*subject, data, flags.model), data, output.names(*subject),
-                [&](const fit::Calibration& c) { output.write(file, c); });
+  output.require_writable(*asked.subject);
+  return finish(flags, calibrated(*asked.subject, asked.data, flags.model), asked.data,
+                output.names(*asked.subject),
+                [&](const fit::Calibration& c) { output.write(asked.file, c); });
 }
 
 }  // namespace
@@ -159,10 +149,10 @@ Run setup_calibrate(CLI::App& command) {
                   "model file to write: MODEL with the new values, all else as it is;\n"
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
-  declare_displacement(command, flags->displacement);
-  declare(command, flags->per_record);
-  declare(command, flags->reading);
-  declare(command, flags->reading.period);
+  declare_displacement(command, flags->loop.displacement);
+  declare(command, flags->loop.per_record);
+  declare(command, flags->loop.reading);
+  declare(command, flags->loop.reading.period);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

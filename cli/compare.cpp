@@ -16,18 +16,12 @@
 #include "correction/phases.h"
 #include "correction/record_check.h"
 #include "fit/calibrate.h"
-#include "fit/several_records.h"
 #include "io/error.h"
 #include "io/record_report.h"
-#include "io/report.h"
 #include "io/results.h"
-#include "io/subject.h"
-#include "model/row.h"
+#include "session/comparison.h"
 #include "session/correction_input.h"
-#include "session/loop_subject.h"
 #include "session/open_input.h"
-#include "session/reading.h"
-#include "session/tolerance.h"
 
 namespace raceway::cli {
 namespace {
@@ -37,12 +31,10 @@ using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured 
 struct CompareFlags {
   std::vector<std::string> files;  // models, then data
   std::vector<std::string> refit;  // parameters fitted to the data before comparing
-  session::PerRecord per_record;
-  session::Reading reading;  // the same, to each record by itself
-  std::string displacement, zero = "mean";
+  std::string zero = "mean";
+  session::LoopOptions loop;
   bool json = false, force = false;
   ReportFlag report;
-  session::Tolerance tolerance;
 };
 
 /// Values beside an error show its decimals: rounding noise reads 0.
@@ -240,106 +232,17 @@ void print_ladders(const std::vector<std::string>& models,
   }
 }
 
-/// What the rows lack is filled in from the first model; another rig would need other rows.
-void note_other_rigs(const std::vector<io::ModelFile>& files) {
-  const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-  const model::Rig& first = files[0].model.rig;
-  for (const io::ModelFile& file : files) {
-    const model::Rig& rig = file.model.rig;
-    if (!same(rig.inertia, first.inertia) || !same(rig.axial_load, first.axial_load) ||
-        !same(rig.radial_load, first.radial_load) || !same(rig.temperature, first.temperature) ||
-        !same(rig.minimum_speed, first.minimum_speed))
-      warn({fmt::format("{}: its [rig] differs from that of {}, which is used for all models",
-                        file.source, files[0].source)});
-    const auto& shaft = file.model.shaft;
-    const auto& first_shaft = files[0].model.shaft;
-    if (shaft && first_shaft && shaft->external_load != first_shaft->external_load)
-      warn(
-          {fmt::format("{}: its external_load_N differs from that of {}, which is used for all "
-                       "models",
-                       file.source, files[0].source)});
-  }
-}
-
 /// A model as it is compared.
 struct Compared {
   std::shared_ptr<const fit::Subject> subject;
   int fitted = 0;  // parameters
 };
 
-/// The model with the parameters that are named fitted to the data and everything else as it
-/// stands.
-Compared refitted(const model::Model& model, const CompareFlags& flags,
-                  const record::Record& data) {
-  model::Model wanted = model;
-  std::vector<std::string> names = flags.refit;
-  for (const std::string& own : flags.per_record.names)
-    if (std::find(names.begin(), names.end(), own) == names.end()) names.push_back(own);
-  if (!names.empty()) wanted.free = names;
-  auto subject = flags.per_record.subject(wanted, data);
-  if (names.empty()) return {std::move(subject)};
-  const fit::Calibration calibration = fit::calibrate(*subject, data);
-  if (!calibration.converged())
-    throw std::invalid_argument("the refit of " + fmt::format("{}", fmt::join(names, ", ")) +
-                                " does not converge");
-  warn(calibration.messages);
-  return {calibration.subject, static_cast<int>(calibration.parameters.size())};
-}
-
-/// Its numbers; as in the file where each record has its own.
-const model::Model& model_of(const fit::Subject& subject) {
-  const auto* const several = dynamic_cast<const fit::SeveralRecords*>(&subject);
-  return model::model_of(several ? several->shared() : subject);
-}
-
 /// Models come first; data begin with the first name that ends in .csv, else are the last.
 std::size_t first_data(const std::vector<std::string>& files) {
   const auto found = std::find_if(files.begin() + 1, files.end() - 1,
                                   [](const std::string& name) { return name.ends_with(".csv"); });
   return static_cast<std::size_t>(found - files.begin());
-}
-
-/// Why the model predicts nothing for a row.
-std::string why_not_predicted(const model::Model& model, const record::Record& data,
-                              std::size_t row) {
-  if (model.spindle) return "the simulation ends there, without equilibrium or by thermal runaway";
-  if (model.shaft) return "no equilibrium";
-  const model::Row asked = model::rows_of(data)[row];
-  const model::FrictionPrediction p =
-      model::predict_friction(model, asked.point, false, asked.record);
-  return p.status() == bearing::SolveStatus::no_equilibrium ? "no equilibrium"
-                                                            : why_not_converged(model, p);
-}
-
-void tell_not_predicted(const std::string& file, const model::Model& model,
-                        const Comparisons& comparisons, const record::Record& data) {
-  for (const fit::Comparison& c : comparisons)
-    if (const auto& missing = c.rows_not_predicted; !missing.empty())
-      warn({fmt::format(
-          "{}: {} rows{} have no prediction and are left out, the first in {}: {}", file,
-          missing.size(), comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
-          data.place(missing.front()), why_not_predicted(model, data, missing.front()))});
-}
-
-std::vector<io::ModelFile> open_models(const std::vector<std::string>& paths,
-                                       const session::Tolerance& tolerance) {
-  std::vector<io::ModelFile> files;
-  for (const std::string& path : paths) {
-    files.push_back(session::open_model(messages(), path, session::Accepts::rig_or_shaft));
-    tolerance.set(files.back());
-    if (!files.back().model.shaft) session::warn_of_ignored_data(messages(), files.back());
-  }
-  note_other_rigs(files);
-  return files;
-}
-
-/// The records are read by the sensor of the first model, whatever the others say.
-void warn_of_other_sensors(const std::vector<io::ModelFile>& files) {
-  const io::ModelFile& first = files.front();
-  for (const io::ModelFile& file : files)
-    if (file.sensor && !(first.sensor && rig::same_torques(*file.sensor, *first.sensor)))
-      warn(fmt::format("{}: its [torque_sensor] is not that of {}, by which the data are read",
-                       file.source, first.source));
 }
 
 void show(const CompareFlags& flags, const std::vector<std::string>& models,
@@ -373,7 +276,7 @@ Compared aligned(correction::Model model, const CompareFlags& flags, const recor
 
 int compare_corrections(const CompareFlags& flags, const std::vector<std::string>& paths,
                         const std::vector<std::string>& data) {
-  if (!flags.per_record.names.empty())
+  if (!flags.loop.per_record.names.empty())
     throw io::InputError("--per-record: a correction is held against one record",
                          {.key = "--per-record"});
   std::vector<std::string> models;
@@ -387,8 +290,8 @@ int compare_corrections(const CompareFlags& flags, const std::vector<std::string
           path + ": has no [correction]: only corrections can be compared with one",
           {.file = path, .key = "correction"});
     session::CorrectionQuestion asked = session::ask_correction(
-        messages(), path, session::files(data), flags.displacement, flags.reading);
-    flags.tolerance.set(asked.model, asked.file.source);
+        messages(), path, session::files(data), flags.loop.displacement, flags.loop.reading);
+    flags.loop.tolerance.set(asked.model, asked.file.source);
     try {
       const Compared one = aligned(asked.model, flags, asked.data);
       comparisons.push_back(fit::compare(*one.subject, asked.data, one.fitted));
@@ -433,60 +336,16 @@ int run(const CompareFlags& flags) {
   if (const std::vector<std::string> data(data_begin, flags.files.end());
       io::takes_correction(paths.front(), data))
     return compare_corrections(flags, paths, data);
-  const std::vector<io::ModelFile> files = open_models(paths, flags.tolerance);
-  std::vector<std::string> given;
-  if (!flags.displacement.empty()) given.emplace_back("--displacement");
-  if (flags.zero != "mean") given.emplace_back("--zero");
-  for (const io::ModelFile& file : files) {
-    session::refuse_for_spindle(file.model, given);
-    if (file.model.spindle.has_value() != files.front().model.spindle.has_value())
-      throw io::InputError(file.source + ": a spindle is compared with spindles alone",
-                           {.file = file.source});
-  }
-  std::vector<std::string> models;
-  for (const io::ModelFile& file : files) models.push_back(file.source);
-  const record::Record data = session::open_records(
-      messages(), session::files({data_begin, flags.files.end()}), models.front(),
-      *io::make_subject(files.front().model), flags.reading.options(files.front()));
-  warn_of_other_sensors(files);
-  std::vector<model::Model> compared;
-  std::vector<Comparisons> comparisons;
-  std::vector<io::DrawnModel> drawn;
-  std::shared_ptr<const fit::Subject> subject;
-  for (const io::ModelFile& file : files) {
-    try {
-      const Compared one = refitted(file.model, flags, data);
-      subject = one.subject;
-      compared.push_back(model_of(*subject));
-      comparisons.push_back(fit::compare(*subject, data, one.fitted));
-      drawn.push_back({.name = file.source, .subject = subject, .tolerances = {}});
-      for (const fit::Comparison& c : comparisons.back())
-        drawn.back().tolerances.push_back(c.tolerance);
-    } catch (const std::invalid_argument& e) {
-      session::refuse_data(file.source, data, e);
-    }
-    tell_not_predicted(file.source, file.model, comparisons.back(), data);
-  }
-  // The noise is that of the data: one for all models, by the last.
-  for (Comparisons& of_model : comparisons) fit::estimate_unknown_noise(*subject, data, of_model);
-  if (!flags.refit.empty())
-    tell({fmt::format("{} refitted to {} in each model; all else as in the files",
-                      fmt::join(flags.refit, " and "), data.source)});
-  if (!flags.per_record.names.empty())
-    tell({fmt::format("{} refitted to each record by itself in each model",
-                      fmt::join(flags.per_record.names, " and "))});
-  show(flags, models, comparisons, data);
-  std::vector<io::ModelOfPage> facts;
-  for (std::size_t i = 0; i < files.size(); ++i)
-    facts.push_back(session::of_page(files[i], compared[i]));
-  flags.report.write(
-      [&] {
-        if (subject->approximates())
-          return io::record_report("compare", io::comparison_json(models, comparisons, data), data,
-                                   drawn, facts, model::changes_between(compared));
-        return io::comparison_report(models, compared, comparisons, data, facts);
-      },
-      flags.force);
+  const std::vector<io::ModelFile> files =
+      session::open_models(messages(), session::files(paths), flags.loop);
+  for (const io::ModelFile& file : files)
+    session::refuse_for_spindle(file.model, flags.zero == "mean"
+                                                ? std::vector<std::string>()
+                                                : std::vector<std::string>{"--zero"});
+  const session::ComparedModels c = session::compare_models(
+      messages(), files, session::files({data_begin, flags.files.end()}), flags.refit, flags.loop);
+  show(flags, c.names, c.comparisons, c.data);
+  flags.report.write([&] { return c.page(); }, flags.force);
   return done;
 }
 
@@ -503,17 +362,17 @@ Run setup_compare(CLI::App& command) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
-  declare_displacement(command, flags->displacement);
+  declare_displacement(command, flags->loop.displacement);
   command
       .add_option("--zero", flags->zero,
                   "of a correction: the constant taken off before it is compared: mean\n"
                   "(which leaves least; default), first (reading of a run), none")
       ->check(CLI::IsMember({"mean", "first", "none"}))
       ->type_name("WHICH");
-  declare(command, flags->per_record);
-  declare(command, flags->reading);
-  declare(command, flags->reading.period);
-  declare(command, flags->tolerance);
+  declare(command, flags->loop.per_record);
+  declare(command, flags->loop.reading);
+  declare(command, flags->loop.reading.period);
+  declare(command, flags->loop.tolerance);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "cli/commands.h"
@@ -18,27 +19,21 @@
 #include "cli/text_table.h"
 #include "io/diagnosis_results.h"
 #include "io/record_report.h"
-#include "io/report.h"
-#include "io/subject.h"
 #include "session/correction_input.h"
-#include "session/loop_subject.h"
+#include "session/loop_question.h"
 #include "session/open_input.h"
-#include "session/reading.h"
-#include "session/tolerance.h"
 
 namespace raceway::cli {
 namespace {
 
 struct DiagnoseFlags {
-  std::string model, displacement;
+  std::string model;
   std::vector<std::string> data;
+  session::LoopOptions loop;
   bool json = false, no_pairs = false, force = false;
   int tried_before = 0;
   double time_limit = 120.0;  // [s]
   ReportFlag report;
-  session::Tolerance tolerance;
-  session::PerRecord per_record;
-  session::Reading reading;
 };
 
 constexpr int error_digits = 3;
@@ -336,68 +331,47 @@ fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const fit::Subject& subj
   }
 }
 
-/// What is asked: a model with its measurements.
-struct Question {
-  std::string source{};                           // file of the model
-  std::shared_ptr<const fit::Subject> model{};    // as it is written
-  std::shared_ptr<const fit::Subject> subject{};  // as it is diagnosed
-  record::Record data{};
-  std::vector<io::ModelOfPage> facts{};
-  std::vector<std::string> defaults{};  // of a correction
-};
-
-Question ask(const DiagnoseFlags& flags) {
-  if (io::takes_correction(flags.model, flags.data)) {
-    session::CorrectionQuestion asked = session::ask_correction(
-        messages(), flags.model, session::files(flags.data), flags.displacement, flags.reading);
-    flags.tolerance.set(asked.model, asked.file.source);
-    session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
-    const auto subject = std::make_shared<const correction::CorrectionSubject>(asked.model);
-    return {asked.file.source, subject, subject, std::move(asked.data), {}, asked.file.defaults};
-  }
-  io::ModelFile file = session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
-  {
-    std::vector<std::string> given;
-    if (!flags.displacement.empty()) given.emplace_back("--displacement");
-    session::refuse_for_spindle(file.model, given);
-  }
-  flags.tolerance.set(file);
-  Question question{.source = file.source};
-  const auto model = io::make_subject(file.model);
-  question.model = model;
-  question.data = session::open_records(messages(), session::files(flags.data), flags.model, *model,
-                                        flags.reading.options(file));
-  question.subject = flags.per_record.subject(file.model, question.data);
-  question.facts = {session::of_page(file, file.model)};
-  return question;
-}
-
-int run(const DiagnoseFlags& flags) {
-  flags.report.check(flags.force);
-  const Question asked = ask(flags);
+/// What was found, `page` where it is asked for.
+int show(const DiagnoseFlags& flags, const std::string& source, const fit::Subject& subject,
+         const record::Record& data,
+         const std::function<std::string(const fit::Diagnosis&)>& page) {
   fit::Diagnosis diagnosis;
   try {
-    diagnosis = diagnosis_of(flags, *asked.subject, asked.data);
+    diagnosis = diagnosis_of(flags, subject, data);
   } catch (const OutOfTime& e) {
     say(e.what());
     return not_converged;
   }
-  session::tell_of_scale(asked.data, diagnosis.messages);
+  session::tell_of_scale(data, diagnosis.messages);
   if (flags.json) {
-    put_document(io::diagnosis_json(asked.source, asked.data, diagnosis));
+    put_document(io::diagnosis_json(source, data, diagnosis));
   } else {
     print(diagnosis);
   }
   warn(diagnosis.messages);
-  flags.report.write(
-      [&] {
-        if (asked.subject->approximates())
-          return io::record_diagnosis_report(asked.source, asked.data, diagnosis, asked.defaults,
-                                             asked.facts);
-        return io::diagnosis_report(asked.source, *asked.model, asked.data, diagnosis, asked.facts);
-      },
-      flags.force);
+  flags.report.write([&] { return page(diagnosis); }, flags.force);
   return done;
+}
+
+int run_correction(const DiagnoseFlags& flags) {
+  session::CorrectionQuestion asked =
+      session::ask_correction(messages(), flags.model, session::files(flags.data),
+                              flags.loop.displacement, flags.loop.reading);
+  flags.loop.tolerance.set(asked.model, asked.file.source);
+  session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
+  const correction::CorrectionSubject subject(asked.model);
+  return show(flags, asked.file.source, subject, asked.data, [&](const fit::Diagnosis& d) {
+    return io::record_diagnosis_report(asked.file.source, asked.data, d, asked.file.defaults, {});
+  });
+}
+
+int run(const DiagnoseFlags& flags) {
+  flags.report.check(flags.force);
+  if (io::takes_correction(flags.model, flags.data)) return run_correction(flags);
+  const session::LoopQuestion asked =
+      session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
+  return show(flags, asked.file.source, *asked.subject, asked.data,
+              [&](const fit::Diagnosis& d) { return session::diagnosis_page(asked, d); });
 }
 
 }  // namespace
@@ -416,11 +390,11 @@ Run setup_diagnose(CLI::App& command) {
       ->type_name("N");
   add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
              "[s] after which it gives up; default 120");
-  declare_displacement(command, flags->displacement);
-  declare(command, flags->per_record);
-  declare(command, flags->reading);
-  declare(command, flags->reading.period);
-  declare(command, flags->tolerance);
+  declare_displacement(command, flags->loop.displacement);
+  declare(command, flags->loop.per_record);
+  declare(command, flags->loop.reading);
+  declare(command, flags->loop.reading.period);
+  declare(command, flags->loop.tolerance);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);
   command.add_flag("--force", flags->force, "replace the page if it exists");

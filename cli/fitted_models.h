@@ -22,8 +22,6 @@ class FittedModels {
   void require_writable(const fit::Subject& subject) const;
   /// Writes the models that `calibration` found, made from `file`, and says so.
   void write(const io::ModelFile& file, const fit::Calibration& calibration) const;
-  /// What the fit has left, shared by all records where each has numbers of its own.
-  [[nodiscard]] static const model::Model& model(const fit::Calibration& calibration);
   /// "a.toml" or "a-monday.toml and a-friday.toml", for messages.
   [[nodiscard]] std::string names(const fit::Subject& subject) const;
 
