@@ -19,13 +19,16 @@ io::ReadOptions Reading::options(const io::ModelFile& model) const {
 
 io::ReadOptions Reading::options(const io::ColumnMap& of_model) const {
   io::ReadOptions result = options();
-  if (columns.empty()) result.columns = of_model;
+  if (columns.empty() && columns_text.empty()) result.columns = of_model;
   return result;
 }
 
 io::ReadOptions Reading::options() const {
   io::ReadOptions result{.columns = {}, .sensor = {}, .drop_nan = drop_nan};
-  if (!columns.empty()) result.columns = io::read_column_map(columns);
+  if (!columns_text.empty())
+    result.columns = io::parse_column_map(columns_text, "columns");
+  else if (!columns.empty())
+    result.columns = io::read_column_map(columns);
   return result;
 }
 

@@ -9,7 +9,8 @@ namespace raceway::session {
 
 /// `--columns map.toml` and `--drop-nan` of a command that reads measurements.
 struct Reading {
-  std::string columns;
+  std::string columns{};
+  std::string columns_text{};  ///< the map itself, in place of its file
   bool drop_nan = false;
   Period period{};  ///< declared where records over time are read
 

@@ -131,6 +131,21 @@ void require_bearing(const io::ModelFile& file, const StateArrays& states) {
           {.file = file.source, .key = std::string(input.name)});
 }
 
+/// What holds where an array is not given, of arrays that are in order.
+bearing::OperatingPoint checked(Messages& messages, const io::ModelFile& file,
+                                const StateArrays& states) {
+  require_bearing(file, states);
+  const bearing::OperatingPoint otherwise = default_point(file, states);
+  for (const Input& input : inputs()) check(messages, input, states, file.model.shaft.has_value());
+  const model::Model& model = file.model;
+  if ((states.moment_y_Nmm.given() || states.moment_z_Nmm.given()) &&
+      model.solver.tilt == bearing::Tilt::locked)
+    messages.warn(file.source +
+                  ": moment_y_Nmm and moment_z_Nmm change nothing where the shaft holds the tilt; "
+                  "[solver] tilt = \"free\" lets the balls carry them");
+  return otherwise;
+}
+
 /// Which of all columns are wanted, in the order asked.
 std::vector<std::size_t> chosen(const std::vector<std::string>& all,
                                 const std::vector<std::string>& wanted) {
@@ -168,6 +183,7 @@ class Block {
       results_[i].columns = std::span(values_).subspan(i * columns, columns);
     fill_table_line(model, points_, results_, Columns::of_states);
   }
+  [[nodiscard]] const std::vector<bearing::OperatingPoint>& points() const { return points_; }
   [[nodiscard]] const friction::TablePoint& result(std::size_t i) const { return results_[i]; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
 
@@ -189,12 +205,18 @@ std::vector<std::string> state_columns(const model::Model& model) {
   return names;
 }
 
+bearing::OperatingPoint single_state(Messages& messages, const io::ModelFile& file,
+                                     const StateArrays& states) {
+  const bearing::OperatingPoint otherwise = checked(messages, file, states);
+  if (states.size() != 1)
+    throw io::InputError(fmt::format("one state is wanted, not {}", states.size()));
+  return Block(states, otherwise, 0, 1).points().front();
+}
+
 SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const StateArrays& states,
                           const std::vector<std::string>& columns,
                           const std::atomic<bool>* cancelled) {
-  require_bearing(file, states);
-  const bearing::OperatingPoint otherwise = default_point(file, states);
-  for (const Input& input : inputs()) check(messages, input, states, file.model.shaft.has_value());
+  const bearing::OperatingPoint otherwise = checked(messages, file, states);
   const std::vector<std::string> all = state_columns(file.model);
   const std::vector<std::size_t> places = chosen(all, columns);
   const std::size_t size = states.size();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/operating_point.h"
 #include "bearing/solve.h"
 #include "io/model_file.h"
 #include "session/messages.h"
@@ -50,5 +51,9 @@ struct SolvedStates {
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},
                                         const std::atomic<bool>* cancelled = nullptr);
+
+/// The operating point of arrays of one number each; throws as solve_states(), and for more.
+[[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const io::ModelFile& file,
+                                                   const StateArrays& states);
 
 }  // namespace raceway::session

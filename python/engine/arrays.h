@@ -1,0 +1,72 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/error.h"
+#include "session/solve_states.h"
+
+namespace raceway::python {
+
+namespace py = pybind11;
+
+/// An array of Python by reference: doubles, of any shape and strides.
+using Doubles = py::array_t<double>;
+
+/// The shape that numpy gives arrays that are used together. Throws io::InputError where there is
+/// none.
+inline std::vector<std::size_t> broadcast_shape(
+    const std::vector<std::pair<std::string, Doubles>>& arrays) {
+  std::size_t dimensions = 0;
+  for (const auto& [name, array] : arrays)
+    dimensions = std::max(dimensions, static_cast<std::size_t>(array.ndim()));
+  std::vector<std::size_t> shape(dimensions, 1);
+  for (const auto& [name, array] : arrays) {
+    const auto own = static_cast<std::size_t>(array.ndim());
+    for (std::size_t d = 0; d < own; ++d) {
+      std::size_t& common = shape[dimensions - own + d];
+      const auto length = static_cast<std::size_t>(array.shape(static_cast<py::ssize_t>(d)));
+      if (length == common || length == 1) continue;
+      if (common != 1) {
+        std::string shapes;
+        for (const auto& [other, of_other] : arrays)
+          shapes += (shapes.empty() ? "" : ", ") + other + " " +
+                    py::str(of_other.attr("shape")).cast<std::string>();
+        throw io::InputError("arrays of different shapes cannot be used together: " + shapes +
+                             "; give each one value, or the same shape");
+      }
+      common = length;
+    }
+  }
+  return shape;
+}
+
+/// The numbers of an array where they stand, repeated along the dimensions that it lacks.
+inline session::NumberArray number_array(const Doubles& array,
+                                         const std::vector<std::size_t>& shape) {
+  session::NumberArray numbers;
+  numbers.data = reinterpret_cast<const char*>(array.data());
+  numbers.strides.assign(shape.size(), 0);
+  const auto own = static_cast<std::size_t>(array.ndim());
+  for (std::size_t d = 0; d < own; ++d) {
+    const auto at = static_cast<py::ssize_t>(d);
+    if (array.shape(at) != 1) numbers.strides[shape.size() - own + d] = array.strides(at);
+  }
+  return numbers;
+}
+
+/// A vector as an array of that shape which owns it: nothing is copied.
+template <typename Number>
+py::array_t<Number> owned(std::vector<Number> values, const std::vector<std::size_t>& shape) {
+  auto* const kept = new std::vector<Number>(std::move(values));
+  const py::capsule owner(kept, [](void* p) { delete static_cast<std::vector<Number>*>(p); });
+  return py::array_t<Number>(std::vector<py::ssize_t>(shape.begin(), shape.end()), kept->data(),
+                             owner);
+}
+
+}  // namespace raceway::python

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <future>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "fit/problem.h"
+
+namespace raceway::python {
+
+namespace py = pybind11;
+
+/// How far long work has come, told by the one who works and asked by the one who waits.
+class Progress {
+ public:
+  void set(double share, std::string_view step) {
+    const std::lock_guard lock(mutex_);
+    share_ = share;
+    step_ = step;
+  }
+  [[nodiscard]] std::pair<double, std::string> get() const {
+    const std::lock_guard lock(mutex_);
+    return {share_, step_};
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  double share_ = 0.0;
+  std::string step_;
+};
+
+struct Waiting {
+  double time_limit = std::numeric_limits<double>::infinity();  ///< [s]
+  py::object progress = py::none();  ///< called with share and step, some ten times a second
+};
+
+/// Runs long work on a thread of its own without the lock of the interpreter, so that other Python
+/// threads go on, and asks for signals meanwhile: KeyboardInterrupt sets `cancelled`, which the
+/// work looks at, and is raised when the work has ended. A time limit does the same with
+/// TimeoutError.
+template <typename Work>
+auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const Waiting& waiting,
+                   const Work& work) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  bool out_of_time = false, raised = false;
+  py::error_already_set* none = nullptr;
+  std::unique_ptr<py::error_already_set> error(none);
+  auto task = std::async(std::launch::async, [&] { return work(); });
+  for (bool ready = false; !ready;) {
+    {
+      const py::gil_scoped_release others;
+      ready =
+          task.wait_for(std::chrono::milliseconds(raised ? 1000 : 50)) == std::future_status::ready;
+    }
+    if (raised || ready) continue;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!waiting.progress.is_none()) {
+        const auto [share, step] = progress.get();
+        waiting.progress(share, step);
+      }
+    } catch (py::error_already_set& e) {
+      error = std::make_unique<py::error_already_set>(std::move(e));
+      raised = true;
+      cancelled = true;
+    }
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+    if (elapsed > waiting.time_limit) out_of_time = cancelled = true;
+  }
+  try {
+    auto result = task.get();
+    if (error) throw std::move(*error);
+    return result;
+  } catch (const fit::Cancelled&) {
+    if (error) throw std::move(*error);
+    if (!out_of_time) throw;
+    PyErr_Format(PyExc_TimeoutError, "no answer within %s s; time_limit_s gives it more",
+                 py::str(py::float_(waiting.time_limit)).cast<std::string>().c_str());
+    throw py::error_already_set();
+  }
+}
+
+}  // namespace raceway::python

@@ -1,0 +1,177 @@
+#include "python/engine/model.h"
+
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <map>
+
+#include "io/results.h"
+#include "io/shaft_results.h"
+#include "model/parameters.h"
+#include "python/engine/interruptible.h"
+#include "session/new_model.h"
+#include "session/open_input.h"
+#include "session/shaft_answers.h"
+#include "session/solve_point.h"
+#include "session/solve_states.h"
+#include "shaft/shaft_prediction.h"
+
+namespace raceway::python {
+namespace {
+
+using Named = std::vector<std::pair<std::string, Doubles>>;
+
+/// Arrays by name as the states that they stand for; `keys` are their names there.
+session::StateArrays state_arrays(const Named& given) {
+  using States = session::StateArrays;
+  static const std::map<std::string, session::NumberArray States::*> fields{
+      {"speed_rpm", &States::speed_rpm},         {"axial_load_N", &States::axial_load_N},
+      {"radial_load_N", &States::radial_load_N}, {"temperature_C", &States::temperature_C},
+      {"moment_y_Nmm", &States::moment_y_Nmm},   {"moment_z_Nmm", &States::moment_z_Nmm}};
+  States states;
+  states.shape = broadcast_shape(given);
+  for (const auto& [name, array] : given)
+    states.*fields.at(name) = number_array(array, states.shape);
+  return states;
+}
+
+Named named(const py::dict& given) {
+  Named arrays;
+  for (const auto& [name, array] : given)
+    arrays.emplace_back(name.cast<std::string>(), array.cast<Doubles>());
+  return arrays;
+}
+
+/// Columns as one array of [column, ...shape], and the status of each state by its number.
+py::tuple solve(const EngineModel& model, const py::dict& given,
+                const std::vector<std::string>& columns) {
+  const Named arrays = named(given);  // keeps them alive
+  const session::StateArrays states = state_arrays(arrays);
+  Heard heard;
+  std::atomic<bool> cancelled = false;
+  session::SolvedStates solved = interruptible(cancelled, Progress(), Waiting(), [&] {
+    return session::solve_states(heard, model.file(), states, columns, &cancelled);
+  });
+  std::vector<std::size_t> shape = states.shape;
+  shape.insert(shape.begin(), solved.columns.size());
+  std::vector<std::uint8_t> status;
+  status.reserve(solved.status.size());
+  for (const bearing::SolveStatus s : solved.status) status.push_back(static_cast<std::uint8_t>(s));
+  return py::make_tuple(solved.columns, owned(std::move(solved.values), shape),
+                        owned(std::move(status), states.shape), heard.note_lines,
+                        heard.warning_lines);
+}
+
+/// Where the numbers of these arrays are read, and by what strides, as solve() does.
+py::list views(const py::dict& given) {
+  const Named arrays = named(given);
+  const std::vector<std::size_t> shape = broadcast_shape(arrays);
+  py::list result;
+  for (const auto& [name, array] : arrays) {
+    const session::NumberArray numbers = number_array(array, shape);
+    result.append(
+        py::make_tuple(name, reinterpret_cast<std::uintptr_t>(numbers.data), numbers.strides));
+  }
+  return result;
+}
+
+/// One state as the document of `raceway solve --json`, with what is said of it.
+py::tuple solve_document(const EngineModel& model, const py::dict& given) {
+  const Named arrays = named(given);
+  const session::StateArrays states = state_arrays(arrays);
+  Heard heard;
+  std::string document;
+  {
+    const py::gil_scoped_release others;
+    const bearing::OperatingPoint point = session::single_state(heard, model.file(), states);
+    const model::Model& m = model.file().model;
+    if (m.shaft) {
+      const shaft::ShaftPoint asked{.speed = point.speed,
+                                    .external_load = point.axial_load,
+                                    .temperature = point.temperature};
+      const auto predictions = shaft::predict_shaft(m, {&asked, 1});
+      heard.warnings(session::shaft_warnings(m, {&asked, 1}, predictions));
+      document = io::shaft_solve_json(m, asked, predictions[0]);
+    } else {
+      const session::PointAnswer answer = session::solve_point(m, point);
+      if (answer.converged()) {
+        heard.notes(session::notes_on_point(m, point, answer));
+        heard.warnings(session::warnings_on_point(m, answer));
+      }
+      document = io::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat);
+    }
+  }
+  return py::make_tuple(document, heard.note_lines, heard.warning_lines);
+}
+
+}  // namespace
+
+EngineModel::EngineModel(const std::string& source, const std::string& text)
+    : file_(session::open_model(heard_, session::Source(source, text),
+                                session::Accepts::rig_or_shaft, session::Defaults::keep)) {}
+
+std::string EngineModel::kind() const {
+  return file_.model.spindle ? "spindle" : file_.model.shaft ? "shaft" : "rig";
+}
+
+py::list EngineModel::parameters() const {
+  py::list list;
+  for (const record::Parameter& p : model::parameters(file_.model)) {
+    py::dict of;
+    of["name"] = p.name;
+    of["value"] = p.value;
+    of["unit"] = p.unit;
+    of["lower"] = p.lower;
+    of["upper"] = p.upper;
+    list.append(of);
+  }
+  return list;
+}
+
+std::string EngineModel::with_values(const py::dict& values) const {
+  std::vector<io::KeyValue> changes;
+  const std::vector<record::Parameter> known = model::parameters(file_.model);
+  for (const auto& [key, value] : values) {
+    const auto name = key.cast<std::string>();
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const record::Parameter& p) { return p.name == name; });
+    if (found == known.end())
+      throw io::InputError(name + ": no such parameter of " + file_.source, {.key = name});
+    for (const std::string& address : found->addresses)
+      changes.push_back({.key = address, .value = value.cast<double>(), .comment = {}});
+  }
+  return io::with_values(file_.text, changes);
+}
+
+void bind_model(py::module_& module) {
+  py::class_<EngineModel, std::shared_ptr<EngineModel>>(module, "Model")
+      .def(py::init<const std::string&, const std::string&>(), py::arg("source"), py::arg("text"))
+      .def_property_readonly("source", [](const EngineModel& m) { return m.file().source; })
+      .def_property_readonly("text", [](const EngineModel& m) { return m.file().text; })
+      .def_property_readonly("name", [](const EngineModel& m) { return m.file().model.name; })
+      .def_property_readonly("kind", &EngineModel::kind)
+      .def_property_readonly("defaults", [](const EngineModel& m) { return m.file().defaults; })
+      .def_property_readonly("notes", [](const EngineModel& m) { return m.heard().note_lines; })
+      .def_property_readonly("warnings",
+                             [](const EngineModel& m) { return m.heard().warning_lines; })
+      .def_property_readonly(
+          "columns", [](const EngineModel& m) { return session::state_columns(m.file().model); })
+      .def("parameters", &EngineModel::parameters)
+      .def("with_values", &EngineModel::with_values)
+      .def("solve", &solve)
+      .def("solve_document", &solve_document);
+  module.def("views", &views);
+  module.def("read_text", [](const std::string& path) { return io::read_file(path); });
+  module.def(
+      "new_model",
+      [](const std::string& bearing, const std::string& law, const std::string& ball_material) {
+        Heard heard;
+        session::NewModel wanted{.bearing = bearing, .law = law};
+        wanted.outline.ball_material = ball_material;
+        std::string text = session::new_model_text(heard, wanted);
+        return py::make_tuple(text, heard.note_lines);
+      },
+      py::arg("bearing"), py::arg("law"), py::arg("ball_material"));
+}
+
+}  // namespace raceway::python

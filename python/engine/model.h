@@ -1,0 +1,37 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/model_file.h"
+#include "python/engine/arrays.h"
+#include "python/engine/heard.h"
+
+namespace raceway::python {
+
+/// A model as Python holds it. It never changes: several threads may ask it at once.
+class EngineModel {
+ public:
+  EngineModel(const std::string& source, const std::string& text);
+
+  [[nodiscard]] const io::ModelFile& file() const { return file_; }
+  [[nodiscard]] const Heard& heard() const { return heard_; }
+  /// "rig", "shaft" or "spindle".
+  [[nodiscard]] std::string kind() const;
+  [[nodiscard]] py::list parameters() const;
+  /// The text with these numbers, by names of parameters.
+  [[nodiscard]] std::string with_values(const py::dict& values) const;
+
+ private:
+  Heard heard_;
+  io::ModelFile file_;
+};
+
+void bind_model(py::module_& module);
+void bind_tables(py::module_& module);
+void bind_loop(py::module_& module);
+
+}  // namespace raceway::python

@@ -1,0 +1,43 @@
+"""Friction, kinematics and heat of spindle bearings, and what is missing in a model of them.
+
+A model is a TOML file as the command ``raceway`` has it; units stand in the names of arguments and
+results. What this module says is what the command says: same numbers, same words.
+
+>>> import raceway
+>>> model = raceway.Model.new("S 6014 C")
+>>> model.solve(speed_rpm=[0, 6000, 12000], axial_load_N=300).friction_torque_Nmm.round(1)
+array([ 11.7, 293.7, 384.7])
+
+Threads: models, records and results never change and may be used by several threads at once; long
+work releases the lock of the interpreter.
+"""
+
+from ._engine import __version__
+from ._errors import Doubt, InputError, NotConverged
+from ._model import Model
+from ._record import Record
+from ._results import (
+    Addition,
+    Calibration,
+    Comparison,
+    Diagnosis,
+    Displacement,
+    Solution,
+    Table,
+)
+
+__all__ = [
+    "Addition",
+    "Calibration",
+    "Comparison",
+    "Diagnosis",
+    "Displacement",
+    "Doubt",
+    "InputError",
+    "Model",
+    "NotConverged",
+    "Record",
+    "Solution",
+    "Table",
+    "__version__",
+]

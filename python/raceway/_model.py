@@ -1,0 +1,426 @@
+"""Models of bearings, shafts and spindles."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, TypeAlias
+
+import numpy
+from numpy.typing import ArrayLike
+
+from . import _engine
+from ._errors import Doubt, NotConverged
+from ._record import Record
+from ._results import (
+    Addition,
+    Calibration,
+    Comparison,
+    Diagnosis,
+    Displacement,
+    Solution,
+    Table,
+)
+
+Records: TypeAlias = "Record | Sequence[Record]"
+
+
+class Model:
+    """What is believed of a bearing on a rig, of the sets on a shaft or of a spindle.
+
+    It never changes; what a fit finds is another model. `read`, `from_text` and `new` make one.
+
+    Examples
+    --------
+    >>> model = Model.new("S 6014 C")
+    >>> model.name
+    'GMN S 6014 C TA'
+    """
+
+    def __init__(self, engine: _engine.Model) -> None:
+        self._engine = engine
+        _warn(engine.warnings)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Model:
+        """Read a model file (TOML; keys with their units: docs/files.md).
+
+        Raises
+        ------
+        InputError
+            With file, line, key, value and allowed range, as the command says it.
+        """
+        return cls(_engine.Model(os.fspath(path), _engine.read_text(os.fspath(path))))
+
+    @classmethod
+    def from_text(cls, text: str, name: str = "model") -> Model:
+        """Take the text of a model file; `name` stands in messages."""
+        return cls(_engine.Model(name, text))
+
+    @classmethod
+    def new(cls, bearing: str, *, law: str = "contact", ball_material: str = "steel") -> Model:
+        """Make a model of a bearing by its designation, with the defaults of its law.
+
+        Parameters
+        ----------
+        bearing : str
+            Of the catalogue, such as ``"S 6014 C"``; of another one the inner geometry is estimated.
+        law : {"contact", "palmgren", "skf"}
+        ball_material : {"steel", "silicon-nitride"}
+        """
+        if law not in ("contact", "palmgren", "skf"):
+            raise ValueError(f"law = {law!r}: must be contact, palmgren or skf")
+        if ball_material not in ("steel", "silicon-nitride"):
+            raise ValueError(f"ball_material = {ball_material!r}: must be steel or silicon-nitride")
+        text, _ = _engine.new_model(bearing, law, ball_material)
+        return cls(_engine.Model(bearing, text))
+
+    @property
+    def name(self) -> str:
+        """Of the bearing."""
+        return self._engine.name
+
+    @property
+    def source(self) -> str:
+        """File that the model was read from."""
+        return self._engine.source
+
+    @property
+    def kind(self) -> str:
+        """``"rig"``, ``"shaft"`` or ``"spindle"``."""
+        return self._engine.kind
+
+    @property
+    def text(self) -> str:
+        """The model file."""
+        return self._engine.text
+
+    @property
+    def defaults(self) -> list[str]:
+        """Defaults that the model rests on."""
+        return self._engine.defaults
+
+    @property
+    def notes(self) -> list[str]:
+        """What else is to be known of the model."""
+        return self._engine.notes
+
+    @property
+    def columns(self) -> list[str]:
+        """Names of the results of `solve` for arrays, with their units."""
+        return self._engine.columns
+
+    @property
+    def parameters(self) -> dict[str, dict[str, Any]]:
+        """Numbers of the model that a fit may change: value, unit, lower and upper bound."""
+        return {p["name"]: {k: v for k, v in p.items() if k != "name"} for p in self._engine.parameters()}
+
+    def with_values(self, values: Mapping[str, float]) -> Model:
+        """Return the model with other values of `parameters`, comments and all else as they stand."""
+        return Model(_engine.Model(self.source, self._engine.with_values(dict(values))))
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write the model file; an existing one only with `overwrite`."""
+        with open(path, "w" if overwrite else "x", encoding="utf-8") as file:
+            file.write(self.text)
+
+    def solve(
+        self,
+        speed_rpm: ArrayLike,
+        axial_load_N: ArrayLike | None = None,
+        radial_load_N: ArrayLike | None = None,
+        temperature_C: ArrayLike | None = None,
+        moment_y_Nmm: ArrayLike | None = None,
+        moment_z_Nmm: ArrayLike | None = None,
+        *,
+        columns: Sequence[str] = (),
+    ) -> Solution:
+        """Solve for contact angles, loads, displacement, stiffness, friction and heat.
+
+        Parameters
+        ----------
+        speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm
+            Numbers or arrays, which are used together by the rules of numpy (broadcasting). Arrays of
+            float64 are read where they stand, whatever their strides. What is left out is that of
+            the model. On a shaft `axial_load_N` is the external load, positive towards the tool.
+        columns : sequence of str
+            Results that are wanted, of `Model.columns`; all where empty.
+
+        Returns
+        -------
+        Solution
+            Arrays of the common shape. For single numbers also `Solution.data`, the document of
+            ``raceway solve --json`` with every ball. A state without balance has NaN, and
+            `Solution.status` says why.
+
+        Raises
+        ------
+        InputError
+            A number out of its range, with its place; arrays of different shapes.
+
+        Notes
+        -----
+        Newton-Raphson on ring and balls with Hertz contact, centrifugal force and gyroscopic moment:
+        docs/solver.md. All cores work on arrays.
+
+        Examples
+        --------
+        >>> model = Model.new("S 6014 C")
+        >>> states = model.solve(speed_rpm=[[0.0], [12000.0]], axial_load_N=[100, 300, 900])
+        >>> states.friction_torque_Nmm.round(1)
+        array([[  2.7,  11.7,  50.5],
+               [337.9, 384.7, 472.2]])
+        """
+        given = _arrays(
+            speed_rpm=speed_rpm,
+            axial_load_N=axial_load_N,
+            radial_load_N=radial_load_N,
+            temperature_C=temperature_C,
+            moment_y_Nmm=moment_y_Nmm,
+            moment_z_Nmm=moment_z_Nmm,
+        )
+        names, values, status, notes, doubts = self._engine.solve(given, list(columns))
+        document = None
+        if not columns and all(array.ndim == 0 for array in given.values()):
+            document, notes, doubts = self._engine.solve_document(given)
+        _warn(doubts)
+        return Solution(names, values, status, given, notes, document)
+
+    def table(
+        self,
+        speed_rpm: ArrayLike,
+        axial_load_N: ArrayLike | None = None,
+        radial_load_N: ArrayLike | None = None,
+        temperature_C: ArrayLike | None = None,
+    ) -> Table:
+        """Make a Stribeck table: friction torque and its parts over axes that rise.
+
+        Examples
+        --------
+        >>> table = Model.new("S 6014 C").table([0, 6000, 12000], [100, 300])
+        >>> table.to_frame()[["speed_rpm", "axial_load_N", "friction_torque_Nmm"]].round(1).tail(2)
+           speed_rpm  axial_load_N  friction_torque_Nmm
+        4     6000.0         300.0                293.7
+        5    12000.0         300.0                384.7
+        """
+        axes = [_axis(n, v) for n, v in (("speed_rpm", speed_rpm), ("axial_load_N", axial_load_N),
+                                         ("radial_load_N", radial_load_N), ("temperature_C", temperature_C))]
+        return Table(_engine.Table(self._engine, *axes))
+
+    def displacement(
+        self,
+        speed_rpm: ArrayLike,
+        axial_load_N: float | None = None,
+        temperature_C: float | None = None,
+    ) -> Displacement:
+        """Position of a shaft in its arrangement over its speed, against standstill [um].
+
+        Raises
+        ------
+        InputError
+            For a model without [arrangement].
+        """
+        nan = float("nan")
+        curve = _engine.Displacement(
+            self._engine,
+            _axis("speed_rpm", speed_rpm),
+            nan if axial_load_N is None else float(axial_load_N),
+            nan if temperature_C is None else float(temperature_C),
+        )
+        _warn(curve.warnings)
+        return Displacement(curve)
+
+    def predict(self, record: Records) -> Any:
+        """Return what the model says of every row of a record, as a pandas.DataFrame.
+
+        Columns are those of the record as they were understood, in the units of their names, and
+        ``predicted_...`` behind them; NaN where there is no prediction.
+        """
+        import pandas
+
+        texts, options = _asked(record, None, ())
+        return pandas.DataFrame(_engine.predict(self._engine, texts, **options))
+
+    def compare(
+        self,
+        record: Records,
+        *others: Model,
+        refit: Iterable[str] = (),
+        per_record: Iterable[str] = (),
+        tolerance: str | None = None,
+    ) -> Comparison:
+        """Say how far the model is from a record, and where; with other models: the ladder.
+
+        Parameters
+        ----------
+        record : Record or sequence of Record
+        *others : Model
+        refit : iterable of str
+            Parameters that are fitted to the record before.
+        per_record : iterable of str
+            Those that each of several records has for itself.
+        tolerance : str, optional
+            Error below which nothing matters, such as ``"2Nmm"``.
+        """
+        texts, options = _asked(record, tolerance, per_record)
+        models = [m._engine for m in (self, *others)]
+        answer = _engine.compare(models, texts, _names("refit", refit), **options)
+        _warn(answer.warnings)
+        return Comparison(answer, (self, *others), record)
+
+    def calibrate(self, record: Records, *, per_record: Iterable[str] = ()) -> Calibration:
+        """Re-fit the free factors of the model (``[calibration] free``; by default f0 and z).
+
+        Raises
+        ------
+        NotConverged
+            Where the fit found no values.
+        """
+        texts, options = _asked(record, None, per_record)
+        answer = _engine.calibrate(self._engine, texts, **options)
+        if not answer.converged:
+            raise NotConverged("; ".join(["the calibration did not converge", *answer.warnings]))
+        _warn(answer.warnings)
+        return Calibration(answer, _models(self, answer))
+
+    def diagnose(
+        self,
+        record: Records,
+        *,
+        pairs: bool = True,
+        tried_before: int = 0,
+        per_record: Iterable[str] = (),
+        tolerance: str | None = None,
+        time_limit_s: float | None = None,
+        progress: Callable[[float, str], None] | None = None,
+    ) -> Diagnosis:
+        """Say which physical effect is missing in the model, or what to measure to find out.
+
+        Parameters
+        ----------
+        record : Record or sequence of Record
+        pairs : bool
+            Without: single effects only, for a quick look.
+        tried_before : int
+            Explanations of your own already tried on these data.
+        tolerance : str, optional
+            Error below which nothing matters, such as ``"2Nmm"``.
+        time_limit_s : float, optional
+            After which it gives up with TimeoutError.
+        progress : callable, optional
+            Called with the share that is done and the step, some ten times a second.
+
+        Raises
+        ------
+        InputError
+            Data that carry no verdict, with the reason.
+        KeyboardInterrupt
+            Stops it; nothing is left half done.
+        """
+        texts, options = _asked(record, tolerance, per_record)
+        limit = float("inf") if time_limit_s is None else float(time_limit_s)
+        answer = _engine.diagnose(self._engine, texts, bool(pairs), int(tried_before), limit, progress, **options)
+        _warn(answer.warnings)
+        return Diagnosis(answer)
+
+    def add(
+        self,
+        effects: str | Iterable[str],
+        record: Records,
+        *,
+        per_record: Iterable[str] = (),
+        tolerance: str | None = None,
+    ) -> Addition:
+        """Switch effects on, calibrated, and judge them on rows that the fit did not see.
+
+        Returns
+        -------
+        Addition
+            `Addition.refused` says why an effect does not help; `Addition.model` has it all the same.
+        """
+        texts, options = _asked(record, tolerance, per_record)
+        answer = _engine.add(self._engine, _names("effects", effects), texts, **options)
+        if not answer.converged:
+            raise NotConverged("; ".join(["the fit did not converge", *answer.warnings]))
+        _warn(answer.warnings)
+        return Addition(answer, _models(self, answer))
+
+    def __repr__(self) -> str:
+        return f"<raceway.Model {self.name} ({self.kind}) from {self.source}>"
+
+
+def _warn(lines: Iterable[str]) -> None:
+    for line in lines:
+        warnings.warn(line, Doubt, stacklevel=3)
+
+
+def _arrays(**given: ArrayLike | None) -> dict[str, numpy.ndarray]:
+    """Arrays of float64, those that are such already as they are."""
+    arrays = {}
+    for name, value in given.items():
+        if value is None:
+            continue
+        array = numpy.asarray(value)
+        if array.dtype.kind not in "fiu":
+            raise TypeError(f"{name}: numbers are wanted, not {_kind(array)}")
+        if array.dtype.byteorder == ">" or array.dtype != numpy.float64:
+            array = array.astype(numpy.float64)
+        arrays[name] = array
+    return arrays
+
+
+def _kind(array: numpy.ndarray) -> str:
+    return {"U": "text", "S": "text", "b": "truth values", "c": "complex numbers"}.get(
+        array.dtype.kind, f"objects ({array.dtype})"
+    )
+
+
+def _axis(name: str, values: ArrayLike | None) -> list[float]:
+    if values is None:
+        return []
+    array = _arrays(**{name: values})[name]
+    if array.ndim > 1:
+        raise ValueError(f"{name}: an axis is a list of numbers, not an array of shape {array.shape}")
+    return [float(v) for v in numpy.atleast_1d(array)]
+
+
+def _names(argument: str, names: str | Iterable[str]) -> list[str]:
+    if isinstance(names, str):
+        return [names]
+    listed = list(names)
+    for name in listed:
+        if not isinstance(name, str):
+            raise TypeError(f"{argument}: names are wanted, not {type(name).__name__}")
+    return listed
+
+
+def _asked(
+    record: Records, tolerance: str | None, per_record: Iterable[str]
+) -> tuple[list[tuple[str, str]], dict[str, Any]]:
+    """What the engine takes of records and options."""
+    records = [record] if isinstance(record, Record) else list(record)
+    for one in records:
+        if not isinstance(one, Record):
+            raise TypeError(
+                f"a raceway.Record is wanted, not {type(one).__name__}: "
+                "Record.read(path) or Record.from_pandas(frame)"
+            )
+    if not records:
+        raise ValueError("no record is given")
+    maps = {r._columns for r in records}
+    if len(maps) > 1:
+        raise ValueError("columns: several records of one question are read by one map")
+    options: dict[str, Any] = {"columns": maps.pop(), "drop_nan": any(r._drop_nan for r in records)}
+    if tolerance is not None:
+        options["tolerance"] = tolerance
+    if own := _names("per_record", per_record):
+        options["per_record"] = own
+    return [(r.name, r.text) for r in records], options
+
+
+def _models(of: Model, answer: _engine.Answer) -> dict[str, Model]:
+    """By record; one without name where it holds for all."""
+    records = answer.records or [""]
+    return {r: Model(_engine.Model(of.source, t)) for r, t in zip(records, answer.models)}

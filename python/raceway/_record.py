@@ -1,0 +1,154 @@
+"""Records of measurements."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from ._errors import InputError
+
+if TYPE_CHECKING:
+    import pandas
+
+
+class Record:
+    """Measurements: settings and readings, row by row, as a CSV file or a DataFrame has them.
+
+    What a column means is found by its name and unit (``speed_rpm``, ``Drehzahl [1/min]``,
+    ``friction_torque_Nm``), or said by ``columns``. A record is read when a model is held against
+    it, because the model says what is measured and what the record may leave out.
+
+    Parameters
+    ----------
+    name : str
+        In messages.
+    text : str
+        CSV with a header, in any of the forms that the command reads.
+    columns : mapping of str to str, optional
+        Which of their columns is which of ours: ``{"friction_torque_Nm": "Moment"}``.
+    drop_nan : bool
+        Leave out rows with a cell that has no number in a column that counts.
+
+    Examples
+    --------
+    >>> import pandas
+    >>> frame = pandas.DataFrame({"n": [0.0, 3000.0], "M": [0.01, 0.21]})
+    >>> record = Record.from_pandas(frame, columns={"speed_rpm": "n", "friction_torque_Nm": "M"})
+    >>> print(record.text)
+    n,M
+    0.0,0.01
+    3000.0,0.21
+    <BLANKLINE>
+    """
+
+    def __init__(
+        self,
+        name: str,
+        text: str,
+        *,
+        columns: Mapping[str, str] | None = None,
+        drop_nan: bool = False,
+    ) -> None:
+        if not isinstance(text, str):
+            raise TypeError(f"text: a str with the content of a CSV is wanted, not {type(text).__name__}")
+        self._name = str(name)
+        self._text = text
+        self._columns = _column_map(columns)
+        self._drop_nan = bool(drop_nan)
+
+    @classmethod
+    def read(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        columns: Mapping[str, str] | None = None,
+        drop_nan: bool = False,
+    ) -> Record:
+        """Read a CSV file.
+
+        Raises
+        ------
+        InputError
+            For a file that cannot be read. What stands in it is looked at with a model.
+        """
+        from . import _engine
+
+        return cls(os.fspath(path), _engine.read_text(os.fspath(path)), columns=columns, drop_nan=drop_nan)
+
+    @classmethod
+    def from_pandas(
+        cls,
+        frame: pandas.DataFrame,
+        *,
+        columns: Mapping[str, str] | None = None,
+        name: str = "DataFrame",
+        drop_nan: bool = False,
+    ) -> Record:
+        """Take the columns of a DataFrame; its index is not read.
+
+        Parameters
+        ----------
+        frame : pandas.DataFrame
+            One row per reading. NaN where nothing was read.
+        columns : mapping of str to str, optional
+            Which of its columns is which of ours, with the unit of the numbers in our name.
+        name : str
+            In messages.
+
+        Raises
+        ------
+        TypeError
+            For something else than a DataFrame.
+        InputError
+            For a DataFrame without rows, or with two columns of one name.
+        """
+        import pandas
+
+        if not isinstance(frame, pandas.DataFrame):
+            raise TypeError(
+                f"a pandas.DataFrame is wanted, not {type(frame).__name__}; "
+                "Record.read() takes the path of a CSV"
+            )
+        if frame.empty:
+            raise InputError(f"{name}: the DataFrame has no rows")
+        return cls(name, frame.to_csv(index=False), columns=columns, drop_nan=drop_nan)
+
+    @property
+    def name(self) -> str:
+        """File or name of the record."""
+        return self._name
+
+    @property
+    def text(self) -> str:
+        """The record as CSV."""
+        return self._text
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return the columns as they stand in the file; see `Model.predict` for those that are understood."""
+        import io
+
+        import pandas
+
+        return pandas.read_csv(io.StringIO(self._text), sep=None, engine="python", comment="#")
+
+    def __repr__(self) -> str:
+        return f"<raceway.Record {self._name}>"
+
+
+def _column_map(columns: Mapping[str, str] | None) -> str | None:
+    """Our table [columns], which the library reads with its units and messages."""
+    if columns is None:
+        return None
+    if not isinstance(columns, Mapping):
+        raise TypeError(
+            "columns: a dict of our names to theirs is wanted, such as "
+            f'{{"friction_torque_Nm": "Moment"}}, not {type(columns).__name__}'
+        )
+    lines = ["[columns]"]
+    for ours, theirs in columns.items():
+        # JSON strings are TOML strings.
+        value = json.dumps(theirs) if isinstance(theirs, str) else repr(float(theirs))
+        lines.append(f"{json.dumps(str(ours))} = {value}")
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,351 @@
+"""What a model answers."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy
+
+from . import _engine
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._model import Model
+
+#: Status of a state by its number.
+STATUS = ("not_run", "converged", "no_equilibrium", "iteration_limit", "singular", "not_finite")
+
+
+class Solution(Mapping[str, numpy.ndarray]):
+    """States of a bearing or a shaft: arrays by name, each with its unit, also as attributes.
+
+    Attributes
+    ----------
+    data : dict or None
+        Of a single state the document of ``raceway solve --json``.
+    notes : list of str
+        What a user should know of it.
+    """
+
+    def __init__(
+        self,
+        names: Sequence[str],
+        values: numpy.ndarray,
+        status: numpy.ndarray,
+        given: Mapping[str, numpy.ndarray],
+        notes: list[str],
+        document: str | None,
+    ) -> None:
+        self._places = {name: place for place, name in enumerate(names)}
+        self._values = values
+        self._status = status
+        self._given = dict(given)
+        self.notes = notes
+        self.data: dict[str, Any] | None = None if document is None else json.loads(document)
+
+    def __getitem__(self, name: str) -> numpy.ndarray:
+        try:
+            return self._values[self._places[name]]
+        except KeyError:
+            raise KeyError(f"{name}: no such result; there are {', '.join(self._places)}") from None
+
+    def __getattr__(self, name: str) -> numpy.ndarray:
+        places = self.__dict__.get("_places", {})
+        if name in places:
+            return self._values[places[name]]
+        raise AttributeError(f"{name}: no such result; there are {', '.join(places)}")
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._places)
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._places]
+
+    @property
+    def converged(self) -> numpy.ndarray:
+        """Whether all values of a state are numbers."""
+        return self._status == STATUS.index("converged")
+
+    @property
+    def status(self) -> numpy.ndarray:
+        """How the search for each balance ended, in words."""
+        return numpy.array(STATUS)[self._status]
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return one row per state: what was given, results, status."""
+        import pandas
+
+        shape = self._status.shape
+        columns = {n: numpy.broadcast_to(a, shape).ravel() for n, a in self._given.items()}
+        columns |= {n: self._values[k].ravel() for n, k in self._places.items()}
+        return pandas.DataFrame(columns | {"status": numpy.atleast_1d(self.status).ravel()})
+
+    def __repr__(self) -> str:
+        return f"<raceway.Solution of {self._status.size} states: {', '.join(self._places)}>"
+
+
+class _Document:
+    """A result with the document that the command prints with ``--json``."""
+
+    _data: dict[str, Any] | None = None
+
+    def _text(self) -> str:
+        raise NotImplementedError
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """The document of the command; keys have their units (docs/files.md)."""
+        if self._data is None:
+            self._data = json.loads(self._text())
+        return self._data
+
+    def _repr_html_(self) -> str:
+        from ._html import html_of
+
+        return html_of(self)
+
+
+class Table(_Document):
+    """A Stribeck table."""
+
+    def __init__(self, engine: _engine.Table) -> None:
+        self._engine = engine
+
+    def _text(self) -> str:
+        return self._engine.json()
+
+    @property
+    def notes(self) -> list[str]:
+        """Balls that have lost the inner race, loads above the rating, pressures that leave dents."""
+        return self._engine.notes
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return one row per point; columns as ``raceway table --format plain``, and the status."""
+        import pandas
+
+        names, values, status = self._engine.columns()
+        return pandas.DataFrame(dict(zip(names, values)) | {"status": status})
+
+    def save(self, path: str | os.PathLike[str], *, format: str = "csv", overwrite: bool = False) -> None:
+        """Write the table: ``"csv"`` with its model, ``"plain"`` or ``"modelica"``."""
+        writers = {"csv": self._engine.csv, "plain": self._engine.plain, "modelica": self._engine.modelica}
+        if format not in writers:
+            raise ValueError(f"format = {format!r}: must be csv, plain or modelica")
+        _write(path, writers[format](), overwrite)
+
+    def __repr__(self) -> str:
+        return f"<raceway.Table of {self.data['bearing']}: {len(self.data['rows'])} points>"
+
+
+class Displacement(_Document):
+    """The position of a shaft over its speed."""
+
+    def __init__(self, engine: _engine.Displacement) -> None:
+        self._engine = engine
+
+    def _text(self) -> str:
+        return self._engine.json()
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return one row per speed, as the command writes it."""
+        import pandas
+
+        return pandas.read_csv(io.StringIO(self._engine.csv()), comment="#")
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write the curve as CSV."""
+        _write(path, self._engine.csv(), overwrite)
+
+
+class _Answer(_Document):
+    """What the loop found."""
+
+    def __init__(self, answer: _engine.Answer) -> None:
+        self._answer = answer
+
+    def _text(self) -> str:
+        return self._answer.json
+
+    @property
+    def notes(self) -> list[str]:
+        """What is to be known of the data."""
+        return self._answer.notes
+
+    @property
+    def warnings(self) -> list[str]:
+        """What makes the result doubtful."""
+        return self._answer.warnings
+
+    def report(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> Page:
+        """Return the report with its pictures as one HTML page, which a notebook shows in a frame.
+
+        Parameters
+        ----------
+        path : path, optional
+            Where to write it, too.
+        """
+        page = Page(self._answer.page())
+        if path is not None:
+            _write(path, page.html, overwrite)
+        return page
+
+
+class Page:
+    """A page of HTML that needs no network."""
+
+    def __init__(self, html: str) -> None:
+        self.html = html
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        # A frame keeps its styles and scripts away from the notebook's.
+        return (
+            f'<iframe srcdoc="{escape(self.html, quote=True)}" sandbox="allow-scripts" '
+            'style="width:100%;height:40em;border:0"></iframe>'
+        )
+
+    def __repr__(self) -> str:
+        return f"<raceway report, {len(self.html) // 1000} kB>"
+
+
+class Comparison(_Answer):
+    """How far models are from a record."""
+
+    def __init__(self, answer: _engine.Answer, models: Sequence[Model], record: Any) -> None:
+        super().__init__(answer)
+        self._models = tuple(models)
+        self._record = record
+
+    @property
+    def rmse(self) -> float:
+        """RMS error of the first model, in the unit of what is measured."""
+        return _first(self.data)["rmse"]
+
+    @property
+    def unit(self) -> str:
+        """Of errors."""
+        return _first(self.data)["unit"]
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return one row per row of the record, with ``measured``, ``predicted`` and ``error`` of the first model."""
+        frame = self._models[0].predict(self._record)
+        predicted = next(name for name in frame if name.startswith("predicted_"))
+        measured = predicted.removeprefix("predicted_")
+        frame = frame.rename(columns={measured: "measured", predicted: "predicted"})
+        frame["error"] = frame["predicted"] - frame["measured"]
+        return frame
+
+    def __repr__(self) -> str:
+        return f"<raceway.Comparison: RMS error {self.rmse:.4g} {self.unit}>"
+
+
+class Calibration(_Answer):
+    """Factors of a model, fitted.
+
+    Attributes
+    ----------
+    models : dict of str to Model
+        By record where each has values of its own; else one, under the empty name.
+    """
+
+    def __init__(self, answer: _engine.Answer, models: dict[str, Model]) -> None:
+        super().__init__(answer)
+        self.models = models
+
+    @property
+    def model(self) -> Model:
+        """The model with what was fitted."""
+        return _only(self.models)
+
+    @property
+    def parameters(self) -> dict[str, dict[str, Any]]:
+        """Value, standard error, start and unit of each parameter."""
+        return {p["name"]: p for p in self.data["parameters"]}
+
+    def fit_report(self) -> str:
+        """Return the fit as text: parameters with errors and correlations, chi-square, AIC and BIC."""
+        from .fit_report import fit_report
+
+        return fit_report(self)
+
+
+class Diagnosis(_Answer):
+    """Whether an effect is missing, which, or what to measure to find out."""
+
+    @property
+    def verdict(self) -> str:
+        """The verdict in the words of the command."""
+        return self.data["verdict"]
+
+    @property
+    def headline(self) -> str:
+        """The verdict in a line."""
+        return self.data["headline"]
+
+    @property
+    def effects(self) -> list[str]:
+        """Ids of the effects that the verdict names; empty where these data cannot tell."""
+        return [e["id"] for e in self.data["effects"] if e["in_verdict"]]
+
+    def fit_report(self) -> str:
+        """Return the winning fit as text."""
+        from .fit_report import fit_report
+
+        return fit_report(self)
+
+    def __repr__(self) -> str:
+        return f"<raceway.Diagnosis: {self.headline}>"
+
+
+class Addition(_Answer):
+    """A model with effects switched on, and what that bought.
+
+    Attributes
+    ----------
+    models : dict of str to Model
+        As of a `Calibration`.
+    """
+
+    def __init__(self, answer: _engine.Answer, models: dict[str, Model]) -> None:
+        super().__init__(answer)
+        self.models = models
+
+    @property
+    def model(self) -> Model:
+        """The model with the effects."""
+        return _only(self.models)
+
+    @property
+    def refused(self) -> str:
+        """Why the effects do not help; empty where they do."""
+        return self._answer.refused
+
+    def fit_report(self) -> str:
+        """Return the fit as text."""
+        from .fit_report import fit_report
+
+        return fit_report(self)
+
+
+def _first(document: dict[str, Any]) -> dict[str, Any]:
+    return document["models"][0] if "models" in document else document
+
+
+def _only(models: dict[str, Model]) -> Model:
+    if len(models) > 1:
+        raise ValueError(f"each record has a model of its own: .models has those of {', '.join(models)}")
+    return next(iter(models.values()))
+
+
+def _write(path: str | os.PathLike[str], text: str, overwrite: bool) -> None:
+    with open(path, "w" if overwrite else "x", encoding="utf-8", newline="") as file:
+        file.write(text)

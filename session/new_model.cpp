@@ -1,0 +1,82 @@
+#include "session/new_model.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "io/catalogue_file.h"
+#include "io/error.h"
+#include "io/model_file.h"
+
+namespace raceway::session {
+namespace {
+
+friction::FrictionLaw wanted_law(const NewModel& wanted) {
+  using friction::FrictionLaw;
+  for (const FrictionLaw law : {FrictionLaw::palmgren, FrictionLaw::skf})
+    if (wanted.law == friction::name(law)) return law;
+  return FrictionLaw::contact;
+}
+
+/// What the flags say of a bearing; of one in the catalogue they must say nothing.
+io::BearingOutline outline(const NewModel& wanted, const std::vector<io::CatalogueBearing>& rows) {
+  io::BearingOutline result = io::outline_of(wanted.bearing, rows);
+  if (!std::isnan(wanted.outline.bore)) result.bore = wanted.outline.bore;
+  if (!std::isnan(wanted.outline.outer_diameter))
+    result.outer_diameter = wanted.outline.outer_diameter;
+  if (!std::isnan(wanted.contact_angle)) result.contact_angle = wanted.contact_angle * degree;
+  result.ball_count = wanted.outline.ball_count;
+  result.ball_material = wanted.outline.ball_material;
+  return result;
+}
+
+}  // namespace
+
+std::string new_model_text(Messages& messages, const NewModel& wanted) {
+  const auto rows = io::read_catalogues();
+  const io::BearingOutline& given = wanted.outline;
+  const bool described = !std::isnan(given.bore) || !std::isnan(given.outer_diameter) ||
+                         !std::isnan(wanted.contact_angle) || given.ball_count > 0;
+  if (const io::CatalogueBearing* const row = io::known_bearing(rows, wanted.bearing)) {
+    if (described)
+      throw io::InputError(
+          fmt::format("raceway new: {} is in the catalogue, with its inner geometry; --bore, "
+                      "--outer-diameter, --balls and --contact-angle are for one that is not",
+                      row->full_name()),
+          {.key = "BEARING"});
+    if (given.ball_material == "steel") return io::new_model_text(*row, wanted_law(wanted));
+    io::CatalogueBearing hybrid = *row;
+    if (!std::isnan(row->static_load_rating_silicon_nitride))
+      hybrid.geometry.static_load_rating = row->static_load_rating_silicon_nitride;
+    return io::model_text(hybrid, {.title = fmt::format("Model of a hybrid {} on a rig. Every "
+                                                        "default is written out: change what you "
+                                                        "know better.",
+                                                        row->full_name()),
+                                   .ball_material = given.ball_material,
+                                   .of_key = {},
+                                   .law = wanted_law(wanted)});
+  }
+  const io::BearingOutline known = outline(wanted, rows);
+  // A misspelt name of the catalogue is answered with the nearest ones.
+  if (!described && std::isnan(known.bore)) {
+    try {
+      (void)io::find_bearing(rows, wanted.bearing);
+    } catch (const io::InputError& e) {
+      throw io::InputError(std::string(e.what()) +
+                               "\nwith --bore and --outer-diameter, and --balls if it is known, "
+                               "the inner geometry of "
+                               "one that is not is estimated",
+                           e.place);
+    }
+  }
+  const io::EstimatedBearing bearing = io::estimated_bearing(known, rows);
+  messages.note(fmt::format(
+      "{} is not in the catalogue: {:.6g} x {:.6g} mm, {:.4g} deg{}; what is estimated "
+      "is marked in the model",
+      wanted.bearing, known.bore / mm, known.outer_diameter / mm,
+      bearing.outline.contact_angle / degree, std::isnan(given.bore) ? " by its designation" : ""));
+  return io::estimated_model_text(bearing, wanted_law(wanted));
+}
+
+}  // namespace raceway::session
