@@ -29,7 +29,7 @@ struct ScannedSet {
 ///           place of its groove alone, so balls come from a table over these places.
 /// Domain:   inner control at speed, two balls or more as unknowns. `direction` is the azimuth of
 ///           the load [rad]; a ring that stands across it is not looked at.
-/// Accuracy: a set that occurs between the nodes alone is missed.
+/// Accuracy: a set that occurs between the nodes alone is missed; docs/solver.md says how often.
 /// Cost:     6 to 8 ms for the bearings of a spindle, up to 25 ms for 200 balls.
 [[nodiscard]] std::vector<ScannedSet> scan_contacts(const RingSystem& system, double direction);
 
