@@ -20,8 +20,8 @@ struct ScannedSet {
 /// about the axis across it. At each node every ball is balanced by itself in all the ways in which
 /// it can stand there: on the inner race at a larger or a smaller contact angle, or off it. Of
 /// these ways the balls take, by turns, those that leave the least of the load. The sets that occur
-/// are returned, each from the node that leaves least, in rising order of imbalance; one that came
-/// before much nearer to balance than ever until then is returned from there as well.
+/// are returned in rising order of imbalance: each from the node that leaves least (within a
+/// third), and from earlier ones that at their time were the nearest by such a margin.
 ///
 /// A set is a start and no balance: whether its contacts hold, Newton's method says.
 ///
