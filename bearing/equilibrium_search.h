@@ -12,10 +12,13 @@ namespace raceway::bearing {
 ///   3. following the solution from pure thrust to the full radial load and moment,
 ///   4. following it from standstill to full speed,
 ///   5. where the axial load is small, following it from the radial load alone,
-///   6. under inner control, from states without the balls that carry least, and more of 2.
+///   6. under inner control, from states without the balls that carry least, and more of 2,
+///   7. under inner control, from the sets of contacts that a scan over the places of the ring
+///   finds (contact_scan.h).
 /// Under outer control the forces are continuous in the displacement and the paths find every state
 /// known to exist. Under inner control the gyroscopic couple vanishes with the contact, a state can
-/// hang on a combination of lost balls; 2 and 6 try those that are likely.
+/// hang on a combination of lost balls; 2 and 6 try those that are likely, 7 those that occur at
+/// the nodes of a grid. 0.01 % of the states that exist are missed still (docs/solver.md).
 [[nodiscard]] SolveStatus find_equilibrium(RingSystem& system, const OperatingPoint& point,
                                            const BearingEquilibrium* neighbour, RingState& state);
 

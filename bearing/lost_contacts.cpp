@@ -8,12 +8,13 @@
 namespace raceway::bearing {
 namespace {
 
-// Steps of one Newton run: from the first set, from others.
-constexpr int first_limit = 12, ranked_limit = 10, neighbour_limit = 8, wide_limit = 15,
-              scan_limit = 20;
-constexpr int most_rounds = 12;           // changes of one set
-constexpr std::size_t most_ranked = 10;   // sets tried of those that statics ranks
-constexpr std::size_t most_scanned = 60;  // that a scan leaves open
+// Steps of one Newton run: from the first set, from others; from a scan, whose starts are coarse.
+constexpr int first_limit = 12, ranked_limit = 10, neighbour_limit = 8, wide_limit = 15;
+constexpr int scan_limit = 20;
+constexpr int most_rounds = 12;          // changes of one set
+constexpr std::size_t most_ranked = 10;  // sets tried of those that statics ranks
+// Sets of a scan that balance with a contact on the wrong side; more of them are not looked for.
+constexpr std::size_t most_scanned = 60;
 
 }  // namespace
 
@@ -33,6 +34,8 @@ bool ContactSearch::settle(RingState& state) {
 
 bool ContactSearch::widen(RingState& state) { return try_neighbours(wide_limit, state); }
 
+/// A set counts as it is; of those with a contact on the wrong side the neighbours are tried then,
+/// from the set that was nearest to balance on.
 bool ContactSearch::scan(RingState& state) {
   if (system_.balls_used() < 2) return false;
   std::vector<OpenSet> open;
@@ -46,7 +49,7 @@ bool ContactSearch::scan(RingState& state) {
     }
     open.push_back({std::move(set.contacts), std::move(set.state), pulls});
   }
-  open_.assign(open.rbegin(), open.rend());
+  open_.assign(open.rbegin(), open.rend());  // the last is tried first
   return try_neighbours(wide_limit, state);
 }
 

@@ -22,7 +22,8 @@ class ContactSearch {
   [[nodiscard]] bool settle(RingState& state);
   /// More of the last, with balls that turn far over.
   [[nodiscard]] bool widen(RingState& state);
-  /// From the sets that occur where the ring may stand (contact_scan.h), as a last resort.
+  /// As a last resort: from the sets that a scan over places of the ring finds (contact_scan.h),
+  /// then from those that differ from one of them by one ball.
   [[nodiscard]] bool scan(RingState& state);
 
  private:

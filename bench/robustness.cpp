@@ -1,12 +1,13 @@
 // Solves random operating points over real bearings and says how many end how: the solver's claim
 // that it finds an equilibrium wherever there is one, put to the test.
 //
-//   robustness [--points 1000000] [--seed 1] [--control outer|inner|both] [--scan 300]
+//   robustness [--points 1000000] [--seed 1] [--control outer|inner|both] [--scan 300] [--nodes 24]
 //              [--mode scalar|batch|both] [--of bearings|arrangements|wild]
 //
 // `--mode batch` solves through solve_many(), `both` also counts where the two disagree.
 // `--scan N` proves up to N of the `no_equilibrium` (loads along y) by a brute-force search that
-// shares nothing of the solver's own search; see equilibrium_scan.h. It is for bearings only.
+// shares nothing of the solver's own search, and names the points where that finds one; see
+// equilibrium_scan.h. `--nodes` is its grid with free tilt, 60 with locked. For bearings only.
 // `--of wild` solves whatever files and flags let through, wild_domain.h, one by one and side by
 // side with every instruction set; the exit status is 1 where they disagree, where a converged
 // number is not finite or where a solve takes more than 2000 steps.
@@ -203,25 +204,33 @@ bool solve_wild(std::uint64_t seed, long points) {
 }
 
 struct ScanResult {
-  long scanned = 0, found = 0;
+  long scanned = 0;
+  std::vector<std::uint64_t> found;  ///< indices of the points that have an equilibrium after all
 };
 
 ScanResult scan_some(const std::vector<robustness::Size>& sizes, RaceControl control,
-                     std::uint64_t seed, const std::vector<std::uint64_t>& without, long most) {
+                     std::uint64_t seed, const std::vector<std::uint64_t>& without, long most,
+                     int free_nodes) {
+  std::vector<std::uint64_t> indices;
   std::vector<robustness::Case> cases;
   for (const std::uint64_t index : without) {
     const auto made = robustness::make_case(sizes, control, seed, index);
-    if (made.point.radial_load_z == 0.0 && static_cast<long>(cases.size()) < most)
-      cases.push_back(made);
+    if (made.point.radial_load_z != 0.0 || static_cast<long>(cases.size()) >= most) continue;
+    indices.push_back(index);
+    cases.push_back(made);
   }
-  std::atomic<long> found = 0, finished = 0;
+  std::vector<char> found(cases.size());
+  std::atomic<long> finished = 0;
   tbb::parallel_for(std::size_t{0}, cases.size(), [&](std::size_t i) {
     const bearing::Bearing one(cases[i].geometry, bearing::steel(), bearing::steel());
-    const int nodes = cases[i].options.tilt == bearing::Tilt::free ? 24 : 60;
-    found += robustness::scan_finds_equilibrium(one, cases[i].point, cases[i].options, nodes);
+    const int nodes = cases[i].options.tilt == bearing::Tilt::free ? free_nodes : 60;
+    found[i] = robustness::scan_finds_equilibrium(one, cases[i].point, cases[i].options, nodes);
     show_progress("scanned", ++finished, static_cast<long>(cases.size()));
   });
-  return {static_cast<long>(cases.size()), found};
+  ScanResult result{.scanned = static_cast<long>(cases.size()), .found = {}};
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (found[i]) result.found.push_back(indices[i]);
+  return result;
 }
 
 void report(const char* control, const char* mode, const Tally& t, const ScanResult& scan,
@@ -240,18 +249,20 @@ void report(const char* control, const char* mode, const Tally& t, const ScanRes
   fmt::print("  loads recovered to {:.1e} at worst\n", t.worst_load_error);
   if (scan.scanned == 0) return;
   // The scanned share stands for all points without equilibrium.
-  const double missed = static_cast<double>(t.without.size()) * static_cast<double>(scan.found) /
-                        static_cast<double>(scan.scanned);
+  const double missed = static_cast<double>(t.without.size()) *
+                        static_cast<double>(scan.found.size()) / static_cast<double>(scan.scanned);
   fmt::print(
       "  no_equilibrium scanned: {}, an equilibrium found after all in {}: about {:.3f} % of the\n"
       "  points that have one\n",
-      scan.scanned, scan.found, 100.0 * missed / (missed + static_cast<double>(converged)));
+      scan.scanned, scan.found.size(), 100.0 * missed / (missed + static_cast<double>(converged)));
+  for (const std::uint64_t index : scan.found) fmt::print("  found after all: point {}\n", index);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   long points = 1000000, scan = 300;
+  int nodes = 24;
   std::uint64_t seed = 1;
   std::string control = "both", mode = "scalar", of = "bearings";
   for (int i = 1; i + 1 < argc; i += 2) {
@@ -260,6 +271,8 @@ int main(int argc, char** argv) {
       points = std::atol(argv[i + 1]);
     else if (flag == "--scan")
       scan = std::atol(argv[i + 1]);
+    else if (flag == "--nodes")
+      nodes = std::atoi(argv[i + 1]);
     else if (flag == "--seed")
       seed = static_cast<std::uint64_t>(std::atol(argv[i + 1]));
     else if (flag == "--control")
@@ -286,7 +299,7 @@ int main(int argc, char** argv) {
     const bool scalar = mode != "batch", batch = mode != "scalar";
     const Both all = solve_all(sizes, c, seed, points, scalar, batch);
     const Tally& one = scalar ? all.scalar : all.batch;
-    const ScanResult found = scan_some(sizes, c, seed, one.without, scan);
+    const ScanResult found = scan_some(sizes, c, seed, one.without, scan, nodes);
     if (scalar) report(name, "one by one", all.scalar, found, points);
     if (batch) report(name, "side by side", all.batch, scalar ? ScanResult{} : found, points);
     if (scalar && batch)
