@@ -5,6 +5,7 @@
 #include <atomic>
 #include <map>
 
+#include "io/input_file.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
 #include "model/parameters.h"
@@ -161,7 +162,7 @@ void bind_model(py::module_& module) {
       .def("solve", &solve)
       .def("solve_document", &solve_document);
   module.def("views", &views);
-  module.def("read_text", [](const std::string& path) { return io::read_file(path); });
+  module.def("read_text", [](const std::string& path) { return io::read_text(path); });
   module.def(
       "new_model",
       [](const std::string& bearing, const std::string& law, const std::string& ball_material) {

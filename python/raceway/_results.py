@@ -47,6 +47,11 @@ class Solution(Mapping[str, numpy.ndarray]):
         self._given = dict(given)
         self.notes = notes
         self.data: dict[str, Any] | None = None if document is None else json.loads(document)
+        if self.data is not None:
+            # The document is solved by itself, to the last digit; many states go side by side.
+            for name, place in self._places.items():
+                if isinstance(self.data.get(name), float):
+                    self._values[place] = self.data[name]
 
     def __getitem__(self, name: str) -> numpy.ndarray:
         try:
@@ -269,7 +274,7 @@ class Calibration(_Answer):
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
         """Value, standard error, start and unit of each parameter."""
-        return {p["name"]: p for p in self.data["parameters"]}
+        return self.data["parameters"]
 
     def fit_report(self) -> str:
         """Return the fit as text: parameters with errors and correlations, chi-square, AIC and BIC."""
