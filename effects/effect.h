@@ -20,7 +20,7 @@
 
 namespace raceway::effects {
 
-class Formula;
+class OwnMoment;
 
 /// Which form of an effect: that of a bearing on a rig, that of the sets on a shaft, or that of a
 /// whole spindle, with temperatures of its own.
@@ -210,7 +210,7 @@ struct Description {
   /// Changes factors and sources of heat of a spindle.
   void (*spindle)(std::span<const double> values, SpindleCondition&) = nullptr;
 
-  const Formula* user_made = nullptr;  ///< the moment of an effect written as a formula
+  const OwnMoment* user_made = nullptr;  ///< the moment of an effect of the user's own
 
   /// Whether it can be at work with that supply, or with one that nobody named.
   [[nodiscard]] bool works_with(std::optional<friction::Supply> supply) const;

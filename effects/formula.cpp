@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace raceway::effects {
@@ -140,20 +141,14 @@ struct Owner {
   std::vector<Need> needs;
   std::vector<const record::Channel*> channels;
   std::vector<std::string_view> bearing_data;
-  std::unique_ptr<Formula> formula;
+  std::unique_ptr<OwnMoment> moment;
   Description description;
 };
 
-}  // namespace
-
-Effect make_effect(const UserMadeEffect& given) {
+std::shared_ptr<Owner> owner_of(const UserMadeEffect& given) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto owner = std::make_shared<Owner>();
+  auto owner = std::make_shared<Owner>();
   owner->given = given;
-  std::vector<std::string> names;
-  for (const UserMadeEffect::Number& n : owner->given.parameters) names.push_back(n.name);
-  owner->formula = std::make_unique<Formula>(given.torque_Nmm, std::move(names));
-  Effect effect;
   for (const UserMadeEffect::Number& n : owner->given.parameters) {
     const double lower = std::isnan(n.lower) ? -infinity : n.lower;
     const double upper = std::isnan(n.upper) ? infinity : n.upper;
@@ -165,15 +160,47 @@ Effect make_effect(const UserMadeEffect& given) {
                                  .plausible_lower = lower,
                                  .plausible_upper = upper,
                                  .neutral = unset});
-    effect.values.push_back(n.value);
   }
-  const Formula& f = *owner->formula;
+  return owner;
+}
+
+/// The effect of what stands in its owner. `is_size`: whether zero of a parameter turns it off.
+Effect effect_of(const std::shared_ptr<Owner>& owner, std::string_view mechanism,
+                 const std::function<bool(std::size_t, std::span<const double>)>& is_size) {
+  Effect effect;
+  for (const Parameter& p : owner->parameters) effect.values.push_back(p.initial);
   for (std::size_t k = 0; k < owner->parameters.size(); ++k) {
     Parameter& p = owner->parameters[k];
-    if (p.lower > 0.0 || p.upper < 0.0 || !f.is_size(k, effect.values)) continue;
+    if (p.lower > 0.0 || p.upper < 0.0 || !is_size(k, effect.values)) continue;
     p.neutral = 0.0;
     break;  // one size; what multiplies it is shape
   }
+  if (owner->given.title.empty()) owner->given.title = mechanism;
+  owner->description = {.id = owner->given.id,
+                        .title = owner->given.title,
+                        .mechanism = mechanism,
+                        .formula = owner->given.torque_Nmm,
+                        .source = "the user",
+                        .confused_with = {},
+                        .parameters = owner->parameters,
+                        .needs = owner->needs,
+                        .channels = owner->channels,
+                        .bearing_data = owner->bearing_data};
+  owner->description.user_made = owner->moment.get();
+  effect.description = &owner->description;
+  effect.owner = owner;
+  return effect;
+}
+
+}  // namespace
+
+Effect make_effect(const UserMadeEffect& given) {
+  const std::shared_ptr<Owner> owner = owner_of(given);
+  std::vector<std::string> names;
+  for (const UserMadeEffect::Number& n : owner->given.parameters) names.push_back(n.name);
+  auto formula = std::make_unique<Formula>(given.torque_Nmm, std::move(names));
+  const Formula& f = *formula;
+  owner->moment = std::move(formula);
   if (f.uses("time_s")) owner->needs.push_back(Need::time);
   if (f.uses("inner_ring_temperature_C") || f.uses("outer_ring_temperature_C"))
     owner->needs.push_back(Need::ring_temperatures);
@@ -182,20 +209,16 @@ Effect make_effect(const UserMadeEffect& given) {
   for (const auto& [variable, datum] : bearing_variables)
     if (f.uses(variable)) owner->bearing_data.push_back(datum);
   if (owner->given.title.empty()) owner->given.title = "formula of the model file";
-  owner->description = {.id = owner->given.id,
-                        .title = owner->given.title,
-                        .mechanism = "Written as a formula in the model file.",
-                        .formula = owner->given.torque_Nmm,
-                        .source = "the user",
-                        .confused_with = {},
-                        .parameters = owner->parameters,
-                        .needs = owner->needs,
-                        .channels = owner->channels,
-                        .bearing_data = owner->bearing_data};
-  owner->description.user_made = owner->formula.get();
-  effect.description = &owner->description;
-  effect.owner = owner;
-  return effect;
+  return effect_of(
+      owner, "Written as a formula in the model file.",
+      [&](std::size_t k, std::span<const double> values) { return f.is_size(k, values); });
+}
+
+Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment) {
+  const std::shared_ptr<Owner> owner = owner_of(given);
+  owner->moment = std::move(moment);
+  return effect_of(owner, "A function of the user's own.",
+                   [](std::size_t, std::span<const double>) { return true; });
 }
 
 }  // namespace raceway::effects

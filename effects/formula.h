@@ -13,16 +13,27 @@ namespace raceway::effects {
 
 using record::FormulaError;
 
+/// A friction moment of the user's own. May be asked by several threads at once.
+class OwnMoment {
+ public:
+  virtual ~OwnMoment() = default;
+  /// [N m]
+  [[nodiscard]] virtual double moment(const MomentInputs& inputs,
+                                      std::span<const double> values) const = 0;
+  /// Whether a model file can say it: a formula, but no function of a program.
+  [[nodiscard]] virtual bool stands_in_files() const { return true; }
+};
+
 /// A friction moment that a user wrote as a formula, in the units of the files:
 /// "c * (speed_rpm/1000)^2" in N mm. Names are those of variables() and of its own parameters;
 /// operators and functions those of muParser. May be evaluated by several threads at once.
-class Formula {
+class Formula : public OwnMoment {
  public:
   /// Throws FormulaError: no formula, or a name that is neither variable nor parameter.
   Formula(std::string text, std::vector<std::string> parameters);
 
-  /// [N m]
-  [[nodiscard]] double moment(const MomentInputs& inputs, std::span<const double> values) const;
+  [[nodiscard]] double moment(const MomentInputs& inputs,
+                              std::span<const double> values) const override;
   /// True if that parameter at zero leaves no moment anywhere, and elsewhere leaves one.
   [[nodiscard]] bool is_size(std::size_t parameter, std::span<const double> values) const;
   /// True if the formula uses that variable.
@@ -58,5 +69,8 @@ struct UserMadeEffect {
 
 /// The same kind of thing as an effect of the catalogue. Throws FormulaError.
 [[nodiscard]] Effect make_effect(const UserMadeEffect& given);
+/// The same of a moment that is no formula; `torque_Nmm` says in words what it is. At zero of the
+/// first parameter that may be zero it is off.
+[[nodiscard]] Effect make_effect(const UserMadeEffect& given, std::unique_ptr<OwnMoment> moment);
 
 }  // namespace raceway::effects

@@ -120,7 +120,7 @@ std::vector<io::ModelFile> open_models(Messages& messages, const std::vector<Sou
   std::vector<io::ModelFile> files;
   for (const Source& source : models) {
     files.push_back(open_model(messages, source, Accepts::rig_or_shaft));
-    if (options.amend) options.amend(files.back());
+    if (options.amend) options.amend(files.back(), files.size() - 1);
     options.tolerance.set(files.back());
     if (!files.back().model.shaft) warn_of_ignored_data(messages, files.back());
   }

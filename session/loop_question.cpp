@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "effects/formula.h"
 #include "fit/several_records.h"
 #include "io/record_report.h"
 #include "io/subject.h"
@@ -21,7 +22,7 @@ LoopQuestion ask(Messages& messages, const Source& model, const std::vector<Sour
   refuse_for_spindle(file.model, options.displacement.empty()
                                      ? std::vector<std::string>()
                                      : std::vector<std::string>{"--displacement"});
-  if (options.amend) options.amend(file);
+  if (options.amend) options.amend(file, 0);
   options.tolerance.set(file);
   const auto written = io::make_subject(file.model);
   record::Record record =
@@ -91,6 +92,27 @@ model::Model model_of_record(const fit::Calibration& calibration, std::size_t re
   return model;
 }
 
+bool is_own(const effects::Effect& effect) {
+  const effects::OwnMoment* const moment = effect.description->user_made;
+  return moment && !moment->stands_in_files();
+}
+
+/// Takes the effects out that no file can say; a covariance in which they have a part goes, too.
+std::vector<FittedTexts::OwnEffect> take_own_effects(model::Model& model) {
+  std::vector<FittedTexts::OwnEffect> own;
+  for (const effects::Effect& effect : model.effects)
+    if (is_own(effect)) own.push_back({std::string(effect.description->id), effect.values});
+  std::erase_if(model.effects, is_own);
+  const auto belongs = [&](const std::string& name) {
+    return std::any_of(own.begin(), own.end(),
+                       [&](const auto& effect) { return name.starts_with(effect.id + "."); });
+  };
+  if (model.covariance &&
+      std::any_of(model.covariance->names.begin(), model.covariance->names.end(), belongs))
+    model.covariance.reset();
+  return own;
+}
+
 }  // namespace
 
 const model::Model& fitted_model(const fit::Calibration& calibration) {
@@ -107,6 +129,8 @@ std::vector<std::string> records_apart(const fit::Subject& subject) {
 FittedTexts fitted_texts(const io::ModelFile& file, const fit::Calibration& calibration) {
   FittedTexts result;
   result.records = records_apart(*calibration.subject);
+  io::ModelFile written = file;
+  (void)take_own_effects(written.model);
   for (std::size_t k = 0; k < std::max<std::size_t>(1, result.records.size()); ++k) {
     model::Model model = model_of_record(calibration, k);
     // What is left without them would be another covariance.
@@ -115,7 +139,8 @@ FittedTexts fitted_texts(const io::ModelFile& file, const fit::Calibration& cali
         model.covariance.reset();
         result.corrected_data = std::move(data);
       }
-    result.texts.push_back(io::with_model(file, model));
+    result.own_effects.push_back(take_own_effects(model));
+    result.texts.push_back(io::with_model(written, model));
   }
   return result;
 }

@@ -22,8 +22,9 @@ struct LoopOptions {
   Reading reading{};
   PerRecord per_record{};
   Tolerance tolerance{};
-  std::string displacement{};                   ///< of a correction; refused for all else
-  std::function<void(io::ModelFile&)> amend{};  ///< what no file can say; may be empty
+  std::string displacement{};  ///< of a correction; refused for all else
+  /// Gives the model of that place among several what no file can say; may be empty.
+  std::function<void(io::ModelFile&, std::size_t)> amend{};
 };
 
 /// A model of a bearing, a shaft or a spindle with its measurements, ready for fit::diagnose(),
@@ -57,6 +58,12 @@ struct FittedTexts {
   std::vector<std::string> texts;
   /// Numbers of the covariance that stand as corrected data, for which no covariance is written.
   std::vector<std::string> corrected_data;
+  /// Of every text the effects that no file can say, with their numbers.
+  struct OwnEffect {
+    std::string id;
+    std::vector<double> values;
+  };
+  std::vector<std::vector<OwnEffect>> own_effects;
 };
 [[nodiscard]] FittedTexts fitted_texts(const io::ModelFile& file,
                                        const fit::Calibration& calibration);

@@ -42,8 +42,10 @@ std::vector<session::Source> sources(const Texts& texts) {
 }
 
 /// What a question may ask for, as keyword arguments of Python.
-session::LoopOptions loop_options(const py::kwargs& given) {
+session::LoopOptions loop_options(const std::vector<const EngineModel*>& models,
+                                  const py::kwargs& given) {
   session::LoopOptions options;
+  options.amend = [models](io::ModelFile& file, std::size_t place) { models[place]->amend(file); };
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
     if (value.is_none()) continue;
@@ -97,7 +99,9 @@ auto with_data(const session::LoopQuestion& asked, const Ask& ask) {
 
 EngineAnswer compare(const std::vector<std::shared_ptr<EngineModel>>& models, const Texts& data,
                      const std::vector<std::string>& refit, const py::kwargs& given) {
-  const session::LoopOptions options = loop_options(given);
+  std::vector<const EngineModel*> raw;
+  for (const auto& model : models) raw.push_back(model.get());
+  const session::LoopOptions options = loop_options(raw, given);
   return answered([&](Heard& heard) {
     std::vector<session::Source> texts;
     for (const auto& model : models) texts.push_back(source_of(*model));
@@ -111,7 +115,7 @@ EngineAnswer compare(const std::vector<std::shared_ptr<EngineModel>>& models, co
 }
 
 EngineAnswer calibrate(const EngineModel& model, const Texts& data, const py::kwargs& given) {
-  const session::LoopOptions options = loop_options(given);
+  const session::LoopOptions options = loop_options({&model}, given);
   return answered([&](Heard& heard) {
     const session::LoopQuestion asked =
         session::ask(heard, source_of(model), sources(data), options);
@@ -130,7 +134,7 @@ EngineAnswer calibrate(const EngineModel& model, const Texts& data, const py::kw
 EngineAnswer diagnose(const EngineModel& model, const Texts& data, bool pairs, int tried_before,
                       double time_limit_s, const py::object& progress_of_caller,
                       const py::kwargs& given) {
-  const session::LoopOptions options = loop_options(given);
+  const session::LoopOptions options = loop_options({&model}, given);
   std::atomic<bool> cancelled = false;
   Progress progress;
   fit::DiagnoseOptions how;
@@ -154,7 +158,7 @@ EngineAnswer diagnose(const EngineModel& model, const Texts& data, bool pairs, i
 
 EngineAnswer add(const EngineModel& model, const std::vector<std::string>& effects,
                  const Texts& data, const py::kwargs& given) {
-  const session::LoopOptions options = loop_options(given);
+  const session::LoopOptions options = loop_options({&model}, given);
   return answered([&](Heard& heard) {
     const auto asked = std::make_shared<session::LoopQuestion>(
         session::ask(heard, source_of(model), sources(data), options));
@@ -175,7 +179,7 @@ EngineAnswer add(const EngineModel& model, const std::vector<std::string>& effec
 /// The record as it was understood, column by column in the units of files, with what the model
 /// says of each measured channel.
 py::dict predict(const EngineModel& model, const Texts& data, const py::kwargs& given) {
-  const session::LoopOptions options = loop_options(given);
+  const session::LoopOptions options = loop_options({&model}, given);
   Heard heard;
   std::optional<session::LoopQuestion> asked;
   std::vector<double> readings;
@@ -217,6 +221,17 @@ void bind_loop(py::module_& module) {
       .def_readonly("refused", &EngineAnswer::refused)
       .def_property_readonly("records", [](const EngineAnswer& a) { return a.fitted.records; })
       .def_property_readonly("models", [](const EngineAnswer& a) { return a.fitted.texts; })
+      .def_property_readonly("own_effects",
+                             [](const EngineAnswer& a) {
+                               py::list models;
+                               for (const auto& own : a.fitted.own_effects) {
+                                 py::dict of;
+                                 for (const auto& [id, values] : own)
+                                   of[py::str(id)] = py::cast(values);
+                                 models.append(of);
+                               }
+                               return models;
+                             })
       .def("page", [](const EngineAnswer& a) {
         if (!a.page) throw io::InputError("there is no page of a calibration: compare() has one");
         const py::gil_scoped_release others;

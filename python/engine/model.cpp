@@ -2,9 +2,11 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <atomic>
 #include <map>
 
+#include "effects/catalogue.h"
 #include "io/input_file.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
@@ -107,9 +109,24 @@ py::tuple solve_document(const EngineModel& model, const py::dict& given) {
 
 }  // namespace
 
-EngineModel::EngineModel(const std::string& source, const std::string& text)
-    : file_(session::open_model(heard_, session::Source(source, text),
-                                session::Accepts::rig_or_shaft, session::Defaults::keep)) {}
+EngineModel::EngineModel(const std::string& source, const std::string& text, const py::list& own)
+    : own_(own_effects(own)),
+      file_(session::open_model(heard_, session::Source(source, text),
+                                session::Accepts::rig_or_shaft, session::Defaults::keep)) {
+  amend(file_);
+}
+
+void EngineModel::amend(io::ModelFile& file) const {
+  for (const OwnEffect& own : own_) {
+    const std::string& id = own.described.id;
+    const auto has_id = [&](const effects::Effect& e) { return e.description->id == id; };
+    if (effects::find(id, file.model.form()) ||
+        std::any_of(file.model.effects.begin(), file.model.effects.end(), has_id))
+      throw io::InputError(id + ": there is an effect of this name; choose another one",
+                           {.key = id});
+    file.model.effects.push_back(own.effect());
+  }
+}
 
 std::string EngineModel::kind() const {
   return file_.model.spindle ? "spindle" : file_.model.shaft ? "shaft" : "rig";
@@ -146,7 +163,8 @@ std::string EngineModel::with_values(const py::dict& values) const {
 
 void bind_model(py::module_& module) {
   py::class_<EngineModel, std::shared_ptr<EngineModel>>(module, "Model")
-      .def(py::init<const std::string&, const std::string&>(), py::arg("source"), py::arg("text"))
+      .def(py::init<const std::string&, const std::string&, const py::list&>(), py::arg("source"),
+           py::arg("text"), py::arg("own") = py::list())
       .def_property_readonly("source", [](const EngineModel& m) { return m.file().source; })
       .def_property_readonly("text", [](const EngineModel& m) { return m.file().text; })
       .def_property_readonly("name", [](const EngineModel& m) { return m.file().model.name; })

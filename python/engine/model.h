@@ -9,16 +9,19 @@
 #include "io/model_file.h"
 #include "python/engine/arrays.h"
 #include "python/engine/heard.h"
+#include "python/engine/own_effect.h"
 
 namespace raceway::python {
 
 /// A model as Python holds it. It never changes: several threads may ask it at once.
 class EngineModel {
  public:
-  EngineModel(const std::string& source, const std::string& text);
+  EngineModel(const std::string& source, const std::string& text, const py::list& own);
 
   [[nodiscard]] const io::ModelFile& file() const { return file_; }
   [[nodiscard]] const Heard& heard() const { return heard_; }
+  /// The effects of the user's own that no file can say, put into a model.
+  void amend(io::ModelFile& file) const;
   /// "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;
   [[nodiscard]] py::list parameters() const;
@@ -27,6 +30,7 @@ class EngineModel {
 
  private:
   Heard heard_;
+  std::vector<OwnEffect> own_;
   io::ModelFile file_;
 };
 

@@ -13,6 +13,7 @@ work releases the lock of the interpreter.
 """
 
 from ._engine import __version__
+from ._effect import Effect, Number, State
 from ._errors import Doubt, InputError, NotConverged
 from ._model import Model
 from ._record import Record
@@ -33,11 +34,14 @@ __all__ = [
     "Diagnosis",
     "Displacement",
     "Doubt",
+    "Effect",
     "InputError",
     "Model",
     "NotConverged",
+    "Number",
     "Record",
     "Solution",
+    "State",
     "Table",
     "__version__",
 ]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -12,6 +11,7 @@ import numpy
 from numpy.typing import ArrayLike
 
 from . import _engine
+from ._effect import Effect
 from ._errors import Doubt, NotConverged
 from ._record import Record
 from ._results import (
@@ -39,9 +39,10 @@ class Model:
     'GMN S 6014 C TA'
     """
 
-    def __init__(self, engine: _engine.Model) -> None:
-        self._engine = engine
-        _warn(engine.warnings)
+    def __init__(self, source: str, text: str, effects: Iterable[Effect] = ()) -> None:
+        self._effects = tuple(effects)
+        self._engine = _engine.Model(source, text, [e._for_engine() for e in self._effects])
+        _warn(self._engine.warnings)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Model:
@@ -52,12 +53,12 @@ class Model:
         InputError
             With file, line, key, value and allowed range, as the command says it.
         """
-        return cls(_engine.Model(os.fspath(path), _engine.read_text(os.fspath(path))))
+        return cls(os.fspath(path), _engine.read_text(os.fspath(path)))
 
     @classmethod
     def from_text(cls, text: str, name: str = "model") -> Model:
         """Take the text of a model file; `name` stands in messages."""
-        return cls(_engine.Model(name, text))
+        return cls(name, text)
 
     @classmethod
     def new(cls, bearing: str, *, law: str = "contact", ball_material: str = "steel") -> Model:
@@ -75,7 +76,7 @@ class Model:
         if ball_material not in ("steel", "silicon-nitride"):
             raise ValueError(f"ball_material = {ball_material!r}: must be steel or silicon-nitride")
         text, _ = _engine.new_model(bearing, law, ball_material)
-        return cls(_engine.Model(bearing, text))
+        return cls(bearing, text)
 
     @property
     def name(self) -> str:
@@ -119,7 +120,26 @@ class Model:
 
     def with_values(self, values: Mapping[str, float]) -> Model:
         """Return the model with other values of `parameters`, comments and all else as they stand."""
-        return Model(_engine.Model(self.source, self._engine.with_values(dict(values))))
+        in_file = dict(values)
+        effects = []
+        for effect in self._effects:
+            own = {n: in_file.pop(f"{effect.id}.{n}", v.value) for n, v in effect.numbers.items()}
+            effects.append(effect.with_values(list(own.values())))
+        return Model(self.source, self._engine.with_values(in_file), effects)
+
+    def with_effect(self, effect: Effect) -> Model:
+        """Return the model with an effect of your own, which `diagnose` tries and `add` calibrates.
+
+        It is no part of `text`: a file cannot say it. `effects` has it with its numbers.
+        """
+        if not isinstance(effect, Effect):
+            raise TypeError(f"a raceway.Effect is wanted, not {type(effect).__name__}")
+        return Model(self.source, self.text, (*self._effects, effect))
+
+    @property
+    def effects(self) -> tuple[Effect, ...]:
+        """Effects of your own that are functions of Python."""
+        return self._effects
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Write the model file; an existing one only with `overwrite`."""
@@ -422,5 +442,8 @@ def _asked(
 
 def _models(of: Model, answer: _engine.Answer) -> dict[str, Model]:
     """By record; one without name where it holds for all."""
-    records = answer.records or [""]
-    return {r: Model(_engine.Model(of.source, t)) for r, t in zip(records, answer.models)}
+    models = {}
+    for record, text, own in zip(answer.records or [""], answer.models, answer.own_effects):
+        effects = [e.with_values(own[e.id]) for e in of.effects]
+        models[record] = Model(of.source, text, effects)
+    return models

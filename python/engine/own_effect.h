@@ -1,0 +1,27 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+#include "effects/formula.h"
+
+namespace raceway::python {
+
+namespace py = pybind11;
+
+/// An effect whose moment is a function of Python: what it is called, its numbers, and
+/// `function(columns, values)`, which gives torques [N mm] for columns of rows.
+struct OwnEffect {
+  effects::UserMadeEffect described;
+  py::object function;
+
+  /// As an effect of a model, with these numbers.
+  [[nodiscard]] effects::Effect effect() const;
+};
+
+/// Of tuples (id, title, [(name, unit, value, lower, upper)], function).
+[[nodiscard]] std::vector<OwnEffect> own_effects(const py::list& given);
+
+}  // namespace raceway::python

@@ -1,0 +1,136 @@
+"""Effects of the user's own as functions of Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy
+from numpy.typing import ArrayLike
+
+from ._errors import InputError
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number of an effect that a fit may find.
+
+    Attributes
+    ----------
+    value : float
+        To begin with; an effect whose first number is 0 waits to be tried.
+    unit : str
+    lower, upper : float
+        Bounds; NaN where there is none.
+    """
+
+    value: float = 0.0
+    unit: str = "1"
+    lower: float = float("nan")
+    upper: float = float("nan")
+
+
+class State:
+    """What a torque may depend on, one array per column of the record, row by row.
+
+    ``speed_rpm``, ``axial_load_N``, ``radial_load_N``, ``temperature_C``, ``time_s`` and whatever
+    else was recorded beside, with its unit; of the bearing, single numbers: ``pitch_diameter_mm``,
+    ``ball_diameter_mm``, ``ball_count``, ``contact_angle_deg``. What was measured is not among them.
+    """
+
+    def __init__(self, columns: Mapping[str, Any]) -> None:
+        self._columns = dict(columns)
+
+    def __getattr__(self, name: str) -> Any:
+        columns = self.__dict__.get("_columns", {})
+        if name in columns:
+            return columns[name]
+        raise AttributeError(f"{name}: no such column in the record; there are {', '.join(columns)}")
+
+    def __dir__(self) -> list[str]:
+        return list(self._columns)
+
+
+class Effect:
+    """A friction torque of your own, to be tried and added like those of the catalogue.
+
+    Parameters
+    ----------
+    id : str
+        Its name: no blanks, dots or commas.
+    torque : callable
+        ``torque(state, **numbers)`` gives the torque that it adds for every row [N mm], as an array or
+        one number. `State` has the columns. What it gives for a row must depend on that row alone,
+        and be 0 where the first number is 0. It may be called from several threads.
+    numbers : mapping of str to Number, dict or float
+        What a fit may find; the first is the size of the effect.
+    title : str
+        In reports.
+
+    Examples
+    --------
+    >>> def fan(state, c):
+    ...     return c * (state.speed_rpm / 1000) ** 2
+    >>> effect = Effect("fan", fan, {"c": Number(0.0, "N mm", lower=0.0)})
+    >>> import raceway
+    >>> model = raceway.Model.new("S 6014 C").with_effect(effect)
+    >>> model.parameters["fan.c"]["unit"]
+    'N mm'
+    """
+
+    def __init__(
+        self,
+        id: str,
+        torque: Callable[..., ArrayLike],
+        numbers: Mapping[str, Number | Mapping[str, Any] | float],
+        *,
+        title: str = "",
+    ) -> None:
+        if not id or any(c in " .\t\n,;\"'" for c in id) or id[0] in "=+-@":
+            raise InputError(
+                f"id = {id!r}: must be a name without blanks, dots, commas, semicolons and quotes, "
+                "and not begin with =, +, - or @"
+            )
+        if not callable(torque):
+            raise TypeError(f"torque: a function of state and numbers is wanted, not {type(torque).__name__}")
+        if not numbers:
+            raise ValueError("numbers: an effect has one at least, its size")
+        self.id = id
+        self.torque = torque
+        self.numbers = {str(name): _number(name, number) for name, number in numbers.items()}
+        self.title = title or (torque.__doc__ or f"function {getattr(torque, '__name__', id)}").strip().splitlines()[0]
+
+    def with_values(self, values: Sequence[float]) -> Effect:
+        """Return the effect with other numbers, in their order."""
+        numbers = {
+            name: Number(float(value), n.unit, n.lower, n.upper)
+            for (name, n), value in zip(self.numbers.items(), values, strict=True)
+        }
+        return Effect(self.id, self.torque, numbers, title=self.title)
+
+    def _call(self, columns: Mapping[str, Any], values: Sequence[float], rows: int) -> list[float]:
+        torque = numpy.asarray(self.torque(State(columns), **dict(zip(self.numbers, values))))
+        if torque.dtype.kind not in "fiu" or torque.shape not in ((), (1,), (rows,)):
+            raise InputError(
+                f"effect {self.id}: torque(state) must give a number for each of {rows} rows, not an "
+                f"array of {torque.dtype} of shape {torque.shape}"
+            )
+        return numpy.broadcast_to(torque.astype(float), (rows,)).tolist()
+
+    def _for_engine(self) -> tuple[str, str, list[tuple[str, str, float, float, float]], Any]:
+        numbers = [(name, n.unit, n.value, n.lower, n.upper) for name, n in self.numbers.items()]
+        return self.id, self.title, numbers, self._call
+
+    def __repr__(self) -> str:
+        return f"<raceway.Effect {self.id}: {self.title}>"
+
+
+def _number(name: str, given: Number | Mapping[str, Any] | float) -> Number:
+    if isinstance(given, Number):
+        return given
+    if isinstance(given, Mapping):
+        return Number(**given)
+    if isinstance(given, (int, float)):
+        return Number(float(given))
+    raise TypeError(f"numbers[{name!r}]: a Number, a dict or a float is wanted, not {type(given).__name__}")
