@@ -72,6 +72,25 @@ def unit_text(unit: str | None) -> str:
     return UNITS.get(unit, unit)
 
 
+def error_unit(unit: str | None) -> str:
+    """Unit of an error of readings: a difference of temperatures is in K.
+
+    >>> error_unit("C"), error_unit("Nmm")
+    ('K', 'N mm')
+    """
+    return "K" if unit == "C" else unit_text(unit)
+
+
+def effect_name(effect: dict[str, Any]) -> str:
+    """Id of an effect of a diagnosis, with the channel or axis on which it acts.
+
+    >>> effect_name({"id": "sensor-offset", "channel": "flange_temperature"})
+    'sensor-offset (flange_temperature)'
+    """
+    where = [str(effect[key]) for key in ("channel", "axis") if effect.get(key)]
+    return effect["id"] + (f" ({', '.join(where)})" if where else "")
+
+
 def quantity_text(quantity: str) -> str:
     """Words of a quantity, as an axis begins with them.
 
@@ -179,6 +198,8 @@ def ladders_of(result: object, caller: str = "ladder()") -> list[Ladder]:
     """Of every model and measured channel of a Comparison, Calibration, Diagnosis or Addition."""
     data = document_of(result, ("Comparison", "Calibration", "Diagnosis", "Addition"), caller)
     kind = kind_of(result)
+    if kind == "Calibration" and "rmse" not in data:
+        raise ValueError(f"{caller}: this Calibration is of no readings and has no RMS error")
     if kind == "Comparison":
         ladders = []
         for model in data.get("models", [data]):

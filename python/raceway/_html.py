@@ -10,8 +10,8 @@ from __future__ import annotations
 from html import escape
 from typing import Any
 
-from ._documents import (Ladder, files_text, kind_of, label_of, ladders_of, number, quantity_text,
-                         split_column, unit_text)
+from ._documents import (Ladder, effect_name, error_unit, files_text, kind_of, label_of, ladders_of,
+                         number, quantity_text, split_column, unit_text)
 
 FIRST_ROWS = 6  # of a table
 RANKED = 6  # effects, beside those of the verdict
@@ -80,7 +80,7 @@ def ladder_html(ladders: list[Ladder]) -> str:
     if first.tolerance is not None:
         rows.append(["tolerance", number(first.tolerance), ""])
     words = quantity_text(first.quantity).lower()
-    return heading(f"RMS error{' of ' + words if words else ''} in {unit_text(first.unit)}") + \
+    return heading(f"RMS error{' of ' + words if words else ''} in {error_unit(first.unit)}") + \
         table([], rows)
 
 
@@ -118,15 +118,16 @@ def _ranking(data: dict[str, Any]) -> str:
     for e in effects[: named + RANKED]:
         sizes = "; ".join(f"{name} = {size_text(p)}" if len(e["parameters"]) > 1
                           else size_text(p) for name, p in e.get("parameters", {}).items())
-        where = "".join(f" ({e[key]})" for key in ("channel", "axis") if key in e)
-        name = text(e["id"] + where)
+        name = text(effect_name(e))
         rows.append([f"<b>{name}</b>" if e.get("in_verdict") else name,
                      "yes" if e.get("in_verdict") else "", text(sizes), number(e.get("gain")),
                      number(e.get("rmse")), number(e.get("rmse_cross_validated"))])
+    head = ["effect", "in verdict", "size", "gain", f"RMS, {error_unit(unit)}", "held out"]
+    if all(e.get("gain") is None for e in effects):  # records over time are judged held out
+        head, rows = head[:3] + head[4:], [row[:3] + row[4:] for row in rows]
     more = len(effects) - len(rows)
     return (heading("Effects, best first")
-            + table(["effect", "in verdict", "size", "gain", f"RMS, {unit_text(unit)}", "held out"],
-                    rows, left=3)
+            + table(head, rows, left=3)
             + (paragraph("gain, RMS and held out: of the set that is named", _FAINT)
                if data["verdict"] == "several-effects" else "")
             + (paragraph(f"and {more} others, less likely", _FAINT) if more > 0 else ""))
@@ -192,7 +193,7 @@ def _where_html(part: dict[str, Any]) -> str:
              ("+" if w["bias"] > 0 else "") + number(w["bias"])] for w in where[:WORST]]
     out = paragraph(text(part.get("statement", "")))
     if rows:
-        unit = unit_text(part["unit"])
+        unit = error_unit(part["unit"])
         out += heading("Where it errs most") + \
             table(["range", "rows", f"RMS, {unit}", f"mean error, {unit}"], rows)
     return out
@@ -230,8 +231,19 @@ def parameters_html(calibration: dict[str, Any]) -> str:
     return out
 
 
+def _conformity(data: dict[str, Any]) -> str:
+    """Of catalogue rigidities instead of readings: one number and the classes it is from."""
+    rows = [[text(c.get("class")), number(c.get("preload_N")), number(c.get("printed_N_um")),
+             number(c.get("computed_N_um"))] for c in data.get("classes", [])]
+    return paragraph(f'<b>{text(data.get("bearing"))}</b>, groove conformity '
+                     f'{text(size_text(data.get("conformity", {})))}') + \
+        table(["class", "preload in N", "printed in N/µm", "computed in N/µm"], rows)
+
+
 def _calibration(result: Any) -> str:
     data = result.data
+    if "parameters" not in data:
+        return _conformity(data)
     status = data.get("report", {}).get("status", "")
     chi = data.get("reduced_chi_square")
     freedom = text(data.get("degrees_of_freedom"))

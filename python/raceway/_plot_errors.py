@@ -11,7 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from . import _draw as draw
-from ._documents import Ladder, label_of, ladders_of, number, quantity_text, unit_text
+from ._documents import (Ladder, error_unit, kind_of, label_of, ladders_of, number,
+                         quantity_text)
 
 LARGEST_MARK = 260.0  # area of the mark of the largest error [points²]
 
@@ -58,12 +59,16 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
     ladders = []
     for result in results:
         found = ladders_of(result, caller)
-        ladders += found[:1] if "channels" in result.data else found
+        found = found[:1] if "channels" in result.data else found
+        if len(results) > 1 and kind_of(result) != "Comparison":  # whose before and after
+            for step in (step for one in found for step in one.steps):
+                step.label += f" ({kind_of(result).lower()})"
+        ladders += found
     unit, quantity = ladders[0].unit, ladders[0].quantity
     for one in ladders:
         if one.unit != unit:
-            raise ValueError(f"{caller}: errors in {unit_text(unit)} and in {unit_text(one.unit)} "
-                             "have no common axis: draw them one by one")
+            raise ValueError(f"{caller}: errors in {error_unit(unit)} and in "
+                             f"{error_unit(one.unit)} have no common axis: draw them one by one")
     bars = [(step.label, step.rmse, step.kind) for one in ladders for step in one.steps]
     if labels is not None:
         if isinstance(labels, str) or len(labels) != len(bars):
@@ -78,7 +83,7 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
         ax.annotate(f"tolerance {number(allowed)}", (allowed, 1.0), xytext=(0, 2), ha="center",
                     xycoords=("data", "axes fraction"), textcoords="offset points")
     words = f" of {quantity_text(quantity).lower()}" if quantity else ""
-    ax.set_xlabel(f"RMS error{words} in {unit_text(unit)}")
+    ax.set_xlabel(f"RMS error{words} in {error_unit(unit)}")
     return ax
 
 
@@ -97,8 +102,8 @@ def _noise_bars(ladders: list[Ladder]) -> list[tuple[str, float, str]]:
 def _bars(ax: Axes, bars: list[tuple[str, float, str]], own: bool) -> None:
     # Apart without colour: light, dark, and two hatches.
     looks = {"before": {"color": "0.72"}, "model": {"color": "0.72"}, "after": {"color": "#0072B2"},
-             "held out": {"facecolor": "white", "edgecolor": "#0072B2", "hatch": "////"},
-             "noise": {"facecolor": "white", "edgecolor": "0.45", "hatch": "...."}}
+             "held out": {"facecolor": "none", "edgecolor": "#0072B2", "hatch": "////"},
+             "noise": {"facecolor": "none", "edgecolor": "0.45", "hatch": "...."}}
     largest = max([rmse for _, rmse, _ in bars if rmse is not None] + [0.0])
     for place, (_, rmse, kind) in enumerate(bars):
         width = float("nan") if rmse is None else rmse
@@ -162,7 +167,7 @@ def residuals(comparison: Any, x: str = "speed_rpm", y: str | None = "axial_load
                          f"{' and ' + y if y else ''}")
     error, across, *up = [values[here] for values in used]
     data = getattr(comparison, "data", None) or {}
-    unit = unit_text(getattr(comparison, "unit", None) or data.get("unit"))
+    unit = error_unit(getattr(comparison, "unit", None) or data.get("unit"))
     ax, own = draw.axes_for(ax, caller)
     if up:
         _error_map(ax, own, across, up[0], error, unit)
@@ -187,7 +192,7 @@ def _error_map(ax: Axes, own: bool, x: np.ndarray, y: np.ndarray, error: np.ndar
         # Large ones first, each with a rim, so that small ones on the same point stay in sight.
         ax.scatter(x[place], y[place], s=max(area[place], 4.0), marker="^" if up else "v",
                    facecolor="#D55E00" if up else "none",
-                   edgecolor="white" if up else "#0072B2", linewidth=0.6 if up else 1.1,
+                   edgecolor=ax.get_facecolor() if up else "#0072B2", linewidth=0.6 if up else 1.1,
                    zorder=3 + order / len(area))
     sizes = [largest, 0.5 * largest, 0.1 * largest]
     handles = []
@@ -197,7 +202,7 @@ def _error_map(ax: Axes, own: bool, x: np.ndarray, y: np.ndarray, error: np.ndar
                 [], [], linestyle="none", marker="^" if up else "v",
                 markersize=np.sqrt(LARGEST_MARK * size / largest),
                 markerfacecolor="#D55E00" if up else "none",
-                markeredgecolor="white" if up else "#0072B2",
+                markeredgecolor="none" if up else "#0072B2",
                 label=f"{'+' if up else '−'}{number(size, 2)}"))
     ax.margins(0.08)
     if not draw.has_room(ax, own):

@@ -4,46 +4,13 @@ from __future__ import annotations
 
 import math
 import textwrap
-from dataclasses import dataclass
 from typing import Any
 
-from ._documents import document_of, files_text, kind_of, number
+from ._documents import document_of, effect_name, files_text, kind_of, number
+from ._likelihood import RANKED, Explanation, Likelihood, likelihood_fall, likelihood_of, ranked
 
 WIDTH = 80
 LEAST_CORRELATION = 0.1
-RANKED = 6  # effects beside those of the verdict
-
-
-@dataclass
-class Likelihood:
-    """What the information criteria of one fit are computed from."""
-
-    readings: int  # N
-    moved: int  # k, parameters that the fit moved
-    chi_square: float | None  # against the noise of the data
-    rmse: float | None  # in the unit of the reading
-
-    def criteria(self) -> tuple[float, float] | None:
-        """AIC and BIC with the noise as known, less the constant that all models share."""
-        return None if self.chi_square is None else _criteria(self.chi_square, self)
-
-    def scaled_criteria(self) -> tuple[float, float] | None:
-        """AIC and BIC where the size of the noise is one more thing that the fit finds."""
-        return None if not self.chi_square else _criteria(_log_mean(self.chi_square, self), self)
-
-    def error_criteria(self) -> tuple[float, float] | None:
-        """The same from the RMS error, as if all rows weighed alike."""
-        if not self.rmse:
-            return None
-        return _criteria(_log_mean(self.readings * self.rmse**2, self), self)
-
-
-def _log_mean(total: float, fit: Likelihood) -> float:
-    return fit.readings * math.log(total / fit.readings)
-
-
-def _criteria(deviance: float, fit: Likelihood) -> tuple[float, float]:
-    return deviance + 2.0 * fit.moved, deviance + fit.moved * math.log(fit.readings)
 
 
 def plain(value: object) -> str:
@@ -55,8 +22,9 @@ def _unit(unit: str | None) -> str:
     return {"Nmm": "N mm", "1": "", None: ""}.get(unit, unit or "")
 
 
-def _with_unit(value: float | None, unit: str | None, digits: int = 5) -> str:
-    return f"{number(value, digits)} {_unit(unit)}".rstrip()
+def _error(value: float | None, unit: str | None) -> str:
+    """An error of readings, those of temperatures in K."""
+    return f"{number(value, 4)} {'K' if unit == 'C' else _unit(unit)}".rstrip()
 
 
 def wrapped(words: str, indent: str = "    ", hanging: str | None = None) -> list[str]:
@@ -82,22 +50,6 @@ def _header(data: dict[str, Any], whose: dict[str, Any]) -> list[str]:
     return lines + (_fact("rows not predicted", left_out) if left_out else [])
 
 
-def likelihood_of(data: dict[str, Any]) -> Likelihood:
-    """Of the document of a calibration.
-
-    A parameter that the data do not tell is held, which the document does not say of each: how many
-    moved follows from rows and degrees of freedom. Of several measured columns it lacks the number
-    of readings, and those that are identifiable count as moved.
-    """
-    freedom = data["degrees_of_freedom"]
-    moved = data["rows"] - freedom
-    if "channels" in data or not 0 <= moved <= len(data["parameters"]):
-        moved = sum(bool(p.get("identifiable")) for p in data["parameters"].values())
-    reduced = data.get("reduced_chi_square")
-    return Likelihood(freedom + moved, moved, None if reduced is None else reduced * freedom,
-                      None if "channels" in data else data.get("rmse"))
-
-
 def _pair(values: tuple[float, float]) -> str:
     return f"{values[0]:.6g}, {values[1]:.6g}"
 
@@ -106,8 +58,8 @@ def _statistics(data: dict[str, Any], fit: Likelihood) -> list[str]:
     lines = _fact("chi-square", "-" if fit.chi_square is None else f"{fit.chi_square:.6g}")
     lines += _fact("reduced chi-square", number(data.get("reduced_chi_square"), 5))
     for part in data.get("channels", [data]):
-        error = f"{_with_unit(part['rmse'], part['unit'], 4)}, before " \
-            f"{_with_unit(part['rmse_before'], part['unit'], 4)}"
+        error = f"{_error(part['rmse'], part['unit'])}, before " \
+            f"{_error(part['rmse_before'], part['unit'])}"
         quantity = f" ({part['quantity']})" if "channels" in data else ""
         lines += _fact("RMS error", error + quantity)
     known, scaled, error_only = fit.criteria(), fit.scaled_criteria(), fit.error_criteria()
@@ -127,7 +79,8 @@ def _statistics(data: dict[str, Any], fit: Likelihood) -> list[str]:
             f"AIC = N ln(RMS^2) + 2 k and BIC = N ln(RMS^2) + k ln N, with N = {fit.readings} "
             f"readings, k = {fit.moved} parameters that the fit moved and RMS in "
             f"{_unit(data['unit'])}: from the RMS error alone, since the noise is not known "
-            "(reduced_chi_square is null). These are lmfit's, of rows that weigh alike.")
+            "(reduced_chi_square is null). These are lmfit's, of readings that weigh alike and are "
+            "independent, as those of a record over time are not.")
     else:
         lines += _fact("AIC, BIC", "-")
         lines += wrapped("not to be had: reduced_chi_square is null, and of several measured "
@@ -217,8 +170,8 @@ def _addition(data: dict[str, Any]) -> list[str]:
     lines += ["[[Rows held out]]"]
     for part in data.get("hold_out", []):
         lines += wrapped(f"by {part['left_out']}: RMS error "
-                         f"{_with_unit(part['rmse_before'], data['unit'], 4)} -> "
-                         f"{_with_unit(part['rmse_after'], data['unit'], 4)}")
+                         f"{_error(part['rmse_before'], data['unit'])} -> "
+                         f"{_error(part['rmse_after'], data['unit'])}")
     return lines + _calibrated(calibration) + _said(data)
 
 
@@ -238,63 +191,11 @@ def _errors_alone(data: dict[str, Any], calibration: dict[str, Any], fit: Likeli
         "since the document lacks the chi-square before (field before.chi_square).")
 
 
-def _free_sizes(effect: dict[str, Any]) -> tuple[int, int] | None:
-    """Parameters of an effect that moved, and shapes among them; nothing where that is not told.
-
-    An effect has one size; which of several it is stands in no field, so that of several with one
-    at a bound it cannot be said how many shapes moved.
-    """
-    at_bound = [bool(p.get("at_bound")) for p in effect["parameters"].values()]
-    if len(at_bound) > 1 and any(at_bound):
-        return None
-    return len(at_bound), len(at_bound) - 1
-
-
-def _likelihood_fall(gain: float | None, members: list[dict[str, Any]],
-                     readings: int) -> tuple[float, int] | None:
-    """Fall of -2 ln L, and parameters more: a gain is that fall less ln N of every free shape."""
-    counts = [_free_sizes(effect) for effect in members]
-    if None in counts or not counts or gain is None:
-        return None
-    shapes = sum(s for _, s in counts)  # type: ignore[misc]
-    return gain + shapes * math.log(readings), sum(k for k, _ in counts)  # type: ignore[misc]
-
-
-@dataclass
-class Explanation:
-    """One effect, or a set of them that is switched on at once."""
-
-    name: str
-    members: list[dict[str, Any]]
-    lead: dict[str, Any] | None  # the effect whose gain and error are those of all members
-    in_verdict: bool
-
-
-def _ranked(data: dict[str, Any]) -> list[Explanation]:
-    """The explanations, best first.
-
-    An effect in a set has the gain and the error of the first set that it is in.
-    """
-    effects = [e for e in data.get("effects", []) if e.get("gain") is not None]
-    rows: list[Explanation] = []
-    if data["verdict"] == "several-effects":
-        seen: list[str] = []
-        for ids in data.get("explanations") or []:
-            members = [e for e in effects if e.get("in_verdict") and e["id"] in ids]
-            lead = next((e for e in members if e["id"] not in seen), None)
-            rows.append(Explanation(" + ".join(ids), members, lead, True))
-            seen += ids
-        effects = [e for e in effects if e["id"] not in seen]
-    named = sum(bool(e.get("in_verdict")) for e in effects)
-    return rows + [Explanation(e["id"], [e], e, bool(e.get("in_verdict")))
-                   for e in effects[: named + RANKED]]
-
-
 def _explanation(one: Explanation, data: dict[str, Any], base: int) -> tuple[list[str], bool]:
     """Its line, and whether its criteria are known."""
     readings = data["rows"]
     gain, rmse = (one.lead["gain"], one.lead.get("rmse")) if one.lead else (None, None)
-    fall = None if "channels" in data else _likelihood_fall(gain, one.members, readings)
+    fall = None if "channels" in data else likelihood_fall(gain, one.members, readings)
     k, aic, bic = "-", "-", "-"
     if fall is not None:
         k = str(base + fall[1])
@@ -313,7 +214,7 @@ def _ranking(data: dict[str, Any], base: int) -> list[str]:
     lines.append(f"    {'without':<30}{base:>3}{number(data['rmse_before'], 4):>9}"
                  f"{'0':>9}{'0':>10}{'0':>10}")
     sure = True
-    for one in _ranked(data):
+    for one in ranked(data):
         words, known = _explanation(one, data, base)
         lines += words
         sure = sure and known
@@ -330,6 +231,22 @@ def _ranking(data: dict[str, Any], base: int) -> list[str]:
     return lines
 
 
+def _held_out(data: dict[str, Any]) -> list[str]:
+    """Of models of records over time, which have no likelihood: errors alone."""
+    lines = ["[[Explanations by their errors]]", f"    {'':<50}{'RMS':>12}{'held out':>12}",
+             f"    {'without':<50}{number(data['rmse_before'], 4):>12}{'':>12}".rstrip()]
+    named = sum(bool(e.get("in_verdict")) for e in data["effects"])
+    for e in data["effects"][: named + RANKED]:
+        words = plain(("<- " if e.get("in_verdict") else "") + effect_name(e))
+        if len(words) > 49:
+            lines, words = lines + wrapped(words), ""
+        lines.append(f"    {words:<50}{number(e.get('rmse'), 4):>12}"
+                     f"{number(e.get('rmse_cross_validated'), 4):>12}")
+    return lines + wrapped("These have no gain in the document (effects.gain is null), hence no "
+                           "AIC and BIC: effects are judged on parts of the record that no fit "
+                           "saw.")
+
+
 def _diagnosis(data: dict[str, Any]) -> list[str]:
     named = [e for e in data.get("effects", []) if e.get("in_verdict")]
     # They stand where an effect is: where nothing is missing none is said to have been free.
@@ -341,25 +258,28 @@ def _diagnosis(data: dict[str, Any]) -> list[str]:
         lines += _fact("parameters", "not in the document (field base_parameters is empty)")
     else:
         lines += _fact("parameters", f"{len(base)} of the model without effects")
-        lines += _fact("degrees of freedom", f"{data['rows'] - len(base)} without effects")
+        lines += _fact("degrees of freedom", "not in the document (field degrees_of_freedom)"
+                       if "channels" in data else f"{data['rows'] - len(base)} without effects")
     lines += _fact("candidates tried", data.get("candidates_tried", "-"))
     lines += _fact("verdict", data["verdict"]) + ["[[Fit Statistics]]"]
-    lines += _fact("RMS error", f"{_with_unit(data['rmse_after'], data['unit'], 4)}, before "
-                                f"{_with_unit(data['rmse_before'], data['unit'], 4)}")
-    lines += _fact("noise found", _with_unit((data.get("noise") or {}).get("rms"), data["unit"], 4))
-    lines += _fact("p of the misfit", f"{number(data.get('p_value'), 2)}, of what remains "
-                                      f"{number(data.get('remaining_p_value'), 2)}")
+    lines += _fact("RMS error", f"{_error(data['rmse_after'], data['unit'])}, before "
+                                f"{_error(data['rmse_before'], data['unit'])}")
+    lines += _fact("noise found", _error((data.get("noise") or {}).get("rms"), data["unit"]))
+    if data.get("p_value") is not None:
+        lines += _fact("p of the misfit", f"{number(data['p_value'], 2)}, of what remains "
+                                          f"{number(data.get('remaining_p_value'), 2)}")
     lines += _fact("chi-square, AIC, BIC", "-")
     lines += wrapped("The document lacks the chi-square of the model without effects (field "
                      "baseline.chi_square) and ln det(2 pi S) of the noise "
-                     "(noise.log_determinant); differences between explanations need neither, "
-                     "see below.")
+                     "(noise.log_determinant). Differences between explanations need neither, "
+                     "where they have a gain.")
     if base is not None:
-        lines += _ranking(data, len(base))
+        judged = any(e.get("gain") is not None for e in data["effects"])
+        lines += _ranking(data, len(base)) if judged else _held_out(data)
     lines += ["[[Parameters]]"]
     for effect in named:
         for name, p in effect["parameters"].items():
-            lines += _parameter(f"{effect['id']}.{name}", p, None)
+            lines += _parameter(f"{effect_name(effect)}.{name}", p, None)
     # Without a verdict of one set every effect has base parameters of its own.
     for name, p in (data.get("base_parameters") or {}).items():
         lines += _parameter(name, {**p, "value": p["after"]}, p["before"])
@@ -392,6 +312,8 @@ def fit_report(result: Any) -> str:
     ------
     TypeError
         Something else.
+    ValueError
+        A Calibration of catalogue rigidities, which is of no readings.
 
     Examples
     --------
@@ -414,5 +336,7 @@ def fit_report(result: Any) -> str:
         reduced chi-square    = 1.1
     """
     data = document_of(result, ("Calibration", "Addition", "Diagnosis"), "fit_report()")
+    if kind_of(result) == "Calibration" and "degrees_of_freedom" not in data:
+        raise ValueError("fit_report(): this Calibration is of no readings: see its data")
     writer = {"Calibration": _calibration, "Addition": _addition, "Diagnosis": _diagnosis}
     return "\n".join(writer[kind_of(result)](data))

@@ -8,7 +8,8 @@ import re
 
 import pytest
 
-from raceway.fit_report import fit_report, likelihood_of
+from raceway._likelihood import likelihood_of
+from raceway.fit_report import fit_report
 
 RIG = "tests/hidden_effect/rigs/dev-03"
 
@@ -134,6 +135,37 @@ def test_an_addition_compares_before_and_after_by_rms_error(addition):
     fall = 120 * math.log(data["after"]["rmse"] ** 2 / data["before"]["rmse"] ** 2)
     assert aic == pytest.approx(fall + 2, rel=1e-5)
     assert bic == pytest.approx(fall + math.log(120), rel=1e-5)
+
+
+def test_of_several_measured_columns_nothing_is_computed_that_the_document_cannot_tell(
+        make, document):
+    spindle = "data/spindles/seats"
+    data = document("calibrate", f"{spindle}/model.toml", f"{spindle}/train.csv")
+    report = fit_report(make("Calibration", data))
+    assert fact(report, "AIC, BIC") == "-" and "channels.readings" in report
+    errors = re.findall(r"RMS error += ([0-9.]+) (um|K), before ([0-9.]+)", report)
+    assert [float(after) for after, _, _ in errors] == pytest.approx(
+        [c["rmse"] for c in data["channels"]], rel=1e-3)
+    assert [float(before) for _, _, before in errors] == pytest.approx(
+        [c["rmse_before"] for c in data["channels"]], rel=1e-3)
+    # Errors of temperatures are differences.
+    assert [unit for _, unit, _ in errors] == ["um"] + ["K"] * (len(data["channels"]) - 1)
+
+
+def test_a_record_over_time_is_judged_by_rows_held_out(make, document):
+    folder = "data/corrections/ambient"
+    data = document("diagnose", f"{folder}/correction.toml", f"{folder}/train.csv")
+    assert data["effects"][0]["gain"] is None
+    report = fit_report(make("Diagnosis", data))
+    row = line_of(report, data["effects"][0]["id"])
+    assert float(row[-1]) == pytest.approx(data["effects"][0]["rmse_cross_validated"], rel=1e-3)
+    assert "dAIC" not in report and "effects.gain is null" in " ".join(report.split())
+
+
+def test_a_calibration_without_readings_is_refused(make, document):
+    data = document("calibrate", "S 6014 C")
+    with pytest.raises(ValueError, match="of no readings"):
+        fit_report(make("Calibration", data))
 
 
 def test_nothing_missing_is_a_report_too(make, document):

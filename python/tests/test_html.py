@@ -157,6 +157,23 @@ def test_a_table_shows_first_rows_and_a_count(table):
     assert "Friction torque in N mm" in page.text
 
 
+def test_every_measured_column_has_its_ladder(make, document):
+    spindle = "data/spindles/seats"
+    data = document("compare", f"{spindle}/model.toml", f"{spindle}/train.csv")
+    page = Tags(html_of(make("Comparison", data))).text
+    for part in data["channels"]:
+        unit = {"C": "K", "um": "µm"}[part["unit"]]
+        assert f"RMS error of {part['quantity'].replace('_', ' ')} in {unit}" in page
+        assert f"{part['rmse']:.3g}" in page
+
+
+def test_a_conformity_of_the_catalogue_is_shown(make, document):
+    data = document("calibrate", "S 6014 C")
+    page = Tags(html_of(make("Calibration", data))).text
+    assert "0.5203 ± 0.00063" in page and data["bearing"] in page
+    assert f"{data['classes'][0]['printed_N_um']:g}" in page
+
+
 def test_anything_else_is_refused():
     with pytest.raises(TypeError, match="not 'DataFrame'"):
         html_of(pd.DataFrame())

@@ -27,12 +27,13 @@ def labels(ax) -> list[str]:
 
 
 @pytest.mark.parametrize("module", ["_documents", "_draw", "plot", "_plot_errors", "_plot_record",
-                                    "_html", "fit_report"])
+                                    "_html", "_likelihood",
+                                    "fit_report"])
 def test_examples_of_the_docstrings_run(module):
     __import__(f"raceway.{module}")
     result = doctest.testmod(sys.modules[f"raceway.{module}"])
     assert result.failed == 0
-    assert result.attempted > 0 or module == "_draw"
+    assert result.attempted > 0 or module in ("_draw", "_likelihood")
 
 
 def test_every_public_function_has_an_example():
@@ -140,6 +141,11 @@ def test_the_ladder_of_an_addition_has_rows_held_out(addition):
         data["rmse_held_out_after"]]
 
 
+def test_before_and_after_say_whose_they_are_where_several_stand(diagnosis, comparison):
+    assert labels(plot.ladder(comparison, diagnosis))[:3] == [
+        "model.toml", "before (diagnosis)", "after (diagnosis)"]
+
+
 def test_models_stand_in_one_ladder_over_one_noise(make, document, comparison):
     refit = make("Comparison", document("compare", f"{RIG}/model.toml", f"{RIG}/train.csv",
                                         "--refit", "f0,z"))
@@ -168,6 +174,15 @@ def test_errors_of_different_units_have_no_common_ladder(make, document, compari
     with pytest.raises(ValueError, match="N mm and in µm"):
         plot.ladder(comparison, shaft)
     assert plot.ladder(shaft).get_xlabel() == "RMS error of axial displacement in µm"
+
+
+def test_of_several_measured_columns_the_ladder_is_of_the_first(make, document):
+    spindle = "data/spindles/seats"
+    data = document("compare", f"{spindle}/model.toml", f"{spindle}/train.csv")
+    ax = plot.ladder(make("Comparison", data))
+    assert widths(ax)[0] == data["rmse"] == data["channels"][0]["rmse"]
+    # An error of temperatures is a difference.
+    assert plot.ladder(make("Comparison", data["channels"][1])).get_xlabel().endswith("in K")
 
 
 def test_the_map_tells_sign_by_shape_and_size_by_area(comparison):
