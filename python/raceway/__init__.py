@@ -12,6 +12,8 @@ Threads: models, records and results never change and may be used by several thr
 work releases the lock of the interpreter.
 """
 
+from typing import Any as _Any
+
 from ._engine import __version__
 from ._effect import Effect, Number, State
 from ._errors import Doubt, InputError, NotConverged
@@ -26,6 +28,17 @@ from ._results import (
     Solution,
     Table,
 )
+
+
+
+def __getattr__(name: str) -> _Any:
+    # matplotlib takes longer to load than all else, and not everybody draws.
+    if name == "plot":
+        import importlib
+
+        return importlib.import_module(".plot", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
 
 __all__ = [
     "Addition",

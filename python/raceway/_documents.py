@@ -1,0 +1,221 @@
+"""What documents say of themselves: kinds of results, words and units of columns, ladders.
+
+Shared by the pictures, the notebook representations and the reports. Reads the documents that the
+command prints with ``--json``, and nothing else.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass, field
+from typing import Any
+
+KINDS = ("Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition",
+         "Modes")
+
+# Endings of column names, longest first where one ends in another; N_um before um.
+UNITS = {
+    "N_um": "N/µm", "Nm_rad": "N m/rad", "N_rad": "N/rad", "rad_s": "rad/s", "mm2_s": "mm²/s",
+    "kgm2": "kg m²", "Nmm": "N mm", "Nm": "N m", "MPa": "MPa", "GPa": "GPa", "rpm": "rpm",
+    "mrad": "mrad", "deg": "°", "um": "µm", "mm": "mm", "Hz": "Hz", "C": "°C", "K": "K", "N": "N",
+    "W": "W", "V": "V", "s": "s", "percent": "%",
+}
+
+
+def kind_of(result: object) -> str:
+    """Name of the result's class, or of the class that it was derived from; "" of anything else."""
+    for one in type(result).__mro__:
+        if one.__name__ in KINDS:
+            return one.__name__
+    return ""
+
+
+def document_of(result: object, kinds: tuple[str, ...], caller: str) -> dict[str, Any]:
+    """The document of a result of one of these kinds.
+
+    Raises
+    ------
+    TypeError
+        Anything else, with what to give instead.
+    """
+    kind = kind_of(result)
+    if kind in kinds and isinstance(getattr(result, "data", None), dict):
+        return result.data  # type: ignore[attr-defined]
+    wanted = " or ".join(kinds)
+    if isinstance(result, (list, tuple)):
+        raise TypeError(f"{caller} takes a {wanted}, not a {type(result).__name__}: give its "
+                        "elements one by one")
+    raise TypeError(f"{caller} takes a {wanted}, not {kind or type(result).__name__!r}")
+
+
+def split_column(column: str) -> tuple[str, str]:
+    """Quantity and unit key of a column: ("axial_load", "N") of "axial_load_N".
+
+    >>> split_column("front_axial_N_um"), split_column("lost_balls")
+    (('front_axial', 'N_um'), ('lost_balls', ''))
+    """
+    for unit in UNITS:
+        if column.endswith("_" + unit):
+            return column[: -len(unit) - 1], unit
+    return column, ""
+
+
+def unit_text(unit: str | None) -> str:
+    """Unit for people, of the key in a document; "" of a number without unit.
+
+    >>> unit_text("Nmm"), unit_text("1"), unit_text("N mm")
+    ('N mm', '', 'N mm')
+    """
+    if not unit or unit in ("1", "-"):
+        return ""
+    return UNITS.get(unit, unit)
+
+
+def error_unit(unit: str | None) -> str:
+    """Unit of an error of readings: a difference of temperatures is in K.
+
+    >>> error_unit("C"), error_unit("Nmm")
+    ('K', 'N mm')
+    """
+    return "K" if unit == "C" else unit_text(unit)
+
+
+def effect_name(effect: dict[str, Any]) -> str:
+    """Id of an effect of a diagnosis, with the channel or axis on which it acts.
+
+    >>> effect_name({"id": "sensor-offset", "channel": "flange_temperature"})
+    'sensor-offset (flange_temperature)'
+    """
+    where = [str(effect[key]) for key in ("channel", "axis") if effect.get(key)]
+    return effect["id"] + (f" ({', '.join(where)})" if where else "")
+
+
+def quantity_text(quantity: str) -> str:
+    """Words of a quantity, as an axis begins with them.
+
+    >>> quantity_text("inner_contact_angle_max")
+    'Inner contact angle max'
+    """
+    words = quantity.replace("_", " ").strip()
+    return words[:1].upper() + words[1:]
+
+
+def label_of(column: str) -> str:
+    """Quantity and unit of a column, for an axis.
+
+    >>> label_of("friction_torque_Nmm")
+    'Friction torque in N mm'
+    """
+    quantity, unit = split_column(column)
+    text = unit_text(unit)
+    return quantity_text(quantity) + (f" in {text}" if text else "")
+
+
+def number(value: float | None, digits: int = 3) -> str:
+    """A number as the command prints it; "-" of one that does not exist.
+
+    >>> number(44.8967), number(None), number(1914.1), number(2.7e-59)
+    ('44.9', '-', '1914', '2.7e-59')
+    """
+    if value is None or not math.isfinite(value):
+        return "-"
+    size = abs(value)
+    if size != 0.0 and not 1e-4 <= size < 1e6:
+        return f"{value:.{digits}g}"
+    # Digits before the point are all kept: 1914, not 1.91e+03.
+    before = int(math.floor(math.log10(size))) + 1 if size >= 1.0 else 0
+    return f"{value:.{max(digits, before)}g}"
+
+
+def name_of_file(path: str) -> str:
+    """Last part of a path, which is what fits beside a bar."""
+    return os.path.basename(path.replace("\\", "/")) or path
+
+
+def files_text(data: object) -> str:
+    """Names of one data file or of several."""
+    if isinstance(data, (list, tuple)):
+        return ", ".join(str(one) for one in data)
+    return str(data) if data else ""
+
+
+@dataclass
+class Step:
+    """RMS error of one model."""
+
+    label: str
+    rmse: float
+    kind: str  # "before", "after", "model", "held out", "noise"
+
+
+@dataclass
+class Ladder:
+    """RMS errors from the first model to the last, in one unit, and the noise beneath them."""
+
+    unit: str
+    quantity: str = ""
+    steps: list[Step] = field(default_factory=list)
+    noise: float | None = None
+    noise_words: str = "noise"
+    tolerance: float | None = None
+
+
+def noise_of(noise: dict[str, Any] | None) -> tuple[float | None, str]:
+    """Root mean square of the noise, and what to call it."""
+    noise = noise or {}
+    if noise.get("rms") is not None:
+        return float(noise["rms"]), "noise"
+    if noise.get("estimated_rms") is not None:
+        return float(noise["estimated_rms"]), "noise, estimated"
+    return None, "noise"
+
+
+def _tolerance(part: dict[str, Any]) -> float | None:
+    return part.get(f"tolerance_{part.get('unit')}")
+
+
+def _of_comparison(part: dict[str, Any], model: str) -> Ladder:
+    noise, words = noise_of(part.get("noise"))
+    step = Step(name_of_file(model) or "model", part["rmse"], "model")
+    return Ladder(part["unit"], part.get("quantity", ""), [step], noise, words, _tolerance(part))
+
+
+def _of_fit(part: dict[str, Any], noise: dict[str, Any] | None, after: str) -> Ladder:
+    size, words = noise_of(noise)
+    ladder = Ladder(part["unit"], part.get("quantity", ""), noise=size, noise_words=words,
+                    tolerance=_tolerance(part))
+    ladder.steps = [Step("before", part["rmse_before"], "before"),
+                    Step("after", part[after], "after")]
+    for word in ("before", "after"):
+        held_out = part.get(f"rmse_held_out_{word}")
+        if held_out is not None:
+            ladder.steps.append(Step(f"{word}, held out", held_out, "held out"))
+    return ladder
+
+
+def ladders_of(result: object, caller: str = "ladder()") -> list[Ladder]:
+    """Of every model and measured channel of a Comparison, Calibration, Diagnosis or Addition."""
+    data = document_of(result, ("Comparison", "Calibration", "Diagnosis", "Addition"), caller)
+    kind = kind_of(result)
+    if kind == "Calibration" and "rmse" not in data:
+        raise ValueError(f"{caller}: this Calibration is of no readings and has no RMS error")
+    if kind == "Comparison":
+        ladders = []
+        for model in data.get("models", [data]):
+            for part in model.get("channels", [model]):
+                ladders.append(_of_comparison(part, str(model.get("model", ""))))
+        return ladders
+    if kind == "Calibration":
+        return [_of_fit(part, None, "rmse") for part in data.get("channels", [data])]
+    if kind == "Diagnosis":
+        whole = {**data, "quantity": data.get("baseline", {}).get("quantity", "")}
+        return [_of_fit(part, part.get("noise"), "rmse_after")
+                for part in data.get("channels", [whole])]
+    before = data["before"]
+    whole = {**data, "quantity": before.get("quantity", ""), "rmse_before": before["rmse"],
+             "rmse_after": data["after"]["rmse"],
+             f"tolerance_{data['unit']}": before.get(f"tolerance_{data['unit']}")}
+    noises = [part.get("noise") for part in before.get("channels", [before])]
+    return [_of_fit(part, noise, "rmse_after")
+            for part, noise in zip(data.get("channels", [whole]), noises)]

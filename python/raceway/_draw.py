@@ -1,0 +1,160 @@
+"""What the pictures of plot.py share: axes, styles that differ without colour, legends, frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ._documents import label_of, split_column
+
+# Okabe and Ito, apart also to the colour-blind; black is left to axes: dark styles turn it.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+LINES: tuple[Any, ...] = ("-", "--", "-.", ":", (0, (8, 2)), (0, (4, 1, 1, 1, 1, 1)), (0, (2, 1)))
+MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">")
+MOST_MARKERS = 10  # on a curve: more hide the line style
+
+
+def style(i: int) -> dict[str, Any]:
+    """Colour, line and marker of the i-th curve; of cycles of 6, 7 and 9: the first 126 differ."""
+    return {"color": COLOURS[i % len(COLOURS)], "linestyle": LINES[i % len(LINES)],
+            "marker": MARKERS[i % len(MARKERS)]}
+
+
+def markevery(points: int, curve: int) -> tuple[int, int] | None:
+    """Which points of a curve get a marker: few, and not at the same speeds on every curve."""
+    if points <= MOST_MARKERS + 2:
+        return None
+    step = -(-points // MOST_MARKERS)
+    return (curve * 2) % step, step
+
+
+def new_figure() -> Figure:
+    """A figure of pyplot, which a notebook shows."""
+    from matplotlib import pyplot  # only where it is needed: it chooses a backend
+
+    return pyplot.figure(layout="constrained")
+
+
+def axes_for(ax: Axes | None, caller: str) -> tuple[Axes, bool]:
+    """The axes to draw into, and whether they stand in a new figure of their own."""
+    if ax is None:
+        return new_figure().add_subplot(), True
+    if not isinstance(ax, Axes):
+        hint = ": give one of them" if isinstance(ax, (Iterable, np.ndarray)) else ""
+        raise TypeError(f"{caller}: ax is a {type(ax).__name__}, not a matplotlib Axes{hint}")
+    return ax, False
+
+
+def has_room(ax: Axes, own: bool) -> bool:
+    """Whether a layout makes room beside the axes: in a figure of ours, or one that asks for it."""
+    engine = getattr(ax.figure, "get_layout_engine", lambda: None)()
+    return own or engine is not None
+
+
+def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = None,
+                 spacing: float = 0.5) -> None:
+    """Beside the axes where the layout makes room for it; else where it hides least."""
+    entries = handles if handles is not None else ax.get_legend_handles_labels()[0]
+    beside = has_room(ax, own)
+    where: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0),
+                             "borderaxespad": 0.0} if beside else {"loc": "best"}
+    # Wide enough for a dash pattern to show at least once.
+    ax.legend(handles=entries, title=title, handlelength=3.2, frameon=not beside,
+              labelspacing=spacing, ncols=1 + (len(entries) - 1) // 9,
+              fontsize="small" if len(entries) > 6 else None, **where)
+
+
+def speed_axis(ax: Axes, own: bool) -> None:
+    """Label of the abscissa, and few enough numbers of five digits beside a legend."""
+    ax.set_xlabel(label_of("speed_rpm"))
+    if own:
+        ax.locator_params(axis="x", nbins=6)
+
+
+def frame_of(source: object, caller: str, wanted: str) -> pd.DataFrame:
+    """Rows of a result or of a record, or those of a DataFrame.
+
+    Raises
+    ------
+    TypeError
+        Neither a DataFrame nor something with ``to_frame()``.
+    ValueError
+        No rows.
+    """
+    if isinstance(source, pd.DataFrame):
+        frame = source
+    elif isinstance(source, (list, tuple, dict)):
+        raise TypeError(f"{caller} takes a {wanted} or its DataFrame, not a "
+                        f"{type(source).__name__}: call it for each, with the same ax")
+    elif callable(getattr(source, "to_frame", None)):
+        frame = source.to_frame()  # type: ignore[attr-defined]
+    else:
+        raise TypeError(f"{caller} takes a {wanted} or its DataFrame, not a "
+                        f"{type(source).__name__!r}")
+    if len(frame) == 0:
+        raise ValueError(f"{caller}: no rows: give a {wanted} with at least one")
+    return frame
+
+
+def require_columns(frame: pd.DataFrame, columns: Iterable[str], caller: str) -> None:
+    """Raises ValueError that names the columns which are there."""
+    for column in columns:
+        if column not in frame.columns:
+            have = ", ".join(str(c) for c in frame.columns)
+            raise ValueError(f"{caller}: no column {column!r}: there are {have}")
+
+
+def numbers(frame: pd.DataFrame, column: str, caller: str) -> np.ndarray:
+    """A column as floats, NaN where there is no number.
+
+    Raises
+    ------
+    ValueError
+        A column of text.
+    """
+    try:
+        return pd.to_numeric(frame[column]).to_numpy(dtype=float)
+    except (ValueError, TypeError) as error:
+        raise ValueError(f"{caller}: column {column!r} holds text, not numbers") from error
+
+
+def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
+    """A curve has one value of all settings but speed; raises ValueError otherwise."""
+    settings = ("axial_load_N", "radial_load_N", "moment_Nmm", "temperature_C", "preload_N",
+                "external_load_N")
+    for column in settings:
+        if column in by or column not in frame.columns:
+            continue
+        values = sorted(frame[column].dropna().unique())
+        if len(values) > 1:
+            some = ", ".join(f"{v:g}" for v in values[:4]) + (", ..." if len(values) > 4 else "")
+            more = "".join(f"{one!r}, " for one in [*by, column])[:-2]
+            raise ValueError(
+                f"{caller}: {column} varies too ({some}), and a curve needs one value: give "
+                f"by=[{more}], or the rows of one value, "
+                f"table.to_frame().query(\"{column} == {values[0]:g}\")")
+
+
+def groups_by(frame: pd.DataFrame, by: list[str]) -> list[tuple[tuple[Any, ...], pd.DataFrame]]:
+    """Rows of each value of these columns, by rising value; all rows where there are none."""
+    if not by:
+        return [((), frame)]
+    if len(by) == 1:
+        return [((key,), rows) for key, rows in frame.groupby(by[0], sort=True)]
+    return list(frame.groupby(by, sort=True))
+
+
+def value_text(columns: list[str], values: tuple[Any, ...]) -> str:
+    """Values of a curve as its legend has them: "300", or "300, 40" of two columns."""
+    return ", ".join(f"{v:g}" if isinstance(v, (int, float, np.number)) else str(v)
+                     for _, v in zip(columns, values))
+
+
+def unit_of(column: str) -> str:
+    """Key of the unit in a column's name."""
+    return split_column(column)[1]

@@ -1,0 +1,140 @@
+"""The picture of a record: its columns over time or speed, one axes for each unit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from matplotlib.axes import Axes
+
+from . import _draw as draw
+from ._documents import label_of, quantity_text, split_column, unit_text
+
+
+def record(source: Any, columns: Sequence[str] | None = None, *,
+           ax: Axes | Sequence[Axes] | None = None) -> list[Axes]:
+    """A record over time, or over speed where it has no time: one axes for each unit.
+
+    Parameters
+    ----------
+    source : record or DataFrame
+        Columns as in a CSV, with the unit at the end of the name. ``time_s`` [s] is drawn in s,
+        beyond 10 min in min, beyond 3 h in h. Runs (``run_id``) are not joined by a line.
+    columns : sequence of str, optional
+        What to draw; default every column of numbers but standard deviations.
+    ax : matplotlib.axes.Axes or sequence of them, optional
+        As many as there are units; default a new figure.
+
+    Returns
+    -------
+    list of matplotlib.axes.Axes
+        From top to bottom, units in the order of the columns.
+
+    Raises
+    ------
+    TypeError
+        Neither a record nor a DataFrame, or columns is one text.
+    ValueError
+        No rows, no such column, a column of text, neither time nor speed, another number of axes
+        than units.
+
+    Examples
+    --------
+    >>> import pandas as pd
+    >>> rows = pd.DataFrame({"time_s": [0, 60, 120], "speed_rpm": [0, 5000, 5000],
+    ...                      "front_bearing_temperature_C": [20.0, 22.1, 23.4],
+    ...                      "housing_temperature_C": [20.0, 20.3, 20.8]})
+    >>> [[line.get_label() for line in one.lines] for one in record(rows)]
+    [['Speed'], ['Front bearing temperature', 'Housing temperature']]
+    """
+    caller = "record()"
+    frame = draw.frame_of(source, caller, "record")
+    x = next((c for c in ("time_s", "speed_rpm") if c in frame.columns), None)
+    if x is None:
+        raise ValueError(f"{caller}: neither time_s nor speed_rpm in this record: "
+                         "there is nothing to draw it over")
+    if isinstance(columns, str):
+        raise TypeError(f"{caller}: columns must be a sequence: [{columns!r}]")
+    if columns is None:
+        columns = [c for c in frame.columns if c not in (x, "run_id") and "std_" not in c
+                   and pd.api.types.is_numeric_dtype(frame[c])]
+    draw.require_columns(frame, columns, caller)
+    if not columns:
+        raise ValueError(f"{caller}: no column of numbers beside {x}")
+    panels: dict[str, list[str]] = {}
+    for column in columns:
+        panels.setdefault(draw.unit_of(column), []).append(column)
+    axes, own = _panels(ax, list(panels))
+    if own and any(len(names) > 1 for names in panels.values()):
+        axes[0].figure.set_figwidth(8.5)  # legends stand beside
+    across, label = _across(draw.numbers(frame, x, caller), x)
+    for one, names in zip(axes, panels.values()):
+        _panel(one, own, frame, across, names, joined=x == "time_s")
+    axes[-1].set_xlabel(label)
+    if own:
+        axes[0].figure.align_ylabels(axes)
+    return axes
+
+
+def _across(values: np.ndarray, x: str) -> tuple[np.ndarray, str]:
+    """Time in a unit in which it is a number of few digits."""
+    if x != "time_s":
+        return values, label_of(x)
+    span = np.nanmax(values) - np.nanmin(values)
+    unit, size = ("h", 3600.0) if span > 10800.0 else ("min", 60.0) if span > 600.0 else ("s", 1.0)
+    return values / size, f"Time in {unit}"
+
+
+def _panels(ax: Axes | Sequence[Axes] | None, units: list[str]) -> tuple[list[Axes], bool]:
+    """So many axes above each other with one abscissa, or those that were given."""
+    count = len(units)
+    if ax is None:
+        figure = draw.new_figure()
+        figure.set_figheight(0.8 + 1.8 * count if count > 1 else figure.get_figheight())
+        return list(figure.subplots(count, 1, sharex=True, squeeze=False)[:, 0]), True
+    given = list(np.ravel(ax)) if isinstance(ax, (list, tuple, np.ndarray)) else [ax]
+    if len(given) != count:
+        raise ValueError(
+            f"record(): {count} units ({', '.join(unit_text(u) or 'none' for u in units)}) need "
+            f"{count} axes, not {len(given)}: leave ax out, or fig, axes = plt.subplots({count}, "
+            "1, sharex=True, layout=\"constrained\") and ax=axes")
+    return [draw.axes_for(one, "record()")[0] for one in given], False
+
+
+def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns: list[str],
+           joined: bool) -> None:
+    runs = frame["run_id"].to_numpy() if "run_id" in frame.columns else np.zeros(len(frame))
+    starts = [0, *(np.flatnonzero(runs[1:] != runs[:-1]) + 1), len(frame)]
+    for i, column in enumerate(columns):
+        values = draw.numbers(frame, column, "record()")
+        look = draw.style(i)
+        if joined:
+            look["markevery"] = draw.markevery(len(frame), i)
+            if len(frame) > 4 * draw.MOST_MARKERS and len(columns) == 1:
+                look["marker"] = None  # one long curve needs no marks
+        else:
+            look["linestyle"] = "none"  # rows of a plan stand in no order
+        for k, (begin, end) in enumerate(zip(starts[:-1], starts[1:])):
+            ax.plot(across[begin:end], values[begin:end], markersize=4, **look,
+                    label=quantity_text(split_column(column)[0]) if k == 0 else None)
+    quantity, unit = _common_words(columns), unit_text(draw.unit_of(columns[0]))
+    break_ = "\n" if ax.get_subplotspec() and ax.get_subplotspec().get_gridspec().nrows > 1 else " "
+    ax.set_ylabel(f"{quantity}{break_}in {unit}" if unit else quantity)  # a panel is low
+    if len(columns) > 1:
+        draw.place_legend(ax, own)
+
+
+def _common_words(columns: list[str]) -> str:
+    """All words of one quantity; of several those that all end with, as "Temperature"."""
+    words = [split_column(column)[0].split("_") for column in columns]
+    shared: list[str] = []
+    for ends in zip(*(reversed(one) for one in words)):
+        if len(set(ends)) > 1:
+            break
+        shared.insert(0, ends[0])
+    # Displacement of "displacement_ch1", where the number stands behind.
+    if not shared and len({one[0] for one in words}) == 1:
+        shared = [words[0][0]]
+    return quantity_text("_".join(shared)) if shared else "Value"
