@@ -114,8 +114,10 @@ void mexFunction(int output_count, mxArray* outputs[], int input_count, const mx
     if (notes[0] != '\0') mexPrintf("%s\n", notes);
     print(&g, mxGetPr(values));
   }
-  if (message[0] != '\0')
-    mexWarnMsgIdAndTxt(result == RACEWAY_DONE ? "raceway:note" : "raceway:status", "%s", message);
+  /* Octave puts the word warning before it. */
+  const char* doubt = strncmp(message, "warning: ", 9) == 0 ? message + 9 : message;
+  if (doubt[0] != '\0')
+    mexWarnMsgIdAndTxt(result == RACEWAY_DONE ? "raceway:note" : "raceway:status", "%s", doubt);
   mxArray* const all[] = {values, names, status};
   for (int i = 0; i < 3; ++i)
     if (i < output_count)
