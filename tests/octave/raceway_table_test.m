@@ -96,6 +96,15 @@ fclose (file);
 refused (strtrim (told), wrong, 1000);
 unlink (wrong);
 
+% What docs/c.md shows runs.
+shown = regexp (fileread ("docs/c.md"), '^>> (.*?)$', "tokens", "lineanchors");
+assert (numel (shown) >= 3);
+for i = 1:numel (shown)
+  printed = evalc (shown{i}{1});
+end
+assert (size (torque), [13, 3]);
+assert (any (strfind (printed, "Friction torque [N mm]")), printed);
+
 % A thousand models leave the memory as it is but for 20 MB.
 function kB = resident ()
   kB = str2double (regexp (fileread ("/proc/self/status"), 'VmRSS:\s*(\d+)', "tokens"){1}{1});
