@@ -1,8 +1,8 @@
 #include "session/solve_states.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,10 +197,10 @@ class Block {
 template <typename Solve>
 void for_blocks(std::size_t size, const Solve& solve) {
   const std::size_t blocks = (size + block_size - 1) / block_size;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const auto& range) {
-    for (std::size_t b = range.begin(); b < range.end(); ++b)
-      solve(b * block_size, std::min(block_size, size - b * block_size));
-  });
+  tbb::parallel_for(
+      std::size_t{0}, blocks,
+      [&](std::size_t b) { solve(b * block_size, std::min(block_size, size - b * block_size)); },
+      tbb::simple_partitioner{});
 }
 
 /// What an effect must have of every row beside speed, loads and temperature; empty if nothing.
