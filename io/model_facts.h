@@ -9,6 +9,7 @@
 namespace raceway::io {
 
 /// What the pages say of each model: law, its factors and those of the effects, oil, defaults.
+/// Shared by the reports, not for other code.
 [[nodiscard]] json model_facts(const std::vector<ModelOfPage>& models);
 
 /// What changed from each model to the next.

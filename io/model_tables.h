@@ -10,7 +10,8 @@
 
 namespace raceway::io {
 
-/// The tables of a model file, and the defaults that were used in reading them.
+/// The tables of a model file, and the defaults that were used in reading them. Shared by its
+/// readers, not for other code.
 class ModelTables {
  public:
   ModelTables(std::string_view text, std::string source)

@@ -6,7 +6,8 @@
 
 namespace raceway::io {
 
-/// The document of a report in the making: its members in order.
+/// The document of a report in the making: its members in order. Shared by the reports, not for
+/// other code.
 class Document {
  public:
   explicit Document(const std::string& kind);

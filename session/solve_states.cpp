@@ -1,8 +1,8 @@
 #include "session/solve_states.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,7 @@
 #include "io/number_range.h"
 #include "io/plausible.h"
 #include "io/units.h"
+#include "model/prediction.h"
 #include "session/table_columns.h"
 
 namespace raceway::session {
@@ -185,13 +186,46 @@ class Block {
   }
   [[nodiscard]] const std::vector<bearing::OperatingPoint>& points() const { return points_; }
   [[nodiscard]] const friction::TablePoint& result(std::size_t i) const { return results_[i]; }
-  [[nodiscard]] std::size_t size() const { return points_.size(); }
 
  private:
   std::vector<bearing::OperatingPoint> points_;
   std::vector<double> values_;
   std::vector<friction::TablePoint> results_;
 };
+
+/// Calls `solve(first, count)` for all states in blocks, on all cores.
+template <typename Solve>
+void for_blocks(std::size_t size, const Solve& solve) {
+  const std::size_t blocks = (size + block_size - 1) / block_size;
+  tbb::parallel_for(
+      std::size_t{0}, blocks,
+      [&](std::size_t b) { solve(b * block_size, std::min(block_size, size - b * block_size)); },
+      tbb::simple_partitioner{});
+}
+
+/// What an effect must have of every row beside speed, loads and temperature; empty if nothing.
+std::string beyond_a_state(const effects::Description& effect) {
+  for (const effects::Need need : effect.needs)
+    if (need == effects::Need::time || need == effects::Need::ring_temperatures)
+      return std::string(effects::text(need));
+  for (const record::Channel* channel : effect.channels)
+    if (*channel != record::speed && *channel != record::axial_load &&
+        *channel != record::radial_load && *channel != record::temperature)
+      return effects::text(*channel);
+  return {};
+}
+
+void require_rig(const io::ModelFile& file) {
+  if (file.model.shaft)
+    throw io::InputError(
+        file.source + ": has an [arrangement]: a reading is that of a bearing on a rig",
+        {.file = file.source, .key = "arrangement"});
+  for (const effects::Effect& effect : file.model.effects)
+    if (const std::string more = beyond_a_state(*effect.description); !more.empty())
+      throw io::InputError(fmt::format("{}: {} needs {}, which single states do not have",
+                                       file.source, effect.description->id, more),
+                           {.file = file.source, .key = std::string(effect.description->id)});
+}
 
 }  // namespace
 
@@ -228,23 +262,41 @@ SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const S
   }
   solved.values.resize(places.size() * size);
   solved.status.resize(size);
-  const auto solve_block = [&](std::size_t first) {
+  for_blocks(size, [&](std::size_t first, std::size_t count) {
     if (cancelled && cancelled->load()) throw fit::Cancelled();
-    Block block(states, otherwise, first, std::min(block_size, size - first));
+    Block block(states, otherwise, first, count);
     block.solve(file.model, all.size() - 1);
-    for (std::size_t i = 0; i < block.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
       const friction::TablePoint& result = block.result(i);
       solved.status[first + i] = result.status;
       for (std::size_t c = 0; c < places.size(); ++c)
         solved.values[c * size + first + i] =
             (places[c] == 0 ? result.friction_moment : result.columns[places[c] - 1]) / units[c];
     }
-  };
-  const std::size_t blocks = (size + block_size - 1) / block_size;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, blocks, 1), [&](const auto& range) {
-    for (std::size_t b = range.begin(); b < range.end(); ++b) solve_block(b * block_size);
   });
   return solved;
+}
+
+PredictedStates predict_states(Messages& messages, const io::ModelFile& file,
+                               const StateArrays& states) {
+  require_rig(file);
+  const bearing::OperatingPoint otherwise = checked(messages, file, states);
+  const std::size_t size = states.size();
+  PredictedStates predicted{std::vector<double>(size), std::vector<bearing::SolveStatus>(size)};
+  for_blocks(size, [&](std::size_t first, std::size_t count) {
+    const Block block(states, otherwise, first, count);
+    std::vector<model::FrictionPrediction> predictions(count);
+    model::predict_sweep(file.model, block.points(), predictions);
+    for (std::size_t i = 0; i < count; ++i) {
+      const model::FrictionPrediction& p = predictions[i];
+      predicted.reading_Nmm[first + i] = p.reading / N_mm;
+      predicted.status[first + i] =
+          p.status() == bearing::SolveStatus::converged && std::isnan(p.reading)
+              ? bearing::SolveStatus::not_finite
+              : p.status();
+    }
+  });
+  return predicted;
 }
 
 }  // namespace raceway::session

@@ -56,4 +56,16 @@ struct SolvedStates {
 [[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const io::ModelFile& file,
                                                    const StateArrays& states);
 
+/// Readings of a rig at states: the friction torque of all its bearings, as its sensor shows it.
+struct PredictedStates {
+  std::vector<double> reading_Nmm;           ///< NaN where there is none
+  std::vector<bearing::SolveStatus> status;  ///< `not_finite` where only the reading is no number
+};
+
+/// What a rig reads at many states; no further column, so that balls are solved for only where the
+/// model needs them. Otherwise as solve_states(). Throws io::InputError also for a shaft, and for
+/// an effect that needs what no state has, a time or a temperature of a ring.
+[[nodiscard]] PredictedStates predict_states(Messages& messages, const io::ModelFile& file,
+                                             const StateArrays& states);
+
 }  // namespace raceway::session

@@ -15,7 +15,8 @@ set(on_correction record fit shaft)
 set(on_spindle ${on_model} model shaft)
 set(on_io ${on_model} model rig shaft spindle correction)
 set(on_session ${on_io} io)
-set(libraries record fit bearing friction life effects model rig shaft spindle correction io session)
+set(on_c ${on_session} session)
+set(libraries record fit bearing friction life effects model rig shaft spindle correction io session c)
 set(users cli bench tests)  # may include every folder and each other
 set(faults "")
 

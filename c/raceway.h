@@ -1,0 +1,144 @@
+/// The friction of spindle bearings for C, Fortran, MATLAB, Octave, LabVIEW, Modelica: models are
+/// read from TOML (docs/files.md), states go in as plain arrays, results come out as plain arrays.
+///
+/// Units:    those of the names, as in files: rpm, N, C, N mm.
+/// Returns:  0 done, 1 wrong input, 2 some states without a result, as the command raceway.
+/// Messages: where a function takes `message` and `message_size`, it leaves there what is to be
+///           said, in UTF-8 and always with a final 0: what is wrong, in the words of the command,
+///           or notes and warnings, a line each ("note: ...", "warning: ..."), or an empty text.
+///           What does not fit is cut off, never within a character. NULL or a size of 0: no text.
+/// Threads:  all functions may be called from any number of threads at once, with the same model
+///           too: a model does not change. raceway_free() alone must come last, and once.
+/// Errors:   no function throws, prints or ends the program. Without enough memory: 1 or NULL.
+#ifndef RACEWAY_RACEWAY_H
+#define RACEWAY_RACEWAY_H
+
+#include <stddef.h>
+
+#if defined(__GNUC__)
+#define RACEWAY_API __attribute__((visibility("default")))
+#else
+#define RACEWAY_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// A model as it was read: of a bearing on a rig, of the sets on a shaft, or of a spindle, whose
+/// sets are then solved as those of a shaft.
+typedef struct raceway_model raceway_model;
+
+/// What a function returns.
+enum { RACEWAY_DONE = 0, RACEWAY_WRONG_INPUT = 1, RACEWAY_NOT_CONVERGED = 2 };
+
+/// How a state ended; raceway_status_name() has the words.
+enum {
+  RACEWAY_STATUS_CONVERGED = 0,
+  RACEWAY_STATUS_NO_EQUILIBRIUM = 1,  ///< nothing balances this load
+  RACEWAY_STATUS_ITERATION_LIMIT = 2,
+  RACEWAY_STATUS_SINGULAR = 3,    ///< the load leaves a displacement undetermined
+  RACEWAY_STATUS_NOT_FINITE = 4,  ///< the numbers left the range of doubles
+  RACEWAY_STATUS_NOT_RUN = 5
+};
+
+/// Of the library, as "0.1.0". Static: not to be freed.
+RACEWAY_API const char* raceway_version(void);
+
+/// A status in the words of tables and JSON, as "no_equilibrium"; "unknown" for any other number.
+/// Static: not to be freed.
+RACEWAY_API const char* raceway_status_name(int status);
+
+/// Reads a model from the text of a model file. `source_name` stands for the file in messages;
+/// NULL: "model". Files that the text names are looked for as from a file of that name.
+///
+/// Returns the model, to be given to raceway_free(), or NULL; then `message` says why. Of a model
+/// that could be read raceway_messages() has the notes.
+RACEWAY_API raceway_model* raceway_create(const char* toml_text, const char* source_name,
+                                          char* message, size_t message_size);
+
+/// The same from a file. "-" is an error: standard input belongs to the program that calls.
+RACEWAY_API raceway_model* raceway_create_from_file(const char* path, char* message,
+                                                    size_t message_size);
+
+/// Ends a model; nothing of it may be used afterwards. NULL does nothing.
+RACEWAY_API void raceway_free(raceway_model* model);
+
+/// What was said as the model was read: how many defaults were used, what is doubtful. As
+/// `message` above; lives as long as the model. Of NULL an empty text.
+RACEWAY_API const char* raceway_messages(const raceway_model* model);
+
+/// Number of result columns of raceway_solve() and raceway_table(); 0 of NULL.
+RACEWAY_API size_t raceway_column_count(const raceway_model* model);
+
+/// Name of a column with its unit, as "power_loss_W"; columns count from 0, the first is
+/// "friction_torque_Nmm", of a shaft that of all its bearings. Lives as long as the model. NULL
+/// where there is no such column.
+RACEWAY_API const char* raceway_column_name(const raceway_model* model, size_t column);
+
+/// The column of that name, -1 where there is none.
+RACEWAY_API int raceway_column_index(const raceway_model* model, const char* name);
+
+/// Solves `count` states of a bearing, or of a shaft, side by side on all cores. Neither the number
+/// of threads nor the other states change a digit.
+///
+/// speed_rpm ... temperature_C  the states. NULL: the model's own value, as the command has it
+///           without that flag; speed_rpm must be given. Axial loads of a shaft are external,
+///           positive towards the tool; it takes no radial load.
+/// strides   4 numbers in the order of these arrays: from one state to the next so many doubles.
+///           1: an array of `count` numbers. 0: one number for all states. Negative: not given, as
+///           NULL, for languages without one. NULL: all are 1.
+/// columns   `column_count` columns that are wanted, from raceway_column_index(). NULL or a count
+///           of 0: all, in their order.
+/// values    [count x columns], column behind column: that of state i and the j-th wanted column
+///           is values[j * count + i], in Fortran and MATLAB values(i, j). NaN where there is none.
+/// status    [count], a number of raceway_status_name(); NULL: not wanted.
+///
+/// Returns RACEWAY_DONE; RACEWAY_WRONG_INPUT with nothing written: a NULL where none may be, a
+/// number out of its range (its place, from 0, stands in the message), no axial load; more than 1e8
+/// states; RACEWAY_NOT_CONVERGED where a status is another than converged, with all others as they
+/// should be. A law that needs no balls has a torque even where these find no balance.
+RACEWAY_API int raceway_solve(const raceway_model* model, size_t count, const double* speed_rpm,
+                              const double* axial_load_N, const double* radial_load_N,
+                              const double* temperature_C, const int* strides, const int* columns,
+                              size_t column_count, double* values, int* status, char* message,
+                              size_t message_size);
+
+/// A Stribeck table: raceway_solve() at all points of a grid, with the numbers and in the order of
+/// `raceway table --format plain`.
+///
+/// speed_rpm ... temperature_C  the axes, each with its number of values. A count of 0: the model's
+///           own value, a single one; speed_rpm must be given.
+/// values    [speeds x axial loads x radial loads x temperatures x columns], the first running
+///           fastest: of speed s, axial load a, radial load r and temperature t the point is
+///           i = ((t * radial_loads + r) * axial_loads + a) * speeds + s, and its j-th wanted
+///           column values[j * points + i]; in Fortran and MATLAB values(s, a, r, t, j).
+/// status    [points] or NULL.
+///
+/// Columns, returns and errors are those of raceway_solve().
+RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rpm,
+                              size_t speed_count, const double* axial_load_N,
+                              size_t axial_load_count, const double* radial_load_N,
+                              size_t radial_load_count, const double* temperature_C,
+                              size_t temperature_count, const int* columns, size_t column_count,
+                              double* values, int* status, char* message, size_t message_size);
+
+/// What a rig reads [N mm]: friction torque of all its bearings (`bearings` under [rig]), with what
+/// the effects of the model make of the sensor; the column friction_torque_Nmm is that of one
+/// bearing, without them. Balls are solved for only where the model needs them: with the laws
+/// palmgren and skf much faster than raceway_solve().
+///
+/// States and strides are those of raceway_solve(). `readings_Nmm` [count], `status` [count] or
+/// NULL. Returns and errors as there; wrong input also: a shaft, and a model with an effect that
+/// needs what a state does not have, as a time.
+RACEWAY_API int raceway_predict(const raceway_model* model, size_t count, const double* speed_rpm,
+                                const double* axial_load_N, const double* radial_load_N,
+                                const double* temperature_C, const int* strides,
+                                double* readings_Nmm, int* status, char* message,
+                                size_t message_size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

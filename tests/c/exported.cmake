@@ -1,0 +1,12 @@
+# The functions of the header are what the library exports, all of them and nothing else.
+execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^ \n]+\n" exported "${symbols}")
+string(REPLACE "\n" "" exported "${exported}")
+file(STRINGS ${HEADER} lines REGEX "^RACEWAY_API")
+string(REGEX MATCHALL "raceway_[a-z_]+\\(" declared "${lines}")
+string(REPLACE "(" "" declared "${declared}")
+list(SORT exported)
+list(SORT declared)
+if(NOT exported STREQUAL declared)
+  message(FATAL_ERROR "declared: ${declared}\nexported: ${exported}")
+endif()
