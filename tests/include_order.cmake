@@ -17,7 +17,7 @@ set(on_io ${on_model} model rig shaft spindle correction)
 set(on_session ${on_io} io)
 set(on_c ${on_session} session)
 set(libraries record fit bearing friction life effects model rig shaft spindle correction io session c)
-set(users cli bench tests)  # may include every folder and each other
+set(users python cli bench tests)  # may include every folder and each other
 set(faults "")
 
 function(forbid file line pattern)  # forbid(file line pattern places...): `places` are the exceptions
@@ -51,6 +51,7 @@ foreach(folder IN LISTS libraries users)
       forbid(${file} "${line}" "<toml" "io/.*\\.cpp$" "io/toml_text.h$")
       forbid(${file} "${line}" "<nlohmann/" "io/.*\\.cpp$" "io/json_text.h$" "cli/" tests/)
       forbid(${file} "${line}" "<CLI/" cli/)
+      forbid(${file} "${line}" "<pybind11/" python/)
       forbid(${file} "${line}" "<Spectra/" "spindle/.*\\.cpp$")
       forbid(${file} "${line}" "<boost/" "(bearing|friction|fit|rig|shaft|spindle|correction)/.*\\.cpp$" tests/)
     endforeach()

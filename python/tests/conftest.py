@@ -8,7 +8,7 @@ import json
 import os
 import subprocess
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Iterator
 
 import matplotlib
 import pandas as pd
@@ -16,6 +16,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
 
 RIG = "tests/hidden_effect/rigs/dev-03"
 KINDS = ("Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition",
@@ -42,6 +43,12 @@ CLASSES = {name: type(name, (Plain,), {}) for name in KINDS}
 def make() -> Callable[..., Any]:
     """make("Table", document, frame): a result of that class."""
     return lambda kind, data, frame=None: CLASSES[kind](data, frame)
+
+
+@pytest.fixture(autouse=True)
+def no_figures_left() -> Iterator[None]:
+    yield
+    pyplot.close("all")
 
 
 @pytest.fixture(scope="session")
