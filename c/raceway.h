@@ -125,8 +125,8 @@ RACEWAY_API int raceway_table(const raceway_model* model, const double* speed_rp
 
 /// What a rig reads [N mm]: friction torque of all its bearings (`bearings` under [rig]), with what
 /// the effects of the model make of the sensor; the column friction_torque_Nmm is that of one
-/// bearing, without them. Balls are solved for only where the model needs them: with the laws
-/// palmgren and skf much faster than raceway_solve().
+/// bearing, without them. Balls are solved for only where the model needs them, which makes it
+/// several times faster than raceway_solve().
 ///
 /// States and strides are those of raceway_solve(). `readings_Nmm` [count], `status` [count] or
 /// NULL. Returns and errors as there; wrong input also: a shaft, and a model with an effect that

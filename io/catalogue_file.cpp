@@ -1,5 +1,6 @@
 #include "io/catalogue_file.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,6 +66,17 @@ std::vector<std::string> csv_files(const fs::path& folder) {
   return files;
 }
 
+/// The program, or the shared library that this code is in: it is installed with its data.
+fs::path this_binary() {
+  std::error_code ignored;
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<void*>(&read_catalogue), &info) != 0 && info.dli_fname != nullptr)
+    if (const fs::path path = info.dli_fname;
+        path.filename().string().find(".so") != path.native().npos)
+      return fs::canonical(path, ignored);
+  return fs::read_symlink("/proc/self/exe", ignored);
+}
+
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
   return fs::is_directory(path, ignored);
@@ -82,11 +94,9 @@ std::string own_data_directory() {
 }
 
 std::string data_directory() {
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const std::array candidates{fs::path(RACEWAY_DATA_DIR),
-                              program.parent_path().parent_path() / "share" / "raceway",
-                              fs::path(RACEWAY_INSTALLED_DATA_DIR)};
+  const fs::path beside = this_binary().parent_path().parent_path(), data = "share/raceway";
+  const std::array candidates{beside / data, beside.parent_path() / data,
+                              fs::path(RACEWAY_DATA_DIR), fs::path(RACEWAY_INSTALLED_DATA_DIR)};
   for (const fs::path& candidate : candidates)
     if (is_folder(candidate / "bearings")) return candidate.string();
   return {};

@@ -34,8 +34,9 @@ struct CatalogueBearing {
   [[nodiscard]] std::string full_name() const { return maker + " " + designation; }
 };
 
-/// Folder of the data that come with the program: the source tree it was built from, else
-/// share/raceway beside or where it was installed; empty where none of them exists.
+/// Folder of the data that come with the program or the shared library: share/raceway beside it,
+/// else the source tree it was built from, else where it was to be installed; empty where none of
+/// them exists.
 [[nodiscard]] std::string data_directory();
 
 /// The user's own folder beside it: the environment variable RACEWAY_DATA, empty where it is not
