@@ -13,6 +13,7 @@
 #include "io/number_text.h"
 #include "io/results.h"
 #include "io/subject.h"
+#include "io/suggest_columns.h"
 #include "python/engine/interruptible.h"
 #include "python/engine/model.h"
 #include "session/comparison.h"
@@ -242,6 +243,10 @@ void bind_loop(py::module_& module) {
   module.def("diagnose", &diagnose);
   module.def("add", &add);
   module.def("predict", &predict);
+  module.def("suggest_columns",
+             [](const EngineModel& model, const std::string& name, const std::string& text) {
+               return io::suggested_columns_of(text, name, *io::make_subject(model.file().model));
+             });
 }
 
 }  // namespace raceway::python

@@ -10,6 +10,7 @@
 #include "io/input_file.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
+#include "io/text_encoding.h"
 #include "model/parameters.h"
 #include "python/engine/interruptible.h"
 #include "session/new_model.h"
@@ -107,6 +108,13 @@ py::tuple solve_document(const EngineModel& model, const py::dict& given) {
   return py::make_tuple(document, heard.note_lines, heard.warning_lines);
 }
 
+/// Python has UTF-8: what Excel writes of umlauts becomes that.
+std::string read_text(const std::string& path) {
+  std::string text = io::read_text(path);
+  if (io::is_utf16(text)) return io::utf8_from_utf16(text, path);
+  return io::is_utf8(text) ? text : io::utf8_from_latin1(text);
+}
+
 }  // namespace
 
 EngineModel::EngineModel(const std::string& source, const std::string& text, const py::list& own)
@@ -180,7 +188,7 @@ void bind_model(py::module_& module) {
       .def("solve", &solve)
       .def("solve_document", &solve_document);
   module.def("views", &views);
-  module.def("read_text", [](const std::string& path) { return io::read_text(path); });
+  module.def("read_text", &read_text);
   module.def(
       "new_model",
       [](const std::string& bearing, const std::string& law, const std::string& ball_material) {

@@ -252,6 +252,19 @@ class Model:
         _warn(curve.warnings)
         return Displacement(curve)
 
+    def suggest_columns(self, record: Record) -> str:
+        """Propose which columns of a record are which of ours, by their words and units.
+
+        Returns
+        -------
+        str
+            A table ``[columns]`` (TOML) for the argument `columns` of `Record`; what was not found
+            stands in it as a comment.
+        """
+        if not isinstance(record, Record):
+            raise TypeError(f"a raceway.Record is wanted, not {type(record).__name__}")
+        return _engine.suggest_columns(self._engine, record.name, record.text)
+
     def predict(self, record: Records) -> Any:
         """Return what the model says of every row of a record, as a pandas.DataFrame.
 

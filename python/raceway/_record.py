@@ -26,8 +26,9 @@ class Record:
         In messages.
     text : str
         CSV with a header, in any of the forms that the command reads.
-    columns : mapping of str to str, optional
-        Which of their columns is which of ours: ``{"friction_torque_Nm": "Moment"}``.
+    columns : mapping of str to str, or str, optional
+        Which of their columns is which of ours: ``{"friction_torque_Nm": "Moment"}``, or a table
+        ``[columns]`` as text, such as `Model.suggest_columns` proposes.
     drop_nan : bool
         Leave out rows with a cell that has no number in a column that counts.
 
@@ -48,7 +49,7 @@ class Record:
         name: str,
         text: str,
         *,
-        columns: Mapping[str, str] | None = None,
+        columns: Mapping[str, str] | str | None = None,
         drop_nan: bool = False,
     ) -> None:
         if not isinstance(text, str):
@@ -63,7 +64,7 @@ class Record:
         cls,
         path: str | os.PathLike[str],
         *,
-        columns: Mapping[str, str] | None = None,
+        columns: Mapping[str, str] | str | None = None,
         drop_nan: bool = False,
     ) -> Record:
         """Read a CSV file.
@@ -82,7 +83,7 @@ class Record:
         cls,
         frame: pandas.DataFrame,
         *,
-        columns: Mapping[str, str] | None = None,
+        columns: Mapping[str, str] | str | None = None,
         name: str = "DataFrame",
         drop_nan: bool = False,
     ) -> Record:
@@ -137,10 +138,10 @@ class Record:
         return f"<raceway.Record {self._name}>"
 
 
-def _column_map(columns: Mapping[str, str] | None) -> str | None:
+def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
     """Our table [columns], which the library reads with its units and messages."""
-    if columns is None:
-        return None
+    if columns is None or isinstance(columns, str):
+        return columns
     if not isinstance(columns, Mapping):
         raise TypeError(
             "columns: a dict of our names to theirs is wanted, such as "

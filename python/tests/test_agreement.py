@@ -124,6 +124,17 @@ def test_diagnose_and_add(command, tmp_path):
     assert added.model.compare(test).rmse < 0.2 * model.compare(test).rmse
 
 
+def test_a_file_as_a_german_excel_writes_it():
+    model = raceway.Model.new("S 6014 C", law="palmgren")
+    path = "data/measurements/german_export.csv"
+    with pytest.raises(raceway.InputError):
+        model.diagnose(raceway.Record.read(path))
+    columns = model.suggest_columns(raceway.Record.read(path))
+    found = model.diagnose(raceway.Record.read(path, columns=columns, drop_nan=True))
+    assert found.effects == ["lubricant-drag"]  # as README has it from the command
+    assert "60.5 +- 0.5 N mm" in found.data["sentence"]
+
+
 def test_a_page_is_that_of_the_command(program, root, tmp_path):
     model = raceway.Model.read(f"{RIG}/model.toml")
     record = raceway.Record.read(f"{RIG}/train.csv")
