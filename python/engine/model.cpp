@@ -53,9 +53,16 @@ py::tuple solve(const EngineModel& model, const py::dict& given,
   const session::StateArrays states = state_arrays(arrays);
   Heard heard;
   std::atomic<bool> cancelled = false;
-  session::SolvedStates solved = interruptible(cancelled, Progress(), Waiting(), [&] {
+  const auto work = [&] {
     return session::solve_states(heard, model.file(), states, columns, &cancelled);
-  });
+  };
+  const auto at_once = [&] {
+    const py::gil_scoped_release others;
+    return work();
+  };
+  constexpr std::size_t few = 2000;  // over before anybody wants to interrupt
+  session::SolvedStates solved =
+      states.size() <= few ? at_once() : interruptible(cancelled, Progress(), Waiting(), work);
   std::vector<std::size_t> shape = states.shape;
   shape.insert(shape.begin(), solved.columns.size());
   std::vector<std::uint8_t> status;

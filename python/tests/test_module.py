@@ -214,13 +214,10 @@ def test_a_time_limit(root):
         slow.diagnose(raceway.Record.read(f"{root}/{RIG}/train.csv"), time_limit_s=0.2)
 
 
-def test_import_is_quick():
-    code = "import time; t = time.monotonic(); import raceway; print(time.monotonic() - t)"
-    quickest = min(
-        float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
-        for _ in range(3)
-    )
-    assert quickest < 0.3
+def test_an_import_loads_no_more_than_it_needs():
+    code = "import sys, raceway; print([name for name in ('matplotlib', 'pandas', 'json.tool') if name in sys.modules])"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
 
 
 def test_nothing_leaks(model):
@@ -228,12 +225,11 @@ def test_nothing_leaks(model):
     speeds = numpy.array([1000.0, 2000.0])
 
     def ask(times):
-        for _ in range(times):
+        for k in range(times):
             model.solve(speeds, 300.0)
-            try:
-                model.compare(record)
-            except raceway.InputError:
-                pass
+            if k % 10 == 0:
+                with pytest.raises(raceway.InputError):
+                    model.compare(record)
 
     ask(2000)
     gc.collect()
