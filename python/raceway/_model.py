@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import tomllib
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, TypeAlias
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _engine
 from ._effect import Effect
-from ._errors import Doubt, NotConverged
+from ._errors import Doubt, InputError, NotConverged
 from ._record import Record
 from ._results import (
     Addition,
@@ -40,6 +41,11 @@ class Model:
     """
 
     def __init__(self, source: str, text: str, effects: Iterable[Effect] = ()) -> None:
+        if _is_correction(text):
+            raise InputError(
+                f"{source}: is a correction of a machine, which this package does not take yet; the "
+                "commands compare, calibrate, diagnose, add, identify and correct do, with --json"
+            )
         self._effects = tuple(effects)
         self._engine = _engine.Model(source, text, [e._for_engine() for e in self._effects])
         _warn(self._engine.warnings)
@@ -382,6 +388,14 @@ class Model:
 
     def __repr__(self) -> str:
         return f"<raceway.Model {self.name} ({self.kind}) from {self.source}>"
+
+
+def _is_correction(text: str) -> bool:
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        return False  # the library says what is wrong, and where
+    return "correction" in tables and "bearing" not in tables
 
 
 def _warn(lines: Iterable[str]) -> None:

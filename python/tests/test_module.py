@@ -103,6 +103,11 @@ def test_errors_have_their_place(root):
     assert isinstance(misspelt.value, ValueError)
 
 
+def test_a_correction_is_refused_in_words(root):
+    with pytest.raises(raceway.InputError, match="is a correction of a machine"):
+        raceway.Model.read(root / "data/corrections/exact/correction.toml")
+
+
 @pytest.mark.parametrize("wrong", [[1, 2], "train.csv", None])
 def test_a_record_is_wanted(model, wrong):
     with pytest.raises(TypeError, match="Record|iterable"):
