@@ -1,7 +1,6 @@
 #include "session/loop_question.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "effects/formula.h"

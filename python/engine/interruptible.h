@@ -5,9 +5,9 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
-#include <functional>
 #include <future>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -53,8 +53,7 @@ auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   bool out_of_time = false, raised = false;
-  py::error_already_set* none = nullptr;
-  std::unique_ptr<py::error_already_set> error(none);
+  std::unique_ptr<py::error_already_set> error;
   auto task = std::async(std::launch::async, [&] { return work(); });
   for (bool ready = false; !ready;) {
     {

@@ -25,7 +25,7 @@ namespace {
 
 using Named = std::vector<std::pair<std::string, Doubles>>;
 
-/// Arrays by name as the states that they stand for; `keys` are their names there.
+/// Arrays by name as the states that they stand for.
 session::StateArrays state_arrays(const Named& given) {
   using States = session::StateArrays;
   static const std::map<std::string, session::NumberArray States::*> fields{

@@ -1,11 +1,13 @@
 #include <pybind11/stl.h>
 
 #include <atomic>
+#include <cmath>
 #include <memory>
 
 #include "fit/problem.h"
 #include "friction/stribeck_table.h"
 #include "io/number_range.h"
+#include "io/number_text.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
 #include "io/table_exchange.h"
@@ -31,8 +33,7 @@ std::vector<double> in_SI(std::vector<double> values, const io::NumberRange& ran
     io::require_range(values[i], range, name + "[" + std::to_string(i) + "]");
     if (i > 0 && values[i] <= values[i - 1])
       throw io::InputError(name + ": the values of an axis of a table must rise, and " +
-                               std::to_string(values[i]) + " follows " +
-                               std::to_string(values[i - 1]),
+                               io::number(values[i]) + " follows " + io::number(values[i - 1]),
                            {.key = name});
   }
   for (double& value : values) value = value * unit + offset;

@@ -253,28 +253,8 @@ class Comparison(_Answer):
         return f"<raceway.Comparison: RMS error {self.rmse:.4g} {self.unit}>"
 
 
-class Calibration(_Answer):
-    """Factors of a model, fitted.
-
-    Attributes
-    ----------
-    models : dict of str to Model
-        By record where each has values of its own; else one, under the empty name.
-    """
-
-    def __init__(self, answer: _engine.Answer, models: dict[str, Model]) -> None:
-        super().__init__(answer)
-        self.models = models
-
-    @property
-    def model(self) -> Model:
-        """The model with what was fitted."""
-        return _only(self.models)
-
-    @property
-    def parameters(self) -> dict[str, dict[str, Any]]:
-        """Value, standard error, start and unit of each parameter."""
-        return self.data["parameters"]
+class _Report(_Answer):
+    """What a fit found."""
 
     def fit_report(self) -> str:
         """Return the fit as text: parameters with errors and correlations, chi-square, AIC and BIC."""
@@ -283,7 +263,39 @@ class Calibration(_Answer):
         return fit_report(self)
 
 
-class Diagnosis(_Answer):
+class _Fitted(_Report):
+    """Models that a fit made."""
+
+    def __init__(self, answer: _engine.Answer, models: dict[str, Model]) -> None:
+        super().__init__(answer)
+        self.models = models
+
+    @property
+    def model(self) -> Model:
+        """The one model with what was fitted."""
+        if len(self.models) > 1:
+            raise ValueError(
+                f"each record has a model of its own: .models has those of {', '.join(self.models)}"
+            )
+        return next(iter(self.models.values()))
+
+
+class Calibration(_Fitted):
+    """Factors of a model, fitted.
+
+    Attributes
+    ----------
+    models : dict of str to Model
+        By record where each has values of its own; else one, under the empty name.
+    """
+
+    @property
+    def parameters(self) -> dict[str, dict[str, Any]]:
+        """Value, standard error, start and unit of each parameter."""
+        return self.data["parameters"]
+
+
+class Diagnosis(_Report):
     """Whether an effect is missing, which, or what to measure to find out."""
 
     @property
@@ -301,17 +313,11 @@ class Diagnosis(_Answer):
         """Ids of the effects that the verdict names; empty where these data cannot tell."""
         return [e["id"] for e in self.data["effects"] if e["in_verdict"]]
 
-    def fit_report(self) -> str:
-        """Return the winning fit as text."""
-        from .fit_report import fit_report
-
-        return fit_report(self)
-
     def __repr__(self) -> str:
         return f"<raceway.Diagnosis: {self.headline}>"
 
 
-class Addition(_Answer):
+class Addition(_Fitted):
     """A model with effects switched on, and what that bought.
 
     Attributes
@@ -320,35 +326,14 @@ class Addition(_Answer):
         As of a `Calibration`.
     """
 
-    def __init__(self, answer: _engine.Answer, models: dict[str, Model]) -> None:
-        super().__init__(answer)
-        self.models = models
-
-    @property
-    def model(self) -> Model:
-        """The model with the effects."""
-        return _only(self.models)
-
     @property
     def refused(self) -> str:
         """Why the effects do not help; empty where they do."""
         return self._answer.refused
 
-    def fit_report(self) -> str:
-        """Return the fit as text."""
-        from .fit_report import fit_report
-
-        return fit_report(self)
-
 
 def _first(document: dict[str, Any]) -> dict[str, Any]:
     return document["models"][0] if "models" in document else document
-
-
-def _only(models: dict[str, Model]) -> Model:
-    if len(models) > 1:
-        raise ValueError(f"each record has a model of its own: .models has those of {', '.join(models)}")
-    return next(iter(models.values()))
 
 
 def _write(path: str | os.PathLike[str], text: str, overwrite: bool) -> None:
