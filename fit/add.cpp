@@ -34,6 +34,9 @@ class Addition {
     found_ = attribution_.refit(members_);
     AddResult result{.calibration = calibration()};
     describe_channels(result);
+    result.before = likelihood_of(evidence_.base.misfit, evidence_.whitening,
+                                  static_cast<int>(problem_.base.size()));
+    result.gain = found_.gain;
     result.messages = result.calibration.messages;
     if (!found_.fit.converged) {
       result.refused = true;

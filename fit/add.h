@@ -28,6 +28,8 @@ struct AddResult {
   std::vector<ChannelGain> channels{};
   std::vector<HoldOut> hold_out{};  ///< blocks of rows that neither fit saw
   std::vector<Refit> refits{};      ///< of a subject that only approximates: before, after
+  Likelihood before{};              ///< without them, under the same noise
+  double gain = unset;              ///< RankedEffect::gain, of all of them together
   bool refused = false;  ///< no better on rows it did not see, or the fit did not converge
   std::string reason{};  ///< why, in a sentence; empty where accepted
   std::vector<std::string> messages{};

@@ -94,7 +94,9 @@ Calibration calibration_of(const Subject& before, const Approximation& on_means,
   result.rows = static_cast<int>(
       std::count_if(rows.means.list.begin(), rows.means.list.end(),
                     [&](const Means::Mean& mean) { return mean.channel == read.front(); }));
-  result.degrees_of_freedom = static_cast<int>(rows.means.size() - count);
+  result.likelihood = {.readings = static_cast<int>(rows.means.size()),
+                       .parameters = static_cast<int>(count)};
+  result.degrees_of_freedom = result.likelihood.degrees_of_freedom();
   const std::vector<double> earlier = predict(before, record),
                             later = predict(*result.subject, record);
   for (const std::size_t c : read) {
@@ -103,7 +105,10 @@ Calibration calibration_of(const Subject& before, const Approximation& on_means,
     };
     result.channels.push_back({.channel = channels[c].channel,
                                .rmse_before = rms_of(of_channel(earlier), channels[c], record),
-                               .rmse_after = rms_of(of_channel(later), channels[c], record)});
+                               .rmse_after = rms_of(of_channel(later), channels[c], record),
+                               .readings = static_cast<int>(std::count_if(
+                                   rows.means.list.begin(), rows.means.list.end(),
+                                   [&](const Means::Mean& mean) { return mean.channel == c; }))});
   }
   result.iterations = fit.fit.iterations;
   result.status = fit.fit.values.allFinite() ? FitStatus::converged : FitStatus::failed;

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fit/effect_sizes.h"
 #include "fit/headline.h"
 #include "fit/residual_course.h"
 #include "fit/thinned_record.h"
@@ -480,7 +481,10 @@ class Inquiry {
       effect.correction = t.shown->correction;
     }
     for (const Candidate* c : t.on)
-      if (c->id == effect.id) effect.acts_on = c->acts_on;
+      if (c->id == effect.id) {
+        effect.acts_on = c->acts_on;
+        effect.size = c->size;
+      }
     effect.rmse = in_SI(t.fit.channel_rms);
     effect.rmse_held_out = in_SI(t.fit.channel_held_out);
     const ApproximationErrors errors = errors_of(t.fit, recorded_);
@@ -523,9 +527,21 @@ class Inquiry {
     }
     for (const Tried& t : singles_)
       if (!is_told(t.ids().front())) result_.effects.push_back(ranked(t, 0));
-    if (found_.empty()) return;
+    if (found_.empty()) {
+      result_.base = base_.parameters;
+      const ApproximationErrors errors = errors_of(base_, recorded_);
+      result_.correlation = correlation_of(base_.parameters, errors.covariance);
+      for (std::size_t k = 0; k < result_.base.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        result_.base[k].start = result_.base[k].value;
+        result_.base[k].std = std::sqrt(errors.covariance(at, at));
+      }
+      return;
+    }
     const Tried& best = *found_.front();
     result_.base = ranked(best, 0).base;
+    result_.correlation =
+        correlation_of(best.fit.parameters, errors_of(best.fit, recorded_).covariance);
     const std::vector<double> after = in_SI(best.fit.channel_rms),
                               held_out_after = in_SI(best.fit.channel_held_out);
     for (std::size_t c = 0; c < told_.size(); ++c) {

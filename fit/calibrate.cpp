@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -11,86 +10,11 @@
 #include "fit/approximation_loop.h"
 #include "fit/identifiability.h"
 #include "fit/verdict_text.h"
+#include "fit/weighed.h"
 
 namespace raceway::fit {
 
 namespace {
-
-constexpr double beyond_chance = 0.01;  // of a misfit against the noise
-
-/// Readings, what they are weighed by, and whether that is their noise.
-struct Weighed {
-  Problem problem{};
-  Whitening whitening{};
-  bool noise_known = false;
-  bool as_declared = false;  ///< by declared deviations alone, which may not be all of the noise
-};
-
-/// All rows of a record that can be predicted, without candidates.
-Problem plain_problem(const Subject& subject, const Record& record) {
-  Problem problem;
-  problem.subject = subject.with_values({});
-  std::vector<std::size_t> order = order_of_rows(record);
-  if (subject.has_memory())
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  problem.record = std::make_shared<const Record>(record.picked(order));
-  problem.rows = std::move(order);
-  problem.prepared = subject.prepare(*problem.record);
-  const std::vector<double> predicted = predict(subject, *problem.record);
-  problem.observed = observe(subject.measured(), *problem.record, predicted);
-  std::vector<std::size_t> read;
-  for (std::size_t c = 0; c < problem.observed.channels.size(); ++c)
-    if (problem.observed.size(c) > 0) read.push_back(c);
-  if (read.size() < problem.observed.channels.size())
-    problem.observed = problem.observed.only(read);
-  const std::vector<Measured>& channels = problem.observed.channels;
-  for (std::size_t i = 0; i < problem.rows.size(); ++i)
-    for (std::size_t c = 0; c < channels.size(); ++c)
-      if (std::isfinite(problem.record->value(*channels[c].channel, i)) &&
-          !std::isfinite(predicted[problem.observed.place[c] * problem.rows.size() + i]))
-        problem.not_predicted.push_back(problem.rows[i]);
-  std::sort(problem.not_predicted.begin(), problem.not_predicted.end());
-  return problem;
-}
-
-/// Where the data cannot tell their noise: declared deviations, or all readings of a channel alike.
-void weigh_plainly(Weighed& weighed, std::vector<std::string>& messages) {
-  const Problem& problem = weighed.problem;
-  std::vector<Whitening> parts;
-  weighed.noise_known = true;
-  for (std::size_t c = 0; c < problem.observed.channels.size(); ++c) {
-    const ChannelReadings readings = readings_of(*problem.record, problem.observed, c);
-    if (readings.std.size() > 0) {
-      parts.emplace_back(readings.std, RowOrder{}, 0.0, 0.0);
-      continue;
-    }
-    weighed.noise_known = false;
-    if (const record::Column* const some =
-            problem.record->deviation_of(*problem.observed.channels[c].channel);
-        some &&
-        std::any_of(some->values.begin(), some->values.end(), [](double s) { return s > 0.0; }))
-      messages.emplace_back("not every row has a standard deviation: all rows weigh the same");
-    const double size = readings.measured.size() > 0 ? rms(readings.measured) : 1.0;
-    parts.emplace_back(Eigen::VectorXd::Constant(readings.measured.size(), size > 0.0 ? size : 1.0),
-                       RowOrder{}, 0.0, 0.0);
-  }
-  weighed.whitening = Whitening(parts);
-  weighed.as_declared = weighed.noise_known;
-}
-
-/// The noise that a thinned record has shown, on all of its rows.
-void weigh_as(const Evidence& evidence, const Response& response, Weighed& weighed) {
-  const Problem& problem = weighed.problem;
-  const Eigen::VectorXd size =
-      floored(weighed.problem.observed, response.readings(evidence.base.values), 1.0);
-  std::vector<Whitening> parts;
-  for (std::size_t c = 0; c < problem.observed.channels.size(); ++c)
-    parts.push_back(whitening_of(evidence.noise[c],
-                                 readings_of(*problem.record, problem.observed, c),
-                                 problem.observed.of(c, size)));
-  weighed.whitening = Whitening(parts);
-  weighed.noise_known = true;
-}
 
 /// The common scatter of the readings of a channel, beside their own deviations, that brings χ²
 /// down to the degrees of freedom [SI]; 0 where it is below. [PauleMandel1982]
@@ -107,15 +31,6 @@ double excess_scatter(const Eigen::VectorXd& errors, const Eigen::VectorXd& std,
   return high;
 }
 
-/// Nothing where the data cannot carry a diagnosis.
-std::optional<Evidence> evidence_of(const Subject& subject, const Record& record) {
-  try {
-    return gather_evidence(subject, record, {.screened = false});
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
-}
-
 /// By what standard errors are widened: against known noise where the misfit exceeds it, otherwise
 /// by the misfit itself.
 double error_factor(double misfit, bool noise_known, Calibration& result) {
@@ -128,14 +43,25 @@ double error_factor(double misfit, bool noise_known, Calibration& result) {
   const double reduced = misfit / freedom;
   if (!noise_known) return std::sqrt(reduced);
   result.reduced_chi_square = reduced;
-  const double p = boost::math::cdf(
-      boost::math::complement(boost::math::chi_squared(static_cast<double>(freedom)), misfit));
-  if (p >= beyond_chance) return 1.0;
-  result.messages.push_back(fmt::format(
-      "the misfit exceeds the noise of the data (chi2/dof = {:.3g}): standard errors are widened "
-      "by {:.3g}, and do not cover what a missing effect does to the values",
-      reduced, std::sqrt(reduced)));
-  return std::sqrt(reduced);
+  const double factor = widening(misfit, freedom);
+  if (factor > 1.0)
+    result.messages.push_back(fmt::format(
+        "the misfit exceeds the noise of the data (chi2/dof = {:.3g}): standard errors are widened "
+        "by {:.3g}, and do not cover what a missing effect does to the values",
+        reduced, factor));
+  return factor;
+}
+
+/// How likely the readings are under the fit.
+Likelihood likelihood_of_fit(double misfit, const Observations& observed,
+                             const Whitening& whitening, bool noise_known,
+                             const Calibration& result) {
+  const auto readings = static_cast<int>(observed.size());
+  const int moved = readings - result.degrees_of_freedom;
+  if (noise_known) return likelihood_of(misfit, whitening, moved);
+  // Channels that weigh alike each by itself are not as likely as they can be together.
+  if (result.channels.size() != 1) return {.readings = readings, .parameters = moved};
+  return likelihood_of_alike(result.channels.front().rmse_after, readings, moved);
 }
 
 void tell_bounds(Calibration& result) {
@@ -152,6 +78,7 @@ void set_errors(const Observations& observed, const Eigen::VectorXd& readings,
   result.channels.resize(observed.channels.size());
   for (std::size_t c = 0; c < observed.channels.size(); ++c) {
     result.channels[c].channel = observed.channels[c].channel;
+    result.channels[c].readings = static_cast<int>(observed.size(c));
     result.channels[c].*rmse = rms(observed.of(c, Eigen::VectorXd(readings - observed.measured)));
   }
 }
@@ -184,16 +111,19 @@ void take_fit(const Response& response, const ResponseFit& fit, const Observatio
           "alike",
           c.channel->words, c.rmse_before / c.channel->factor,
           reading_text(*c.channel, c.rmse_after, 4)));
-  const double factor = error_factor(fit.misfit, noise_known, result);
+  result.likelihood = likelihood_of_fit(fit.misfit, observed, whitening, noise_known, result);
+  result.error_factor = error_factor(fit.misfit, noise_known, result);
   const Eigen::MatrixXd jacobian = whitening(fit.slope);
-  estimate_errors(jacobian, factor, result);
+  estimate_errors(jacobian, result.error_factor, result);
 }
 
 /// Fits again with the common scatter that explains a misfit beyond the declared deviations, until
 /// that stays the same: without it a model that misses something would be bent to the few quietest
 /// rows, and be far too sure of its parameters.
-ResponseFit fit_with_excess(const Response& response, const Observations& observed, ResponseFit fit,
-                            Whitening& whitening, Calibration& result) {
+ResponseFit fit_with_excess(const Response& response, ResponseFit fit, Weighed& weighed,
+                            Calibration& result) {
+  const Observations& observed = weighed.problem.observed;
+  Whitening& whitening = weighed.whitening;
   const Whitening declared = whitening;
   const std::size_t channels = observed.channels.size();
   std::vector<double> excess(channels, 0.0);
@@ -220,13 +150,15 @@ ResponseFit fit_with_excess(const Response& response, const Observations& observ
     fit = fit_response(response, whitening, observed.measured, {x, 0.8 * x, 1.25 * x, 0.5 * x});
   }
   for (std::size_t c = 0; c < channels; ++c)
-    if (excess[c] > 0.0)
+    if (excess[c] > 0.0) {
+      weighed.by_misfit = true;
       result.messages.push_back(
           fmt::format("misfit exceeds the standard deviations of the rows (chi2/dof = {:.3g}); {} "
                       "were added to "
                       "each, by which weights are evened out and standard errors are widened",
                       chi_square / (static_cast<double>(observed.size()) * (1.0 - share)),
                       reading_text(*observed.channels[c].channel, excess[c])));
+    }
   return fit;
 }
 
@@ -249,22 +181,6 @@ std::vector<Parameter> starting(const Subject& subject, Calibration& result) {
   return parameters;
 }
 
-/// The readings and their weights; `evidence` where a diagnosis could be made.
-Weighed weigh(const Subject& subject, const Record& record, const std::optional<Evidence>& evidence,
-              std::vector<std::string>& messages) {
-  if (evidence && evidence->rows() + evidence->problem.not_predicted.size() == record.rows())
-    return {evidence->problem, evidence->whitening, true};
-  Weighed weighed{.problem = plain_problem(subject, record)};
-  if (evidence && evidence->noise.size() == weighed.problem.observed.channels.size())
-    weigh_as(*evidence,
-             response_of(subject, weighed.problem.record, weighed.problem.observed,
-                         evidence->problem.base, weighed.problem.prepared),
-             weighed);
-  else
-    weigh_plainly(weighed, messages);
-  return weighed;
-}
-
 std::vector<std::string> names_of_moving(const Calibration& result) {
   std::vector<std::string> names;
   for (const Parameter& p : result.parameters)
@@ -272,34 +188,72 @@ std::vector<std::string> names_of_moving(const Calibration& result) {
   return names;
 }
 
+/// A fit, and what it was made of.
+struct Fitted {
+  Calibration calibration{};
+  Weighed weighed{};
+  Response response{};
+  ResponseFit fit{};
+};
+
+/// Nothing moves: the readings of the model as it stands.
+void take_as_it_is(const Fitted& at, const Subject& started, Calibration& result) {
+  const Observations& observed = at.weighed.problem.observed;
+  result.subject = started.with_values({});
+  result.status = FitStatus::nothing_to_fit;
+  result.degrees_of_freedom = static_cast<int>(observed.size());
+  const auto size = static_cast<Eigen::Index>(result.parameters.size());
+  result.correlation = Eigen::MatrixXd::Constant(size, size, unset);
+  const Eigen::VectorXd readings = at.response.readings({});
+  set_errors(observed, readings, &ChannelError::rmse_after, result);
+  const Whitening& whitening = at.weighed.whitening;
+  const double misfit = whitening(Eigen::VectorXd(observed.measured - readings)).squaredNorm();
+  result.likelihood =
+      likelihood_of_fit(misfit, observed, whitening, at.weighed.noise_known, result);
+}
+
 /// A fit of the parameters that are not held; `weighed` is its own.
-Calibration fit_once(const Subject& started, const std::optional<Evidence>& evidence,
-                     Weighed weighed, Calibration result) {
-  const Problem& problem = weighed.problem;
-  const Observations& observed = problem.observed;
+Fitted fit_once(const Subject& started, const std::optional<Evidence>& evidence, Weighed weighed,
+                Calibration result) {
   const std::vector<std::string> moving = names_of_moving(result);
-  Response response = response_of(started, problem.record, observed, moving, problem.prepared);
+  Fitted made{.weighed = std::move(weighed)};
+  const Problem& problem = made.weighed.problem;
+  const Observations& observed = problem.observed;
+  Response& response = made.response =
+      response_of(started, problem.record, observed, moving, problem.prepared);
   if (moving.empty()) {
-    result.subject = started.with_values({});
-    result.status = FitStatus::nothing_to_fit;
-    result.degrees_of_freedom = static_cast<int>(observed.size());
-    const auto size = static_cast<Eigen::Index>(result.parameters.size());
-    result.correlation = Eigen::MatrixXd::Constant(size, size, unset);
-    set_errors(observed, response.readings({}), &ChannelError::rmse_after, result);
-    return result;
+    take_as_it_is(made, started, result);
+    made.calibration = std::move(result);
+    return made;
   }
   response.find_affine_form();
-  const bool made =
+  const bool known =
       evidence && moving == evidence->problem.base && problem.record == evidence->problem.record;
   const Eigen::VectorXd x = response.start();
-  ResponseFit fit = made ? evidence->base
-                         : fit_response(response, weighed.whitening, observed.measured,
-                                        {x, 0.8 * x, 1.25 * x, 0.5 * x});
-  if (weighed.as_declared)
-    fit = fit_with_excess(response, observed, std::move(fit), weighed.whitening, result);
-  take_fit(response, fit, observed, weighed.whitening, weighed.noise_known, result);
+  made.fit = known ? evidence->base
+                   : fit_response(response, made.weighed.whitening, observed.measured,
+                                  {x, 0.8 * x, 1.25 * x, 0.5 * x});
+  if (made.weighed.as_declared)
+    made.fit = fit_with_excess(response, std::move(made.fit), made.weighed, result);
+  take_fit(response, made.fit, observed, made.weighed.whitening, made.weighed.noise_known, result);
+  if (made.weighed.by_misfit) result.likelihood.deviance = unset;
   result.subject = started.with_values(named_values(result.parameters));
-  return result;
+  made.calibration = std::move(result);
+  return made;
+}
+
+/// The interval of every parameter that moved; none where there are no standard errors.
+void profile(Fitted& made) {
+  Calibration& result = made.calibration;
+  if (!result.converged()) return;
+  const bool none = std::isnan(result.error_factor);
+  std::size_t moved = 0;
+  for (const Parameter& p : result.parameters)
+    result.profile.push_back(p.held || none
+                                 ? ProfileInterval()
+                                 : profile_interval(made.response, made.fit, made.weighed.whitening,
+                                                    made.weighed.problem.measured(), moved++,
+                                                    result.error_factor));
 }
 
 /// The last parameter of a fit that the data could tell at its start and cannot tell where the fit
@@ -314,9 +268,11 @@ const Parameter* adrift(const Calibration& before, const Calibration& fitted) {
 /// Where the data do not hold a parameter, the value that a fit gives it says nothing: it stays at
 /// its start, and the others are fitted again.
 Calibration fit_moving(const Subject& started, const std::optional<Evidence>& evidence,
-                       const Weighed& weighed, Calibration result) {
+                       const Weighed& weighed, Calibration result,
+                       const CalibrateOptions& options) {
   for (;;) {
-    Calibration fitted = fit_once(started, evidence, weighed, result);
+    Fitted made = fit_once(started, evidence, weighed, result);
+    Calibration& fitted = made.calibration;
     const Parameter* const lost = fitted.converged() ? adrift(result, fitted) : nullptr;
     if (!lost) {
       for (const Parameter& p : fitted.parameters)
@@ -324,7 +280,8 @@ Calibration fit_moving(const Subject& started, const std::optional<Evidence>& ev
             !needed.empty())
           fitted.messages.push_back(
               fmt::format("{} needs {}: its value says little", p.name, needed));
-      return fitted;
+      if (options.profile) profile(made);
+      return std::move(fitted);
     }
     Parameter& p = result.parameters[static_cast<std::size_t>(lost - fitted.parameters.data())];
     p.held = true;
@@ -350,8 +307,15 @@ Calibration fit_moving(const Subject& started, const std::optional<Evidence>& ev
 
 }  // namespace
 
-Calibration calibrate(const Subject& subject, const Record& record) {
-  if (subject.approximates()) return calibrate_approximation(subject, record);
+Calibration calibrate(const Subject& subject, const Record& record,
+                      const CalibrateOptions& options) {
+  if (subject.approximates()) {
+    if (options.profile)
+      throw std::invalid_argument(
+          "intervals by profile likelihood need readings with independent noise, and what a model "
+          "of a record over time leaves follows itself");
+    return calibrate_approximation(subject, record);
+  }
   subject.require(record);
   Calibration result;
   result.parameters = starting(subject, result);
@@ -381,7 +345,7 @@ Calibration calibrate(const Subject& subject, const Record& record) {
       response_by(*started, started->free()), weighed.whitening,
       [&](const std::string& parameter) { return started->lacks(parameter, *problem.record); },
       result);
-  return fit_moving(*started, evidence, weighed, std::move(result));
+  return fit_moving(*started, evidence, weighed, std::move(result), options);
 }
 
 Calibration calibration_of(std::shared_ptr<const Subject> fitted, const Response& response,

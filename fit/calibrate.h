@@ -9,6 +9,8 @@
 #include "fit/covariance.h"
 #include "fit/evidence.h"
 #include "fit/fit_status.h"
+#include "fit/likelihood.h"
+#include "fit/profile_interval.h"
 
 namespace raceway::fit {
 
@@ -16,6 +18,7 @@ namespace raceway::fit {
 struct ChannelError {
   const Channel* channel = nullptr;
   double rmse_before = unset, rmse_after = unset;
+  int readings = 0;
 };
 
 struct Calibration {
@@ -27,6 +30,10 @@ struct Calibration {
   int degrees_of_freedom = 0;                     ///< readings minus parameters that moved
   /// χ²/degrees of freedom against the noise of the data; NaN where that is not known [1]
   double reduced_chi_square = unset;
+  Likelihood likelihood{};
+  /// By which standard errors are widened, and intervals with them; NaN where there are none [1].
+  double error_factor = unset;
+  std::vector<ProfileInterval> profile{};  ///< by parameter, where it was asked for
   std::vector<ChannelError> channels{};
   int iterations = 0;
   FitStatus status = FitStatus::not_run;
@@ -36,6 +43,10 @@ struct Calibration {
   double rms_held_out = unset, correlation_time = unset;
 
   [[nodiscard]] bool converged() const { return status == FitStatus::converged; }
+};
+
+struct CalibrateOptions {
+  bool profile = false;  ///< also the intervals of the parameters, Calibration::profile
 };
 
 /// Re-fits the free parameters of a subject to a record, within their bounds.
@@ -50,14 +61,16 @@ struct Calibration {
 ///
 /// Standard errors are those of the linearised problem, sqrt(diag (JᵀWᵀWJ)^-1), widened by
 /// sqrt(χ²/degrees of freedom) where the misfit exceeds the noise beyond chance (1 %). They do not
-/// cover what a missing effect does to the values.
+/// cover what a missing effect does to the values. Intervals by profile likelihood are of the same
+/// noise and as wide: where -2 ln L rises by 3.84 times the square of that factor.
 ///
 /// A parameter that the data cannot tell from those before it in the list is held at its start; all
 /// of the group are marked not identifiable. So is, and held at its start too, one that the fit
 /// carries to where its standard error exceeds the range of its bounds: what such a value would be
 /// says nothing. Throws std::invalid_argument: a record of something else, unknown parameter, fewer
-/// readings than parameters.
-[[nodiscard]] Calibration calibrate(const Subject& subject, const Record& record);
+/// readings than parameters, intervals of a subject that only approximates.
+[[nodiscard]] Calibration calibrate(const Subject& subject, const Record& record,
+                                    const CalibrateOptions& options = {});
 
 /// Of those parameters that have a standard error; names and values as in the calibration. Nothing
 /// where none has one.

@@ -224,13 +224,19 @@ LackOfFit test_lack_of_fit(const Record& record, const Comparison& comparison,
   }
 }
 
+/// Four digits, and of larger numbers all before the point: 785.5, 14974.
+std::string range_end(double value) {
+  const double size = std::abs(value);
+  return size < 1e4 || size >= 1e9 ? fmt::format("{:.4g}", value) : fmt::format("{:.0f}", value);
+}
+
 std::string where_text(const ErrorRange& range) {
   if (range.is_run())
     return range.run.empty() ? "in rows without run_id"
                              : fmt::format("in {} {}", range.channel->words, range.run);
   const Channel& of = *range.channel;
-  const std::string from = fmt::format("{:.4g}", of.in_unit(range.from));
-  const std::string to = fmt::format("{:.4g}", of.in_unit(range.to));
+  const std::string from = range_end(of.in_unit(range.from));
+  const std::string to = range_end(of.in_unit(range.to));
   const std::string place = !of.place.empty() ? std::string(of.place)
                             : of.unit == "1"  ? fmt::format("of {}", of.words)
                                               : fmt::format("{} of {}", of.unit, of.words);

@@ -21,7 +21,8 @@ struct CostlyFit {
 /// decade, otherwise of typical sizes. Derivatives are differences over a fiftieth or a fifth of
 /// that, so that neither the tolerance of a simulation nor the steps that it chooses show in them;
 /// between two sets of differences they are kept up by an update of rank one (Broyden 1965). Takes
-/// two predictions for each parameter and four more.
+/// two predictions for each parameter and four more. Not for several threads at once: they share
+/// room for readings.
 class CostlyProblem {
  public:
   /// As of Separable.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "fit/compare.h"
 #include "fit/hold_out.h"
+#include "fit/likelihood.h"
 #include "fit/noise_model.h"
 #include "fit/refit.h"
 
@@ -51,9 +53,11 @@ struct RankedEffect {
   /// Fall of -2 ln L against the model without it, less ln N for each free shape; of the whole set
   /// where the verdict is `several_effects` and this effect is in it.
   double gain = unset;
+  Likelihood likelihood{};              ///< of what the gain is of
   std::vector<double> rmse{};           ///< of each channel [SI]
   std::vector<double> rmse_held_out{};  ///< the same over blocks that the fit did not see
   std::vector<Parameter> parameters{};  ///< named without the id
+  std::size_t size = 0;                 ///< which of them gives it its size
   /// Base parameters without it (start) and with it (value): what they had been hiding of it.
   std::vector<Parameter> base{};
   std::vector<std::string> indistinguishable_from{};  ///< ids; names of base parameters
@@ -63,6 +67,19 @@ struct RankedEffect {
   [[nodiscard]] std::string plain_id() const {
     return acts_on.empty() ? id : id.substr(0, id.find(':'));
   }
+};
+
+/// How a set of effects explains the data.
+struct SetFit {
+  double gain = unset;  ///< RankedEffect::gain, of the whole set
+  Likelihood likelihood{};
+  std::vector<double> rmse{};  ///< of each channel [SI]
+};
+
+/// Of estimates; NaN at a bound.
+struct Correlation {
+  std::vector<std::string> names{};
+  Eigen::MatrixXd matrix{};
 };
 
 /// What one effect adds to the readings [SI], in the order of the channels and of their
@@ -131,7 +148,10 @@ struct Diagnosis {
   std::vector<RankedEffect>
       effects;  ///< those of the verdict first, best set leading; then by rank
   std::vector<std::vector<std::string>>
-      sets;  ///< explanations within reach of the best, best first
+      sets;                  ///< explanations within reach of the best, best first
+  std::vector<SetFit> fits;  ///< of these sets; empty of a subject that only approximates
+  Likelihood likelihood;     ///< of the refitted model without effects, under the noise found
+  Correlation correlation;   ///< of the parameters of the best set, or of the model without one
   /// The verdict's best set first, where there is one; then every single effect that is ranked.
   std::vector<ExplainedReadings> explained;
   bool verdict_is_explained = false;  ///< `explained` begins with the verdict's best set
@@ -146,11 +166,13 @@ struct Diagnosis {
   std::vector<std::string> records_needed;  ///< what to record beside it, to tell them apart
   std::optional<Shape> shape;
   std::optional<Course> course;
-  std::vector<Parameter> base;    ///< base parameters without (start) and with the verdict (value)
-  std::vector<HoldOut> hold_out;  ///< of the verdict's best set against the base
-  double needed_gain = unset;     ///< ln N + 2 ln m
-  int candidates_tried = 0;       ///< m, with those tried before
-  int rows = 0;                   ///< used
+  /// Base parameters without (start) and with the verdict (value), which are the same where it
+  /// names nothing.
+  std::vector<Parameter> base;
+  std::vector<HoldOut> hold_out;                ///< of the verdict's best set against the base
+  double needed_gain = unset;                   ///< ln N + 2 ln m
+  int candidates_tried = 0;                     ///< m, with those tried before
+  int rows = 0;                                 ///< used
   std::vector<std::size_t> outliers;            ///< rows counted with less weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows
   /// With a tolerance: whether the model as it is, refitted, is good enough; and effects that are

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
-#include "fit/interval.h"
+#include "fit/profile_interval.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
@@ -112,8 +113,10 @@ std::string size_text(const Problem& problem, const Explanation& e) {
 Interval size_interval(const Evidence& evidence, const Explanation& e, std::size_t member) {
   if (e.elastic) return {};
   const Problem& problem = evidence.problem;
-  return profile_interval(e.response, e.fit, evidence.whitening, problem.measured(),
-                          begin_of(problem, e, member) + problem.candidates[member].candidate.size);
+  const ProfileInterval found =
+      profile_interval(e.response, e.fit, evidence.whitening, problem.measured(),
+                       begin_of(problem, e, member) + problem.candidates[member].candidate.size);
+  return {found.lower, found.upper};
 }
 
 std::vector<Parameter> base_with(const Evidence& evidence, const Explanation& e) {
@@ -127,6 +130,48 @@ std::vector<Parameter> base_with(const Evidence& evidence, const Explanation& e)
     base.push_back(std::move(p));
   }
   return base;
+}
+
+std::vector<Parameter> base_alone(const Evidence& evidence) {
+  std::vector<Parameter> base;
+  const Likelihood likelihood = likelihood_of(evidence, evidence.base);
+  const double factor = widening(likelihood.chi_square, likelihood.degrees_of_freedom());
+  for (std::size_t k = 0; k < evidence.problem.base.size(); ++k) {
+    Parameter p = evidence.base.fitted(evidence.response, k);
+    p.start = p.value;
+    p.std *= factor;
+    base.push_back(std::move(p));
+  }
+  return base;
+}
+
+Likelihood likelihood_of(const Evidence& evidence, const ResponseFit& fit) {
+  return likelihood_of(fit.misfit, evidence.whitening, static_cast<int>(fit.values.size()));
+}
+
+Correlation correlation_of(const std::vector<Parameter>& parameters, const ResponseFit& fit) {
+  const auto count = static_cast<Eigen::Index>(parameters.size());
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Constant(count, count, unset);
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index k = 0; k < count; ++k)
+    if (!fit.at_bound[static_cast<std::size_t>(k)]) free.push_back(k);
+  if (!free.empty()) {
+    const Eigen::MatrixXd moving =
+        (fit.tangent.transpose() * fit.tangent).completeOrthogonalDecomposition().pseudoInverse();
+    covariance(free, free) = moving;
+  }
+  return correlation_of(parameters, covariance);
+}
+
+Correlation correlation_of(const std::vector<Parameter>& parameters,
+                           const Eigen::MatrixXd& covariance) {
+  Correlation result;
+  for (const Parameter& p : parameters) result.names.push_back(p.name);
+  const Eigen::VectorXd std = covariance.diagonal().cwiseSqrt();
+  result.matrix = covariance.cwiseQuotient(std * std.transpose());
+  for (Eigen::Index k = 0; k < std.size(); ++k)
+    if (std[k] > 0.0) result.matrix(k, k) = 1.0;
+  return result;
 }
 
 std::vector<double> held_out(const Evidence& evidence, const Response& response,

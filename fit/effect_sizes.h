@@ -31,6 +31,19 @@ namespace raceway::fit {
 /// Base parameters without (start) and with the explanation (value).
 [[nodiscard]] std::vector<Parameter> base_with(const Evidence& evidence, const Explanation& e);
 
+/// Base parameters of the model without effects; errors as calibrate() gives them.
+[[nodiscard]] std::vector<Parameter> base_alone(const Evidence& evidence);
+
+/// How likely the readings are under a fit of the base, or of an explanation.
+[[nodiscard]] Likelihood likelihood_of(const Evidence& evidence, const ResponseFit& fit);
+
+/// Of the estimates of a fit whose parameters these are; of estimates with this covariance, NaN
+/// where one has none.
+[[nodiscard]] Correlation correlation_of(const std::vector<Parameter>& parameters,
+                                         const ResponseFit& fit);
+[[nodiscard]] Correlation correlation_of(const std::vector<Parameter>& parameters,
+                                         const Eigen::MatrixXd& covariance);
+
 /// Root mean square error over the blocks that the fit did not see, in all blockings, of each
 /// channel [SI]; empty for a bent law and without blockings.
 [[nodiscard]] std::vector<double> held_out(const Evidence& evidence, const Response& response,

@@ -9,7 +9,8 @@
 namespace raceway::fit {
 
 /// Standard normal numbers for the null distribution of the largest score, drawn when first needed:
-/// the same for all gates of a diagnosis, and for all diagnoses with as many scores.
+/// the same for all gates of a diagnosis, and for all diagnoses with as many scores. The first
+/// p_value() draws: not for several threads at once.
 class NullDraws {
  public:
   explicit NullDraws(Eigen::Index scores, int draws = 10000) : scores_(scores), draws_(draws) {}

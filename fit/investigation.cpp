@@ -182,6 +182,9 @@ bool Investigation::base_is_identifiable() const {
 void Investigation::describe_base() {
   const auto tell = [this](std::string text) { result_.messages.push_back(std::move(text)); };
   result_.rows = static_cast<int>(evidence_.rows());
+  result_.likelihood = likelihood_of(evidence_, evidence_.base);
+  result_.base = base_alone(evidence_);
+  result_.correlation = correlation_of(result_.base, evidence_.base);
   result_.rows_not_predicted = problem_.not_predicted;
   std::vector<std::size_t>& outliers = result_.outliers;
   std::sort(outliers.begin(), outliers.end(),
@@ -357,6 +360,7 @@ void Investigation::fill(const Set& set, const Explanation& best) {
     for (std::size_t c = 0; c < errors.size(); ++c) result_.channels[c].rmse_after = errors[c];
     result_.remaining_p_value = best.rechecked ? best.recheck.p_value() : unset;
     result_.base = base_with(evidence_, best);
+    result_.correlation = correlation_of(best.parameters, best.fit);
     for (std::size_t k = 0; k < problem_.base.size(); ++k)
       if (best.fit.at_bound[k])
         result_.messages.push_back(best.parameters[k].name + " ends at a bound");
@@ -369,6 +373,7 @@ void Investigation::fill(const Set& set, const Explanation& best) {
 void Investigation::fill_verdict(const Set& set) {
   for (const Explanation* e : set) {
     result_.sets.push_back(search_->ids_of(*e));
+    result_.fits.push_back({e->gain, likelihood_of(evidence_, e->fit), rms_of(*e)});
     for (const std::size_t k : e->members) {
       if (std::any_of(result_.effects.begin(), result_.effects.end(),
                       [&](const RankedEffect& r) { return r.id == id(k); }))
@@ -420,6 +425,8 @@ RankedEffect Investigation::rank(const Explanation& e, std::size_t member, bool 
   effect.datum = problem_.candidates[member].candidate.datum;
   if (!effect.datum.empty()) effect.correction = correction_text(problem_, e, member);
   effect.gain = e.gain;
+  effect.likelihood = likelihood_of(evidence_, e.fit);
+  effect.size = problem_.candidates[member].candidate.size;
   effect.rmse = rms_of(e);
   const auto error = result_.tolerance_limited() ? held_out_within_range : held_out;
   if (validate) effect.rmse_held_out = error(evidence_, e.response, e.fit, blockings_);

@@ -48,7 +48,7 @@ struct SeparableFit {
 /// more than a decade.
 ///
 /// A ridge of 1e-6 on columns of unit length keeps two lags of nearly one time constant from
-/// growing against each other.
+/// growing against each other. Not for several threads at once: they share room for readings.
 class Separable {
  public:
   /// `record` and `prepared` as of Subject::predictor(); all of them outlive this.

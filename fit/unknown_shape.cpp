@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t most_starts = 4;
 
 double round_number(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  return decade * std::round(value / decade);
+  const double power_of_ten = std::pow(10.0, std::floor(std::log10(value)));
+  return power_of_ten * std::round(value / power_of_ten);
 }
 
 /// One input of the formula, over a round reference value.

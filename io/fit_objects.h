@@ -7,6 +7,7 @@
 #include "correction/range.h"
 #include "fit/add.h"
 #include "fit/compare.h"
+#include "fit/likelihood.h"
 #include "io/json_text.h"
 #include "record/record.h"
 
@@ -24,6 +25,24 @@ namespace raceway::io {
 
 /// `quantity` and `unit` of a measured channel.
 [[nodiscard]] json channel_object(const record::Channel& channel);
+
+/// A channel, and how many of its readings a fit was made to.
+struct ChannelCount {
+  const record::Channel* channel;
+  int readings;
+};
+
+/// chi_square, degrees_of_freedom, aic and bic of a fit to all channels together, of readings in
+/// the units of the document. What has no likelihood is null.
+[[nodiscard]] json likelihood_object(const fit::Likelihood& likelihood,
+                                     const std::vector<ChannelCount>& channels);
+
+/// ln det(2 pi S) of the same noise, in those units.
+[[nodiscard]] double log_determinant_in_units(const fit::Likelihood& likelihood,
+                                              const std::vector<ChannelCount>& channels);
+
+/// By the order of their parameters.
+[[nodiscard]] json correlation_rows(const Eigen::MatrixXd& correlation);
 
 /// Puts a list with one entry for each measured channel into a document, where there are several.
 void add_channels(json& document, json channels);

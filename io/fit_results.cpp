@@ -106,7 +106,15 @@ json calibrated_parameters(const fit::Calibration& c) {
                           {"lower", p.lower},
                           {"upper", p.upper},
                           {"at_bound", p.at_bound != record::Bound::none},
+                          {"held", p.held},
                           {"identifiable", p.identifiable}};
+  for (std::size_t k = 0; k < c.profile.size(); ++k) {
+    const fit::ProfileInterval& of = c.profile[k];
+    parameters[c.parameters[k].name]["profile"] = {{"from", of.lower},
+                                                   {"to", of.upper},
+                                                   {"open_from", of.open_lower},
+                                                   {"open_to", of.open_upper}};
+  }
   return parameters;
 }
 
@@ -114,7 +122,16 @@ json calibrated_channel(const fit::ChannelError& c) {
   json result = channel_object(*c.channel);
   result["rmse_before"] = c.rmse_before / c.channel->factor;
   result["rmse"] = c.rmse_after / c.channel->factor;
+  result["readings"] = c.readings;
   return result;
+}
+
+/// What the intervals of the parameters are, and what they took.
+json profile_object(const fit::Calibration& c) {
+  int refits = 0;
+  for (const fit::ProfileInterval& of : c.profile) refits += of.refits;
+  const double rise = fit::profile_rise * c.error_factor * c.error_factor;
+  return {{"level", 0.95}, {"rise", rise}, {"refits", refits}};
 }
 
 json checked_channel(const fit::Check::MeasuredChannel& m) {
@@ -127,10 +144,44 @@ json checked_channel(const fit::Check::MeasuredChannel& m) {
   return result;
 }
 
+/// By which -2 ln L is more of readings in the units of a document than in SI.
+double shift_of(const std::vector<ChannelCount>& channels) {
+  double shift = 0.0;
+  for (const ChannelCount& c : channels) shift -= 2.0 * c.readings * std::log(c.channel->factor);
+  return shift;
+}
+
 }  // namespace
 
 json channel_object(const record::Channel& channel) {
   return {{"quantity", channel.variable}, {"unit", channel.key_unit()}};
+}
+
+double log_determinant_in_units(const fit::Likelihood& likelihood,
+                                const std::vector<ChannelCount>& channels) {
+  return likelihood.log_determinant + shift_of(channels);
+}
+
+json likelihood_object(const fit::Likelihood& likelihood,
+                       const std::vector<ChannelCount>& channels) {
+  fit::Likelihood in_units = likelihood;
+  in_units.deviance += shift_of(channels);
+  json result = {{"chi_square", likelihood.chi_square},
+                 {"degrees_of_freedom", nullptr},
+                 {"aic", in_units.aic()},
+                 {"bic", in_units.bic()}};
+  if (likelihood.readings > 0) result["degrees_of_freedom"] = likelihood.degrees_of_freedom();
+  return result;
+}
+
+json correlation_rows(const Eigen::MatrixXd& correlation) {
+  json rows = json::array();
+  for (Eigen::Index i = 0; i < correlation.rows(); ++i) {
+    json row = json::array();
+    for (Eigen::Index j = 0; j < correlation.cols(); ++j) row.push_back(correlation(i, j));
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 void add_channels(json& document, json channels) {
@@ -191,21 +242,25 @@ json comparison_object(const std::string& model_file,
 }
 
 json calibration_object(const fit::Calibration& c, const record::Record& record) {
-  json correlation = json::array();
-  for (Eigen::Index i = 0; i < c.correlation.rows(); ++i) {
-    json row = json::array();
-    for (Eigen::Index j = 0; j < c.correlation.cols(); ++j) row.push_back(c.correlation(i, j));
-    correlation.push_back(row);
-  }
-  json document = {{"parameters", calibrated_parameters(c)},
-                   {"correlation", correlation},
-                   {"rows", c.rows},
-                   {"rows_not_predicted", lines_of(record, c.rows_not_predicted)},
-                   {"degrees_of_freedom", c.degrees_of_freedom},
-                   {"reduced_chi_square", c.reduced_chi_square}};
+  std::vector<ChannelCount> counts;
+  for (const fit::ChannelError& e : c.channels) counts.push_back({e.channel, e.readings});
+  json document = {
+      {"parameters", calibrated_parameters(c)},
+      {"correlation", correlation_rows(c.correlation)},
+      {"rows", c.rows},
+      {"rows_not_predicted", lines_of(record, c.rows_not_predicted)},
+      {"readings", nullptr},
+      {"degrees_of_freedom", nullptr},
+      {"chi_square", nullptr},
+      {"reduced_chi_square", c.reduced_chi_square},
+      {"noise", {{"log_determinant", log_determinant_in_units(c.likelihood, counts)}}}};
+  document.update(likelihood_object(c.likelihood, counts));
+  document["degrees_of_freedom"] = c.degrees_of_freedom;
+  if (!c.profile.empty()) document["profile"] = profile_object(c);
   json channels = json::array();
   for (const fit::ChannelError& e : c.channels) channels.push_back(calibrated_channel(e));
   if (!channels.empty()) document.update(channels[0]);
+  document["readings"] = c.likelihood.readings;
   add_channels(document, std::move(channels));
   document["messages"] = c.messages;
   document["report"] = {{"status", fit::name(c.status)}, {"iterations", c.iterations}};

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -110,6 +111,50 @@ TEST(Results, ACalibrationHas15Digits) {
   EXPECT_FALSE(d.contains("channels"));
 }
 
+TEST(Results, ALikelihoodIsOfReadingsInTheUnitsOfTheDocument) {
+  fit::Calibration c;
+  c.channels = {{&record::friction_torque, 0.0657, 0.0123, 20},
+                {&record::axial_displacement, 2e-6, 1e-6, 19}};
+  c.likelihood = {.readings = 39, .parameters = 2, .chi_square = 40.0, .log_determinant = -500.0};
+  c.likelihood.deviance = -460.0;
+  c.degrees_of_freedom = 37;
+  const json d = json::parse(calibration_json(c, two_sensors()));
+  // A reading in N mm is 1000 times as large a number, one in um a million times.
+  const double shift = 2.0 * (20 * std::log(1e3) + 19 * std::log(1e6));
+  EXPECT_NEAR(d["noise"]["log_determinant"].get<double>(), -500.0 + shift, 1e-9);
+  EXPECT_NEAR(d["aic"].get<double>(), -460.0 + shift + 4.0, 1e-9);
+  EXPECT_NEAR(d["bic"].get<double>(), -460.0 + shift + 2.0 * std::log(39.0), 1e-9);
+  EXPECT_EQ(d["chi_square"], 40.0);
+  EXPECT_EQ(d["readings"], 39);
+  EXPECT_EQ(d["channels"][0]["readings"], 20);
+  EXPECT_EQ(d["channels"][1]["readings"], 19);
+  // Where only the size of the noise is unknown there are criteria all the same.
+  c.likelihood.chi_square = c.likelihood.log_determinant = unset;
+  const json unknown = json::parse(calibration_json(c, two_sensors()));
+  EXPECT_TRUE(unknown["chi_square"].is_null() && unknown["noise"]["log_determinant"].is_null());
+  EXPECT_EQ(unknown["aic"], d["aic"]);
+}
+
+TEST(Results, AnIntervalSaysAtWhichSideItIsOpen) {
+  fit::Calibration c;
+  c.parameters = {{.name = "f0", .unit = "1", .start = 1.5, .value = 0.5},
+                  {.name = "z", .unit = "1", .start = 1.5, .value = 1.5, .held = true}};
+  c.channels = {{&record::friction_torque, 0.0657, 0.0123}};
+  c.profile = {{.lower = 0.1, .upper = HUGE_VAL, .open_upper = true, .refits = 7}, {}};
+  c.error_factor = 2.0;
+  const json d = json::parse(calibration_json(c, two_sensors()));
+  const json& f0 = d["parameters"]["f0"]["profile"];
+  EXPECT_EQ(f0["from"], 0.1);
+  EXPECT_TRUE(f0["to"].is_null());
+  EXPECT_EQ(f0["open_from"], false);
+  EXPECT_EQ(f0["open_to"], true);
+  EXPECT_EQ(d["parameters"]["f0"]["held"], false);
+  EXPECT_EQ(d["parameters"]["z"]["held"], true);
+  EXPECT_TRUE(d["parameters"]["z"]["profile"]["from"].is_null());
+  EXPECT_EQ(d["profile"]["refits"], 7);
+  EXPECT_NEAR(d["profile"]["rise"].get<double>(), 4.0 * 3.841459, 1e-5);
+}
+
 fit::Diagnosis diagnosis() {
   fit::Diagnosis d;
   fit::ChannelDiagnosis channel{.baseline = compared(record::friction_torque)};
@@ -179,9 +224,10 @@ TEST(Results, WhatAddBoughtHoldsItsCalibration) {
   r.channels[0].rmse_held_out_after = 0.003;
   r.calibration.channels = {{&record::friction_torque, 0.01, 0.002}};
   const json d = json::parse(add_json("m.toml", two_sensors(), r));
-  EXPECT_EQ(keys(d), (std::set<std::string>{"model", "data", "refused", "reason", "unit", "before",
-                                            "after", "rmse_held_out_before", "rmse_held_out_after",
-                                            "hold_out", "calibration", "messages", "notes"}));
+  EXPECT_EQ(keys(d),
+            (std::set<std::string>{"model", "data", "refused", "reason", "gain", "unit", "before",
+                                   "after", "rmse_held_out_before", "rmse_held_out_after",
+                                   "hold_out", "calibration", "messages", "notes"}));
   EXPECT_DOUBLE_EQ(d["rmse_held_out_after"].get<double>(), 3.0);
   EXPECT_DOUBLE_EQ(d["calibration"]["rmse"].get<double>(), 2.0);
   EXPECT_EQ(d["before"]["model"], "m.toml");

@@ -23,8 +23,9 @@ inline Comparison compare(const std::vector<double>& predicted, const DataSet& d
   return compare(predicted, data, Measured{.channel = &data.measured()}, fitted_parameters);
 }
 
-inline Calibration calibrate(const Model& model, const DataSet& data) {
-  return calibrate(*subject_of(model), data);
+inline Calibration calibrate(const Model& model, const DataSet& data,
+                             const CalibrateOptions& options = {}) {
+  return calibrate(*subject_of(model), data, options);
 }
 
 inline const Model& model_of(const Calibration& calibration) {
