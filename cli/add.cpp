@@ -15,8 +15,7 @@
 #include "io/diagnosis_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
-#include "io/record_report.h"
-#include "session/correction_input.h"
+#include "session/correction_loop.h"
 #include "session/loop_question.h"
 #include "session/open_input.h"
 
@@ -98,37 +97,17 @@ int finish(const AddFlags& flags, const std::string& source, fit::AddResult resu
   return done;
 }
 
-/// The effects that a person means by these names.
-std::vector<std::string> meant(const correction::CorrectionSubject& subject,
-                               const std::vector<std::string>& ids,
-                               const session::CorrectionQuestion& asked) {
-  std::vector<std::string> list;
-  try {
-    const auto informed = subject.informed_by(asked.data);
-    const auto& on_this_record = dynamic_cast<const correction::CorrectionSubject&>(*informed);
-    for (const std::string& id : ids) list.push_back(on_this_record.meant_by(id));
-  } catch (const std::invalid_argument& e) {
-    session::refuse_data(asked.file.source, asked.data, e);
-  }
-  return list;
-}
-
 int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
                    const std::vector<std::string>& files) {
-  session::CorrectionQuestion asked =
-      session::ask_correction(messages(), flags.names.front(), session::files(files),
-                              flags.loop.displacement, flags.loop.reading);
-  flags.loop.tolerance.set(asked.model, asked.file.source);
-  session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
-  const correction::CorrectionSubject subject(asked.model);
-  const auto page = [&](const fit::AddResult& r) {
-    return io::record_add_report(asked.file.source, asked.data, r, asked.file.defaults);
-  };
-  return finish(flags, asked.file.source,
-                added(subject, meant(subject, ids, asked), asked.data, asked.file.source),
-                asked.data, page, [&](const fit::Calibration& c) {
-                  write_model(flags.output, session::fitted_text(asked, c), flags.force);
-                });
+  const session::CorrectionLoop asked = session::ask_correction_loop(
+      messages(), flags.names.front(), session::files(files), flags.loop);
+  return finish(
+      flags, asked.file.source,
+      added(*asked.subject, session::meant(asked, ids), asked.data, asked.file.source), asked.data,
+      [&](const fit::AddResult& r) { return session::add_page(asked, r); },
+      [&](const fit::Calibration& c) {
+        write_model(flags.output, session::fitted_text(asked, c), flags.force);
+      });
 }
 
 int run(const AddFlags& flags) {

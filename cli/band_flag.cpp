@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/names.h"
+#include "session/bands.h"
 
 namespace raceway::cli {
 
@@ -17,20 +16,9 @@ void BandFlag::declare(CLI::App& command) {
 
 std::optional<model::Band> BandFlag::of(const io::ModelFile& file) const {
   if (!on) return std::nullopt;
-  if (!file.model.covariance)
-    throw io::InputError(
-        fmt::format(
-            "--band: {} has no [calibration.covariance] of the values that stand in it; raceway "
-            "calibrate {} DATA -o FILE first, FILE has one",
-            file.source, file.source),
-        {.file = file.source, .key = "calibration.covariance"});
-  return model::Band(file.model);
-}
-
-std::string band_statement(const model::Band& band) {
-  return fmt::format(
-      "95 % band of the fitted {} alone; what the model lacks and noise are no part of it",
-      io::listed(band.fitted()));
+  return session::band_of(
+      file, "--band",
+      fmt::format("raceway calibrate {} DATA -o FILE first, FILE has one", file.source));
 }
 
 std::string band_text(double half_width, double unit) {

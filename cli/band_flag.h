@@ -20,9 +20,6 @@ struct BandFlag {
   [[nodiscard]] std::optional<model::Band> of(const io::ModelFile& file) const;
 };
 
-/// What a band is, in a sentence.
-[[nodiscard]] std::string band_statement(const model::Band& band);
-
 /// "+- 0.23" for a half width [SI] and the factor of its unit.
 [[nodiscard]] std::string band_text(double half_width, double unit = 1.0);
 

@@ -15,7 +15,7 @@
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/results.h"
-#include "session/correction_input.h"
+#include "session/correction_loop.h"
 #include "session/loop_question.h"
 #include "session/open_input.h"
 
@@ -26,7 +26,7 @@ struct CalibrateFlags {
   std::string model, output;
   session::LoopOptions loop;
   std::vector<std::string> data;
-  bool json = false, force = false;
+  bool json = false, force = false, profile = false;
 };
 
 std::string remark(const fit::Parameter& p) {
@@ -35,17 +35,35 @@ std::string remark(const fit::Parameter& p) {
   return p.at_bound != fit::Bound::none ? "at its bound" : "";
 }
 
+std::string end_text(double value, bool open) {
+  if (std::isinf(value)) return "open";
+  return number(value, 5) + (open ? " (bound)" : "");
+}
+
 void print_parameters(const fit::Calibration& c) {
-  TextTable table({{"parameter", "", true},
-                   {"before", ""},
-                   {"after", ""},
-                   {"std error", ""},
-                   {"unit", "", true},
-                   {"", "", true}});
-  for (const fit::Parameter& p : c.parameters)
-    table.add({p.name, number(p.start), number(p.value, 5), number(p.std, 2),
-               p.unit == "1" ? "-" : p.unit, remark(p)});
+  const bool profile = !c.profile.empty();
+  std::vector<TextTable::Column> columns{
+      {"parameter", "", true}, {"before", ""}, {"after", ""}, {"std error", ""}};
+  if (profile) columns.insert(columns.end(), {{"95 % from", ""}, {"to", ""}});
+  columns.insert(columns.end(), {{"unit", "", true}, {"", "", true}});
+  TextTable table(columns);
+  for (std::size_t k = 0; k < c.parameters.size(); ++k) {
+    const fit::Parameter& p = c.parameters[k];
+    std::vector<std::string> row{p.name, number(p.start), number(p.value, 5), number(p.std, 2)};
+    if (profile) {
+      const fit::ProfileInterval& of = c.profile[k];
+      row.push_back(end_text(of.lower, of.open_lower));
+      row.push_back(end_text(of.upper, of.open_upper));
+    }
+    row.push_back(p.unit == "1" ? "-" : p.unit);
+    row.push_back(remark(p));
+    table.add(std::move(row));
+  }
   fmt::print("{}", table.text(terminal_width()));
+  if (!profile) return;
+  fmt::print("95 %: where chi2, all others refitted, is {:.4g} above its least{}\n",
+             fit::profile_rise * c.error_factor * c.error_factor,
+             c.error_factor == 1.0 ? "" : " (3.84 times the reduced chi2)");
 }
 
 void print(const fit::Calibration& c) {
@@ -67,9 +85,9 @@ void print(const fit::Calibration& c) {
 }
 
 fit::Calibration calibrated(const fit::Subject& subject, const record::Record& data,
-                            const std::string& model) {
+                            const std::string& model, const CalibrateFlags& flags) {
   try {
-    return fit::calibrate(subject, data);
+    return fit::calibrate(subject, data, {.profile = flags.profile});
   } catch (const std::invalid_argument& e) {
     session::refuse_data(model, data, e);
   }
@@ -96,13 +114,10 @@ int finish(const CalibrateFlags& flags, fit::Calibration c, const record::Record
 }
 
 int run_correction(const CalibrateFlags& flags) {
-  session::CorrectionQuestion asked =
-      session::ask_correction(messages(), flags.model, session::files(flags.data),
-                              flags.loop.displacement, flags.loop.reading);
-  session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
-  const correction::CorrectionSubject subject(asked.model);
-  return finish(flags, calibrated(subject, asked.data, asked.file.source), asked.data, flags.output,
-                [&](const fit::Calibration& c) {
+  const session::CorrectionLoop asked =
+      session::ask_correction_loop(messages(), flags.model, session::files(flags.data), flags.loop);
+  return finish(flags, calibrated(*asked.subject, asked.data, asked.file.source, flags), asked.data,
+                flags.output, [&](const fit::Calibration& c) {
                   write_model(flags.output, session::fitted_text(asked, c), flags.force);
                 });
 }
@@ -113,6 +128,9 @@ int run(const CalibrateFlags& flags) {
                          {.key = "--output"});
   if (flags.data.empty() && !flags.loop.per_record.names.empty())
     throw io::InputError("raceway calibrate: --per-record needs measurements: DATA is missing",
+                         {.key = "DATA"});
+  if (flags.data.empty() && flags.profile)
+    throw io::InputError("raceway calibrate: --profile needs measurements: DATA is missing",
                          {.key = "DATA"});
   if (flags.data.empty())
     return calibrate_conformity(
@@ -125,7 +143,7 @@ int run(const CalibrateFlags& flags) {
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*asked.subject);
-  return finish(flags, calibrated(*asked.subject, asked.data, flags.model), asked.data,
+  return finish(flags, calibrated(*asked.subject, asked.data, flags.model, flags), asked.data,
                 output.names(*asked.subject),
                 [&](const fit::Calibration& c) { output.write(asked.file, c); });
 }
@@ -153,6 +171,8 @@ Run setup_calibrate(CLI::App& command) {
   declare(command, flags->loop.per_record);
   declare(command, flags->loop.reading);
   declare(command, flags->loop.reading.period);
+  command.add_flag("--profile", flags->profile,
+                   "also the 95 % interval of each parameter by profile likelihood");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

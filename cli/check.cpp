@@ -19,7 +19,7 @@
 #include "io/results.h"
 #include "io/subject.h"
 #include "io/suggest_columns.h"
-#include "session/correction_input.h"
+#include "session/correction_loop.h"
 #include "session/open_input.h"
 #include "session/reading.h"
 
@@ -136,26 +136,15 @@ int check_corrections(const CheckFlags& flags, io::IfExists if_exists) {
     }
     return done;
   }
-  const session::CorrectionQuestion asked = session::ask_correction(
+  const session::CheckedCorrection checked = session::check_correction(
       messages(), flags.model, session::files({flags.data}), flags.displacement, flags.reading);
-  const auto subject = correction::CorrectionSubject(asked.model).informed_by(asked.data);
-  fit::Check check;
-  try {
-    check = fit::check(*subject, asked.data);
-  } catch (const std::invalid_argument& e) {
-    session::refuse_data(asked.file.source, asked.data, e);
-  }
-  const correction::RecordCheck over_time = correction::check_record(asked.model, asked.data);
-  if (!check.problem.empty()) warn({check.problem});
-  warn(over_time.warnings);
+  const session::CorrectionQuestion& asked = checked.asked;
   if (flags.json) {
-    std::vector<std::string> notes = asked.file.notes;
-    notes.insert(notes.end(), asked.data.notes.begin(), asked.data.notes.end());
-    put_document(io::check_json(asked.model.name, check, asked.file.defaults, notes, &over_time));
+    put_document(checked.json());
   } else {
-    print(check, asked.data);
+    print(checked.check, asked.data);
     fmt::print("\n");
-    print(over_time);
+    print(checked.over_time);
     fmt::print("\n");
     print_defaults(asked.file.source, asked.file.defaults);
   }

@@ -12,15 +12,10 @@
 #include "cli/shared_flags.h"
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
-#include "correction/alignment.h"
-#include "correction/phases.h"
-#include "correction/record_check.h"
-#include "fit/calibrate.h"
 #include "io/error.h"
-#include "io/record_report.h"
 #include "io/results.h"
 #include "session/comparison.h"
-#include "session/correction_input.h"
+#include "session/correction_loop.h"
 #include "session/open_input.h"
 
 namespace raceway::cli {
@@ -232,12 +227,6 @@ void print_ladders(const std::vector<std::string>& models,
   }
 }
 
-/// A model as it is compared.
-struct Compared {
-  std::shared_ptr<const fit::Subject> subject;
-  int fitted = 0;  // parameters
-};
-
 /// Models come first; data begin with the first name that ends in .csv, else are the last.
 std::size_t first_data(const std::vector<std::string>& files) {
   const auto found = std::find_if(files.begin() + 1, files.end() - 1,
@@ -256,71 +245,12 @@ void show(const CompareFlags& flags, const std::vector<std::string>& models,
     print_ladders(models, comparisons);
 }
 
-correction::Zero zero_of(const CompareFlags& flags) {
-  return flags.zero == "first"  ? correction::Zero::first
-         : flags.zero == "none" ? correction::Zero::none
-                                : correction::Zero::mean;
-}
-
-/// A correction as it is compared: with the constant of each run, and what --refit names, found
-/// from the record.
-Compared aligned(correction::Model model, const CompareFlags& flags, const record::Record& data) {
-  if (flags.refit.empty()) return {correction::aligned(model, data, zero_of(flags))};
-  model.free = flags.refit;
-  if (std::find(model.free.begin(), model.free.end(), "offset") == model.free.end())
-    model.free.emplace_back("offset");
-  const fit::Calibration found = fit::calibrate(correction::CorrectionSubject(model), data);
-  warn(found.messages);
-  return {found.subject, static_cast<int>(found.parameters.size())};
-}
-
 int compare_corrections(const CompareFlags& flags, const std::vector<std::string>& paths,
                         const std::vector<std::string>& data) {
-  if (!flags.loop.per_record.names.empty())
-    throw io::InputError("--per-record: a correction is held against one record",
-                         {.key = "--per-record"});
-  std::vector<std::string> models;
-  std::vector<Comparisons> comparisons;
-  std::vector<correction::Beyond> beyond;
-  std::vector<io::DrawnModel> drawn;
-  record::Record record;
-  for (const std::string& path : paths) {
-    if (!io::has_correction(path))
-      throw io::InputError(
-          path + ": has no [correction]: only corrections can be compared with one",
-          {.file = path, .key = "correction"});
-    session::CorrectionQuestion asked = session::ask_correction(
-        messages(), path, session::files(data), flags.loop.displacement, flags.loop.reading);
-    flags.loop.tolerance.set(asked.model, asked.file.source);
-    try {
-      const Compared one = aligned(asked.model, flags, asked.data);
-      comparisons.push_back(fit::compare(*one.subject, asked.data, one.fitted));
-      drawn.push_back({.name = asked.file.source,
-                       .subject = one.subject,
-                       .held_out = {},
-                       .defaults = asked.file.defaults});
-    } catch (const std::invalid_argument& e) {
-      session::refuse_data(asked.file.source, asked.data, e);
-    }
-    if (const std::string leaves = correction::power_beyond_element(asked.model, asked.data);
-        !leaves.empty())
-      warn({fmt::format("{}: {}: rows from there on have no prediction and are left out",
-                        asked.file.source, leaves)});
-    for (fit::Comparison& c : comparisons.back())
-      fit::add_groups(c, correction::phase, correction::phases(asked.data, *c.channel));
-    models.push_back(asked.file.source);
-    const correction::Series series(asked.data);
-    beyond.push_back(correction::beyond_range(asked.model, series));
-    warn(session::range_notes(asked.model, series, beyond.back()));
-    record = std::move(asked.data);
-  }
-  show(flags, models, comparisons, record, beyond);
-  flags.report.write(
-      [&] {
-        return io::record_report(
-            "compare", io::comparison_json(models, comparisons, record, beyond), record, drawn);
-      },
-      flags.force);
+  const session::ComparedCorrections c = session::compare_corrections(
+      messages(), session::files(paths), session::files(data), flags.refit, flags.zero, flags.loop);
+  show(flags, c.names, c.comparisons, c.data, c.beyond);
+  flags.report.write([&] { return c.page(); }, flags.force);
   return done;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/correct_learn.h"
@@ -9,14 +10,10 @@
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "correction/alignment.h"
-#include "correction/band.h"
-#include "fit/noise.h"
 #include "io/correction_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
-#include "io/record_report.h"
-#include "session/correction_input.h"
+#include "session/correction_run.h"
 
 namespace raceway::cli {
 namespace {
@@ -28,55 +25,6 @@ struct CorrectFlags {
   bool json = false, force = false;
   ReportFlag report;
 };
-
-/// Of the readings, which scatter about the displacement by `noise`; one constant taken off each
-/// run.
-double share_within(const std::vector<double>& band, double noise, std::span<const double> read,
-                    const std::vector<double>& predicted) {
-  constexpr double two_sided = 1.96;
-  std::size_t readings = 0, within = 0;
-  for (std::size_t k = 0; k < read.size(); ++k) {
-    if (!std::isfinite(read[k]) || !std::isfinite(predicted[k])) continue;
-    ++readings;
-    if (std::abs(read[k] - predicted[k]) <= std::hypot(band[k], two_sided * noise)) ++within;
-  }
-  return readings > 0 ? static_cast<double>(within) / static_cast<double>(readings) : unset;
-}
-
-io::Corrected corrected(const correction::Model& model, const record::Record& record,
-                        std::vector<std::string>& messages) {
-  const auto subject = correction::aligned(model, record, correction::Zero::none);
-  io::Corrected result{.displacement = model.displacement,
-                       .initial_state = model.initial_state,
-                       .predicted = fit::predict(*subject, record)};
-  const auto series = std::make_shared<const correction::Series>(record);
-  result.parts = correction::contributions(subject->model(), *series);
-  result.beyond = correction::beyond_range(model, *series);
-  for (std::string& note : session::range_notes(model, *series, result.beyond))
-    messages.push_back(std::move(note));
-  if (model.left)
-    result.band = correction::band_of(*subject, model, series, result.beyond).half_width();
-  if (record.has(*model.displacement)) {
-    const auto zeroed = correction::aligned(model, record, correction::Zero::mean);
-    const std::span<const double> read = record.values(*model.displacement);
-    const std::vector<double> predicted = fit::predict(*zeroed, record);
-    result.metrics = correction::metrics(read, predicted);
-    result.noise = std::isfinite(model.measured_std)
-                       ? model.measured_std
-                       : fit::noise_of_neighbours(record, *model.displacement);
-    if (model.left)
-      result.readings_in_band = share_within(
-          result.band, std::isfinite(result.noise) ? result.noise : 0.0, read, predicted);
-  }
-  const auto bad = std::find_if(result.predicted.begin(), result.predicted.end(),
-                                [](double v) { return !std::isfinite(v); });
-  if (bad != result.predicted.end())
-    messages.push_back(
-        fmt::format("{}: no displacement from {} on: the power leaves the range of a delay element",
-                    model.displacement->name,
-                    record.place(static_cast<std::size_t>(bad - result.predicted.begin()))));
-  return result;
-}
 
 /// How far off the predictions may be, and where more so.
 void print_band(const io::Corrected& c, const record::Record& record) {
@@ -117,20 +65,6 @@ void print(const std::vector<io::Corrected>& list, const record::Record& record)
   for (const io::Corrected& c : list) print_band(c, record);
 }
 
-/// As they were compared: with the constant that leaves least, where something was read.
-std::vector<io::DrawnModel> drawn(const io::CorrectionFile& file, const record::Record& record) {
-  std::vector<io::DrawnModel> list;
-  for (const correction::Model& model : file.models)
-    list.push_back(
-        {.name = std::string(model.displacement->words),
-         .subject = correction::aligned(
-             model, record,
-             record.has(*model.displacement) ? correction::Zero::mean : correction::Zero::none),
-         .held_out = {},
-         .defaults = file.defaults});
-  return list;
-}
-
 int run(const CorrectFlags& flags) {
   if (flags.json && flags.output == "-")
     throw io::InputError("raceway correct: --json and --output - both write to stdout; take one",
@@ -140,44 +74,28 @@ int run(const CorrectFlags& flags) {
   if (to_file) io::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   flags.learning.check(if_exists);
-  const io::CorrectionFile file = session::open_corrections(messages(), flags.model);
-  const record::Record record =
-      session::open_series(messages(), flags.data, file.models, flags.reading.options(file.columns),
-                           flags.reading.period);
+  session::SeriesQuestion asked =
+      session::ask_series(messages(), flags.model, flags.data, flags.reading);
   if (flags.learning.learn) {
-    run_learning(file, record, flags.learning, {flags.output, flags.json, if_exists});
+    run_learning(std::move(asked), flags.learning, {flags.output, flags.json, if_exists});
     return done;
   }
-  std::vector<std::string> messages;
-  std::vector<io::Corrected> list;
-  for (const correction::Model& model : file.models) {
-    try {
-      list.push_back(corrected(model, record, messages));
-    } catch (const std::invalid_argument& e) {
-      throw io::InputError(fmt::format("{} with {}: {}", record.source, file.source, e.what()),
-                           {.file = record.source});
-    }
-  }
+  const session::CorrectionRun run = session::run_corrections(std::move(asked));
   if (!flags.output.empty()) {
-    const std::string csv = io::corrected_text(record, list);
+    const std::string csv = run.csv();
     if (to_file) {
       io::write_text(flags.output, csv, if_exists);
-      say(fmt::format("{} written, {} rows", flags.output, record.rows()));
+      say(fmt::format("{} written, {} rows", flags.output, run.asked.data.rows()));
     } else {
       fmt::print("{}", csv);
     }
   }
   if (flags.json)
-    put_document(io::corrected_json(file.source, record, list, messages));
+    put_document(run.json());
   else if (flags.output != "-")
-    print(list, record);
-  warn(messages);
-  flags.report.write(
-      [&] {
-        return io::record_report("correct", io::corrected_json(file.source, record, list, messages),
-                                 record, drawn(file, record));
-      },
-      flags.force);
+    print(run.corrected, run.asked.data);
+  warn(run.warnings);
+  flags.report.write([&] { return run.page(); }, flags.force);
   return done;
 }
 

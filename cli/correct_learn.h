@@ -3,16 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "io/correction_file.h"
 #include "io/output_file.h"
-#include "record/record.h"
+#include "session/correction_run.h"
 
 namespace raceway::cli {
 
 /// `--learn`, `--every`, `--forget` and `--save` of `correct`.
 struct LearnFlags {
   bool learn = false;
-  std::string every, forget, save;
+  session::LearningChoices choices;
+  std::string save;
 
   /// Declares the flags.
   void declare(CLI::App& command);
@@ -29,7 +29,7 @@ struct CorrectOutput {
 };
 
 /// All of `correct --learn` behind reading its files.
-void run_learning(const io::CorrectionFile& file, const record::Record& record,
-                  const LearnFlags& flags, const CorrectOutput& output);
+void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
+                  const CorrectOutput& output);
 
 }  // namespace raceway::cli

@@ -4,24 +4,19 @@
 #include <cmath>
 #include <memory>
 
-#include "cli/beam.h"
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
-#include "io/beam_report.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/shaft_results.h"
 #include "session/open_input.h"
-#include "spindle/loaded_shaft.h"
+#include "session/spindle_deflection.h"
 
 namespace raceway::cli {
 namespace {
-
-constexpr NumberRange at_range{0.0, 1e5, "mm"};
-constexpr NumberRange moment_load_range{-1e5, 1e5, "N m"};
 
 struct DeflectionFlags {
   std::string model, output, direction = "radial", coolant = "on";
@@ -30,65 +25,6 @@ struct DeflectionFlags {
   ReportFlag report;
 };
 
-/// The bent shaft by the stiffness that the sets have without the force, each `stiffer` times as
-/// stiff; empty where nothing holds it.
-Eigen::VectorXd tangent_line(const BeamOfModel& b, const io::DeflectionResult& r,
-                             double stiffer = 1.0) {
-  if (r.axial || !r.sets.converged()) return {};
-  std::vector<spindle::PlaneSpring> in_y;
-  for (const spindle::Spring& s :
-       spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings)) {
-    in_y.push_back(s.y);
-    in_y.back().radial *= stiffer;
-    in_y.back().coupling *= stiffer;
-    in_y.back().tilt *= stiffer;
-  }
-  const spindle::BeamLoad load[] = {{.position = r.at, .force = r.force, .moment = -r.moment}};
-  const spindle::Deflection d = spindle::deflect(b.beam, b.places, in_y, load);
-  return d.found ? d.shape : Eigen::VectorXd();
-}
-
-/// Displacement where the force acts, by that stiffness.
-double tangent_displacement(const BeamOfModel& b, const io::DeflectionResult& r) {
-  if (r.axial) return r.force / r.sets.equilibrium.axial_stiffness;
-  const Eigen::VectorXd shape = tangent_line(b, r);
-  return shape.size() > 0 ? b.beam.at(r.at, shape)[0] : unset;
-}
-
-io::DeflectionResult solve_deflection(const DeflectionFlags& f, const model::Model& model,
-                                      BeamOfModel& b) {
-  io::DeflectionResult r{.speed = f.speed_rpm * rpm,
-                         .force = f.force_N,
-                         .at = f.at_mm * mm,
-                         .axial = f.direction == "axial",
-                         .axial_force = f.axial_force_N,
-                         .moment = f.moment_Nm,
-                         .sets = {},
-                         .shaft = {}};
-  r.sets = b.sets.at(inputs_at(model, r.speed, f.coolant == "on"), f.warm);
-  if (!r.sets.converged()) return r;
-  r.tangent = tangent_displacement(b, r);
-  spindle::ShaftLoad load{.position = r.at};
-  if (r.axial) {
-    load.axial = r.force;
-  } else {
-    // θ = dv/ds counts rearwards: a force in front of its place turns the shaft against it.
-    load.radial = r.force, load.axial = r.axial_force, load.moment = -r.moment;
-  }
-  // Balls that no race holds turn as they do without the load.
-  const std::vector<bearing::GivenRotation> rotations = r.sets.equilibrium.rotations();
-  bearing::EquilibriumOptions options = model.solver;
-  options.rotations = rotations;
-  r.shaft = spindle::solve_loaded_shaft(b.beam, b.sets.arrangement(), b.places, r.sets.condition,
-                                        load, options);
-  if (!r.shaft.report.converged()) return r;
-  const double axial = r.shaft.position - r.sets.equilibrium.position;
-  r.displacement = r.axial ? axial : b.beam.at(r.at, r.shaft.y)[0];
-  r.nose = r.axial ? axial : r.shaft.y[0];
-  r.slope = r.shaft.y[1];
-  return r;
-}
-
 /// As text, zero where rounding left it.
 std::string across(double first, double second, const io::DeflectionResult& r) {
   const double value = std::hypot(first, second);
@@ -96,10 +32,10 @@ std::string across(double first, double second, const io::DeflectionResult& r) {
   return number(value < 1e-9 * load ? 0.0 : value);
 }
 
-void print(const DeflectionFlags& f, const model::Model& model, const BeamOfModel& b,
-           const io::DeflectionResult& r) {
-  const bearing::Arrangement& a = b.sets.arrangement();
-  fmt::print("Deflection of {} under {} at {:.6g} mm, {:.6g} rpm, {}\n", model.name,
+void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
+  const io::DeflectionResult& r = found.result;
+  const bearing::Arrangement& a = found.beam.sets.arrangement();
+  fmt::print("Deflection of {} under {} at {:.6g} mm, {:.6g} rpm, {}\n", found.file.model.name,
              io::load_words(r), f.at_mm, f.speed_rpm, f.warm ? "warm" : "cold");
   if (r.sets.converged())
     fmt::print(
@@ -154,43 +90,34 @@ int run(const DeflectionFlags& f) {
   const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse_naming_replace;
   if (to_file) io::require_writable(f.output, if_exists);
   f.report.check(if_exists);
-  if (f.force_N == 0.0 && f.moment_Nm == 0.0)
-    throw io::InputError("raceway deflection: --force = 0 N: a force or a --moment is needed",
-                         {.key = "--force"});
-  if (f.direction == "axial" && (f.axial_force_N != 0.0 || f.moment_Nm != 0.0))
-    throw io::InputError(
-        fmt::format("raceway deflection: --{} goes with a radial --force, which may be 0",
-                    f.moment_Nm != 0.0 ? "moment" : "axial-force"),
-        {.key = "--direction"});
+  const session::DeflectionQuestion question{.force = f.force_N,
+                                             .axial = f.direction == "axial",
+                                             .axial_force = f.axial_force_N,
+                                             .moment = f.moment_Nm,
+                                             .at = f.at_mm * mm,
+                                             .speed = f.speed_rpm * rpm,
+                                             .warm = f.warm,
+                                             .coolant_on = f.coolant == "on",
+                                             .wording = session::Wording::flags};
+  session::check(question);
   const io::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
-  BeamOfModel b = beam_of(file, f.at_mm * mm);
-  const io::DeflectionResult r = solve_deflection(f, file.model, b);
+  const session::SpindleDeflection found = session::spindle_deflection(file, question);
   if (!f.output.empty()) {
-    const std::string csv = io::deflection_text(b.beam, r, file.source, file.text);
     if (to_file) {
-      io::write_text(f.output, csv, if_exists);
-      say(fmt::format("{} written, {} places", f.output, b.beam.nodes().size()));
+      io::write_text(f.output, found.csv(), if_exists);
+      say(fmt::format("{} written, {} places", f.output, found.beam.beam.nodes().size()));
     } else {
-      fmt::print("{}", csv);
+      fmt::print("{}", found.csv());
     }
   }
   if (f.json)
-    put_document(io::deflection_json(b.sets.arrangement(), r, file.source));
+    put_document(found.json());
   else if (f.output.empty())
-    print(f, file.model, b, r);
-  constexpr double rigid = 1e6;  // times as stiff
-  f.report.write(
-      [&] {
-        return io::deflection_report(session::of_page(file, file.model), b.sets.arrangement(),
-                                     b.beam, b.places, f.warm, r, tangent_line(b, r),
-                                     tangent_line(b, r, rigid));
-      },
-      if_exists);
-  tell({"the housing is rigid: what it gives way by is not in these displacements"});
-  if (r.converged()) return done;
-  warn(fmt::format("{:.6g} rpm: {}{}", f.speed_rpm, r.status(),
-                   r.sets.message.empty() ? "" : ", " + r.sets.message));
-  return not_converged;
+    print(f, found);
+  f.report.write([&] { return found.page(); }, if_exists);
+  tell(found.notes());
+  warn(found.warnings());
+  return found.converged() ? done : not_converged;
 }
 
 }  // namespace
@@ -204,9 +131,10 @@ Run setup_deflection(CLI::App& command) {
              "[N]; axial: positive towards the tool; default 0");
   add_number(command, "--axial-force", flags->axial_force_N, signed_load_range,
              "[N] beside a radial force, positive towards the tool");
-  add_number(command, "--moment", flags->moment_Nm, moment_load_range,
+  add_number(command, "--moment", flags->moment_Nm, session::moment_load_range,
              "[N m] at the same place; positive: as the force further in front, at the tool");
-  add_number(command, "--at", flags->at_mm, at_range, "[mm] behind the nose face; default 0");
+  add_number(command, "--at", flags->at_mm, session::at_range,
+             "[mm] behind the nose face; default 0");
   command.add_option("--direction", flags->direction, "radial or axial; default radial")
       ->check(CLI::IsMember({"radial", "axial"}))
       ->type_name("WORD");

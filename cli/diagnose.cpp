@@ -18,8 +18,7 @@
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "io/diagnosis_results.h"
-#include "io/record_report.h"
-#include "session/correction_input.h"
+#include "session/correction_loop.h"
 #include "session/loop_question.h"
 #include "session/open_input.h"
 
@@ -142,6 +141,7 @@ void print_intervals(const fit::Diagnosis& d) {
         fmt::print("{}.{}: {}{}{} (95 % interval; in practice {})\n", e.id, p.name,
                    range_text(p.interval.lower, p.interval.upper), p.unit == "1" ? "" : " ",
                    p.unit == "1" ? "" : p.unit, range_text(p.plausible_lower, p.plausible_upper));
+  if (d.sets.empty()) return;
   for (const fit::Parameter& b : d.base)
     fmt::print("{}: {} without, {} with what is missing{}\n", b.name, number(b.start),
                number(b.value), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
@@ -354,15 +354,10 @@ int show(const DiagnoseFlags& flags, const std::string& source, const fit::Subje
 }
 
 int run_correction(const DiagnoseFlags& flags) {
-  session::CorrectionQuestion asked =
-      session::ask_correction(messages(), flags.model, session::files(flags.data),
-                              flags.loop.displacement, flags.loop.reading);
-  flags.loop.tolerance.set(asked.model, asked.file.source);
-  session::prepare_fit(messages(), asked.model, asked.file.source, asked.data);
-  const correction::CorrectionSubject subject(asked.model);
-  return show(flags, asked.file.source, subject, asked.data, [&](const fit::Diagnosis& d) {
-    return io::record_diagnosis_report(asked.file.source, asked.data, d, asked.file.defaults, {});
-  });
+  const session::CorrectionLoop asked =
+      session::ask_correction_loop(messages(), flags.model, session::files(flags.data), flags.loop);
+  return show(flags, asked.file.source, *asked.subject, asked.data,
+              [&](const fit::Diagnosis& d) { return session::diagnosis_page(asked, d); });
 }
 
 int run(const DiagnoseFlags& flags) {

@@ -14,6 +14,7 @@
 #include "io/output_file.h"
 #include "io/report.h"
 #include "io/shaft_results.h"
+#include "session/bands.h"
 #include "session/law_statement.h"
 #include "session/open_input.h"
 #include "session/shaft_answers.h"
@@ -147,7 +148,7 @@ int run(const DisplacementFlags& flags) {
     put_document(io::displacement_json(model, asked, predictions, of_band));
   } else if (flags.output.empty()) {
     print(model, asked, predictions, of_band);
-    if (band) fmt::print("+-: {}\n", band_statement(*band));
+    if (band) fmt::print("+-: {}\n", session::band_statement(*band));
   }
   const std::vector<std::string> said = warnings(model, asked, predictions);
   flags.report.write(

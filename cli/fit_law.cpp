@@ -9,11 +9,9 @@
 #include "cli/number_flag.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "io/displacement_curve.h"
 #include "io/error.h"
-#include "io/kinematic_results.h"
 #include "io/output_file.h"
-#include "session/law_statement.h"
+#include "session/law_fit.h"
 #include "session/reading.h"
 #include "shaft/displacement_table.h"
 
@@ -48,18 +46,6 @@ void print(const shaft::KinematicLawFit& f, const std::string& source,
   fmt::print("\n{}\n", statement);
 }
 
-std::optional<io::LawAtSpeed> at_speed(const FitLawFlags& flags, const shaft::KinematicLaw& law) {
-  if (std::isnan(flags.at)) return std::nullopt;
-  const io::LawAtSpeed at{flags.at * rpm, evaluate(law, flags.at * rpm)};
-  if (!at.value.inside)
-    throw io::InputError(fmt::format("--at = {:.10g} rpm: the law is valid from {:.10g} to {:.10g} "
-                                     "rpm, where its rows lie; it "
-                                     "is not extrapolated",
-                                     flags.at, law.lowest_speed / rpm, law.highest_speed / rpm),
-                         {.key = "--at"});
-  return at;
-}
-
 int run(const FitLawFlags& flags) {
   if (flags.curve == "-" && isatty(STDIN_FILENO) != 0)
     throw io::InputError("raceway fit-law: CSV is missing, and nothing is piped in",
@@ -71,24 +57,14 @@ int run(const FitLawFlags& flags) {
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (to_file) io::require_writable(flags.output, if_exists);
 
-  const io::DisplacementCurve curve =
-      io::read_displacement_curve(flags.curve, flags.reading.options());
-  tell(curve.notes);
-  const shaft::KinematicLawFit f = [&] {
-    try {
-      return shaft::fit_kinematic_law(curve.points);
-    } catch (const std::invalid_argument& e) {
-      throw io::InputError(curve.source + ": " + e.what(), {.file = curve.source});
-    }
-  }();
-  warn(f.notes);
-  const std::optional<io::LawAtSpeed> at = at_speed(flags, f.law);
-  const std::string words =
-      session::law_statement(f, flags.output.empty() ? "-o FILE writes it" : flags.output);
+  const session::LawFit found = session::fit_law(messages(), flags.curve, flags.reading, flags.at);
+  const shaft::KinematicLawFit& f = found.fit;
+  const io::DisplacementCurve& curve = found.curve;
+  const std::string table_file = flags.output.empty() ? "-o FILE writes it" : flags.output;
   if (flags.json) {
-    put_document(io::kinematic_law_json(f, words, at));
+    put_document(found.json(table_file));
   } else if (f.converged() && flags.output != "-") {
-    print(f, curve.source, at, words);
+    print(f, curve.source, found.at, found.statement(table_file));
   }
   // The table rests on the rows alone and is written also where no law was found.
   if (!flags.output.empty()) {

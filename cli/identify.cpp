@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -13,93 +12,23 @@
 #include "cli/progress.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "correction/alignment.h"
 #include "correction/baseline.h"
-#include "correction/lag_bank.h"
 #include "io/correction_results.h"
 #include "io/error.h"
 #include "io/names.h"
 #include "io/output_file.h"
-#include "io/series_file.h"
-#include "record/series_channel.h"
 #include "session/correction_input.h"
-#include "session/open_input.h"
+#include "session/identification.h"
 
 namespace raceway::cli {
 namespace {
 
 struct IdentifyFlags {
-  std::string model, data, validate, output, order = "1:3", baseline;
-  std::vector<std::string> inputs, lags;
+  std::string model, data, validate, output;
+  session::IdentifyChoices choices;
   session::Reading reading;
   bool json = false, force = false;
 };
-
-/// "2" or "1:3"
-std::pair<int, int> orders(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  const auto number = [&](std::string_view part) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (error != std::errc() || end != part.data() + part.size() || value < 1 || value > 6)
-      throw io::InputError(fmt::format("--order {}: must be a number of sections from 1 to 6, or a "
-                                       "range of them as 1:3",
-                                       text),
-                           {.key = "--order"});
-    return value;
-  };
-  const std::string_view all = text;
-  if (colon == text.npos) return {number(all), number(all)};
-  const std::pair result{number(all.substr(0, colon)), number(all.substr(colon + 1))};
-  if (result.first > result.second)
-    throw io::InputError(fmt::format("--order {}: the first is above the second", text),
-                         {.key = "--order"});
-  return result;
-}
-
-/// Columns that may drive a channel, by name; "all" means every input that varies.
-std::vector<const record::Channel*> offered(const std::vector<std::string>& names,
-                                            const record::Record& record) {
-  std::vector<const record::Channel*> list;
-  if (names.size() == 1 && names.front() == "all") {
-    for (const record::Column& c : record.columns) {
-      const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
-      if (c.channel->is_input() && *low < *high) list.push_back(c.channel);
-    }
-    return list;
-  }
-  for (const std::string& name : names) {
-    const record::Channel* const c = record::series_channel(name);
-    if (!c || !c->is_input() || !record.has(*c)) {
-      std::vector<std::string> known;
-      for (const record::Column& column : record.columns) known.emplace_back(column.channel->name);
-      throw io::InputError(fmt::format("--inputs {}: {} has no such input{}", name, record.source,
-                                       io::suggestion(name, known)),
-                           {.file = record.source, .key = "--inputs"});
-    }
-    list.push_back(c);
-  }
-  return list;
-}
-
-/// Time constants of a bank of lags [s], none for "auto".
-std::vector<double> lags_of(const IdentifyFlags& flags) {
-  std::vector<double> list;
-  if (flags.lags.size() == 1 && flags.lags.front() == "auto") return list;
-  for (const std::string& text : flags.lags) {
-    double value = -1.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    constexpr double longest = 1e7;
-    if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) ||
-        value > longest)
-      throw io::InputError(fmt::format("--lags {}: must be auto, or time constants from 0 (at "
-                                       "once) to 1e7 s by comma, as 0,1200,3600",
-                                       text),
-                           {.key = "--lags"});
-    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
-  }
-  return list;
-}
 
 /// Gains of a bank of lags, an input in each line.
 void print_bank(const correction::Identification& found) {
@@ -186,49 +115,6 @@ void print(const correction::Identification& found, const record::Record& record
       number(found.noise / um, 2), found.condition, found.correlation_time / 60.0);
 }
 
-void require_readings(const correction::Model& model, const record::Record& record) {
-  if (!record.has(*model.displacement))
-    throw io::InputError(
-        fmt::format("{}: has no column {}", record.source, model.displacement->name),
-        {.file = record.source, .key = std::string(model.displacement->name)});
-}
-
-correction::Identification identified(const correction::Model& model, const record::Record& record,
-                                      const IdentifyFlags& flags, const std::string& source) {
-  const auto [lowest, highest] = orders(flags.order);
-  if (flags.baseline == "regression") {
-    try {
-      return correction::regression_baseline(model, offered(flags.inputs, record), record);
-    } catch (const std::invalid_argument& e) {
-      session::refuse_data(source, record, e);
-    }
-  }
-  correction::IdentifyOptions options{
-      .lowest_order = lowest, .highest_order = highest, .offered = offered(flags.inputs, record)};
-  constexpr double an_hour = 3600.0;
-  const InterruptFlag interrupt(an_hour);
-  options.cancelled = [] { return InterruptFlag::raised().load(); };
-  std::optional<Progress> bar;
-  if (shows_progress()) {
-    bar.emplace();
-    options.progress = [&bar](double share, std::string_view step) { bar->show(share, step); };
-  }
-  try {
-    if (!flags.lags.empty())
-      return correction::identify_lag_bank(
-          model, record,
-          {.inputs = offered(flags.inputs.empty() ? std::vector<std::string>{"all"} : flags.inputs,
-                             record),
-           .time_constants = lags_of(flags),
-           .progress = options.progress,
-           .cancelled = options.cancelled});
-    return correction::identify(model, record, options);
-  } catch (const std::invalid_argument& e) {
-    throw io::InputError(fmt::format("{} with {}: {}", record.source, source, e.what()),
-                         {.file = record.source});
-  }
-}
-
 /// What the found models are worth on a record that they did not see.
 std::vector<io::Validation> validated(const std::vector<correction::Model>& models,
                                       const IdentifyFlags& flags, const io::CorrectionFile& file) {
@@ -237,20 +123,14 @@ std::vector<io::Validation> validated(const std::vector<correction::Model>& mode
   const record::Record other =
       session::open_series(messages(), flags.validate, models, flags.reading.options(file.columns));
   for (const correction::Model& model : models) {
-    require_readings(model, other);
-    const auto subject = correction::aligned(model, other, correction::Zero::mean);
-    const correction::Series series(other);
-    const correction::Beyond beyond = correction::beyond_range(model, series);
-    list.push_back({.data = other.source,
-                    .metrics = correction::metrics(other.values(*model.displacement),
-                                                   fit::predict(*subject, other)),
-                    .rows_beyond_range = beyond.rows()});
-    const correction::Metrics& m = list.back().metrics;
+    const session::Validated one = session::validated(model, other);
+    list.push_back(one.validation);
+    const correction::Metrics& m = one.validation.metrics;
     if (!flags.json)
       fmt::print("on {}: {} RMS {} um, largest {} um, fit {} %\n", other.source,
                  model.displacement->name, number(m.rms / um, 3), number(m.max_abs / um, 3),
                  number(m.fit_percent, 3));
-    warn(session::range_notes(model, series, beyond));
+    warn(one.warnings);
   }
   return list;
 }
@@ -293,65 +173,60 @@ int run_arx(const IdentifyFlags& flags) {
         "--output: an ARX model is fitted one step ahead and is not written; sections are, without "
         "--baseline",
         {.key = "--output"});
-  const auto [lowest, highest] = orders(flags.order);
-  const io::CorrectionFile file = session::open_corrections(messages(), flags.model);
-  const record::Record record =
-      session::open_series(messages(), flags.data, file.models, flags.reading.options(file.columns),
-                           flags.reading.period);
+  flags.choices.check();
+  const session::SeriesQuestion asked =
+      session::ask_series(messages(), flags.model, flags.data, flags.reading);
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
-  for (const correction::Model& model : file.models) {
-    require_readings(model, record);
-    try {
-      found.emplace_back(
-          model.displacement,
-          correction::arx_baseline(model, offered(flags.inputs, record), record, lowest, highest));
-    } catch (const std::invalid_argument& e) {
-      session::refuse_data(file.source, record, e);
-    }
-    if (!flags.json) print(*model.displacement, found.back().second, record);
+  for (const correction::Model& model : asked.file.models) {
+    found.emplace_back(model.displacement, session::arx_baseline(asked, model, flags.choices));
+    if (!flags.json) print(*model.displacement, found.back().second, asked.data);
     warn(found.back().second.messages);
   }
-  if (flags.json) put_document(io::arx_json(file.source, record, found));
+  if (flags.json) put_document(io::arx_json(asked.file.source, asked.data, found));
   return done;
 }
 
-std::string output_text(const IdentifyFlags& flags, const io::CorrectionFile& file,
-                        const std::vector<correction::Model>& models,
-                        const record::Record& record) {
-  if (flags.baseline.empty()) return io::with_corrections(file, models);
-  return io::new_corrections(models, "Multiple linear regression on " + record.source);
+/// With Ctrl-C and a bar while it lasts.
+correction::Identification identified(const IdentifyFlags& flags, session::SeriesQuestion& asked,
+                                      const correction::Model& model) {
+  session::IdentifyChoices choices = flags.choices;
+  constexpr double an_hour = 3600.0;
+  const InterruptFlag interrupt(an_hour);
+  choices.cancelled = [] { return InterruptFlag::raised().load(); };
+  std::optional<Progress> bar;
+  if (shows_progress()) {
+    bar.emplace();
+    choices.progress = [&bar](double share, std::string_view step) { bar->show(share, step); };
+  }
+  return session::identified(messages(), asked, model, choices);
 }
 
 int run(const IdentifyFlags& flags) {
-  if (flags.baseline == "arx") return run_arx(flags);
+  if (flags.choices.baseline == "arx") return run_arx(flags);
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
   if (flags.output == "-")
     throw io::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
                          {.key = "--output"});
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
-  (void)orders(flags.order);
-  (void)lags_of(flags);
-  const io::CorrectionFile file = session::open_corrections(messages(), flags.model);
-  record::Record record =
-      session::open_series(messages(), flags.data, file.models, flags.reading.options(file.columns),
-                           flags.reading.period);
+  flags.choices.check();
+  session::SeriesQuestion asked =
+      session::ask_series(messages(), flags.model, flags.data, flags.reading);
   std::vector<correction::Identification> found;
   std::vector<correction::Model> models;
-  for (const correction::Model& model : file.models) {
-    require_readings(model, record);
-    session::prepare_fit(messages(), model, file.source, record);
-    found.push_back(identified(model, record, flags, file.source));
+  for (const correction::Model& model : asked.file.models) {
+    found.push_back(identified(flags, asked, model));
     models.push_back(found.back().model);
     if (!flags.json) {
       if (found.size() > 1) fmt::print("\n");
-      print(found.back(), record);
+      print(found.back(), asked.data);
     }
     warn(found.back().messages);
   }
-  const std::vector<io::Validation> validations = validated(models, flags, file);
-  if (flags.json) put_document(io::identification_json(file.source, record, found, validations));
+  const std::vector<io::Validation> validations = validated(models, flags, asked.file);
+  if (flags.json)
+    put_document(io::identification_json(asked.file.source, asked.data, found, validations));
   if (!flags.output.empty()) {
-    io::write_text(flags.output, output_text(flags, file, models, record), if_exists);
+    io::write_text(flags.output, session::identified_text(asked, models, flags.choices), if_exists);
     say(flags.output + " written");
   }
   return done;
@@ -368,19 +243,19 @@ Run setup_identify(CLI::App& command) {
       ->type_name("");
   command.add_option("RECORD", flags->data, "record over time (CSV)")->required()->type_name("");
   command
-      .add_option("--order", flags->order,
+      .add_option("--order", flags->choices.order,
                   "sections of each channel, as 2 or 1:3; chosen by the error on parts of the\n"
                   "record that no fit saw; default 1:3")
       ->type_name("N");
   command
-      .add_option("--inputs", flags->inputs,
+      .add_option("--inputs", flags->choices.inputs,
                   "columns that may drive channels of their own (by comma), or all: taken up\n"
                   "as long as the error on parts held out falls")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("COLUMNS");
   command
-      .add_option("--lags", flags->lags,
+      .add_option("--lags", flags->choices.lags,
                   "every input through each of these lags (s, by comma, 0: at once; auto: by the\n"
                   "length of the record), gains by ridge, its strength by the error ahead: for\n"
                   "machines with many sensors; --inputs are all without more")
@@ -389,7 +264,7 @@ Run setup_identify(CLI::App& command) {
       ->type_name("S,...")
       ->excludes("--order");
   command
-      .add_option("--baseline", flags->baseline,
+      .add_option("--baseline", flags->choices.baseline,
                   "instead of sections: regression, on the inputs as they are; arx, by least\n"
                   "squares of one step, to see why it is not used")
       ->check(CLI::IsMember({"regression", "arx"}))

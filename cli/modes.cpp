@@ -1,21 +1,17 @@
-#include "spindle/modes.h"
-
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "cli/axis_flag.h"
-#include "cli/beam.h"
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
-#include "io/beam_report.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "session/open_input.h"
+#include "session/spindle_modes.h"
 
 namespace raceway::cli {
 namespace {
@@ -30,47 +26,22 @@ struct ModesFlags {
 std::vector<double> campbell_speeds(const ModesFlags& f) {
   std::vector<double> speeds = axis(f.speed, "--speed");
   require_all(speeds, speed_range, "--speed");
-  constexpr std::size_t most = 10000;
-  if (speeds.size() > most)
-    throw io::InputError(fmt::format("raceway modes: {} speeds: at most {}", speeds.size(), most),
-                         {.key = "--speed"});
   for (double& speed : speeds) speed *= rpm;
   return speeds;
 }
 
-std::vector<io::ModesAtSpeed> find_all(const ModesFlags& f, const model::Model& model,
-                                       BeamOfModel& b, const std::vector<double>& speeds) {
-  std::vector<io::ModesAtSpeed> results(speeds.size());
-  std::vector<double> held_at;
-  std::vector<std::vector<spindle::Spring>> springs;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    io::ModesAtSpeed& r = results[i];
-    r.speed = speeds[i];
-    r.sets = b.sets.at(inputs_at(model, speeds[i], f.coolant == "on"), f.warm);
-    if (!r.sets.converged()) continue;
-    r.springs = spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings);
-    held_at.push_back(speeds[i]);
-    springs.push_back(r.springs);
-  }
-  std::vector<spindle::Modes> modes = spindle::campbell(b.beam, held_at, springs, f.count);
-  auto next = modes.begin();
-  for (io::ModesAtSpeed& r : results)
-    if (r.sets.converged()) r.modes = std::move(*next++);
-  return results;
-}
-
-void print(const ModesFlags& f, const model::Model& model, const BeamOfModel& b,
-           const std::vector<io::ModesAtSpeed>& results) {
-  const bearing::Arrangement& a = b.sets.arrangement();
+void print(const ModesFlags& f, const session::SpindleModes& found) {
+  const bearing::Arrangement& a = found.beam.sets.arrangement();
   fmt::print("Modes of {}, {:.4g} kg on its bearings{}: frequency in Hz, b backward, f forward\n",
-             model.name, b.beam.weight(), f.warm ? ", warm as it runs steadily" : ", cold");
+             found.file.model.name, found.beam.beam.weight(),
+             f.warm ? ", warm as it runs steadily" : ", cold");
   fmt::print("preload {:.4g} N at standstill\n\n", a.preload());
   std::vector<TextTable::Column> columns{{"speed", "rpm"}, {"front", "N"}, {"rear", "N"}};
   for (std::size_t i = 0; i < a.bearings().size(); ++i)
     columns.push_back({fmt::format("K {}", i + 1), "N/um"});
   for (int k = 1; k <= f.count; ++k) columns.push_back({fmt::format("f{}", k), "Hz"});
   TextTable table(columns);
-  for (const io::ModesAtSpeed& r : results) {
+  for (const io::ModesAtSpeed& r : found.speeds) {
     const bool known = r.sets.converged();
     std::vector<std::string> row{fmt::format("{:.6g}", r.speed / rpm),
                                  number(known ? r.sets.equilibrium.front_force : unset),
@@ -103,40 +74,28 @@ int run(const ModesFlags& f) {
     if (!path.empty() && path != "-") io::require_writable(path, if_exists);
   f.report.check(f.force);
   const io::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
-  const std::vector<double> speeds = campbell_speeds(f);
-  BeamOfModel b = beam_of(file, 0.0);
-  const std::vector<io::ModesAtSpeed> results = find_all(f, file.model, b, speeds);
+  const session::SpindleModes found = session::spindle_modes(file, {.speeds = campbell_speeds(f),
+                                                                    .warm = f.warm,
+                                                                    .coolant_on = f.coolant == "on",
+                                                                    .count = f.count});
   const auto write = [&](const std::string& path, const std::string& text) {
     if (path == "-") {
       fmt::print("{}", text);
       return;
     }
     io::write_text(path, text, if_exists);
-    say(fmt::format("{} written, {} speeds", path, results.size()));
+    say(fmt::format("{} written, {} speeds", path, found.speeds.size()));
   };
-  if (!f.output.empty())
-    write(f.output, io::campbell_text(b.sets.arrangement(), results, file.source, file.text));
-  if (!f.shapes.empty())
-    write(f.shapes, io::mode_shapes_text(b.beam, results, file.source, file.text));
+  if (!f.output.empty()) write(f.output, found.csv());
+  if (!f.shapes.empty()) write(f.shapes, found.shapes_csv());
   if (f.json)
-    put_document(io::campbell_json(b.sets.arrangement(), results, file.source));
+    put_document(found.json());
   else if (f.output.empty() && f.shapes.empty())
-    print(f, file.model, b, results);
-  f.report.write(
-      [&] {
-        return io::modes_report(session::of_page(file, file.model), b.sets.arrangement(), b.beam,
-                                b.places, f.warm, results);
-      },
-      f.force);
-  tell({"damping, and what gives way in the housing, are not modelled: damping_ratio is empty"});
-  bool all = true;
-  for (const io::ModesAtSpeed& r : results) {
-    if (r.converged()) continue;
-    warn(fmt::format("{:.6g} rpm: {}{}", r.speed / rpm, r.status(),
-                     r.sets.message.empty() ? "" : ", " + r.sets.message));
-    all = false;
-  }
-  return all ? done : not_converged;
+    print(f, found);
+  f.report.write([&] { return found.page(); }, f.force);
+  tell(found.notes());
+  warn(found.warnings());
+  return found.converged() ? done : not_converged;
 }
 
 }  // namespace

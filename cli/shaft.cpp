@@ -10,6 +10,7 @@
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "io/shaft_results.h"
+#include "session/bands.h"
 #include "session/load_notes.h"
 #include "session/shaft_answers.h"
 
@@ -86,7 +87,7 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
   if (!json) print(model, point, p);
   if (!json && band)
     fmt::print("\n{}\naxial displacement {} um, friction torque {} N mm, power loss {} W\n",
-               band_statement(*band), band_text(half_widths->half_widths[0], um),
+               session::band_statement(*band), band_text(half_widths->half_widths[0], um),
                band_text(half_widths->half_widths[1], N_mm),
                band_text(half_widths->half_widths[2]));
   warn(session::shaft_warnings(model, {&point, 1}, predictions));

@@ -17,7 +17,7 @@
 #include "io/error.h"
 #include "io/results.h"
 #include "model/bearing_life.h"
-#include "model/heat_split.h"
+#include "session/bands.h"
 #include "session/contact_statement.h"
 #include "session/open_input.h"
 #include "session/solve_point.h"
@@ -180,22 +180,8 @@ void print(const model::Model& model, const bearing::OperatingPoint& p,
   print_life(model, p, friction);
 }
 
-io::BandOfResult band_at(const model::Band& band, const bearing::OperatingPoint& point) {
-  io::BandOfResult result{.parameters = band.fitted(),
-                          .names = {"friction_torque_band_Nmm", "power_loss_band_W",
-                                    "inner_ring_heat_band_W", "outer_ring_heat_band_W"},
-                          .half_widths = {}};
-  result.half_widths = band([&](const model::Model& m) {
-    const model::FrictionPrediction f = model::predict_friction(m, point, true);
-    if (!f.report.converged()) return std::vector<double>(4, unset);
-    const friction::HeatSplit heat = model::heat_split(m, point, *f.equilibrium, f);
-    return std::vector<double>{f.torque, f.power_loss, heat.inner, heat.outer};
-  });
-  return result;
-}
-
 void print_band(const model::Band& band, const std::vector<double>& half_widths) {
-  fmt::print("\n{}\n", band_statement(band));
+  fmt::print("\n{}\n", session::band_statement(band));
   fmt::print("friction torque     {:>10} N mm    power loss        {:>8} W\n",
              band_text(half_widths[0], N_mm), band_text(half_widths[1]));
   fmt::print("inner ring          {:>10} W       outer ring        {:>8} W\n",
@@ -221,7 +207,7 @@ int run(const SolveFlags& flags) {
   const session::PointAnswer answer = session::solve_point(file.model, point);
   const bearing::BearingEquilibrium& e = answer.equilibrium;
   std::optional<io::BandOfResult> half_widths;
-  if (band) half_widths = band_at(*band, point);
+  if (band) half_widths = session::point_band(*band, point);
   if (flags.json) {
     put_document(io::solve_json(file.model, point, e, answer.friction, answer.heat,
                                 half_widths ? &*half_widths : nullptr));

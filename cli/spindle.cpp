@@ -1,10 +1,7 @@
-#include "spindle/spindle.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
@@ -15,12 +12,10 @@
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
-#include "io/spindle_record.h"
-#include "io/spindle_report.h"
 #include "session/open_input.h"
 #include "session/reading.h"
-#include "spindle/drawn_run.h"
-#include "spindle/record_rows.h"
+#include "session/spindle_run.h"
+#include "session/spindle_steady.h"
 
 namespace raceway::cli {
 namespace {
@@ -58,16 +53,6 @@ void check_flags(const SpindleFlags& f) {
   f.report.check(f.force);
 }
 
-io::ModelFile open_spindle(const std::string& path) {
-  io::ModelFile file = session::open_model(messages(), path, session::Accepts::rig_or_shaft);
-  if (!file.model.spindle)
-    throw io::InputError(path +
-                             ": is no spindle: with [shaft] and [housing] beside its [arrangement] "
-                             "a model is one",
-                         {.file = path, .key = "shaft"});
-  return file;
-}
-
 /// Writes onto stdout for "-", else a file; nothing for no name.
 void put_file(const SpindleFlags& f, const std::string& path, const std::string& text,
               const std::string& what) {
@@ -80,128 +65,45 @@ void put_file(const SpindleFlags& f, const std::string& path, const std::string&
   say(fmt::format("{} written, {}", path, what));
 }
 
-void put_ends(const SpindleFlags& f, const model::Model& model, spindle::Simulator& simulator,
-              const spindle::State& end) {
-  put_file(f, f.end_state, io::spindle_state_json(model, end),
+/// The end of a run or of a steady state, into the files asked for.
+template <typename Found>
+void put_ends(const SpindleFlags& f, const Found& found, const spindle::State& end) {
+  put_file(f, f.end_state, found.end_state(),
            fmt::format("{} temperatures", end.temperatures.size()));
-  if (f.field.empty()) return;
-  const std::vector<spindle::FieldCell> cells = simulator.field(end);
-  put_file(f, f.field, io::spindle_field_text(cells, model.spindle->name),
-           fmt::format("{} cells", cells.size()));
+  put_file(f, f.field, found.field_csv(), fmt::format("{} cells", found.field.size()));
 }
 
-spindle::Simulator simulator_of(const io::ModelFile& file) {
-  try {
-    return spindle::Simulator(file.model);
-  } catch (const std::invalid_argument& e) {
-    throw io::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
-  }
-}
-
-/// Sections for the page, of up to a dozen of the speeds that have a steady state.
-std::vector<io::DrawnField> fields_of(spindle::Simulator& simulator,
-                                      const std::vector<io::SteadyState>& states) {
-  constexpr std::size_t most = 12;
-  std::vector<const io::SteadyState*> found;
-  for (const io::SteadyState& s : states)
-    if (s.report.converged()) found.push_back(&s);
-  std::vector<io::DrawnField> fields;
-  const std::size_t count = std::min(most, found.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    const io::SteadyState& s = *found[count == 1 ? 0 : k * (found.size() - 1) / (count - 1)];
-    spindle::Report report;
-    static_cast<void>(simulator.steady(s.inputs, report));
-    fields.push_back({.speed = s.inputs.speed, .cells = simulator.field(simulator.state())});
-  }
-  return fields;
+double ambient_of(const SpindleFlags& f) {
+  return std::isnan(f.ambient) ? unset : kelvin(f.ambient);
 }
 
 int run_steady(const SpindleFlags& f, const io::ModelFile& file) {
-  const std::vector<double> speeds = axis(f.speed, "--speed");
-  require_all(speeds, speed_range, "--speed");
-  if ((!f.field.empty() || !f.end_state.empty()) && speeds.size() > 1)
+  session::SteadyQuestion question{.speeds = axis(f.speed, "--speed"),
+                                   .ambient_temperature = ambient_of(f),
+                                   .coolant_on = f.coolant == "on"};
+  require_all(question.speeds, speed_range, "--speed");
+  for (double& speed : question.speeds) speed *= rpm;
+  if ((!f.field.empty() || !f.end_state.empty()) && question.speeds.size() > 1)
     throw io::InputError("raceway spindle: --field and --end-state are of one speed",
                          {.key = "--speed"});
-  std::vector<spindle::Inputs> asked;
-  for (const double speed : speeds)
-    asked.push_back({.speed = speed * rpm,
-                     .ambient_temperature = std::isnan(f.ambient) ? unset : kelvin(f.ambient),
-                     .axial_load = file.model.shaft->external_load,
-                     .coolant_on = f.coolant == "on"});
-  spindle::Simulator simulator = simulator_of(file);
-  const std::vector<io::SteadyState> states = steady_states(simulator, asked);
-  const auto last = std::find_if(states.rbegin(), states.rend(),
-                                 [](const auto& s) { return s.report.converged(); });
-  const io::MeshEstimate mesh = last == states.rend() ? io::MeshEstimate{.cells = simulator.cells()}
-                                                      : mesh_estimate(file.model, last->inputs);
-  put_file(f, f.output, io::spindle_steady_text(file.model, states, file.text),
-           fmt::format("{} speed{}", states.size(), states.size() == 1 ? "" : "s"));
-  if (states.back().report.converged()) put_ends(f, file.model, simulator, simulator.state());
+  const session::SteadySpindle found = session::steady_spindle(file, question);
+  const std::size_t count = found.states.size();
+  put_file(f, f.output, found.csv(), fmt::format("{} speed{}", count, count == 1 ? "" : "s"));
+  if (found.states.back().report.converged()) put_ends(f, found, found.end);
   if (f.json)
-    put_document(io::spindle_steady_json(file.model, states, mesh));
+    put_document(found.json());
   else if (f.output != "-")
-    print_steady(file.model, states, mesh);
-  f.report.write(
-      [&] {
-        return io::spindle_steady_report(session::of_page(file, file.model), states,
-                                         fields_of(simulator, states), mesh, words(mesh));
-      },
-      f.force);
-  bool all = true;
-  for (const io::SteadyState& s : states) {
-    if (s.report.converged()) continue;
-    warn(fmt::format("{:.6g} rpm: {}: {}", s.inputs.speed / rpm, spindle::name(s.report.status),
-                     s.report.message));
-    all = false;
-  }
-  return all ? done : not_converged;
+    print_steady(found);
+  f.report.write([&] { return found.page(); }, f.force);
+  warn(found.warnings());
+  return found.converged() ? done : not_converged;
 }
 
-std::vector<spindle::ProfileRow> read_profile(const SpindleFlags& f, const io::ModelFile& file) {
-  const record::Record record =
-      io::read_spindle_record(f.profile, *file.model.spindle, f.reading.options(file));
-  tell(record.notes);
-  if (record.runs.size() > 1)
-    throw io::InputError(
-        fmt::format("{}: has {} runs; a speed programme is one", f.profile, record.runs.size()),
-        {.file = f.profile, .key = "run_id"});
-  try {
-    std::vector<spindle::ProfileRow> profile = spindle::profile_of(record);
-    for (spindle::ProfileRow& row : profile) {
-      if (f.coolant == "off") row.inputs.coolant_on = false;
-      if (!std::isnan(f.ambient)) row.inputs.ambient_temperature = kelvin(f.ambient);
-      if (!record.has(record::axial_load)) row.inputs.axial_load = file.model.shaft->external_load;
-    }
-    return profile;
-  } catch (const std::invalid_argument& e) {
-    throw io::InputError(e.what(), {.file = f.profile});
-  }
-}
-
-/// What to begin with; a programme that begins before it counts its time anew.
-std::optional<spindle::State> read_start(const SpindleFlags& f, double first_row) {
-  if (f.start.empty()) {
-    if (first_row < 0.0)
-      throw io::InputError(
-          fmt::format("{}: time_s = {:.6g} s: a programme begins at 0 s", f.profile, first_row),
-          {.file = f.profile, .key = "time_s"});
-    return std::nullopt;
-  }
-  spindle::State start = io::read_spindle_state(f.start);
-  if (first_row < start.time) {
-    tell(
-        {fmt::format("{} is of {:.6g} s, and the programme begins at {:.6g} s: its time counts "
-                     "from that state on",
-                     f.start, start.time, first_row)});
-    start.time = std::min(0.0, first_row);
-  }
-  return start;
-}
-
-void print_run(const model::Model& model, const spindle::Run& run, std::size_t asked,
-               const io::MeshEstimate& mesh) {
+void print_run(const session::SpindleRun& found) {
+  const model::Model& model = found.file.model;
+  const spindle::Run& run = found.run;
   fmt::print("{}: {} of {} rows, {} steps, {} of them taken back\n", model.spindle->name,
-             run.moments.size(), asked, run.report.steps + run.report.rejected,
+             run.moments.size(), found.profile.size(), run.report.steps + run.report.rejected,
              run.report.rejected);
   if (run.moments.empty()) return;
   const spindle::Moment& m = run.moments.back();
@@ -220,61 +122,33 @@ void print_run(const model::Model& model, const spindle::Run& run, std::size_t a
   }
   fmt::print("friction {} W at the end; energy kept within {:.1g} of the turnover\n",
              number(m.heat.friction), run.report.energy_error);
-  fmt::print("{}\n", words(mesh));
-}
-
-std::string page_of(const SpindleFlags& f, const io::ModelFile& file, spindle::Simulator& simulator,
-                    std::span<const spindle::ProfileRow> profile, const spindle::State* start,
-                    const spindle::Run& run, const io::MeshEstimate& mesh) {
-  const spindle::DrawnRun drawn = spindle::drawn_run(simulator, profile, start, run);
-  std::vector<io::DrawnField> fields;
-  for (const spindle::State& state : drawn.states) {
-    const auto row = std::lower_bound(drawn.rows.begin(), drawn.rows.end(), state.time,
-                                      [](const auto& r, double time) { return r.time < time; });
-    fields.push_back({.time = state.time,
-                      .speed = row == drawn.rows.end() ? unset : row->inputs.speed,
-                      .cells = simulator.field(state)});
-  }
-  return io::spindle_run_report(session::of_page(file, file.model), f.profile, profile.size(), run,
-                                drawn, fields, mesh, words(mesh));
+  fmt::print("{}\n", session::words(found.mesh));
 }
 
 int run_profile(const SpindleFlags& f, const io::ModelFile& file) {
-  const std::vector<spindle::ProfileRow> profile = read_profile(f, file);
-  const std::optional<spindle::State> start = read_start(f, profile.front().time);
-  spindle::Simulator simulator = simulator_of(file);
-  spindle::Run run;
-  try {
-    run = simulator.simulate(profile, start ? &*start : nullptr);
-  } catch (const std::invalid_argument& e) {
-    throw io::InputError(fmt::format("{} with {}: {}", f.profile, file.source, e.what()),
-                         {.file = f.start.empty() ? f.profile : f.start});
-  }
-  const auto fastest = std::max_element(
-      profile.begin(), profile.end(),
-      [](const auto& a, const auto& b) { return a.inputs.speed < b.inputs.speed; });
-  const io::MeshEstimate mesh = f.json || f.output != "-" || !f.report.path.empty()
-                                    ? mesh_estimate(file.model, fastest->inputs)
-                                    : io::MeshEstimate{.cells = simulator.cells()};
-  put_file(f, f.output, io::spindle_run_text(file.model, profile, run, file.text),
-           fmt::format("{} rows", run.moments.size()));
-  put_ends(f, file.model, simulator, run.end);
+  session::RunQuestion question{.programme = f.profile,
+                                .reading = f.reading,
+                                .ambient_temperature = ambient_of(f),
+                                .coolant_on = f.coolant == "on",
+                                .mesh = f.json || f.output != "-" || !f.report.path.empty()};
+  if (!f.start.empty()) question.start = f.start;
+  const session::SpindleRun found = session::simulate_spindle(messages(), file, question);
+  put_file(f, f.output, found.csv(), fmt::format("{} rows", found.run.moments.size()));
+  put_ends(f, found, found.run.end);
   if (f.json)
-    put_document(io::spindle_run_json(file.model, profile, run, mesh));
+    put_document(found.json());
   else if (f.output != "-")
-    print_run(file.model, run, profile.size(), mesh);
-  f.report.write(
-      [&] { return page_of(f, file, simulator, profile, start ? &*start : nullptr, run, mesh); },
-      f.force);
-  if (run.report.converged()) return done;
-  warn(fmt::format("{}: {} at {:.6g} s; {} of {} rows are there", spindle::name(run.report.status),
-                   run.report.message, run.end.time, run.moments.size(), profile.size()));
-  return not_converged;
+    print_run(found);
+  f.report.write([&] { return found.page(); }, f.force);
+  warn(found.warnings());
+  return found.converged() ? done : not_converged;
 }
 
 int run(const SpindleFlags& flags) {
   check_flags(flags);
-  const io::ModelFile file = open_spindle(flags.model);
+  const io::ModelFile file =
+      session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
+  session::require_spindle(file);
   return flags.steady ? run_steady(flags, file) : run_profile(flags, file);
 }
 

@@ -82,71 +82,16 @@ void print_list(const model::Model& model, const std::vector<io::SteadyState>& s
   fmt::print("Steady states of {}\n\n{}", model.spindle->name, table.text(terminal_width()));
 }
 
-model::Cells other_cells(model::Cells cells) {
-  return cells == model::Cells::coarse ? model::Cells::medium
-         : cells == model::Cells::fine ? model::Cells::medium
-                                       : model::Cells::fine;
-}
-
-double hottest_inner_ring(const spindle::Moment& m) {
-  double hottest = unset;
-  for (const spindle::BearingState& b : m.bearings)
-    hottest = std::fmax(hottest, b.inner_ring_temperature);
-  return hottest;
-}
-
 }  // namespace
 
-std::vector<io::SteadyState> steady_states(spindle::Simulator& simulator,
-                                           const std::vector<spindle::Inputs>& asked) {
-  std::vector<io::SteadyState> list;
-  for (const spindle::Inputs& inputs : asked) {
-    io::SteadyState s;
-    s.inputs = inputs;
-    s.moment = simulator.steady(inputs, s.report);
-    if (s.report.converged() && simulator.sets()) {
-      s.axial_stiffness = simulator.sets()->axial_stiffness;
-      s.bearings = simulator.sets()->bearings;
-    }
-    list.push_back(std::move(s));
-  }
-  return list;
-}
-
-io::MeshEstimate mesh_estimate(const model::Model& model, const spindle::Inputs& inputs) {
-  spindle::Simulator own(model);
-  io::MeshEstimate mesh{.cells = own.cells()};
-  if (model.spindle->network) return mesh;
-  model::Model changed = model;
-  changed.spindle->cells = other_cells(model.spindle->cells);
-  spindle::Simulator other(changed);
-  spindle::Report report, report_of_other;
-  const spindle::Moment a = own.steady(inputs, report), b = other.steady(inputs, report_of_other);
-  if (!report.converged() || !report_of_other.converged()) return mesh;
-  mesh.other_cells = other.cells();
-  mesh.speed = inputs.speed;
-  mesh.displacement = a.displacement - b.displacement;
-  mesh.inner_ring_rise = hottest_inner_ring(a) - hottest_inner_ring(b);
-  mesh.front_force = a.front_force - b.front_force;
-  return mesh;
-}
-
-std::string words(const io::MeshEstimate& mesh) {
-  if (!mesh.known()) return fmt::format("{} cells", mesh.cells);
-  return fmt::format(
-      "{} cells; {} give {:+.2g} um, {:+.2g} K of the hottest inner ring and {:+.2g} N in front "
-      "where all is steady at {:.6g} rpm",
-      mesh.cells, mesh.other_cells, -mesh.displacement / um, -mesh.inner_ring_rise,
-      -mesh.front_force, mesh.speed / rpm);
-}
-
-void print_steady(const model::Model& model, const std::vector<io::SteadyState>& states,
-                  const io::MeshEstimate& mesh) {
+void print_steady(const session::SteadySpindle& found) {
+  const model::Model& model = found.file.model;
+  const std::vector<io::SteadyState>& states = found.states;
   if (states.size() == 1)
     print_one(model, states.front());
   else
     print_list(model, states);
-  fmt::print("{}{}\n", states.size() == 1 ? "" : "\n", words(mesh));
+  fmt::print("{}{}\n", states.size() == 1 ? "" : "\n", session::words(found.mesh));
 }
 
 }  // namespace raceway::cli

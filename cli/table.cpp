@@ -27,6 +27,7 @@
 #include "io/table_exchange.h"
 #include "io/table_file.h"
 #include "io/table_plot.h"
+#include "session/bands.h"
 #include "session/contact_statement.h"
 #include "session/open_input.h"
 #include "session/reading.h"
@@ -93,39 +94,6 @@ friction::TableSlab slab(const std::string& text) {
         "--slab: " + io::quoted(text) + ": write i/N with i from 1 to N, N up to a million, as 2/4",
         {.key = "--slab"});
   return {.index = index - 1, .count = count};
-}
-
-/// The columns of the band, behind all others.
-std::vector<std::string> band_columns(const model::Model& model) {
-  std::vector<std::string> names{"friction_torque_band_Nmm", "power_loss_band_W"};
-  if (model.shaft) names.insert(names.begin(), "axial_displacement_band_um");
-  return names;
-}
-
-/// Friction torque and loss of a bearing at every point.
-std::vector<double> numbers_with_band(const model::Model& model,
-                                      std::span<const bearing::OperatingPoint> points) {
-  std::vector<model::FrictionPrediction> predictions(points.size());
-  model::predict_sweep(model, points, predictions);
-  std::vector<double> numbers;
-  for (const model::FrictionPrediction& p : predictions) {
-    numbers.push_back(p.torque);
-    numbers.push_back(p.power_loss);
-  }
-  return numbers;
-}
-
-/// Fills in the last columns of a line.
-void fill_band(const model::Model& model, const model::Band& band,
-               std::span<const bearing::OperatingPoint> points,
-               std::span<friction::TablePoint> out) {
-  const std::vector<double> half_widths =
-      model.shaft ? session::shaft_band(band, session::shaft_points(points)).half_widths
-                  : band([&](const model::Model& m) { return numbers_with_band(m, points); });
-  const std::size_t count = band_columns(model).size();
-  for (std::size_t i = 0; i < points.size(); ++i)
-    std::copy_n(half_widths.begin() + static_cast<std::ptrdiff_t>(i * count), count,
-                out[i].columns.end() - static_cast<std::ptrdiff_t>(count));
 }
 
 /// Speed down, axial load across, a block for each radial load and temperature.
@@ -263,7 +231,7 @@ int run(const TableFlags& flags) {
   const std::optional<model::Band> band = flags.band.of(file);
   std::vector<std::string> names = session::table_columns(model);
   if (band)
-    for (std::string& name : band_columns(model)) names.push_back(std::move(name));
+    for (std::string& name : session::band_columns(model)) names.push_back(std::move(name));
   require_memory(grid, part, names.size(),
                  flags.json             ? TableForm::json
                  : flags.output.empty() ? TableForm::text
@@ -282,7 +250,7 @@ int run(const TableFlags& flags) {
       grid, std::move(names),
       [&](auto given, auto out) {
         session::fill_table_line(model, given, out);
-        if (band) fill_band(model, *band, given, out);
+        if (band) session::fill_band(model, *band, given, out);
       },
       progress(0.0, solved, {}), part);
   if (!flags.output.empty()) {
@@ -306,9 +274,10 @@ int run(const TableFlags& flags) {
     put_document(io::table_json(model, table, band ? &of_band : nullptr));
   } else if (flags.output.empty()) {
     print(model, table);
-    if (band) fmt::print("\n+-: {}\n", band_statement(*band));
+    if (band) fmt::print("\n+-: {}\n", session::band_statement(*band));
   }
-  if (band && (flags.json || !flags.output.empty())) tell({"band: " + band_statement(*band)});
+  if (band && (flags.json || !flags.output.empty()))
+    tell({"band: " + session::band_statement(*band)});
   flags.report.write(
       [&] {
         return io::table_report(file.source, model, table, states_to_draw(model, grid),

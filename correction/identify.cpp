@@ -14,6 +14,7 @@
 #include "correction/range.h"
 #include "correction/simulation.h"
 #include "fit/compare.h"
+#include "fit/problem.h"
 #include "fit/thinned_record.h"
 #include "record/series_channel.h"
 
@@ -67,6 +68,11 @@ class Search {
     return {.cancelled = options_.cancelled};
   }
 
+  /// A search that was told to end leaves numbers that are none.
+  void stop_where_cancelled() const {
+    if (options_.cancelled && options_.cancelled()) throw fit::Cancelled();
+  }
+
   [[nodiscard]] double in_SI(double weighted) const {
     return std::isfinite(model_.tolerance) ? weighted * model_.tolerance : weighted;
   }
@@ -87,9 +93,11 @@ class Search {
                                               recorded_->means.list.size(),
                                               model.displacement->words, subject->free().size()));
     Approximation a = fit::approximate(subject, *recorded_, subject->free(), search());
+    stop_where_cancelled();
     if (a.fit.values.size() == 0)
       throw std::invalid_argument("no start of the search has a finite error");
     fit::hold_out(a, *recorded_);
+    stop_where_cancelled();
     return a;
   }
 

@@ -18,7 +18,7 @@ struct IdentifyOptions {
   std::vector<const Channel*> offered{};
   std::size_t most_channels = 6;
   std::function<void(double share, std::string_view step)> progress{};
-  std::function<bool()> cancelled{};
+  std::function<bool()> cancelled{};  ///< where it is true identify() throws fit::Cancelled
 };
 
 /// A structure that was tried, and how well it predicts what it did not see.

@@ -15,6 +15,7 @@
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "fit/noise.h"
+#include "fit/problem.h"
 #include "record/series_channel.h"
 
 namespace raceway::correction {
@@ -261,8 +262,7 @@ class Bank {
   }
 
   void step(double share, std::string_view what) const {
-    if (options_.cancelled && options_.cancelled())
-      throw std::invalid_argument("interrupted before the bank was fitted");
+    if (options_.cancelled && options_.cancelled()) throw fit::Cancelled();
     if (options_.progress) options_.progress(share, what);
   }
 

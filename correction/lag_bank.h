@@ -12,7 +12,7 @@ struct LagBankOptions {
   /// Of the lags of every input [s], 0: at once. Empty: usual_lags().
   std::vector<double> time_constants{};
   std::function<void(double share, std::string_view step)> progress{};
-  std::function<bool()> cancelled{};
+  std::function<bool()> cancelled{};  ///< as of IdentifyOptions
 };
 
 /// At once, and lags of a hundredth of the longest run and of three times that, up to a quarter of

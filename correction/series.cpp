@@ -150,8 +150,10 @@ std::size_t Series::rows_beyond_table(const Input& input) const {
                                                   : std::span<const double>();
   std::size_t count = 0;
   for (std::size_t k = 0; k < rows(); ++k)
-    count += input.table->holds(speed_rpm_[k] * rpm, input.axial_load,
-                                temperature.empty() ? input.temperature : temperature[k])
+    // At rest there is no power, whatever the torque.
+    count += speed_rpm_[k] == 0.0 ||
+                     input.table->holds(speed_rpm_[k] * rpm, input.axial_load,
+                                        temperature.empty() ? input.temperature : temperature[k])
                  ? 0
                  : 1;
   return count;

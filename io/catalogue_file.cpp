@@ -77,6 +77,16 @@ fs::path this_binary() {
   return fs::read_symlink("/proc/self/exe", ignored);
 }
 
+/// What bin/raceway, lib/x86_64-linux-gnu/libraceway_c.so or lib/python3/dist-packages/... is
+/// below.
+fs::path own_prefix() {
+  const fs::path place = this_binary().parent_path();
+  for (fs::path folder = place; folder.has_relative_path(); folder = folder.parent_path())
+    if (const fs::path name = folder.filename(); name == "bin" || name == "lib" || name == "lib64")
+      return folder.parent_path();
+  return place.parent_path();
+}
+
 bool is_folder(const fs::path& path) {
   std::error_code ignored;
   return fs::is_directory(path, ignored);
@@ -94,9 +104,8 @@ std::string own_data_directory() {
 }
 
 std::string data_directory() {
-  const fs::path beside = this_binary().parent_path().parent_path(), data = "share/raceway";
-  const std::array candidates{beside / data, beside.parent_path() / data,
-                              fs::path(RACEWAY_DATA_DIR), fs::path(RACEWAY_INSTALLED_DATA_DIR)};
+  const std::array candidates{own_prefix() / "share/raceway", fs::path(RACEWAY_DATA_DIR),
+                              fs::path(RACEWAY_INSTALLED_DATA_DIR)};
   for (const fs::path& candidate : candidates)
     if (is_folder(candidate / "bearings")) return candidate.string();
   return {};

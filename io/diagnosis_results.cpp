@@ -11,14 +11,22 @@ namespace raceway::io {
 namespace {
 
 using Channels = std::vector<const record::Channel*>;
+using Counts = std::vector<ChannelCount>;
 
-Channels channels_of(const fit::Diagnosis& d) {
-  Channels list;
-  for (const fit::ChannelDiagnosis& c : d.channels) list.push_back(&c.channel());
+Counts counts_of(const fit::Diagnosis& d) {
+  Counts list;
+  for (const fit::ChannelDiagnosis& c : d.channels) list.push_back({&c.channel(), c.baseline.rows});
   return list;
 }
 
-json size_objects(const std::vector<record::Parameter>& sizes) {
+Channels channels_of(const Counts& counts) {
+  Channels list;
+  for (const ChannelCount& c : counts) list.push_back(c.channel);
+  return list;
+}
+
+/// `size`: which of them gives an effect its size.
+json size_objects(const std::vector<record::Parameter>& sizes, std::size_t size) {
   json parameters = json::object();
   for (const record::Parameter& p : sizes)
     parameters[p.name] = {{"value", p.value},
@@ -29,7 +37,15 @@ json size_objects(const std::vector<record::Parameter>& sizes) {
                           {"plausible", p.plausible},
                           {"plausible_from", p.plausible_lower},
                           {"plausible_to", p.plausible_upper},
-                          {"at_bound", p.at_bound != record::Bound::none}};
+                          {"at_bound", p.at_bound != record::Bound::none},
+                          {"is_size", &p == &sizes[size]}};
+  return parameters;
+}
+
+/// Of a formula, in which none is more than another.
+json coefficient_objects(const std::vector<record::Parameter>& coefficients) {
+  json parameters = size_objects(coefficients, 0);
+  for (json& p : parameters) p.erase("is_size");
   return parameters;
 }
 
@@ -71,8 +87,9 @@ class PlainIds {
 };
 
 /// `limited`: a tolerance decides.
-json effect_object(const fit::RankedEffect& e, const Channels& channels, const PlainIds& plain,
+json effect_object(const fit::RankedEffect& e, const Counts& counts, const PlainIds& plain,
                    bool limited) {
+  const Channels channels = channels_of(counts);
   json errors = json::array();
   for (std::size_t c = 0; c < channels.size(); ++c) {
     json error = channel_object(*channels[c]);
@@ -84,11 +101,12 @@ json effect_object(const fit::RankedEffect& e, const Channels& channels, const P
   for (const auto& [what, name] : e.acts_on) effect[what] = name;
   effect.update({{"kind", e.datum.empty() ? "physics" : "data"},
                  {"in_verdict", e.in_verdict},
-                 {"gain", e.gain},
-                 {"rmse", errors[0]["rmse"]},
-                 {"rmse_cross_validated", errors[0]["rmse_cross_validated"]}});
+                 {"gain", e.gain}});
+  effect.update(likelihood_object(e.likelihood, counts));
+  effect.update(
+      {{"rmse", errors[0]["rmse"]}, {"rmse_cross_validated", errors[0]["rmse_cross_validated"]}});
   if (limited) effect[held_out_key(*channels[0])] = errors[0]["rmse_cross_validated"];
-  effect.update({{"parameters", size_objects(e.parameters)},
+  effect.update({{"parameters", size_objects(e.parameters, e.size)},
                  {"base_parameters", base_objects(e.base)},
                  {"indistinguishable_from", plain.of(e.indistinguishable_from)}});
   add_channels(effect, std::move(errors));
@@ -141,7 +159,7 @@ json diagnosed_channel(const fit::ChannelDiagnosis& c) {
 
 json shape_object(const fit::Shape& shape) {
   return {{shape.key, shape.formula},
-          {"coefficients", size_objects(shape.coefficients)},
+          {"coefficients", coefficient_objects(shape.coefficients)},
           {"statement", shape.statement},
           {"explained_share", shape.explained_share}};
 }
@@ -180,8 +198,19 @@ void add_errors(json& document, const std::string& model_file, const record::Rec
   }
   std::vector<const fit::Comparison*> baselines;
   for (const fit::ChannelDiagnosis& c : d.channels) baselines.push_back(&c.baseline);
+  const Counts counts = counts_of(d);
+  document["noise"]["log_determinant"] = log_determinant_in_units(d.likelihood, counts);
   document["baseline"] = comparison_object(model_file, baselines, record);
+  document["baseline"].update(likelihood_object(d.likelihood, counts));
   add_channels(document, channels);
+}
+
+/// A set of effects at once, the error that of the leading channel.
+json set_object(const fit::SetFit& f, const Counts& counts) {
+  json result = {{"gain", f.gain}};
+  result.update(likelihood_object(f.likelihood, counts));
+  result["rmse"] = in_unit(f.rmse, 0, *counts.front().channel);
+  return result;
 }
 
 json added_channel(const fit::ChannelGain& c) {
@@ -198,7 +227,8 @@ json added_channel(const fit::ChannelGain& c) {
 
 std::string diagnosis_json(const std::string& model_file, const record::Record& record,
                            const fit::Diagnosis& d) {
-  const Channels channels = channels_of(d);
+  const Counts counts = counts_of(d);
+  const Channels channels = channels_of(counts);
   const bool limited = d.tolerance_limited();
   const PlainIds plain(d);
   json document = {{"model", model_file},
@@ -210,14 +240,20 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
                    {"remaining_p_value", d.remaining_p_value},
                    {"needed_gain", d.needed_gain},
                    {"candidates_tried", d.candidates_tried},
-                   {"rows", d.rows}};
+                   {"rows", d.rows},
+                   {"readings", nullptr}};
+  if (d.likelihood.readings > 0) document["readings"] = d.likelihood.readings;
   add_errors(document, model_file, record, d, plain);
   document.update(
       {{"effects",
         list_of(d.effects,
-                [&](const auto& e) { return effect_object(e, channels, plain, limited); })},
+                [&](const auto& e) { return effect_object(e, counts, plain, limited); })},
        {"explanations", list_of(d.sets, [&](const auto& set) { return plain.of(set); })},
+       {"explanation_fits",
+        list_of(d.fits, [&](const fit::SetFit& f) { return set_object(f, counts); })},
        {"base_parameters", base_objects(d.base)},
+       {"correlation",
+        {{"names", d.correlation.names}, {"rows", correlation_rows(d.correlation.matrix)}}},
        {"hold_out", hold_out_object(d.hold_out, channels)},
        {"aliases", d.aliases},
        {"would_have_been_found", list_of(d.would_have_been_found, detectable_object)},
@@ -248,10 +284,13 @@ std::string add_json(const std::string& model_file, const record::Record& record
     after.push_back(&c.after);
     channels.push_back(&c.channel());
   }
+  Counts counts;
+  for (const fit::ChannelGain& c : r.channels) counts.push_back({&c.channel(), c.before.rows});
   json document = {{"model", model_file},
                    {"data", data_of(record)},
                    {"refused", r.refused},
                    {"reason", r.reason},
+                   {"gain", r.gain},
                    {"unit", first["unit"]},
                    {"before", comparison_object(model_file, before, record)},
                    {"after", comparison_object(model_file, after, record)},
@@ -261,6 +300,7 @@ std::string add_json(const std::string& model_file, const record::Record& record
                    {"calibration", calibration_object(r.calibration, record)},
                    {"messages", r.messages},
                    {"notes", record.notes}};
+  document["before"].update(likelihood_object(r.before, counts));
   add_channels(document, list);
   return text(std::move(document));
 }

@@ -124,8 +124,9 @@ DisplacementCurve read_displacement_curve(const std::string& path, const ReadOpt
   return curve_of(read_measurements(path, options), options);
 }
 
-DisplacementCurve parse_displacement_curve(std::string text, const std::string& source) {
-  return curve_of(parse_measurements(std::move(text), source, {}), {});
+DisplacementCurve parse_displacement_curve(std::string text, const std::string& source,
+                                           const ReadOptions& options) {
+  return curve_of(parse_measurements(std::move(text), source, options), options);
 }
 
 std::string displacement_table_text(const shaft::DisplacementTable& table,

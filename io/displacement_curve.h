@@ -27,7 +27,8 @@ struct DisplacementCurve {
 
 /// The same from text; `source` stands in messages.
 [[nodiscard]] DisplacementCurve parse_displacement_curve(std::string text,
-                                                         const std::string& source);
+                                                         const std::string& source,
+                                                         const ReadOptions& options = {});
 
 /// A table as CSV: speed_rpm, axial_displacement_um, slope_um_rpm, with how to interpolate.
 /// `source` is the curve that it was made from.

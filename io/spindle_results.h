@@ -65,6 +65,9 @@ struct RunColumn {
                                              const spindle::State& state);
 /// Throws InputError: no JSON, no state of a spindle, or one that is not all numbers.
 [[nodiscard]] spindle::State read_spindle_state(const std::string& path);
+/// The same from text; `source` stands in messages.
+[[nodiscard]] spindle::State parse_spindle_state(const std::string& text,
+                                                 const std::string& source);
 
 /// "front_1": a bearing as columns name it, counted from the nose in each set.
 [[nodiscard]] std::string bearing_label(const model::Model& model, std::size_t bearing);

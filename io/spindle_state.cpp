@@ -20,10 +20,14 @@ std::string spindle_state_json(const model::Model& model, const spindle::State& 
 }
 
 spindle::State read_spindle_state(const std::string& path) {
+  return parse_spindle_state(read_text(path), path);
+}
+
+spindle::State parse_spindle_state(const std::string& text, const std::string& source) {
   const auto fail = [&](const std::string& why) {
-    throw InputError(fmt::format("{}: {}", path, why), {.file = path});
+    throw InputError(fmt::format("{}: {}", source, why), {.file = source});
   };
-  const json document = json::parse(read_text(path), nullptr, false);
+  const json document = json::parse(text, nullptr, false);
   if (document.is_discarded()) fail("is no JSON; raceway spindle --end-state writes a state");
   if (!document.is_object() || !document.contains("spindle_state"))
     fail("is no state of a spindle; raceway spindle --end-state writes one");

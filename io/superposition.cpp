@@ -12,7 +12,8 @@
 namespace raceway::io {
 
 Superposition superposition(const model::Model& model, const correction::Model& correction,
-                            const record::Record& programme, const spindle::Inputs& inputs) {
+                            const record::Record& programme, const spindle::Inputs& inputs,
+                            const std::atomic<bool>* cancelled) {
   const std::span<const double> time = programme.values(record::time);
   const std::span<const double> speed = programme.values(record::speed);
   std::vector<spindle::ProfileRow> profile;
@@ -20,7 +21,9 @@ Superposition superposition(const model::Model& model, const correction::Model& 
     profile.push_back({.time = time[k] - time.front(), .inputs = inputs});
     profile.back().inputs.speed = speed[k];
   }
-  const spindle::Run run = spindle::Simulator(model).simulate(profile);
+  spindle::Simulator simulator(model);
+  simulator.stop_on(cancelled);
+  const spindle::Run run = simulator.simulate(profile);
   Superposition result{.report = run.report};
   if (!run.report.converged()) return result;
   const correction::Series series(programme);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,13 @@ struct Superposition {
 ///
 /// Speeds hold from the row before for the simulation and to the row after for the correction, so a
 /// change of speed needs two rows close together. Both begin at rest at the ambient temperature.
-/// Throws std::invalid_argument for a model that is no spindle, and a record that lacks a column.
+/// Throws std::invalid_argument for a model that is no spindle, and a record that lacks a column,
+/// fit::Cancelled where `cancelled` is set meanwhile.
 [[nodiscard]] Superposition superposition(const model::Model& model,
                                           const correction::Model& correction,
                                           const record::Record& programme,
-                                          const spindle::Inputs& inputs = {});
+                                          const spindle::Inputs& inputs = {},
+                                          const std::atomic<bool>* cancelled = nullptr);
 
 /// Half hours at shares of the fastest speed [rad/s], with rests: what no step response has seen.
 [[nodiscard]] record::Record trial_programme(double fastest);

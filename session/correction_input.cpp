@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "correction/baseline.h"
-#include "correction/identify.h"
 #include "correction/record_check.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
@@ -19,12 +18,12 @@ namespace raceway::session {
 
 using io::number;
 
-io::CorrectionFile open_corrections(Messages& messages, const Source& source) {
+io::CorrectionFile open_corrections(Messages& messages, const Source& source, Defaults defaults) {
   const std::string& path = source.name;
   io::CorrectionFile file =
       source.text ? io::parse_correction(*source.text, path) : io::read_correction(path);
   for (const std::string& table : file.tables) messages.reads(table);
-  const std::size_t count = file.defaults.size();
+  const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
     messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
                               count == 1 ? "" : "s", path, count == 1 ? "it" : "them"));
@@ -50,6 +49,21 @@ record::Record open_series(Messages& messages, const Source& data,
   period.apply(record, wanted);
   messages.notes(record.notes);
   return record;
+}
+
+SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
+                          const Reading& reading) {
+  SeriesQuestion asked{.file = open_corrections(messages, model)};
+  asked.data = open_series(messages, data, asked.file.models, reading.options(asked.file.columns),
+                           reading.period);
+  return asked;
+}
+
+void require_readings(const correction::Model& model, const record::Record& record) {
+  if (!record.has(*model.displacement))
+    throw io::InputError(
+        fmt::format("{}: has no column {}", record.source, model.displacement->name),
+        {.file = record.source, .key = std::string(model.displacement->name)});
 }
 
 CorrectionQuestion ask_correction(Messages& messages, const Source& model,
@@ -78,10 +92,7 @@ CorrectionQuestion ask_correction(Messages& messages, const Source& model,
   asked.model = models[asked.index];
   asked.data = open_series(messages, data.front(), {asked.model},
                            reading.options(asked.file.columns), reading.period);
-  if (!asked.data.has(*asked.model.displacement))
-    throw io::InputError(
-        fmt::format("{}: has no column {}", asked.data.source, asked.model.displacement->name),
-        {.file = asked.data.source, .key = std::string(asked.model.displacement->name)});
+  require_readings(asked.model, asked.data);
   return asked;
 }
 
@@ -93,12 +104,6 @@ void prepare_fit(Messages& messages, const correction::Model& model, const std::
   const std::vector<std::string> faults = correction::check_record(model, record).of_its_inputs;
   messages.warnings(faults);
   record.notes.insert(record.notes.end(), faults.begin(), faults.end());
-}
-
-std::string fitted_text(const CorrectionQuestion& asked, const fit::Calibration& found) {
-  std::vector<correction::Model> models = asked.file.models;
-  models[asked.index] = correction::trusted(found, asked.data);
-  return io::with_corrections(asked.file, models);
 }
 
 namespace {

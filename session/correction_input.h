@@ -1,29 +1,42 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "correction/correction_subject.h"
+#include "correction/model.h"
 #include "correction/range.h"
-#include "fit/calibrate.h"
+#include "correction/series.h"
 #include "io/correction_file.h"
 #include "record/record.h"
 #include "session/messages.h"
+#include "session/open_input.h"
 #include "session/reading.h"
 #include "session/source.h"
 
 namespace raceway::session {
 
 /// Reads a file of corrections, counts the defaults that were used, and says what is to be known of
-/// it.
-[[nodiscard]] io::CorrectionFile open_corrections(Messages& messages, const Source& file);
+/// it. Throws io::InputError as its reader, in a word for a model that has no correction.
+[[nodiscard]] io::CorrectionFile open_corrections(Messages& messages, const Source& file,
+                                                  Defaults defaults = Defaults::count);
 
 /// Reads a record over time for all of these models, of which only readings of that period count,
 /// and says what is to be known of it.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
                                          const io::ReadOptions& options, const Period& period = {});
+
+/// All models of a file with one record.
+struct SeriesQuestion {
+  io::CorrectionFile file{};
+  record::Record data{};
+};
+/// Throws io::InputError as open_corrections() and open_series().
+[[nodiscard]] SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
+                                        const Reading& reading);
+
+/// Throws io::InputError for a record without a column of the displacement.
+void require_readings(const correction::Model& model, const record::Record& record);
 
 /// One model of a file with its record.
 struct CorrectionQuestion {
@@ -45,11 +58,6 @@ struct CorrectionQuestion {
 /// JSON. Throws io::InputError where a power leaves the range of a delay element.
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record);
-
-/// The text of the file with the numbers of a calibration that grew out of its model, what its
-/// record showed them, and how sure they are.
-[[nodiscard]] std::string fitted_text(const CorrectionQuestion& asked,
-                                      const fit::Calibration& found);
 
 /// What a record asks of a model that it was not asked when its numbers were found, in words:
 /// inputs beyond their range, all of them where they never were together, power beyond the friction

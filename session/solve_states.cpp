@@ -17,6 +17,7 @@
 #include "io/plausible.h"
 #include "io/units.h"
 #include "model/prediction.h"
+#include "session/bands.h"
 #include "session/table_columns.h"
 
 namespace raceway::session {
@@ -177,12 +178,13 @@ class Block {
     }
   }
   /// Row by row, torque before the columns.
-  void solve(const model::Model& model, std::size_t columns) {
+  void solve(const model::Model& model, std::size_t columns, const model::Band* band) {
     values_.assign(points_.size() * columns, unset);
     results_.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i)
       results_[i].columns = std::span(values_).subspan(i * columns, columns);
     fill_table_line(model, points_, results_, Columns::of_states);
+    if (band) fill_band(model, *band, points_, results_);
   }
   [[nodiscard]] const std::vector<bearing::OperatingPoint>& points() const { return points_; }
   [[nodiscard]] const friction::TablePoint& result(std::size_t i) const { return results_[i]; }
@@ -249,10 +251,15 @@ bearing::OperatingPoint single_state(Messages& messages, const io::ModelFile& fi
 
 SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const StateArrays& states,
                           const std::vector<std::string>& columns,
-                          const std::atomic<bool>* cancelled) {
+                          const std::atomic<bool>* cancelled, const model::Band* band) {
   const bearing::OperatingPoint otherwise = checked(messages, file, states);
-  const std::vector<std::string> all = state_columns(file.model);
-  const std::vector<std::size_t> places = chosen(all, columns);
+  std::vector<std::string> all = state_columns(file.model), wanted = columns;
+  if (band)
+    for (const std::string& name : band_columns(file.model)) {
+      all.push_back(name);
+      if (!columns.empty()) wanted.push_back(name);
+    }
+  const std::vector<std::size_t> places = chosen(all, wanted);
   const std::size_t size = states.size();
   SolvedStates solved;
   std::vector<double> units;
@@ -265,7 +272,7 @@ SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const S
   for_blocks(size, [&](std::size_t first, std::size_t count) {
     if (cancelled && cancelled->load()) throw fit::Cancelled();
     Block block(states, otherwise, first, count);
-    block.solve(file.model, all.size() - 1);
+    block.solve(file.model, all.size() - 1, band);
     for (std::size_t i = 0; i < count; ++i) {
       const friction::TablePoint& result = block.result(i);
       solved.status[first + i] = result.status;

@@ -8,6 +8,7 @@
 #include "bearing/operating_point.h"
 #include "bearing/solve.h"
 #include "io/model_file.h"
+#include "model/band.h"
 #include "session/messages.h"
 
 namespace raceway::session {
@@ -43,14 +44,16 @@ struct SolvedStates {
 /// Solves a bearing, or the sets on a shaft (axial loads are then external ones), at many states,
 /// on all cores. Neither the number of threads nor the other states change a digit.
 ///
-/// `columns`: those that are wanted, by name; all where empty. Loads and temperatures that are not
-/// given are those of the model. Throws io::InputError: no speed, no load, a number out of its
-/// range (with its place in the array), an unknown column, radial loads or moments on a shaft;
-/// Cancelled where `cancelled` is set meanwhile. Memory: what is returned, and a block per thread.
+/// `columns`: those that are wanted, by name; all where empty. With a `band` of the model its
+/// columns (band_columns()) follow. Loads and temperatures that are not given are those of the
+/// model. Throws io::InputError: no speed, no load, a number out of its range (with its place in
+/// the array), an unknown column, radial loads or moments on a shaft; Cancelled where `cancelled`
+/// is set meanwhile. Memory: what is returned, and a block per thread.
 [[nodiscard]] SolvedStates solve_states(Messages& messages, const io::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},
-                                        const std::atomic<bool>* cancelled = nullptr);
+                                        const std::atomic<bool>* cancelled = nullptr,
+                                        const model::Band* band = nullptr);
 
 /// The operating point of arrays of one number each; throws as solve_states(), and for more.
 [[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const io::ModelFile& file,

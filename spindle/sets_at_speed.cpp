@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/problem.h"
 #include "spindle/warm_sets.h"
 
 namespace raceway::spindle {
@@ -10,12 +11,16 @@ struct SetsOfSpindle::Parts {
   model::Model model;
   WarmSets sets;
   std::optional<Simulator> simulator;  // made when the first warm state is asked for
+  const std::atomic<bool>* cancelled = nullptr;
 
   explicit Parts(const model::Model& m) : model(m), sets(model, {}) {}
 };
 
 SetsOfSpindle::SetsOfSpindle(const model::Model& model) : parts_(std::make_unique<Parts>(model)) {}
+SetsOfSpindle::SetsOfSpindle(SetsOfSpindle&&) noexcept = default;
 SetsOfSpindle::~SetsOfSpindle() = default;
+
+void SetsOfSpindle::stop_on(const std::atomic<bool>* cancelled) { parts_->cancelled = cancelled; }
 
 const bearing::Arrangement& SetsOfSpindle::arrangement() const {
   return parts_->sets.arrangement();
@@ -24,6 +29,7 @@ const bearing::Arrangement& SetsOfSpindle::arrangement() const {
 /// The steady temperatures at these inputs.
 bool SetsOfSpindle::heat(const Inputs& inputs, SetsAtSpeed& sets) {
   if (!parts_->simulator) parts_->simulator.emplace(parts_->model);
+  parts_->simulator->stop_on(parts_->cancelled);
   Report report;
   sets.moment = parts_->simulator->steady(inputs, report);
   sets.status = report.status;
@@ -33,6 +39,7 @@ bool SetsOfSpindle::heat(const Inputs& inputs, SetsAtSpeed& sets) {
 
 SetsAtSpeed SetsOfSpindle::at(const Inputs& inputs, bool warm) {
   SetsAtSpeed result;
+  if (parts_->cancelled && parts_->cancelled->load()) throw fit::Cancelled();
   if (warm && !heat(inputs, result)) return result;
   result.status = Status::no_equilibrium;
   const std::size_t count = arrangement().bearings().size();

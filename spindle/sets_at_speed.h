@@ -30,8 +30,11 @@ class SetsOfSpindle {
  public:
   /// Throws std::invalid_argument as Simulator and WarmSets do.
   explicit SetsOfSpindle(const model::Model& model);
+  SetsOfSpindle(SetsOfSpindle&&) noexcept;
   ~SetsOfSpindle();
 
+  /// As Simulator::stop_on().
+  void stop_on(const std::atomic<bool>* cancelled);
   /// As mounted, with the effects of the model.
   [[nodiscard]] const bearing::Arrangement& arrangement() const;
   [[nodiscard]] SetsAtSpeed at(const Inputs& inputs, bool warm);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fit/problem.h"
 #include "spindle/expansion_rows.h"
 #include "spindle/heat_flow.h"
 #include "spindle/spindle.h"
@@ -94,10 +95,15 @@ struct Simulator::Parts {
   double nose_offset = 0.0;
   double tolerance = step_tolerance;  // of a step [K]
   int most_steps = most_time_steps;
+  const std::atomic<bool>* cancelled = nullptr;
 
   Parts(const model::Model& m, const effects::SpindleCondition& c)
       : model(m), condition(c), flow(model, condition, model.spindle->cells) {
     watch();
+  }
+
+  void stop_if_cancelled() const {
+    if (cancelled && cancelled->load()) throw fit::Cancelled();
   }
 
   void watch() {
@@ -234,6 +240,18 @@ struct Simulator::Parts {
     flow.start(flow.system() ? flow.system()->ambient(inputs) : model.spindle->ambient.temperature);
   }
 
+  /// A run that only shows where it leads to; what it may take is as before also where it is
+  /// cancelled.
+  template <typename Simulate>
+  Run follow_the_way(const Simulate& simulate) {
+    struct AsBefore {
+      Parts& parts;
+      ~AsBefore() { parts.tolerance = step_tolerance, parts.most_steps = most_time_steps; }
+    } const as_before{*this};
+    tolerance = tolerance_of_the_way, most_steps = most_steps_of_the_way;
+    return simulate();
+  }
+
   void remember(double time) {
     last.structure_time += time - last.time;
     last.time = time;
@@ -287,9 +305,13 @@ Simulator::Simulator(const model::Model& model, const effects::SpindleCondition&
   parts_ = std::make_unique<Parts>(model, condition);
 }
 Simulator::Simulator(const Simulator& other)
-    : parts_(std::make_unique<Parts>(other.parts_->model, other.parts_->condition)) {}
+    : parts_(std::make_unique<Parts>(other.parts_->model, other.parts_->condition)) {
+  parts_->cancelled = other.parts_->cancelled;
+}
 Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator::~Simulator() = default;
+
+void Simulator::stop_on(const std::atomic<bool>* cancelled) { parts_->cancelled = cancelled; }
 
 Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
                         std::span<const double> step_ends, std::span<const double> keep) {
@@ -344,6 +366,7 @@ Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
     }
     std::size_t holding = row;
     while (time < end) {
+      p.stop_if_cancelled();
       if (report.steps + report.rejected > p.most_steps) return end_with(Status::step_limit);
       while (holding + 1 < after && profile[holding].time <= time) ++holding;
       const double dt = sizes.take(time, end);
@@ -409,6 +432,7 @@ Moment Simulator::steady(const Inputs& inputs, Report& report) {
   HeatFlow& flow = p.flow;
   Moment m;
   report = Report{};
+  p.stop_if_cancelled();
   flow.start(flow.system() ? flow.system()->ambient(inputs) : p.model.spindle->ambient.temperature);
   const double rise = p.condition.structure_rise;
   if (!flow.set_inputs(inputs)) {
@@ -420,11 +444,8 @@ Moment Simulator::steady(const Inputs& inputs, Report& report) {
       // shows why not.
       std::vector<ProfileRow> hours;
       for (int k = 1; k <= 40; ++k) hours.push_back({.time = 3600.0 * k, .inputs = inputs});
-      p.tolerance = tolerance_of_the_way, p.most_steps = most_steps_of_the_way;
-      Run run = simulate(hours);
-      p.tolerance = step_tolerance, p.most_steps = most_time_steps;
-      report.status = run.report.status;
-      if (run.report.converged() && flow.set_inputs(inputs))
+      report.status = p.follow_the_way([&] { return simulate(hours); }).report.status;
+      if (report.converged() && flow.set_inputs(inputs))
         report.status = flow.settle(inputs, rise, report.steps);
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <string>
@@ -120,6 +121,9 @@ class Simulator {
   Simulator(Simulator&&) noexcept;
   ~Simulator();
 
+  /// Looked at before every step: where it is set, simulate() and steady() throw fit::Cancelled.
+  /// Copies look at it too. Null: nobody asks.
+  void stop_on(const std::atomic<bool>* cancelled);
   /// From `start`, or from the ambient temperature throughout. `step_ends`: those of another run of
   /// the same programme, taken as they are; fits so see no other steps as parameters change.
   /// `keep`: rising times [s], of each the state at the end of the first step that reaches it is

@@ -84,7 +84,8 @@ StepResponses step_responses(const model::Model& model, std::span<const double> 
   result.steps.resize(speeds.size());
   const auto fastest =
       static_cast<std::size_t>(std::max_element(speeds.begin(), speeds.end()) - speeds.begin());
-  const Simulator simulator(model);
+  Simulator simulator(model);
+  simulator.stop_on(options.cancelled);
   tbb::parallel_for(std::size_t{0}, speeds.size(), [&](std::size_t k) {
     Simulator own = simulator;
     std::vector<ProfileRow> profile;

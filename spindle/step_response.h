@@ -43,10 +43,11 @@ struct StepResponses {
 };
 
 struct StepOptions {
-  double duration = 4 * 3600.0;  ///< of each step [s]
-  double row = 120.0;            ///< between rows of the fit [s]
-  Inputs inputs = {};            ///< all but the speed
-  bool cool_down = true;         ///< one for as long, after the fastest step
+  double duration = 4 * 3600.0;                  ///< of each step [s]
+  double row = 120.0;                            ///< between rows of the fit [s]
+  Inputs inputs = {};                            ///< all but the speed
+  bool cool_down = true;                         ///< one for as long, after the fastest step
+  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
 };
 
 /// Simulates a step to each of these speeds [rad/s] from rest at the ambient temperature, side by

@@ -98,6 +98,34 @@ TEST(Calibrate, JsonHasValueErrorAndUnitOfEachParameter) {
   EXPECT_EQ(d["rows"], 8);
 }
 
+TEST(Calibrate, ProfilesAreOpenAtABoundInTextAndJson) {
+  const std::string files = measurements + "spindle_dyno.toml " + measurements + "spindle_dyno.csv";
+  const Result text = run("calibrate " + files + " --profile");
+  ASSERT_EQ(text.status, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("95 % from"));
+  EXPECT_THAT(text.out, HasSubstr("0.010000 (bound)"));
+  const json document = parsed(run("calibrate " + files + " --profile --json"));
+  const json& f0 = document["parameters"]["f0"];
+  EXPECT_EQ(f0["at_bound"], true);
+  EXPECT_EQ(f0["profile"]["open_from"], true);
+  EXPECT_EQ(f0["profile"]["from"], f0["lower"]);
+  EXPECT_EQ(f0["profile"]["open_to"], false);
+  EXPECT_GT(f0["profile"]["to"].get<double>(), f0["value"].get<double>());
+  EXPECT_LE(document["profile"]["refits"].get<int>(), 40);
+  EXPECT_FALSE(parsed(run("calibrate " + files + " --json")).contains("profile"));
+}
+
+TEST(Calibrate, ProfilesNeedReadingsAndALikelihood) {
+  const Result none = run("calibrate \"S 6014 C\" --profile");
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.err, HasSubstr("--profile needs measurements"));
+  const std::string folder = RACEWAY_SOURCE_DIR "/data/corrections/ambient/";
+  const Result over_time =
+      run("calibrate " + folder + "correction.toml " + folder + "train.csv --profile");
+  EXPECT_EQ(over_time.status, 1);
+  EXPECT_THAT(over_time.err, HasSubstr("profile likelihood need"));
+}
+
 TEST(Calibrate, FitsAnEffectOfTheModel) {
   const ScratchFolder scratch;
   const std::string free = "\n[calibration]\nfree = [\"f0\", \"friction_coefficient\"]\n";

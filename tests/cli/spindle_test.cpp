@@ -52,6 +52,16 @@ TEST_F(SpindleCommand, CooledHousingRaisesTheForces) {
   EXPECT_NEAR(uncooled, 379, 0.1 * 379);
 }
 
+TEST_F(SpindleCommand, ARoomInKelvinIsDoubted) {
+  const auto said = [&](const std::string& temperature) {
+    return spindle(profile("time_s,speed_rpm,ambient_temperature_C\n600,0," + temperature + "\n"))
+        .err;
+  };
+  EXPECT_THAT(said("293.15"),
+              HasSubstr("day.csv: ambient_temperature_C = 293.15 C: looks like kelvin"));
+  EXPECT_THAT(said("20"), testing::Not(HasSubstr("kelvin")));
+}
+
 TEST_F(SpindleCommand, TextAndJsonOfASteadyStateAgree) {
   const json s = parsed(spindle("--speed 6000 --steady --json"))["steady"][0];
   const Result text = spindle("--speed 6000 --steady");

@@ -5,6 +5,7 @@
 #include "correction/alignment.h"
 #include "correction/record_check.h"
 #include "correction/simulation.h"
+#include "fit/problem.h"
 #include "tests/correction/made_record.h"
 
 namespace raceway::correction {
@@ -122,6 +123,22 @@ TEST(Identify, CarriesTheRangeOfItsInputs) {
   ASSERT_EQ(found.model.range.size(), 2U);
   EXPECT_NEAR(celsius(found.model.range[0].lower), 22.0, 1e-9);
   EXPECT_NEAR(celsius(found.model.range[0].upper), 22.0 + 16.0, 1e-9);
+}
+
+/// Told to end at any time it leaves no numbers: those of a search that was cut short are none.
+TEST(Identify, EndsWhereItIsTold) {
+  const MadeRecord made = made_record();
+  int asked = 0;
+  IdentifyOptions options{.highest_order = 2};
+  options.cancelled = [&] { return ++asked < 0; };
+  (void)identify(start(), made.record, options);
+  const int all = asked;
+  ASSERT_GT(all, 10);
+  for (int last = 0; last < all; last += 1 + all / 20) {
+    asked = 0;
+    options.cancelled = [&] { return asked++ >= last; };
+    EXPECT_THROW((void)identify(start(), made.record, options), fit::Cancelled) << last;
+  }
 }
 
 TEST(Identify, ARecordThatIsTooShortIsSaid) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "correction/alignment.h"
+#include "fit/problem.h"
 #include "tests/correction/made_record.h"
 
 namespace raceway::correction {
@@ -62,6 +63,13 @@ TEST(LagBank, PredictsWhatLiesAheadOfMachinesThatAreNoBank) {
   double shares = 0.0;
   for (const StrengthTried& t : found.strengths) shares += t.share;
   EXPECT_NEAR(shares, 1.0, 1e-12);
+}
+
+TEST(LagBank, EndsWhereItIsTold) {
+  const MadeRecord made = many_sensors(0.3);
+  LagBankOptions options{.inputs = inputs_of_all(made.record)};
+  options.cancelled = [] { return true; };
+  EXPECT_THROW((void)identify_lag_bank(bare_bank(), made.record, options), fit::Cancelled);
 }
 
 /// The gains of the model are those that were judged: run over the record it leaves what was said.

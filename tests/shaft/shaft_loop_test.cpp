@@ -138,7 +138,8 @@ TEST(ShaftLoop, ThePublishedCurveIsComparedAndCalibratedTo) {
   model.free = {"preload_N", "contact_angle_deg"};
   const Calibration c = calibrate(model, data);
   ASSERT_TRUE(c.converged());
-  const auto& [channel, rmse_before, rmse_after] = c.channels.at(0);
+  const auto& [channel, rmse_before, rmse_after, readings] = c.channels.at(0);
+  EXPECT_EQ(readings, 40);
   EXPECT_EQ(*channel, record::axial_displacement);
   EXPECT_NEAR(rmse_before, before.rmse, 1e-12);
   EXPECT_LT(rmse_after, 0.7 * rmse_before);

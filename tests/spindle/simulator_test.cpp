@@ -1,7 +1,12 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
+#include "fit/problem.h"
 #include "spindle/spindle.h"
 #include "spindle/tr_bdf2.h"
 #include "tests/spindle/base_spindle.h"
@@ -54,6 +59,60 @@ TEST(Simulator, ComesToTheSteadyState) {
   ASSERT_TRUE(run.report.converged() && report.converged());
   EXPECT_NEAR(run.moments[0].displacement, steady.displacement, 1e-4 * steady.displacement);
   EXPECT_NEAR(run.moments[0].front_force, steady.front_force, 1e-4 * steady.front_force);
+}
+
+TEST(Simulator, StopsWhereItIsToldAndGoesOnAsIfNothingHadBeen) {
+  const std::vector<ProfileRow> profile{{.time = 3600.0, .inputs = {.speed = 6000 * rpm}}};
+  std::atomic<bool> cancelled = true;
+  Simulator simulator(base_spindle());
+  simulator.stop_on(&cancelled);
+  Simulator copy = simulator;
+  Report report;
+  EXPECT_THROW(static_cast<void>(simulator.simulate(profile)), fit::Cancelled);
+  EXPECT_THROW(static_cast<void>(copy.simulate(profile)), fit::Cancelled);
+  EXPECT_THROW(static_cast<void>(simulator.steady(profile[0].inputs, report)), fit::Cancelled);
+  EXPECT_FALSE(report.converged());
+  cancelled = false;
+  const auto run = simulator.simulate(profile), other = Simulator(base_spindle()).simulate(profile);
+  ASSERT_TRUE(run.report.converged());
+  // The sets begin their balance where they were: the last digits differ.
+  EXPECT_NEAR(run.moments[0].displacement, other.moments[0].displacement,
+              1e-8 * other.moments[0].displacement);
+}
+
+TEST(Simulator, ASteadySearchThatIsStoppedLeavesTheStepsOfARunAsFineAsTheyWere) {
+  using Clock = std::chrono::steady_clock;
+  // Too fast for Newton's method alone: the search goes through time in coarse steps.
+  const Inputs too_fast{.speed = 60000 * rpm};
+  const std::vector<ProfileRow> profile{{.time = 3600.0, .inputs = {.speed = 6000 * rpm}}};
+  const auto expected = Simulator(base_spindle()).simulate(profile).step_ends;
+  Report report;
+  const Clock::time_point start = Clock::now();
+  static_cast<void>(Simulator(base_spindle()).steady(too_fast, report));
+  const Clock::duration whole = Clock::now() - start;
+
+  int stopped = 0;
+  for (int tenth = 1; tenth < 10; tenth += 2) {
+    std::atomic<bool> cancelled = false;
+    Simulator simulator(base_spindle());
+    simulator.stop_on(&cancelled);
+    std::thread stops([&] {
+      std::this_thread::sleep_for(whole * tenth / 10);
+      cancelled = true;
+    });
+    try {
+      static_cast<void>(simulator.steady(too_fast, report));
+    } catch (const fit::Cancelled&) {
+      ++stopped;
+      EXPECT_FALSE(report.converged());
+    }
+    stops.join();
+    cancelled = false;
+    // [s]; a coarse step is minutes longer, another last digit of the sets moves none so far.
+    EXPECT_THAT(simulator.simulate(profile).step_ends,
+                testing::Pointwise(testing::DoubleNear(0.1), expected));
+  }
+  EXPECT_GT(stopped, 0);
 }
 
 TEST(Simulator, AnswersDoNotDependOnRowsThatChangeNothing) {

@@ -174,7 +174,7 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
     overTimeSection(view),
     section(
       'What this record can show',
-      valueList('Numbers of the model, without and with what is missing', ['number', 'without', 'with', 'std error', 'unit'], Object.entries(d.base_parameters).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)])),
+      valueList('Numbers of the model, without and with what is missing', ['number', 'without', 'with', 'std error', 'unit'], (d.explanations.length ? Object.entries(d.base_parameters) : []).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)])),
       d.not_testable.length ? valueList('Could not have been found', ['effect', 'why'], d.not_testable.map((n) => [n.id, n.missing])) : undefined,
     ),
     notes([...d.messages, ...d.notes]),

@@ -1,4 +1,4 @@
-#include "cli/step_parts.h"
+#include "session/step_parts.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "shaft/fit_kinematic_law.h"
 #include "shaft/shaft_prediction.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 namespace {
 
 constexpr int points_of_kinematic_law = 40;
@@ -126,4 +126,4 @@ StepParts step_parts(const spindle::StepResponses& responses, const model::Model
   return parts;
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

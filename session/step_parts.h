@@ -9,7 +9,7 @@
 #include "shaft/kinematic_law.h"
 #include "spindle/step_response.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 /// "6000 rpm", or the name of a load case.
 [[nodiscard]] std::string name_of(const spindle::StepResponse& step);
@@ -34,4 +34,4 @@ struct StepParts {
 [[nodiscard]] StepParts step_parts(const spindle::StepResponses& responses,
                                    const model::Model* model, double temperature);
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -7,7 +7,7 @@
 #include "spindle/beam.h"
 #include "spindle/sets_at_speed.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 /// A spindle as a beam on its bearings, for deflection and modes.
 struct BeamOfModel {
@@ -23,4 +23,4 @@ struct BeamOfModel {
 /// What the sets run under: the external load of the model and, warm, its ambient.
 [[nodiscard]] spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on);
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

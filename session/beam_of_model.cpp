@@ -1,4 +1,4 @@
-#include "cli/beam.h"
+#include "session/beam_of_model.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "io/error.h"
 
-namespace raceway::cli {
+namespace raceway::session {
 
 BeamOfModel beam_of(const io::ModelFile& file, double load_place) {
   const model::Model& model = file.model;
@@ -30,4 +30,4 @@ spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_
   return {.speed = speed, .axial_load = model.shaft->external_load, .coolant_on = coolant_on};
 }
 
-}  // namespace raceway::cli
+}  // namespace raceway::session

@@ -1,0 +1,169 @@
+#include "session/identification.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "correction/alignment.h"
+#include "correction/lag_bank.h"
+#include "correction/series.h"
+#include "io/error.h"
+#include "io/names.h"
+#include "record/series_channel.h"
+#include "session/open_input.h"
+
+namespace raceway::session {
+namespace {
+
+/// "2" or "1:3"
+std::pair<int, int> orders_of(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto number = [&](std::string_view part) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size() || value < 1 || value > 6)
+      throw io::InputError(fmt::format("--order {}: must be a number of sections from 1 to 6, or a "
+                                       "range of them as 1:3",
+                                       text),
+                           {.key = "--order"});
+    return value;
+  };
+  const std::string_view all = text;
+  if (colon == text.npos) return {number(all), number(all)};
+  const std::pair result{number(all.substr(0, colon)), number(all.substr(colon + 1))};
+  if (result.first > result.second)
+    throw io::InputError(fmt::format("--order {}: the first is above the second", text),
+                         {.key = "--order"});
+  return result;
+}
+
+/// Time constants of a bank of lags [s], none for "auto".
+std::vector<double> lags_of(const std::vector<std::string>& texts) {
+  std::vector<double> list;
+  if (texts.size() == 1 && texts.front() == "auto") return list;
+  for (const std::string& text : texts) {
+    double value = -1.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    constexpr double longest = 1e7;
+    if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) ||
+        value > longest)
+      throw io::InputError(fmt::format("--lags {}: must be auto, or time constants from 0 (at "
+                                       "once) to 1e7 s by comma, as 0,1200,3600",
+                                       text),
+                           {.key = "--lags"});
+    if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+  }
+  return list;
+}
+
+/// Columns that may drive a channel, by name; "all" means every input that varies.
+std::vector<const record::Channel*> offered(const std::vector<std::string>& names,
+                                            const record::Record& record) {
+  std::vector<const record::Channel*> list;
+  if (names.size() == 1 && names.front() == "all") {
+    for (const record::Column& c : record.columns) {
+      const auto [low, high] = std::minmax_element(c.values.begin(), c.values.end());
+      if (c.channel->is_input() && *low < *high) list.push_back(c.channel);
+    }
+    return list;
+  }
+  for (const std::string& name : names) {
+    const record::Channel* const c = record::series_channel(name);
+    if (!c || !c->is_input() || !record.has(*c)) {
+      std::vector<std::string> known;
+      for (const record::Column& column : record.columns) known.emplace_back(column.channel->name);
+      throw io::InputError(fmt::format("--inputs {}: {} has no such input{}", name, record.source,
+                                       io::suggestion(name, known)),
+                           {.file = record.source, .key = "--inputs"});
+    }
+    list.push_back(c);
+  }
+  return list;
+}
+
+correction::Identification bank(const correction::Model& model, const record::Record& record,
+                                const IdentifyChoices& choices) {
+  const std::vector<std::string> all{"all"};
+  return correction::identify_lag_bank(
+      model, record,
+      {.inputs = offered(choices.inputs.empty() ? all : choices.inputs, record),
+       .time_constants = lags_of(choices.lags),
+       .progress = choices.progress,
+       .cancelled = choices.cancelled});
+}
+
+correction::Identification sections(const correction::Model& model, const record::Record& record,
+                                    const IdentifyChoices& choices) {
+  const auto [lowest, highest] = orders_of(choices.order);
+  return correction::identify(model, record,
+                              {.lowest_order = lowest,
+                               .highest_order = highest,
+                               .offered = offered(choices.inputs, record),
+                               .progress = choices.progress,
+                               .cancelled = choices.cancelled});
+}
+
+}  // namespace
+
+void IdentifyChoices::check() const {
+  (void)orders_of(order);
+  (void)lags_of(lags);
+}
+
+correction::Identification identified(Messages& messages, SeriesQuestion& asked,
+                                      const correction::Model& model,
+                                      const IdentifyChoices& choices) {
+  const std::string& source = asked.file.source;
+  require_readings(model, asked.data);
+  prepare_fit(messages, model, source, asked.data);
+  if (choices.baseline == "regression") {
+    try {
+      return correction::regression_baseline(model, offered(choices.inputs, asked.data),
+                                             asked.data);
+    } catch (const std::invalid_argument& e) {
+      refuse_data(source, asked.data, e);
+    }
+  }
+  try {
+    return choices.lags.empty() ? sections(model, asked.data, choices)
+                                : bank(model, asked.data, choices);
+  } catch (const std::invalid_argument& e) {
+    throw io::InputError(fmt::format("{} with {}: {}", asked.data.source, source, e.what()),
+                         {.file = asked.data.source});
+  }
+}
+
+correction::ArxBaseline arx_baseline(const SeriesQuestion& asked, const correction::Model& model,
+                                     const IdentifyChoices& choices) {
+  const auto [lowest, highest] = orders_of(choices.order);
+  require_readings(model, asked.data);
+  try {
+    return correction::arx_baseline(model, offered(choices.inputs, asked.data), asked.data, lowest,
+                                    highest);
+  } catch (const std::invalid_argument& e) {
+    refuse_data(asked.file.source, asked.data, e);
+  }
+}
+
+Validated validated(const correction::Model& model, const record::Record& other) {
+  require_readings(model, other);
+  const auto subject = correction::aligned(model, other, correction::Zero::mean);
+  const correction::Series series(other);
+  const correction::Beyond beyond = correction::beyond_range(model, series);
+  return {.validation = {.data = other.source,
+                         .metrics = correction::metrics(other.values(*model.displacement),
+                                                        fit::predict(*subject, other)),
+                         .rows_beyond_range = beyond.rows()},
+          .warnings = range_notes(model, series, beyond)};
+}
+
+std::string identified_text(const SeriesQuestion& asked,
+                            const std::vector<correction::Model>& found,
+                            const IdentifyChoices& choices) {
+  if (choices.baseline.empty()) return io::with_corrections(asked.file, found);
+  return io::new_corrections(found, "Multiple linear regression on " + asked.data.source);
+}
+
+}  // namespace raceway::session

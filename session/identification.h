@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "correction/baseline.h"
+#include "correction/identify.h"
+#include "io/correction_results.h"
+#include "session/correction_input.h"
+#include "session/messages.h"
+#include "session/source.h"
+
+namespace raceway::session {
+
+/// What `raceway identify` may be told beside model and record, as it stands in its command line.
+struct IdentifyChoices {
+  std::string order = "1:3";          ///< sections of each channel: "2" or "1:3"
+  std::vector<std::string> inputs{};  ///< columns that may drive; "all" alone: all that vary
+  std::vector<std::string> lags{};    ///< of a bank [s], "auto" alone; empty: sections
+  std::string baseline{};             ///< "regression", "arx" or empty
+  std::function<void(double share, std::string_view step)> progress{};
+  std::function<bool()> cancelled{};
+
+  /// Before anything is read. Throws io::InputError for an order or lags that are none.
+  void check() const;
+};
+
+/// Finds structure and numbers of one of the models of `asked`; warnings of the sensors stand in
+/// the notes of its record, too. Throws io::InputError: no such input, no readings, what the record
+/// does not allow; and fit::Cancelled.
+[[nodiscard]] correction::Identification identified(Messages& messages, SeriesQuestion& asked,
+                                                    const correction::Model& model,
+                                                    const IdentifyChoices& choices);
+
+/// The baseline that is shown and not written. Throws as identified().
+[[nodiscard]] correction::ArxBaseline arx_baseline(const SeriesQuestion& asked,
+                                                   const correction::Model& model,
+                                                   const IdentifyChoices& choices);
+
+/// What a model is worth on a record that it did not see, and what is to be known of that.
+struct Validated {
+  io::Validation validation{};
+  std::vector<std::string> warnings{};
+};
+[[nodiscard]] Validated validated(const correction::Model& model, const record::Record& other);
+
+/// The file of the models that were found: that which was asked with its new numbers, or of a
+/// baseline one of its own.
+[[nodiscard]] std::string identified_text(const SeriesQuestion& asked,
+                                          const std::vector<correction::Model>& found,
+                                          const IdentifyChoices& choices);
+
+}  // namespace raceway::session

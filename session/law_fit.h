@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/displacement_curve.h"
+#include "io/kinematic_results.h"
+#include "session/messages.h"
+#include "session/reading.h"
+#include "session/source.h"
+
+namespace raceway::session {
+
+/// The law of kinematic displacement, fitted to a curve.
+struct LawFit {
+  io::DisplacementCurve curve{};
+  shaft::KinematicLawFit fit{};
+  std::optional<io::LawAtSpeed> at{};
+
+  /// How well it follows the curve; `table` says where the table is that replaces it.
+  [[nodiscard]] std::string statement(const std::string& table) const;
+  [[nodiscard]] std::string json(const std::string& table) const;
+};
+
+/// Reads a curve of displacements over speeds and fits the law to it; `at_rpm`: a speed at which it
+/// is asked for, NaN without. Throws io::InputError: a curve of too few speeds, a speed where the
+/// law is not valid.
+[[nodiscard]] LawFit fit_law(Messages& messages, const Source& curve, const Reading& reading,
+                             double at_rpm);
+
+}  // namespace raceway::session

@@ -1,0 +1,125 @@
+#include "session/spindle_deflection.h"
+
+#include <fmt/format.h>
+
+#include "io/beam_report.h"
+#include "io/error.h"
+#include "record/units.h"
+#include "session/open_input.h"
+
+namespace raceway::session {
+namespace {
+
+/// The bent shaft by the stiffness that the sets have without the force, each `stiffer` times as
+/// stiff; empty where nothing holds it.
+Eigen::VectorXd tangent_line(const BeamOfModel& b, const io::DeflectionResult& r,
+                             double stiffer = 1.0) {
+  if (r.axial || !r.sets.converged()) return {};
+  std::vector<spindle::PlaneSpring> in_y;
+  for (const spindle::Spring& s :
+       spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings)) {
+    in_y.push_back(s.y);
+    in_y.back().radial *= stiffer;
+    in_y.back().coupling *= stiffer;
+    in_y.back().tilt *= stiffer;
+  }
+  const spindle::BeamLoad load[] = {{.position = r.at, .force = r.force, .moment = -r.moment}};
+  const spindle::Deflection d = spindle::deflect(b.beam, b.places, in_y, load);
+  return d.found ? d.shape : Eigen::VectorXd();
+}
+
+/// Displacement where the force acts, by that stiffness.
+double tangent_displacement(const BeamOfModel& b, const io::DeflectionResult& r) {
+  if (r.axial) return r.force / r.sets.equilibrium.axial_stiffness;
+  const Eigen::VectorXd shape = tangent_line(b, r);
+  return shape.size() > 0 ? b.beam.at(r.at, shape)[0] : unset;
+}
+
+io::DeflectionResult solve_deflection(const model::Model& model, BeamOfModel& b,
+                                      const DeflectionQuestion& q) {
+  io::DeflectionResult r{.speed = q.speed,
+                         .force = q.force,
+                         .at = q.at,
+                         .axial = q.axial,
+                         .axial_force = q.axial_force,
+                         .moment = q.moment,
+                         .sets = {},
+                         .shaft = {}};
+  r.sets = b.sets.at(inputs_at(model, r.speed, q.coolant_on), q.warm);
+  if (!r.sets.converged()) return r;
+  r.tangent = tangent_displacement(b, r);
+  spindle::ShaftLoad load{.position = r.at};
+  if (r.axial) {
+    load.axial = r.force;
+  } else {
+    // θ = dv/ds counts rearwards: a force in front of its place turns the shaft against it.
+    load.radial = r.force, load.axial = r.axial_force, load.moment = -r.moment;
+  }
+  // Balls that no race holds turn as they do without the load.
+  const std::vector<bearing::GivenRotation> rotations = r.sets.equilibrium.rotations();
+  bearing::EquilibriumOptions options = model.solver;
+  options.rotations = rotations;
+  r.shaft = spindle::solve_loaded_shaft(b.beam, b.sets.arrangement(), b.places, r.sets.condition,
+                                        load, options);
+  if (!r.shaft.report.converged()) return r;
+  const double axial = r.shaft.position - r.sets.equilibrium.position;
+  r.displacement = r.axial ? axial : b.beam.at(r.at, r.shaft.y)[0];
+  r.nose = r.axial ? axial : r.shaft.y[0];
+  r.slope = r.shaft.y[1];
+  return r;
+}
+
+}  // namespace
+
+void check(const DeflectionQuestion& q) {
+  const auto refuse = [&](const std::string& why, const std::string& key) {
+    throw io::InputError((q.wording == Wording::flags ? "raceway deflection: " : "") + why,
+                         {.key = key});
+  };
+  const std::string force = named(q.wording, "--force", "force_N");
+  const std::string moment = named(q.wording, "--moment", "moment_Nm");
+  if (q.force == 0.0 && q.moment == 0.0)
+    refuse(fmt::format("{} = 0 N: a force or a {} is needed", force, moment), force);
+  if (!q.axial || (q.axial_force == 0.0 && q.moment == 0.0)) return;
+  refuse(fmt::format("{} goes with a radial {}, which may be 0",
+                     q.moment != 0.0 ? moment : named(q.wording, "--axial-force", "axial_force_N"),
+                     force),
+         named(q.wording, "--direction", "direction"));
+}
+
+SpindleDeflection spindle_deflection(const io::ModelFile& file,
+                                     const DeflectionQuestion& question) {
+  check(question);
+  SpindleDeflection answer{.file = file, .beam = beam_of(file, question.at), .warm = question.warm};
+  answer.beam.sets.stop_on(question.cancelled);
+  answer.result = solve_deflection(file.model, answer.beam, question);
+  answer.beam.sets.stop_on(nullptr);
+  return answer;
+}
+
+std::vector<std::string> SpindleDeflection::notes() const {
+  return {"the housing is rigid: what it gives way by is not in these displacements"};
+}
+
+std::vector<std::string> SpindleDeflection::warnings() const {
+  if (converged()) return {};
+  return {fmt::format("{:.6g} rpm: {}{}", result.speed / rpm, result.status(),
+                      result.sets.message.empty() ? "" : ", " + result.sets.message)};
+}
+
+std::string SpindleDeflection::json() const {
+  return io::deflection_json(beam.sets.arrangement(), result, file.source);
+}
+
+std::string SpindleDeflection::csv() const {
+  return io::deflection_text(beam.beam, result, file.source, file.text);
+}
+
+std::string SpindleDeflection::page() const {
+  constexpr double rigid = 1e6;  // times as stiff
+  return io::deflection_report(of_page(file, file.model), beam.sets.arrangement(), beam.beam,
+                               beam.places, warm, result, tangent_line(beam, result),
+                               tangent_line(beam, result, rigid));
+}
+
+}  // namespace raceway::session

@@ -1,0 +1,96 @@
+#include "session/spindle_modes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "fit/problem.h"
+#include "io/beam_report.h"
+#include "io/error.h"
+#include "record/units.h"
+#include "session/open_input.h"
+
+namespace raceway::session {
+namespace {
+
+std::vector<io::ModesAtSpeed> find_all(const model::Model& model, BeamOfModel& b,
+                                       const ModesQuestion& q) {
+  std::vector<io::ModesAtSpeed> results(q.speeds.size());
+  std::vector<double> held_at;
+  std::vector<std::vector<spindle::Spring>> springs;
+  for (std::size_t i = 0; i < q.speeds.size(); ++i) {
+    io::ModesAtSpeed& r = results[i];
+    r.speed = q.speeds[i];
+    r.sets = b.sets.at(inputs_at(model, r.speed, q.coolant_on), q.warm);
+    if (!r.sets.converged()) continue;
+    r.springs = spindle::bearing_springs(b.sets.arrangement(), b.places, r.sets.bearings);
+    held_at.push_back(r.speed);
+    springs.push_back(r.springs);
+  }
+  auto next = results.begin();
+  constexpr std::size_t most_at_once = 200;  // between two looks at whether to go on
+  for (std::size_t begin = 0; begin < held_at.size(); begin += most_at_once) {
+    if (q.cancelled && q.cancelled->load()) throw fit::Cancelled();
+    const std::size_t count = std::min(most_at_once, held_at.size() - begin);
+    for (spindle::Modes& modes :
+         spindle::campbell(b.beam, std::span(held_at).subspan(begin, count),
+                           std::span(springs).subspan(begin, count), q.count)) {
+      next = std::find_if(next, results.end(), [](const auto& r) { return r.sets.converged(); });
+      (next++)->modes = std::move(modes);
+    }
+  }
+  return results;
+}
+
+}  // namespace
+
+SpindleModes spindle_modes(const io::ModelFile& file, const ModesQuestion& question) {
+  constexpr std::size_t most = 10000;
+  if (question.speeds.size() > most)
+    throw io::InputError(
+        fmt::format("raceway modes: {} speeds: at most {}", question.speeds.size(), most),
+        {.key = "--speed"});
+  SpindleModes answer{.file = file, .beam = beam_of(file, 0.0), .warm = question.warm};
+  answer.beam.sets.stop_on(question.cancelled);
+  answer.speeds = find_all(file.model, answer.beam, question);
+  answer.beam.sets.stop_on(nullptr);
+  return answer;
+}
+
+bool SpindleModes::converged() const {
+  return std::all_of(speeds.begin(), speeds.end(), [](const auto& r) { return r.converged(); });
+}
+
+std::vector<std::string> SpindleModes::notes() const {
+  return {"damping, and what gives way in the housing, are not modelled: damping_ratio is empty"};
+}
+
+std::vector<std::string> SpindleModes::warnings() const {
+  std::vector<std::string> lines;
+  for (const io::ModesAtSpeed& r : speeds)
+    if (!r.converged())
+      lines.push_back(fmt::format("{:.6g} rpm: {}{}", r.speed / rpm, r.status(),
+                                  r.sets.message.empty() ? "" : ", " + r.sets.message));
+  return lines;
+}
+
+std::string SpindleModes::json() const {
+  return io::campbell_json(beam.sets.arrangement(), speeds, file.source);
+}
+
+std::string SpindleModes::csv() const {
+  return io::campbell_text(beam.sets.arrangement(), speeds, file.source, file.text);
+}
+
+std::string SpindleModes::shapes_csv() const {
+  return io::mode_shapes_text(beam.beam, speeds, file.source, file.text);
+}
+
+std::string SpindleModes::page() const {
+  return io::modes_report(of_page(file, file.model), beam.sets.arrangement(), beam.beam,
+                          beam.places, warm, speeds);
+}
+
+}  // namespace raceway::session

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/model_file.h"
+#include "io/spindle_results.h"
+#include "session/messages.h"
+#include "session/reading.h"
+#include "session/source.h"
+
+namespace raceway::session {
+
+/// A spindle through a speed programme.
+struct RunQuestion {
+  Source programme;  ///< CSV with time_s, speed_rpm and what else is known
+  Reading reading{};
+  std::optional<Source> start{};       ///< temperatures to begin with; none: all as the room
+  double ambient_temperature = unset;  ///< in every row [K]; NaN: its column, else the model
+  bool coolant_on = true;              ///< false: off in every row
+  bool mesh = true;                    ///< whether the estimate of the cells is wanted
+  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+};
+
+struct SpindleRun {
+  io::ModelFile file;
+  std::string programme{};  ///< its name
+  std::vector<spindle::ProfileRow> profile{};
+  std::optional<spindle::State> start{};
+  spindle::Run run{};
+  io::MeshEstimate mesh{};
+  std::vector<spindle::FieldCell> field{};  ///< at the end
+
+  [[nodiscard]] bool converged() const { return run.report.converged(); }
+  /// Where and why it ended early.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::string json() const;
+  [[nodiscard]] std::string csv() const;
+  [[nodiscard]] std::string page() const;
+  [[nodiscard]] std::string end_state() const;
+  [[nodiscard]] std::string field_csv() const;
+};
+
+/// Throws io::InputError for a model that is no spindle, a programme without time or speed, one of
+/// several runs or one that begins before 0 s, and a state of another spindle.
+[[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const io::ModelFile& file,
+                                          const RunQuestion& question);
+
+}  // namespace raceway::session

@@ -1,0 +1,162 @@
+#include "session/spindle_steady.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/error.h"
+#include "io/spindle_report.h"
+#include "record/units.h"
+#include "session/open_input.h"
+
+namespace raceway::session {
+namespace {
+
+model::Cells other_cells(model::Cells cells) {
+  return cells == model::Cells::coarse ? model::Cells::medium
+         : cells == model::Cells::fine ? model::Cells::medium
+                                       : model::Cells::fine;
+}
+
+double hottest_inner_ring(const spindle::Moment& m) {
+  double hottest = unset;
+  for (const spindle::BearingState& b : m.bearings)
+    hottest = std::fmax(hottest, b.inner_ring_temperature);
+  return hottest;
+}
+
+io::SteadyState steady_state(spindle::Simulator& simulator, const spindle::Inputs& inputs) {
+  io::SteadyState s;
+  s.inputs = inputs;
+  s.moment = simulator.steady(inputs, s.report);
+  if (s.report.converged() && simulator.sets()) {
+    s.axial_stiffness = simulator.sets()->axial_stiffness;
+    s.bearings = simulator.sets()->bearings;
+  }
+  return s;
+}
+
+/// Sections for the page, of up to a dozen of the speeds that have a steady state.
+std::vector<io::DrawnField> fields_of(spindle::Simulator& simulator,
+                                      const std::vector<io::SteadyState>& states) {
+  constexpr std::size_t most = 12;
+  std::vector<const io::SteadyState*> found;
+  for (const io::SteadyState& s : states)
+    if (s.report.converged()) found.push_back(&s);
+  std::vector<io::DrawnField> fields;
+  const std::size_t count = std::min(most, found.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    const io::SteadyState& s = *found[count == 1 ? 0 : k * (found.size() - 1) / (count - 1)];
+    spindle::Report report;
+    static_cast<void>(simulator.steady(s.inputs, report));
+    fields.push_back({.speed = s.inputs.speed, .cells = simulator.field(simulator.state())});
+  }
+  return fields;
+}
+
+}  // namespace
+
+void require_spindle(const io::ModelFile& file) {
+  if (file.model.spindle) return;
+  throw io::InputError(file.source +
+                           ": is no spindle: with [shaft] and [housing] beside its [arrangement] "
+                           "a model is one",
+                       {.file = file.source, .key = "shaft"});
+}
+
+spindle::Simulator simulator_of(const io::ModelFile& file) {
+  try {
+    return spindle::Simulator(file.model);
+  } catch (const std::invalid_argument& e) {
+    throw io::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
+  }
+}
+
+io::MeshEstimate mesh_estimate(const model::Model& model, const spindle::Inputs& inputs,
+                               const std::atomic<bool>* cancelled) {
+  spindle::Simulator own(model);
+  io::MeshEstimate mesh{.cells = own.cells()};
+  if (model.spindle->network) return mesh;
+  model::Model changed = model;
+  changed.spindle->cells = other_cells(model.spindle->cells);
+  spindle::Simulator other(changed);
+  own.stop_on(cancelled);
+  other.stop_on(cancelled);
+  spindle::Report report, report_of_other;
+  const spindle::Moment a = own.steady(inputs, report), b = other.steady(inputs, report_of_other);
+  if (!report.converged() || !report_of_other.converged()) return mesh;
+  mesh.other_cells = other.cells();
+  mesh.speed = inputs.speed;
+  mesh.displacement = a.displacement - b.displacement;
+  mesh.inner_ring_rise = hottest_inner_ring(a) - hottest_inner_ring(b);
+  mesh.front_force = a.front_force - b.front_force;
+  return mesh;
+}
+
+std::string words(const io::MeshEstimate& mesh) {
+  if (!mesh.known()) return fmt::format("{} cells", mesh.cells);
+  return fmt::format(
+      "{} cells; {} give {:+.2g} um, {:+.2g} K of the hottest inner ring and {:+.2g} N in front "
+      "where all is steady at {:.6g} rpm",
+      mesh.cells, mesh.other_cells, -mesh.displacement / um, -mesh.inner_ring_rise,
+      -mesh.front_force, mesh.speed / rpm);
+}
+
+SteadySpindle steady_spindle(const io::ModelFile& file, const SteadyQuestion& question) {
+  require_spindle(file);
+  SteadySpindle answer{.file = file};
+  spindle::Simulator simulator = simulator_of(file);
+  simulator.stop_on(question.cancelled);
+  for (const double speed : question.speeds)
+    answer.states.push_back(
+        steady_state(simulator, {.speed = speed,
+                                 .ambient_temperature = question.ambient_temperature,
+                                 .axial_load = file.model.shaft->external_load,
+                                 .coolant_on = question.coolant_on}));
+  const auto last = std::find_if(answer.states.rbegin(), answer.states.rend(),
+                                 [](const auto& s) { return s.report.converged(); });
+  answer.mesh = last == answer.states.rend()
+                    ? io::MeshEstimate{.cells = simulator.cells()}
+                    : mesh_estimate(file.model, last->inputs, question.cancelled);
+  if (last != answer.states.rbegin()) return answer;
+  answer.end = simulator.state();
+  answer.field = simulator.field(answer.end);
+  return answer;
+}
+
+bool SteadySpindle::converged() const {
+  return std::all_of(states.begin(), states.end(),
+                     [](const auto& s) { return s.report.converged(); });
+}
+
+std::vector<std::string> SteadySpindle::warnings() const {
+  std::vector<std::string> lines;
+  for (const io::SteadyState& s : states)
+    if (!s.report.converged())
+      lines.push_back(fmt::format("{:.6g} rpm: {}: {}", s.inputs.speed / rpm,
+                                  spindle::name(s.report.status), s.report.message));
+  return lines;
+}
+
+std::string SteadySpindle::json() const {
+  return io::spindle_steady_json(file.model, states, mesh);
+}
+
+std::string SteadySpindle::csv() const {
+  return io::spindle_steady_text(file.model, states, file.text);
+}
+
+std::string SteadySpindle::page() const {
+  spindle::Simulator simulator = simulator_of(file);
+  return io::spindle_steady_report(of_page(file, file.model), states, fields_of(simulator, states),
+                                   mesh, words(mesh));
+}
+
+std::string SteadySpindle::end_state() const { return io::spindle_state_json(file.model, end); }
+
+std::string SteadySpindle::field_csv() const {
+  return io::spindle_field_text(field, file.model.spindle->name);
+}
+
+}  // namespace raceway::session

@@ -1,0 +1,201 @@
+#include "session/spindle_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/error.h"
+#include "io/number_text.h"
+#include "io/series_file.h"
+#include "io/step_report.h"
+#include "io/step_results.h"
+#include "record/units.h"
+#include "session/open_input.h"
+#include "session/step_parts.h"
+
+namespace raceway::session {
+namespace {
+
+using io::number;
+
+constexpr double one_hour = 3600.0;
+
+spindle::Inputs conditions_of(const SpindleSteps& steps) {
+  spindle::Inputs inputs;
+  inputs.coolant_on = steps.coolant_on;
+  return inputs;
+}
+
+std::vector<std::string> notes_on_steps(const spindle::StepResponses& responses,
+                                        const spindle::PowerLaws& laws) {
+  std::vector<std::string> notes;
+  std::size_t two = 0;
+  for (const spindle::StepResponse& step : responses.steps) {
+    two += step.fit.two_needed ? 1 : 0;
+    if (step.converged() && !step.fit.settled)
+      notes.push_back(fmt::format(
+          "{}: a time constant of {:.3g} min is more than half of what was seen: gain and time "
+          "constant are a guess",
+          name_of(step), step.fit.one.time_constant / spindle::one_minute));
+  }
+  if (two > 0)
+    notes.push_back(fmt::format("{} of {} step responses need two time constants", two,
+                                responses.steps.size()));
+  if (!std::isnan(laws.gain_line.offset))
+    notes.push_back(fmt::format(
+        "the lines are chords: K(0) = {} um of theirs is no physics; {} to {} W is where K and T "
+        "keep their sign",
+        number(laws.gain_line.offset / um, 3), number(laws.valid_from),
+        std::isinf(laws.valid_to) ? std::string("any") : number(laws.valid_to)));
+  return notes;
+}
+
+void add_laws(SpindleSteps& steps) {
+  steps.laws = spindle::fit_power_laws(spindle::at_powers(steps.responses.steps));
+  steps.notes = notes_on_steps(steps.responses, steps.laws);
+}
+
+io::StepLaw step_law_of(const std::string& name) {
+  return name == "power"  ? io::StepLaw::power
+         : name == "line" ? io::StepLaw::line
+                          : io::StepLaw::curve;
+}
+
+/// With one delay element or two: as asked for, else two where one does not do. Of a spindle that
+/// can be simulated it is tried: two may fit the steps of a cold spindle, and not a warm one.
+correction::Model chosen_model(Messages& messages, const SpindleSteps& steps,
+                               const StepCorrectionQuestion& q, io::StepCorrectionParts parts) {
+  const spindle::StepResponses& responses = steps.responses;
+  if (q.lags != "auto") {
+    parts.two_lags = q.lags == "two";
+    return io::step_model(responses, parts);
+  }
+  if (!spindle::need_two(responses.steps)) return io::step_model(responses, parts);
+  correction::Model one = io::step_model(responses, parts);
+  parts.two_lags = true;
+  correction::Model two = io::step_model(responses, parts);
+  const model::Model* const model = steps.model();
+  if (!model || !model->spindle || !steps.simulated) return two;
+  const record::Record trial = io::trial_programme(parts.power.back().speed);
+  const io::Superposition of_one =
+      io::superposition(*model, one, trial, conditions_of(steps), q.cancelled);
+  const io::Superposition of_two =
+      io::superposition(*model, two, trial, conditions_of(steps), q.cancelled);
+  if (!of_one.report.converged()) return two;
+  messages.note(
+      fmt::format("over {:.0f} h of half hours at several speeds one delay element is off by "
+                  "{:.3g} um rms, two by {:.3g}: {} written; {} says other",
+                  trial.values(record::time).back() / one_hour, of_one.rms / um, of_two.rms / um,
+                  of_one.rms <= of_two.rms ? "one" : "two", named(q.wording, "--lags", "lags")));
+  return of_one.rms <= of_two.rms ? one : two;
+}
+
+std::string name_of_model(const SpindleSteps& steps) {
+  const model::Model* const model = steps.model();
+  if (!model) return steps.source;
+  if (model->spindle && !model->spindle->name.empty()) return model->spindle->name;
+  return model->name.empty() ? steps.source : model->name;
+}
+
+}  // namespace
+
+SpindleSteps simulated_steps(Messages& messages, const io::ModelFile& file,
+                             const StepQuestion& question) {
+  const std::string key = named(question.wording, "--speed", "speed_rpm");
+  std::vector<double> speeds = question.speeds;
+  if (!speeds.empty() && speeds.front() == 0.0) {
+    messages.note(key + ": 0 rpm is rest, where each step begins: left out");
+    speeds.erase(speeds.begin());
+  }
+  constexpr std::size_t most = 1000;
+  if (speeds.empty() || speeds.size() > most)
+    throw io::InputError(
+        fmt::format("raceway step-response: {} speeds above 0 rpm: must be from 1 to {}",
+                    speeds.size(), most),
+        {.key = key});
+  SpindleSteps steps{
+      .file = file, .source = file.source, .coolant_on = question.coolant_on, .simulated = true};
+  spindle::StepOptions options{.duration = question.duration, .cancelled = question.cancelled};
+  options.inputs = conditions_of(steps);
+  steps.responses = spindle::step_responses(file.model, speeds, options);
+  add_laws(steps);
+  return steps;
+}
+
+SpindleSteps imported_steps(const std::vector<io::LoadCase>& cases, const std::string& source,
+                            const io::ModelFile* file, double temperature_C) {
+  SpindleSteps steps{.source = source, .temperature_C = temperature_C};
+  if (file) steps.file = *file;
+  const model::Model* const model = steps.model();
+  steps.responses.steps = io::fit_load_cases(cases);
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    spindle::StepResponse& step = steps.responses.steps[k];
+    if (!std::isnan(step.power_end)) continue;
+    if (!model)
+      throw io::InputError(
+          fmt::format("{}: load case {}: has a speed and no power, which follows from the friction "
+                      "of a model: name the MODEL, or give power_W",
+                      cases[k].place.text(), cases[k].name),
+          cases[k].place);
+    step.power_start = step.power_end = friction_power(*model, step.speed, temperature_C);
+  }
+  const bool at_once = std::any_of(cases.begin(), cases.end(),
+                                   [](const io::LoadCase& c) { return c.at_once != 0.0; });
+  if (model && !at_once)
+    for (spindle::StepResponse& step : steps.responses.steps)
+      if (!std::isnan(step.speed)) step.kinematic = kinematic_at(*model, step.speed);
+  add_laws(steps);
+  return steps;
+}
+
+bool SpindleSteps::converged() const {
+  return std::all_of(responses.steps.begin(), responses.steps.end(),
+                     [](const auto& step) { return step.converged(); });
+}
+
+std::vector<std::string> SpindleSteps::warnings() const {
+  std::vector<std::string> lines;
+  for (const spindle::StepResponse& step : responses.steps)
+    if (!step.converged()) lines.push_back(fmt::format("{}: {}", name_of(step), step.message));
+  return lines;
+}
+
+std::string SpindleSteps::csv() const {
+  return io::step_responses_text(responses, source, file ? file->text : "");
+}
+
+std::string SpindleSteps::json(const io::Superposition* error) const {
+  return io::step_responses_json(responses, laws, notes, error);
+}
+
+std::string SpindleSteps::page(const io::Superposition* error, const std::string& programme) const {
+  std::vector<io::ModelOfPage> facts;
+  if (file) facts.push_back(of_page(*file, file->model));
+  return io::step_report(source, responses, laws, notes, error, programme, facts);
+}
+
+correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
+                                      const StepCorrectionQuestion& question) {
+  const StepParts parts = step_parts(steps.responses, steps.model(), steps.temperature_C);
+  messages.notes(parts.notes);
+  return chosen_model(messages, steps, question,
+                      {.name = name_of_model(steps),
+                       .power = parts.power,
+                       .kinematic = parts.kinematic,
+                       .law = step_law_of(question.law)});
+}
+
+io::Superposition superposition_of_steps(const SpindleSteps& steps,
+                                         const correction::Model& correction,
+                                         const Source& programme,
+                                         const std::atomic<bool>* cancelled) {
+  const std::vector<const record::Channel*> wanted{&record::time, &record::speed};
+  const record::Record record = programme.text
+                                    ? io::parse_series(*programme.text, programme.name, {}, wanted)
+                                    : io::read_series(programme.name, {}, wanted);
+  return io::superposition(*steps.model(), correction, record, conditions_of(steps), cancelled);
+}
+
+}  // namespace raceway::session

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "correction/model.h"
+#include "io/model_file.h"
+#include "io/number_range.h"
+#include "io/step_correction.h"
+#include "io/step_import.h"
+#include "io/superposition.h"
+#include "session/messages.h"
+#include "session/source.h"
+#include "session/wording.h"
+#include "spindle/power_laws.h"
+#include "spindle/step_response.h"
+
+namespace raceway::session {
+
+inline constexpr io::NumberRange step_hours_range{0.1, 1000.0, "h"};
+
+struct StepQuestion {
+  std::vector<double> speeds{};  ///< [rad/s], rising
+  double duration = 4 * 3600.0;  ///< of each step [s]
+  bool coolant_on = true;
+  Wording wording = Wording::arguments;          ///< of errors and notes
+  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+};
+
+/// Step responses of a spindle, simulated or read, with the laws K(P) and T(P) of all of them.
+struct SpindleSteps {
+  std::optional<io::ModelFile> file{};  ///< none where they were read without a model
+  std::string source{};                 ///< what they are of
+  spindle::StepResponses responses{};
+  spindle::PowerLaws laws{};
+  std::vector<std::string> notes{};
+  double temperature_C = unset;  ///< of the lubricant, for the power of those that were read
+  bool coolant_on = true;
+  bool simulated = false;
+
+  [[nodiscard]] const model::Model* model() const { return file ? &file->model : nullptr; }
+  [[nodiscard]] bool converged() const;
+  /// The steps that have no response, and why.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] std::string csv() const;
+  /// `error` of a correction over a programme, null where none was asked for.
+  [[nodiscard]] std::string json(const io::Superposition* error = nullptr) const;
+  [[nodiscard]] std::string page(const io::Superposition* error = nullptr,
+                                 const std::string& programme = {}) const;
+};
+
+/// Throws io::InputError without a speed above 0 or with too many; std::invalid_argument for a
+/// model that is no spindle.
+[[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const io::ModelFile& file,
+                                           const StepQuestion& question);
+
+/// Of load cases that were read; `file` may be null. Those with a speed alone have the power of the
+/// model there, at a temperature of its lubricant [C]; NaN: that of its rig.
+[[nodiscard]] SpindleSteps imported_steps(const std::vector<io::LoadCase>& cases,
+                                          const std::string& source, const io::ModelFile* file,
+                                          double temperature_C);
+
+/// What a correction of them is asked to be.
+struct StepCorrectionQuestion {
+  std::string law = "curve";                     ///< of K and T: "curve", "power" or "line"
+  std::string lags = "auto";                     ///< delay elements: "one", "two" or "auto"
+  Wording wording = Wording::arguments;          ///< of notes
+  const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
+};
+
+/// The correction that these step responses make. Throws std::invalid_argument where they make
+/// none.
+[[nodiscard]] correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
+                                                    const StepCorrectionQuestion& question);
+
+/// A correction of them against the whole simulation, over a programme of speeds.
+[[nodiscard]] io::Superposition superposition_of_steps(
+    const SpindleSteps& steps, const correction::Model& correction, const Source& programme,
+    const std::atomic<bool>* cancelled = nullptr);
+
+}  // namespace raceway::session

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace raceway::session {
+
+/// How messages call what was asked for: by the flags of the command or the arguments of a
+/// function.
+enum class Wording { flags, arguments };
+
+/// "--moment" or "moment_Nm".
+[[nodiscard]] inline std::string named(Wording wording, const char* flag, const char* argument) {
+  return wording == Wording::flags ? flag : argument;
+}
+
+}  // namespace raceway::session
