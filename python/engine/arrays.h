@@ -4,6 +4,8 @@
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +19,14 @@ namespace py = pybind11;
 
 /// An array of Python by reference: doubles, of any shape and strides.
 using Doubles = py::array_t<double>;
+
+/// A setting as it was entered. The way to SI and back moves the last digit of a double, and a
+/// filter such as frame.speed_rpm == 1500 would not find its rows.
+inline double as_entered(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.13g", value);
+  return std::strtod(text, nullptr);
+}
 
 /// The shape that numpy gives arrays that are used together. Throws io::InputError where there is
 /// none.

@@ -76,12 +76,14 @@ auto interruptible(std::atomic<bool>& cancelled, const Progress& progress, const
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
     if (elapsed > waiting.time_limit) out_of_time = cancelled = true;
   }
+  // Where work that was cancelled fails, whatever it says comes from that.
+  if (error) {
+    task.wait();
+    throw std::move(*error);
+  }
   try {
-    auto result = task.get();
-    if (error) throw std::move(*error);
-    return result;
-  } catch (const fit::Cancelled&) {
-    if (error) throw std::move(*error);
+    return task.get();
+  } catch (...) {
     if (!out_of_time) throw;
     PyErr_Format(PyExc_TimeoutError, "no answer within %s s; time_limit_s gives it more",
                  py::str(py::float_(waiting.time_limit)).cast<std::string>().c_str());

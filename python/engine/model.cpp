@@ -7,12 +7,15 @@
 #include <map>
 
 #include "effects/catalogue.h"
+#include "io/csv_form.h"
 #include "io/input_file.h"
+#include "io/missing_cell.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
 #include "io/text_encoding.h"
 #include "model/parameters.h"
 #include "python/engine/interruptible.h"
+#include "session/bands.h"
 #include "session/new_model.h"
 #include "session/open_input.h"
 #include "session/shaft_answers.h"
@@ -48,13 +51,16 @@ Named named(const py::dict& given) {
 
 /// Columns as one array of [column, ...shape], and the status of each state by its number.
 py::tuple solve(const EngineModel& model, const py::dict& given,
-                const std::vector<std::string>& columns) {
+                const std::vector<std::string>& columns, bool with_band) {
   const Named arrays = named(given);  // keeps them alive
   const session::StateArrays states = state_arrays(arrays);
   Heard heard;
   std::atomic<bool> cancelled = false;
+  const std::optional<model::Band> band = model.band(with_band);
+  if (band) heard.note("band: " + session::band_statement(*band));
   const auto work = [&] {
-    return session::solve_states(heard, model.file(), states, columns, &cancelled);
+    return session::solve_states(heard, model.file(), states, columns, &cancelled,
+                                 band ? &*band : nullptr);
   };
   const auto at_once = [&] {
     const py::gil_scoped_release others;
@@ -87,7 +93,7 @@ py::list views(const py::dict& given) {
 }
 
 /// One state as the document of `raceway solve --json`, with what is said of it.
-py::tuple solve_document(const EngineModel& model, const py::dict& given) {
+py::tuple solve_document(const EngineModel& model, const py::dict& given, bool with_band) {
   const Named arrays = named(given);
   const session::StateArrays states = state_arrays(arrays);
   Heard heard;
@@ -96,20 +102,27 @@ py::tuple solve_document(const EngineModel& model, const py::dict& given) {
     const py::gil_scoped_release others;
     const bearing::OperatingPoint point = session::single_state(heard, model.file(), states);
     const model::Model& m = model.file().model;
+    const std::optional<model::Band> band = model.band(with_band);
+    if (band) heard.note("band: " + session::band_statement(*band));
+    std::optional<io::BandOfResult> half_widths;
+    const auto of_band = [&] { return half_widths ? &*half_widths : nullptr; };
     if (m.shaft) {
       const shaft::ShaftPoint asked{.speed = point.speed,
                                     .external_load = point.axial_load,
                                     .temperature = point.temperature};
       const auto predictions = shaft::predict_shaft(m, {&asked, 1});
       heard.warnings(session::shaft_warnings(m, {&asked, 1}, predictions));
-      document = io::shaft_solve_json(m, asked, predictions[0]);
+      if (band) half_widths = session::shaft_band(*band, {&asked, 1});
+      document = io::shaft_solve_json(m, asked, predictions[0], of_band());
     } else {
       const session::PointAnswer answer = session::solve_point(m, point);
       if (answer.converged()) {
         heard.notes(session::notes_on_point(m, point, answer));
         heard.warnings(session::warnings_on_point(m, answer));
       }
-      document = io::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat);
+      if (band) half_widths = session::point_band(*band, point);
+      document =
+          io::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat, of_band());
     }
   }
   return py::make_tuple(document, heard.note_lines, heard.warning_lines);
@@ -122,6 +135,34 @@ std::string read_text(const std::string& path) {
   return io::is_utf8(text) ? text : io::utf8_from_latin1(text);
 }
 
+/// A table in any form that records have, as one with commas, decimal points and every text in
+/// quotes: without titles and row of units, and nothing where no number was read.
+std::string plain_csv(const std::string& name, const std::string& text) {
+  const auto form = [](std::string_view lines) {
+    return io::find_form(lines, [](std::string_view) { return false; });
+  };
+  const io::CsvTable table = io::parse_csv(text, name, false, form);
+  std::string plain;
+  const auto put = [&](std::size_t column, std::string_view cell, bool quote) {
+    if (column > 0) plain += ',';
+    if (!quote) return void(plain += cell);
+    plain += '"';
+    for (const char c : cell) plain += c == '"' ? std::string("\"\"") : std::string(1, c);
+    plain += '"';
+  };
+  for (std::size_t c = 0; c < table.header.size(); ++c) put(c, table.header[c], true);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    plain += '\n';
+    for (std::size_t c = 0; c < table.header.size(); ++c) {
+      std::string cell(io::is_missing(table.cell(row, c)) ? "" : table.cell(row, c));
+      const io::ParsedNumber number = io::parse_number(cell, table.separator != ',');
+      if (number.problem.empty()) std::replace(cell.begin(), cell.end(), ',', '.');
+      put(c, cell, !number.problem.empty() && !cell.empty());
+    }
+  }
+  return plain + '\n';
+}
+
 }  // namespace
 
 EngineModel::EngineModel(const std::string& source, const std::string& text, const py::list& own)
@@ -129,6 +170,10 @@ EngineModel::EngineModel(const std::string& source, const std::string& text, con
       file_(session::open_model(heard_, session::Source(source, text),
                                 session::Accepts::rig_or_shaft, session::Defaults::keep)) {
   amend(file_);
+  if (file_.model.shaft) return;
+  Heard ignored;
+  session::warn_of_ignored_data(ignored, file_);
+  heard_.notes(ignored.warning_lines);
 }
 
 void EngineModel::amend(io::ModelFile& file) const {
@@ -141,6 +186,11 @@ void EngineModel::amend(io::ModelFile& file) const {
                            {.key = id});
     file.model.effects.push_back(own.effect());
   }
+}
+
+std::optional<model::Band> EngineModel::band(bool wanted) const {
+  if (!wanted) return std::nullopt;
+  return session::band_of(file_, "band", "calibrate(record).model has one, add(...).model too");
 }
 
 std::string EngineModel::kind() const {
@@ -168,8 +218,15 @@ std::string EngineModel::with_values(const py::dict& values) const {
     const auto name = key.cast<std::string>();
     const auto found = std::find_if(known.begin(), known.end(),
                                     [&](const record::Parameter& p) { return p.name == name; });
+    if (found == known.end() && name.find('.') != name.npos) {  // [table] and key of the file
+      changes.push_back({.key = name, .value = value.cast<double>(), .comment = {}});
+      continue;
+    }
     if (found == known.end())
-      throw io::InputError(name + ": no such parameter of " + file_.source, {.key = name});
+      throw io::InputError(name + ": no such parameter of " + file_.source +
+                               "; other numbers are named by table and key, such as "
+                               "lubricant.viscosity_40C_mm2_s",
+                           {.key = name});
     for (const std::string& address : found->addresses)
       changes.push_back({.key = address, .value = value.cast<double>(), .comment = {}});
   }
@@ -196,16 +253,24 @@ void bind_model(py::module_& module) {
       .def("solve_document", &solve_document);
   module.def("views", &views);
   module.def("read_text", &read_text);
+  module.def("plain_csv", &plain_csv);
   module.def(
       "new_model",
-      [](const std::string& bearing, const std::string& law, const std::string& ball_material) {
+      [](const std::string& bearing, const std::string& law, const std::string& ball_material,
+         double bore_mm, double outer_diameter_mm, double contact_angle_deg, int ball_count) {
         Heard heard;
-        session::NewModel wanted{.bearing = bearing, .law = law};
-        wanted.outline.ball_material = ball_material;
+        const session::NewModel wanted{.bearing = bearing,
+                                       .outline = {.bore = bore_mm * mm,
+                                                   .outer_diameter = outer_diameter_mm * mm,
+                                                   .ball_count = ball_count,
+                                                   .ball_material = ball_material},
+                                       .contact_angle = contact_angle_deg,
+                                       .law = law};
         std::string text = session::new_model_text(heard, wanted);
         return py::make_tuple(text, heard.note_lines);
       },
-      py::arg("bearing"), py::arg("law"), py::arg("ball_material"));
+      py::arg("bearing"), py::arg("law"), py::arg("ball_material"), py::arg("bore_mm"),
+      py::arg("outer_diameter_mm"), py::arg("contact_angle_deg"), py::arg("ball_count"));
 }
 
 }  // namespace raceway::python

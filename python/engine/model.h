@@ -3,10 +3,12 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/model_file.h"
+#include "model/band.h"
 #include "python/engine/arrays.h"
 #include "python/engine/heard.h"
 #include "python/engine/own_effect.h"
@@ -22,6 +24,8 @@ class EngineModel {
   [[nodiscard]] const Heard& heard() const { return heard_; }
   /// The effects of the user's own that no file can say, put into a model.
   void amend(io::ModelFile& file) const;
+  /// Of its fitted parameters where that is wanted. Throws io::InputError where it has none.
+  [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
   /// "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;
   [[nodiscard]] py::list parameters() const;
@@ -37,5 +41,6 @@ class EngineModel {
 void bind_model(py::module_& module);
 void bind_tables(py::module_& module);
 void bind_loop(py::module_& module);
+void bind_spindle(py::module_& module);
 
 }  // namespace raceway::python

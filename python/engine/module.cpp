@@ -4,6 +4,8 @@
 
 #include "fit/problem.h"
 #include "io/error.h"
+#include "python/engine/answer.h"
+#include "python/engine/correction.h"
 #include "python/engine/model.h"
 
 /// What the library answers, as plain Python objects; the package raceway around it is what people
@@ -13,7 +15,7 @@ namespace {
 
 /// io::InputError is raceway.InputError, a ValueError with file, line and key.
 void raise_input_error(const py::object& type, const io::InputError& e) {
-  const py::object error = type(e.what());
+  const py::object error = type(py::module_::import("raceway._errors").attr("in_python")(e.what()));
   error.attr("file") = e.place.file.empty() ? py::none() : py::object(py::str(e.place.file));
   error.attr("line") = e.place.line > 0 ? py::object(py::int_(e.place.line)) : py::none();
   error.attr("key") = e.place.key.empty() ? py::none() : py::object(py::str(e.place.key));
@@ -40,5 +42,8 @@ PYBIND11_MODULE(_engine, module) {
   });
   bind_model(module);
   bind_tables(module);
+  bind_answer(module);
   bind_loop(module);
+  bind_correction(module);
+  bind_spindle(module);
 }

@@ -3,11 +3,13 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "fit/problem.h"
 #include "friction/stribeck_table.h"
 #include "io/number_range.h"
 #include "io/number_text.h"
+#include "io/plausible.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
 #include "io/table_exchange.h"
@@ -15,12 +17,21 @@
 #include "io/units.h"
 #include "python/engine/interruptible.h"
 #include "python/engine/model.h"
+#include "session/bands.h"
 #include "session/shaft_answers.h"
 #include "session/table_columns.h"
 #include "shaft/shaft_prediction.h"
 
 namespace raceway::python {
 namespace {
+
+/// Of the first temperature that looks like kelvin.
+std::vector<std::string> kelvin_doubts(const std::vector<double>& temperatures_C) {
+  for (const double value : temperatures_C)
+    if (std::string doubt = io::looks_like_kelvin("temperature_C", value); !doubt.empty())
+      return {std::move(doubt)};
+  return {};
+}
 
 /// Axis by axis in the units of files, each rising.
 struct Axes {
@@ -69,21 +80,33 @@ friction::TableAxes table_axes(const EngineModel& model, const Axes& asked) {
 /// A Stribeck table with the model that it is of.
 class EngineTable {
  public:
-  EngineTable(std::shared_ptr<const EngineModel> model, const Axes& axes)
-      : model_(std::move(model)) {
+  EngineTable(std::shared_ptr<const EngineModel> model, const Axes& axes, bool with_band)
+      : model_(std::move(model)),
+        band_(model_->band(with_band)),
+        doubts_(kelvin_doubts(axes.temperature_C)) {
     const model::Model& m = model_->file().model;
     const friction::TableAxes grid = table_axes(*model_, axes);
+    std::vector<std::string> columns = session::table_columns(m);
+    if (band_)
+      for (std::string& name : session::band_columns(m)) columns.push_back(std::move(name));
     std::atomic<bool> cancelled = false;
     table_ = interruptible(cancelled, Progress(), Waiting(), [&] {
-      return friction::build_stribeck_table(grid, session::table_columns(m),
-                                            [&](auto points, auto out) {
-                                              if (cancelled) throw fit::Cancelled();
-                                              session::fill_table_line(m, points, out);
-                                            });
+      return friction::build_stribeck_table(grid, std::move(columns), [&](auto points, auto out) {
+        if (cancelled) throw fit::Cancelled();
+        session::fill_table_line(m, points, out);
+        if (band_) session::fill_band(m, *band_, points, out);
+      });
     });
   }
   [[nodiscard]] const friction::StribeckTable& table() const { return table_; }
-  [[nodiscard]] std::string json() const { return io::table_json(model_->file().model, table_); }
+  [[nodiscard]] std::string json() const {
+    const io::BandOfResult of_band{
+        .parameters = band_ ? band_->fitted() : std::vector<std::string>(),
+        .names = {},
+        .half_widths = {}};
+    return io::table_json(model_->file().model, table_, band_ ? &of_band : nullptr);
+  }
+  [[nodiscard]] const std::string& bearing() const { return model_->file().model.name; }
   [[nodiscard]] std::string csv() const {
     return io::table_text(table_, model_->file().model.name, model_->file().text);
   }
@@ -92,7 +115,10 @@ class EngineTable {
     return io::modelica_table_text(table_, model_->file().model.name);
   }
   [[nodiscard]] std::vector<std::string> notes() const {
-    return session::table_notes(model_->file().model, table_);
+    std::vector<std::string> lines = session::table_notes(model_->file().model, table_);
+    lines.insert(lines.begin(), doubts_.begin(), doubts_.end());
+    if (band_) lines.insert(lines.begin(), "band: " + session::band_statement(*band_));
+    return lines;
   }
   /// Names, numbers by point and column, status by point.
   [[nodiscard]] py::tuple columns() const {
@@ -109,10 +135,10 @@ class EngineTable {
     std::vector<std::string> status;
     for (std::size_t k = 0; k < points; ++k) {
       const bearing::OperatingPoint p = table_.point(k);
-      put(0, k, p.speed / rpm);
-      put(1, k, p.axial_load);
-      put(2, k, p.radial_load);
-      put(3, k, celsius(p.temperature));
+      put(0, k, as_entered(p.speed / rpm));
+      put(1, k, as_entered(p.axial_load));
+      put(2, k, as_entered(p.radial_load));
+      put(3, k, as_entered(celsius(p.temperature)));
       put(4, k, table_.friction_moment[k] / N_mm);
       const auto row = table_.row(k);
       for (std::size_t c = 0; c < row.size(); ++c) put(5 + c, k, row[c] / units[c]);
@@ -124,6 +150,8 @@ class EngineTable {
 
  private:
   std::shared_ptr<const EngineModel> model_;
+  std::optional<model::Band> band_;
+  std::vector<std::string> doubts_;
   friction::StribeckTable table_;
 };
 
@@ -131,9 +159,10 @@ class EngineTable {
 class EngineDisplacement {
  public:
   EngineDisplacement(std::shared_ptr<const EngineModel> model, const std::vector<double>& speed_rpm,
-                     double axial_load_N, double temperature_C)
+                     double axial_load_N, double temperature_C, bool with_band)
       : model_(std::move(model)) {
     const model::Model& m = model_->file().model;
+    doubts_ = kelvin_doubts({temperature_C});
     if (!m.shaft)
       throw io::InputError(model_->file().source +
                                ": has no [arrangement]: a shaft position needs one, with layout, "
@@ -146,21 +175,31 @@ class EngineDisplacement {
            .external_load = std::isnan(axial_load_N) ? m.shaft->external_load : axial_load_N,
            .temperature = std::isnan(temperature_C) ? m.rig.temperature : kelvin(temperature_C)});
     }
+    const std::optional<model::Band> band = model_->band(with_band);
     const py::gil_scoped_release others;
     predictions_ = shaft::predict_shaft(m, points_);
+    if (band) band_ = session::shaft_band(*band, points_);
   }
   [[nodiscard]] std::string json() const {
-    return io::displacement_json(model_->file().model, points_, predictions_);
+    return io::displacement_json(model_->file().model, points_, predictions_, band());
   }
   [[nodiscard]] std::string csv() const {
-    return io::displacement_text(model_->file().model, points_, predictions_, model_->file().text);
+    return io::displacement_text(model_->file().model, points_, predictions_, model_->file().text,
+                                 band());
   }
   [[nodiscard]] std::vector<std::string> warnings() const {
-    return session::shaft_warnings(model_->file().model, points_, predictions_);
+    std::vector<std::string> lines =
+        session::shaft_warnings(model_->file().model, points_, predictions_);
+    lines.insert(lines.begin(), doubts_.begin(), doubts_.end());
+    return lines;
   }
 
  private:
+  [[nodiscard]] const io::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
+
   std::shared_ptr<const EngineModel> model_;
+  std::optional<io::BandOfResult> band_;
+  std::vector<std::string> doubts_;
   std::vector<shaft::ShaftPoint> points_;
   std::vector<shaft::ShaftPrediction> predictions_;
 };
@@ -169,20 +208,25 @@ class EngineDisplacement {
 
 void bind_tables(py::module_& module) {
   py::class_<EngineTable>(module, "Table")
-      .def(py::init([](std::shared_ptr<EngineModel> model, std::vector<double> speed_rpm,
+      .def(py::init([](std::shared_ptr<EngineModel> model, bool band, std::vector<double> speed_rpm,
                        std::vector<double> axial_load_N, std::vector<double> radial_load_N,
                        std::vector<double> temperature_C) {
-        return EngineTable(std::move(model), {std::move(speed_rpm), std::move(axial_load_N),
-                                              std::move(radial_load_N), std::move(temperature_C)});
+        return EngineTable(std::move(model),
+                           {std::move(speed_rpm), std::move(axial_load_N), std::move(radial_load_N),
+                            std::move(temperature_C)},
+                           band);
       }))
       .def_property_readonly("notes", &EngineTable::notes)
+      .def_property_readonly("bearing", &EngineTable::bearing)
+      .def_property_readonly("points", [](const EngineTable& t) { return t.table().points(); })
       .def("json", &EngineTable::json)
       .def("csv", &EngineTable::csv)
       .def("plain", &EngineTable::plain)
       .def("modelica", &EngineTable::modelica)
       .def("columns", &EngineTable::columns);
   py::class_<EngineDisplacement>(module, "Displacement")
-      .def(py::init<std::shared_ptr<EngineModel>, const std::vector<double>&, double, double>())
+      .def(py::init<std::shared_ptr<EngineModel>, const std::vector<double>&, double, double,
+                    bool>())
       .def_property_readonly("warnings", &EngineDisplacement::warnings)
       .def("json", &EngineDisplacement::json)
       .def("csv", &EngineDisplacement::csv);

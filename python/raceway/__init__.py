@@ -15,8 +15,11 @@ work releases the lock of the interpreter.
 from typing import Any as _Any
 
 from ._engine import __version__
+from ._correction import Correction, read
+from ._correction_results import Check, CorrectionComparison, CorrectionRun, Identification, Program
 from ._effect import Effect, Number, State
 from ._errors import Doubt, InputError, NotConverged
+from ._law import KinematicLaw, fit_law
 from ._model import Model
 from ._record import Record
 from ._results import (
@@ -28,6 +31,7 @@ from ._results import (
     Solution,
     Table,
 )
+from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses
 
 
 
@@ -43,18 +47,32 @@ def __getattr__(name: str) -> _Any:
 __all__ = [
     "Addition",
     "Calibration",
+    "Check",
     "Comparison",
+    "Correction",
+    "CorrectionComparison",
+    "CorrectionRun",
     "Diagnosis",
+    "Deflection",
     "Displacement",
     "Doubt",
     "Effect",
+    "Identification",
     "InputError",
+    "KinematicLaw",
     "Model",
+    "Modes",
     "NotConverged",
     "Number",
+    "Program",
     "Record",
     "Solution",
+    "SpindleRun",
     "State",
+    "SteadyStates",
+    "StepResponses",
     "Table",
     "__version__",
+    "fit_law",
+    "read",
 ]

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 KINDS = ("Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition",
-         "Modes")
+         "SteadyStates", "SpindleRun", "Modes", "Deflection", "StepResponses")
 
 # Endings of column names, longest first where one ends in another; N_um before um.
 UNITS = {
@@ -64,12 +64,13 @@ def split_column(column: str) -> tuple[str, str]:
 def unit_text(unit: str | None) -> str:
     """Unit for people, of the key in a document; "" of a number without unit.
 
-    >>> unit_text("Nmm"), unit_text("1"), unit_text("N mm")
-    ('N mm', '', 'N mm')
+    >>> unit_text("Nmm"), unit_text("1"), unit_text("um/W")
+    ('N mm', '', 'µm/W')
     """
     if not unit or unit in ("1", "-"):
         return ""
-    return UNITS.get(unit, unit)
+    of, per, what = unit.partition("/")
+    return UNITS.get(unit, UNITS.get(of, of) + per + what)
 
 
 def error_unit(unit: str | None) -> str:
@@ -183,6 +184,8 @@ def _of_comparison(part: dict[str, Any], model: str) -> Ladder:
 
 def _of_fit(part: dict[str, Any], noise: dict[str, Any] | None, after: str) -> Ladder:
     size, words = noise_of(noise)
+    # A document without noise leaves open whether it is known.
+    words = words if noise is not None else ""
     ladder = Ladder(part["unit"], part.get("quantity", ""), noise=size, noise_words=words,
                     tolerance=_tolerance(part))
     ladder.steps = [Step("before", part["rmse_before"], "before"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 
 class InputError(ValueError):
     """Something that was entered is wrong; the message is that of the command, complete.
@@ -27,3 +29,19 @@ class NotConverged(RuntimeError):
 
 class Doubt(UserWarning):
     """What makes a result doubtful; the command says it behind ``warning:``."""
+
+
+_ARGUMENTS = {
+    "--bore": "bore_mm",
+    "--outer-diameter": "outer_diameter_mm",
+    "--contact-angle": "contact_angle_deg",
+    "--balls": "ball_count",
+}
+
+
+def in_python(words: str) -> str:
+    """A message of the command with the names that its flags have here."""
+    for flag, argument in _ARGUMENTS.items():
+        words = re.sub(rf"{flag}(?![\w-])", argument, words)
+    words = words.replace("raceway new:", "Model.new():").replace("For --columns FILE", "For the argument columns of Record")
+    return re.sub(r"raceway check MODEL .* --suggest-columns", "Model.suggest_columns(record)", words)

@@ -38,16 +38,18 @@ def heading(words: str) -> str:
     return f'<div style="margin:.8em 0 .2em;font-weight:600">{text(words)}</div>'
 
 
-def table(head: list[str], rows: list[list[str]], left: int = 1) -> str:
-    """Rows of cells that are escaped already; the first `left` columns hold words."""
+def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | None = None) -> str:
+    """Rows of cells that are escaped already; the first `left` columns hold words, as does that of units."""
     def cells(tag: str, row: list[str]) -> str:
-        return "".join(f"<{tag} {_LEFT if i < left else _RIGHT}>{cell}</{tag}>"
+        return "".join(f"<{tag} {_LEFT if i < left or i == units else _RIGHT}>{cell}</{tag}>"
                        for i, cell in enumerate(row))
     top = f'<tr style="background:none">{cells("th", [text(h) for h in head])}</tr>' if head else ""
     body = "".join(f'<tr style="background:none">{cells("td", row)}</tr>' for row in rows)
-    return (f'<table style="border-collapse:collapse;border:0;margin:.2em 0;'
-            f'color:inherit;font-size:inherit">'
-            f"{'<thead>' + top + '</thead>' if top else ''}<tbody>{body}</tbody></table>")
+    # A wide one scrolls by itself, and leaves the words around it in sight.
+    return ('<div style="overflow-x:auto">'
+            '<table style="border-collapse:collapse;border:0;margin:.2em 0;'
+            'color:inherit;font-size:inherit">'
+            f"{'<thead>' + top + '</thead>' if top else ''}<tbody>{body}</tbody></table></div>")
 
 
 def bar(value: float, full: float, mark: float | None, kind: str) -> str:
@@ -75,8 +77,9 @@ def ladder_html(ladders: list[Ladder]) -> str:
     rows = [[text(step.label), number(step.rmse), bar(step.rmse, full, first.noise, step.kind)]
             for step in steps]
     known = first.noise is not None
-    rows.append([text(first.noise_words + (" (dashed)" if known else "")),
-                 number(first.noise) if known else "not known", ""])
+    if first.noise_words:
+        rows.append([text(first.noise_words + (" (dashed)" if known else "")),
+                     number(first.noise) if known else "not known", ""])
     if first.tolerance is not None:
         rows.append(["tolerance", number(first.tolerance), ""])
     words = quantity_text(first.quantity).lower()
@@ -111,6 +114,11 @@ def size_text(parameter: dict[str, Any]) -> str:
     return value + (f" {unit}" if unit else "") + bound
 
 
+def _gain(gain: float | None) -> str:
+    """A fall of -2 ln L; rounding is none."""
+    return number(gain) if gain is None or abs(gain) >= 1e-3 else "0"
+
+
 def _ranking(data: dict[str, Any]) -> str:
     effects, unit = data["effects"], data["unit"]
     named = sum(bool(e.get("in_verdict")) for e in effects)
@@ -120,7 +128,7 @@ def _ranking(data: dict[str, Any]) -> str:
                           else size_text(p) for name, p in e.get("parameters", {}).items())
         name = text(effect_name(e))
         rows.append([f"<b>{name}</b>" if e.get("in_verdict") else name,
-                     "yes" if e.get("in_verdict") else "", text(sizes), number(e.get("gain")),
+                     "yes" if e.get("in_verdict") else "", text(sizes), _gain(e.get("gain")),
                      number(e.get("rmse")), number(e.get("rmse_cross_validated"))])
     head = ["effect", "in verdict", "size", "gain", f"RMS, {error_unit(unit)}", "held out"]
     if all(e.get("gain") is None for e in effects):  # records over time are judged held out
@@ -202,11 +210,22 @@ def _where_html(part: dict[str, Any]) -> str:
 def _comparison(result: Any) -> str:
     data = result.data
     out = ladders_html(result)
-    for model in data.get("models", [data]):
+    models = data.get("models", [data])
+    for model in models:
+        if len(models) > 1:
+            out += heading(str(model.get("model")))
         out += paragraph(_against(model), _FAINT)
         for part in model.get("channels", [model]):
             out += _where_html(part)
     return out + messages_html(data)
+
+
+def _ends(p: dict[str, Any]) -> list[str]:
+    """Of the interval by profile likelihood, where there is one."""
+    if "profile" not in p:
+        return []
+    return [number(p["profile"][end], 5) + (" (open)" if p["profile"][f"open_{end}"] else "")
+            for end in ("from", "to")]
 
 
 def parameters_html(calibration: dict[str, Any]) -> str:
@@ -214,12 +233,13 @@ def parameters_html(calibration: dict[str, Any]) -> str:
     parameters = calibration.get("parameters", {})
     rows = []
     for name, p in parameters.items():
-        doubt = "at its bound" if p.get("at_bound") else \
+        doubt = "held by the fit" if p.get("held") else "at its bound" if p.get("at_bound") else \
             "" if p.get("identifiable", True) else "not told by these data"
         rows.append([text(name), text(unit_text(p.get("unit"))), number(p.get("start"), 5),
-                     number(p.get("value"), 5), number(p.get("std"), 2), text(doubt)])
-    out = heading("Parameters") + table(["parameter", "unit", "start", "value", "std error", ""],
-                                        rows, left=2)
+                     number(p.get("value"), 5), number(p.get("std"), 2), *_ends(p), text(doubt)])
+    profile = ["95 % from", "to"] if "profile" in calibration else []
+    out = heading("Parameters") + \
+        table(["parameter", "unit", "start", "value", "std error", *profile, ""], rows, left=2)
     matrix = calibration.get("correlation") or []
     if len(matrix) > 1:
         names = list(parameters)
@@ -248,7 +268,9 @@ def _calibration(result: Any) -> str:
     chi = data.get("reduced_chi_square")
     freedom = text(data.get("degrees_of_freedom"))
     facts = f'{text(data["rows"])} rows, {freedom} degrees of freedom, {text(status)}' + \
-        (f", chi²/dof = {number(chi)}" if chi is not None else "")
+        (f", chi²/dof = {number(chi)}" if chi is not None else "") + \
+        (f', AIC {number(data["aic"], 5)}, BIC {number(data["bic"], 5)}'
+         if data.get("aic") is not None else "")
     return ladders_html(result) + paragraph(facts, _FAINT) + parameters_html(data) + \
         messages_html(data)
 
@@ -274,13 +296,16 @@ def _rows_html(result: Any) -> str:
     if len(columns) > len(shown):
         count += f"; also {', '.join(map(str, columns[len(shown):len(shown) + 6]))}"
         count += ", ..." if len(columns) > len(shown) + 6 else ""
-    name = result.data.get("bearing") or result.data.get("model") or ""
+    data = result.data or {}
+    name = data.get("bearing") or data.get("model") or ""
     return (paragraph(f"<b>{text(name)}</b>") if name else "") + \
         table([label_of(str(c)) for c in shown], rows, left=0) + paragraph(text(count), _FAINT)
 
 
 def _solution(result: Any) -> str:
-    """The numbers of one operating point; lists, such as the balls, by their length."""
+    """The numbers of one operating point; lists, such as the balls, by their length. Rows of several."""
+    if result.data is None:
+        return _rows_html(result)
     rows = []
     for key, value in result.data.items():
         if isinstance(value, bool) or value is None or isinstance(value, (dict, str)):
@@ -292,12 +317,12 @@ def _solution(result: Any) -> str:
             rows.append([text(words), number(value, 5), text(unit_text(split_column(key)[1]))])
     name = result.data.get("bearing", "")
     status = (result.data.get("report") or {}).get("status", "")
-    return paragraph(f"<b>{text(name)}</b> {text(status)}") + table([], rows)
+    return paragraph(f"<b>{text(name)}</b> {text(status)}") + table([], rows, units=2)
 
 
 _WRITERS = {"Solution": _solution, "Table": _rows_html, "Displacement": _rows_html,
             "Comparison": _comparison, "Calibration": _calibration, "Diagnosis": _diagnosis,
-            "Addition": _addition, "Modes": _rows_html}
+            "Addition": _addition}
 
 
 def html_of(result: Any) -> str:
@@ -305,8 +330,8 @@ def html_of(result: Any) -> str:
 
     Parameters
     ----------
-    result : Diagnosis, Comparison, Calibration, Addition, Solution, Table, Displacement, Modes
-        With the document ``data``, and ``to_frame()`` of the last three.
+    result : Diagnosis, Comparison, Calibration, Addition, Solution, Table, Displacement, and of spindles
+        With the document ``data``, and ``to_frame()`` of tables and displacements.
 
     Returns
     -------
@@ -326,7 +351,12 @@ def html_of(result: Any) -> str:
     >>> "&lt;b&gt;.toml" in html_of(Comparison())
     True
     """
-    writer = _WRITERS.get(kind_of(result))
+    from ._html_spindle import WRITERS as of_spindles  # it needs the parts above
+
+    writers = {**_WRITERS, **of_spindles}
+    writer = writers.get(kind_of(result))
     if writer is None:
-        raise TypeError(f"html_of() takes a {', '.join(_WRITERS)}, not {type(result).__name__!r}")
-    return f'<div style="line-height:1.4;color:inherit">{writer(result)}</div>'
+        raise TypeError(f"html_of() takes a {', '.join(writers)}, not {type(result).__name__!r}")
+    # Of a table of one column, which is as wide as its place and not as its widest line.
+    return ('<div style="display:grid;grid-template-columns:minmax(0,1fr);line-height:1.4;color:inherit">'
+            f"{writer(result)}</div>")

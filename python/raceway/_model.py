@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import operator
 import os
 import tomllib
-import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, TypeAlias
 
@@ -13,7 +13,12 @@ from numpy.typing import ArrayLike
 
 from . import _engine
 from ._effect import Effect
-from ._errors import Doubt, InputError, NotConverged
+from ._errors import InputError, NotConverged, in_python
+from ._from_file import FromFile
+from ._given import arrays as _arrays
+from ._given import axis as _axis
+from ._given import text_of, tolerance_text, value_of
+from ._given import warn as _warn
 from ._record import Record
 from ._results import (
     Addition,
@@ -24,11 +29,12 @@ from ._results import (
     Solution,
     Table,
 )
+from ._spindle_questions import SpindleQuestions
 
 Records: TypeAlias = "Record | Sequence[Record]"
 
 
-class Model:
+class Model(FromFile, SpindleQuestions):
     """What is believed of a bearing on a rig, of the sets on a shaft or of a spindle.
 
     It never changes; what a fit finds is another model. `read`, `from_text` and `new` make one.
@@ -40,12 +46,12 @@ class Model:
     'GMN S 6014 C TA'
     """
 
+    _said: Sequence[str] = ()  # when it was made
+
     def __init__(self, source: str, text: str, effects: Iterable[Effect] = ()) -> None:
+        text_of("text", text)
         if _is_correction(text):
-            raise InputError(
-                f"{source}: is a correction of a machine, which this package does not take yet; the "
-                "commands compare, calibrate, diagnose, add, identify and correct do, with --json"
-            )
+            raise InputError(f"{source}: is a correction of a machine: raceway.Correction.read takes it")
         self._effects = tuple(effects)
         self._engine = _engine.Model(source, text, [e._for_engine() for e in self._effects])
         _warn(self._engine.warnings)
@@ -67,22 +73,53 @@ class Model:
         return cls(name, text)
 
     @classmethod
-    def new(cls, bearing: str, *, law: str = "contact", ball_material: str = "steel") -> Model:
+    def new(
+        cls,
+        bearing: str,
+        *,
+        law: str = "contact",
+        ball_material: str = "steel",
+        bore_mm: float | None = None,
+        outer_diameter_mm: float | None = None,
+        contact_angle_deg: float | None = None,
+        ball_count: int | None = None,
+    ) -> Model:
         """Make a model of a bearing by its designation, with the defaults of its law.
 
         Parameters
         ----------
         bearing : str
-            Of the catalogue, such as ``"S 6014 C"``; of another one the inner geometry is estimated.
+            Of the catalogue, such as ``"S 6014 C"``. Of one whose size the designation says, as
+            ``"7014 C"``, or that the next four describe, the inner geometry is estimated; `notes` says so.
         law : {"contact", "palmgren", "skf"}
         ball_material : {"steel", "silicon-nitride"}
+        bore_mm, outer_diameter_mm, contact_angle_deg, ball_count
+            Of a bearing that is not in the catalogue.
+
+        Raises
+        ------
+        InputError
+            A bearing that is not known and not described, with the nearest names.
+
+        Examples
+        --------
+        >>> Model.new("mine", bore_mm=70, outer_diameter_mm=110, ball_count=20).notes[0][:44]
+        'mine is not in the catalogue: 70 x 110 mm, 1'
         """
+        text_of("bearing", bearing)
         if law not in ("contact", "palmgren", "skf"):
             raise ValueError(f"law = {law!r}: must be contact, palmgren or skf")
         if ball_material not in ("steel", "silicon-nitride"):
             raise ValueError(f"ball_material = {ball_material!r}: must be steel or silicon-nitride")
-        text, _ = _engine.new_model(bearing, law, ball_material)
-        return cls(bearing, text)
+        if ball_count is not None and operator.index(ball_count) < 3:
+            raise ValueError(f"ball_count = {ball_count}: must be 3 or more")
+        bore, outer, angle = (
+            float("nan") if size is None else float(size) for size in (bore_mm, outer_diameter_mm, contact_angle_deg)
+        )
+        text, notes = _engine.new_model(bearing, law, ball_material, bore, outer, angle, ball_count or 0)
+        model = cls(bearing, text)
+        model._said = notes
+        return model
 
     @property
     def name(self) -> str:
@@ -90,29 +127,14 @@ class Model:
         return self._engine.name
 
     @property
-    def source(self) -> str:
-        """File that the model was read from."""
-        return self._engine.source
-
-    @property
     def kind(self) -> str:
         """``"rig"``, ``"shaft"`` or ``"spindle"``."""
         return self._engine.kind
 
     @property
-    def text(self) -> str:
-        """The model file."""
-        return self._engine.text
-
-    @property
-    def defaults(self) -> list[str]:
-        """Defaults that the model rests on."""
-        return self._engine.defaults
-
-    @property
     def notes(self) -> list[str]:
         """What else is to be known of the model."""
-        return self._engine.notes
+        return [*self._said, *self._engine.notes]
 
     @property
     def columns(self) -> list[str]:
@@ -125,8 +147,21 @@ class Model:
         return {p["name"]: {k: v for k, v in p.items() if k != "name"} for p in self._engine.parameters()}
 
     def with_values(self, values: Mapping[str, float]) -> Model:
-        """Return the model with other values of `parameters`, comments and all else as they stand."""
-        in_file = dict(values)
+        """Return the model with other numbers, comments and all else as they stand.
+
+        Parameters
+        ----------
+        values : mapping of str to float
+            By the names of `parameters`, or by table and key of the file, each in the unit of its name.
+
+        Examples
+        --------
+        >>> model = Model.new("S 6014 C")
+        >>> thicker = model.with_values({"rolling_factor": 1.1, "lubricant.viscosity_40C_mm2_s": 32})
+        """
+        if not isinstance(values, Mapping):
+            raise TypeError(f'values: a dict such as {{"f0": 1.2}} is wanted, not {type(values).__name__}')
+        in_file = {text_of("values", name): value_of(name, value) for name, value in values.items()}
         effects = []
         for effect in self._effects:
             own = {n: in_file.pop(f"{effect.id}.{n}", v.value) for n, v in effect.numbers.items()}
@@ -147,11 +182,6 @@ class Model:
         """Effects of your own that are functions of Python."""
         return self._effects
 
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the model file; an existing one only with `overwrite`."""
-        with open(path, "w" if overwrite else "x", encoding="utf-8") as file:
-            file.write(self.text)
-
     def solve(
         self,
         speed_rpm: ArrayLike,
@@ -162,6 +192,7 @@ class Model:
         moment_z_Nmm: ArrayLike | None = None,
         *,
         columns: Sequence[str] = (),
+        band: bool = False,
     ) -> Solution:
         """Solve for contact angles, loads, displacement, stiffness, friction and heat.
 
@@ -173,6 +204,10 @@ class Model:
             the model. On a shaft `axial_load_N` is the external load, positive towards the tool.
         columns : sequence of str
             Results that are wanted, of `Model.columns`; all where empty.
+        band : bool
+            Also how sure friction torque, power loss and on a shaft its displacement are, as half the
+            width of their 95 % band: ``friction_torque_band_Nmm`` and so on. It comes from the fitted
+            parameters alone, of a model that `calibrate` or `add` has made.
 
         Returns
         -------
@@ -207,10 +242,11 @@ class Model:
             moment_y_Nmm=moment_y_Nmm,
             moment_z_Nmm=moment_z_Nmm,
         )
-        names, values, status, notes, doubts = self._engine.solve(given, list(columns))
+        wanted = _names("columns", columns)
+        names, values, status, notes, doubts = self._engine.solve(given, wanted, bool(band))
         document = None
         if not columns and all(array.ndim == 0 for array in given.values()):
-            document, notes, doubts = self._engine.solve_document(given)
+            document, notes, doubts = self._engine.solve_document(given, bool(band))
         _warn(doubts)
         return Solution(names, values, status, given, notes, document)
 
@@ -220,8 +256,12 @@ class Model:
         axial_load_N: ArrayLike | None = None,
         radial_load_N: ArrayLike | None = None,
         temperature_C: ArrayLike | None = None,
+        *,
+        band: bool = False,
     ) -> Table:
         """Make a Stribeck table: friction torque and its parts over axes that rise.
+
+        `band`: with half the width of the 95 % band of torque and loss, as `solve` has it.
 
         Examples
         --------
@@ -233,15 +273,19 @@ class Model:
         """
         axes = [_axis(n, v) for n, v in (("speed_rpm", speed_rpm), ("axial_load_N", axial_load_N),
                                          ("radial_load_N", radial_load_N), ("temperature_C", temperature_C))]
-        return Table(_engine.Table(self._engine, *axes))
+        return Table(_engine.Table(self._engine, bool(band), *axes))
 
     def displacement(
         self,
         speed_rpm: ArrayLike,
         axial_load_N: float | None = None,
         temperature_C: float | None = None,
+        *,
+        band: bool = False,
     ) -> Displacement:
         """Position of a shaft in its arrangement over its speed, against standstill [um].
+
+        `band`: with half the width of the 95 % band of displacement, torque and loss, as `solve` has it.
 
         Raises
         ------
@@ -254,6 +298,7 @@ class Model:
             _axis("speed_rpm", speed_rpm),
             nan if axial_load_N is None else float(axial_load_N),
             nan if temperature_C is None else float(temperature_C),
+            bool(band),
         )
         _warn(curve.warnings)
         return Displacement(curve)
@@ -269,18 +314,19 @@ class Model:
         """
         if not isinstance(record, Record):
             raise TypeError(f"a raceway.Record is wanted, not {type(record).__name__}")
-        return _engine.suggest_columns(self._engine, record.name, record.text)
+        return in_python(_engine.suggest_columns(self._engine, record.name, record.text))
 
-    def predict(self, record: Records) -> Any:
+    def predict(self, record: Records, *, band: bool = False) -> Any:
         """Return what the model says of every row of a record, as a pandas.DataFrame.
 
         Columns are those of the record as they were understood, in the units of their names, and
-        ``predicted_...`` behind them; NaN where there is no prediction.
+        ``predicted_...`` behind them; NaN where there is no prediction. With `band` half the width of
+        its 95 % band, from the fitted parameters alone: ``predicted_friction_torque_band_Nmm``.
         """
         import pandas
 
         texts, options = _asked(record, None, ())
-        return pandas.DataFrame(_engine.predict(self._engine, texts, **options))
+        return pandas.DataFrame(_engine.predict(self._engine, texts, bool(band), **options))
 
     def compare(
         self,
@@ -304,13 +350,27 @@ class Model:
             Error below which nothing matters, such as ``"2Nmm"``.
         """
         texts, options = _asked(record, tolerance, per_record)
+        for other in others:
+            if not isinstance(other, Model):
+                raise TypeError(f"a raceway.Model is wanted, not {type(other).__name__}")
         models = [m._engine for m in (self, *others)]
         answer = _engine.compare(models, texts, _names("refit", refit), **options)
         _warn(answer.warnings)
         return Comparison(answer, (self, *others), record)
 
-    def calibrate(self, record: Records, *, per_record: Iterable[str] = ()) -> Calibration:
+    def calibrate(
+        self, record: Records, *, profile: bool = False, per_record: Iterable[str] = ()
+    ) -> Calibration:
         """Re-fit the free factors of the model (``[calibration] free``; by default f0 and z).
+
+        Parameters
+        ----------
+        record : Record or sequence of Record
+        profile : bool
+            Also 95 % intervals by profile likelihood, for `Calibration.conf_interval`: some dozens
+            of refits.
+        per_record : iterable of str
+            Parameters that each of several records has for itself.
 
         Raises
         ------
@@ -318,11 +378,11 @@ class Model:
             Where the fit found no values.
         """
         texts, options = _asked(record, None, per_record)
-        answer = _engine.calibrate(self._engine, texts, **options)
+        answer = _engine.calibrate(self._engine, texts, bool(profile), **options)
         if not answer.converged:
             raise NotConverged("; ".join(["the calibration did not converge", *answer.warnings]))
         _warn(answer.warnings)
-        return Calibration(answer, _models(self, answer))
+        return Calibration(answer, _models(self, answer, ", calibrated"))
 
     def diagnose(
         self,
@@ -380,57 +440,28 @@ class Model:
             `Addition.refused` says why an effect does not help; `Addition.model` has it all the same.
         """
         texts, options = _asked(record, tolerance, per_record)
-        answer = _engine.add(self._engine, _names("effects", effects), texts, **options)
+        ids = _names("effects", effects)
+        answer = _engine.add(self._engine, ids, texts, **options)
         if not answer.converged:
             raise NotConverged("; ".join(["the fit did not converge", *answer.warnings]))
         _warn(answer.warnings)
-        return Addition(answer, _models(self, answer))
+        return Addition(answer, _models(self, answer, "".join(f" + {name}" for name in ids)))
 
     def __repr__(self) -> str:
         return f"<raceway.Model {self.name} ({self.kind}) from {self.source}>"
 
 
-def _is_correction(text: str) -> bool:
+def _tables(text: str) -> set[str]:
+    """Tables of a model file; none where it cannot be read: the library says what is wrong, and where."""
     try:
-        tables = tomllib.loads(text)
+        return set(tomllib.loads(text))
     except tomllib.TOMLDecodeError:
-        return False  # the library says what is wrong, and where
+        return set()
+
+
+def _is_correction(text: str) -> bool:
+    tables = _tables(text)
     return "correction" in tables and "bearing" not in tables
-
-
-def _warn(lines: Iterable[str]) -> None:
-    for line in lines:
-        warnings.warn(line, Doubt, stacklevel=3)
-
-
-def _arrays(**given: ArrayLike | None) -> dict[str, numpy.ndarray]:
-    """Arrays of float64, those that are such already as they are."""
-    arrays = {}
-    for name, value in given.items():
-        if value is None:
-            continue
-        array = numpy.asarray(value)
-        if array.dtype.kind not in "fiu":
-            raise TypeError(f"{name}: numbers are wanted, not {_kind(array)}")
-        if array.dtype.byteorder == ">" or array.dtype != numpy.float64:
-            array = array.astype(numpy.float64)
-        arrays[name] = array
-    return arrays
-
-
-def _kind(array: numpy.ndarray) -> str:
-    return {"U": "text", "S": "text", "b": "truth values", "c": "complex numbers"}.get(
-        array.dtype.kind, f"objects ({array.dtype})"
-    )
-
-
-def _axis(name: str, values: ArrayLike | None) -> list[float]:
-    if values is None:
-        return []
-    array = _arrays(**{name: values})[name]
-    if array.ndim > 1:
-        raise ValueError(f"{name}: an axis is a list of numbers, not an array of shape {array.shape}")
-    return [float(v) for v in numpy.atleast_1d(array)]
 
 
 def _names(argument: str, names: str | Iterable[str]) -> list[str]:
@@ -447,7 +478,7 @@ def _asked(
     record: Records, tolerance: str | None, per_record: Iterable[str]
 ) -> tuple[list[tuple[str, str]], dict[str, Any]]:
     """What the engine takes of records and options."""
-    records = [record] if isinstance(record, Record) else list(record)
+    records = list(record) if isinstance(record, (list, tuple)) else [record]
     for one in records:
         if not isinstance(one, Record):
             raise TypeError(
@@ -461,16 +492,17 @@ def _asked(
         raise ValueError("columns: several records of one question are read by one map")
     options: dict[str, Any] = {"columns": maps.pop(), "drop_nan": any(r._drop_nan for r in records)}
     if tolerance is not None:
-        options["tolerance"] = tolerance
+        options["tolerance"] = tolerance_text(tolerance)
     if own := _names("per_record", per_record):
         options["per_record"] = own
     return [(r.name, r.text) for r in records], options
 
 
-def _models(of: Model, answer: _engine.Answer) -> dict[str, Model]:
-    """By record; one without name where it holds for all."""
+def _models(of: Model, answer: _engine.Answer, fitted: str) -> dict[str, Model]:
+    """By record; one without name where it holds for all. A ladder tells them apart by what was fitted."""
+    source = of.source if of.source.endswith(fitted) else of.source + fitted
     models = {}
     for record, text, own in zip(answer.records or [""], answer.models, answer.own_effects):
         effects = [e.with_values(own[e.id]) for e in of.effects]
-        models[record] = Model(of.source, text, effects)
+        models[record] = Model(source, text, effects)
     return models

@@ -19,13 +19,14 @@ def record(source: Any, columns: Sequence[str] | None = None, *,
 
     Parameters
     ----------
-    source : record or DataFrame
-        Columns as in a CSV, with the unit at the end of the name. ``time_s`` [s] is drawn in s,
+    source : record, CorrectionRun or DataFrame
+        Columns as in a CSV, with the unit at the end of the name. Of a run of a correction what was
+        measured and predicted, and below what that leaves (``residual_...``). ``time_s`` [s] is drawn in s,
         beyond 10 min in min, beyond 3 h in h. Runs (``run_id``) are not joined by a line.
     columns : sequence of str, optional
         What to draw; default every column of numbers but standard deviations.
     ax : matplotlib.axes.Axes or sequence of them, optional
-        As many as there are units; default a new figure.
+        As many as there are units, with one more for residuals; default a new figure.
 
     Returns
     -------
@@ -50,7 +51,11 @@ def record(source: Any, columns: Sequence[str] | None = None, *,
     [['Speed'], ['Front bearing temperature', 'Housing temperature']]
     """
     caller = "record()"
-    frame = draw.frame_of(source, caller, "record")
+    course = getattr(source, "course", None)
+    frame = draw.frame_of(course() if callable(course) else source, caller, "record")
+    if callable(course) and columns is None:
+        columns = [c for c in frame.columns if f"predicted_{c}" in frame.columns
+                   or c.startswith(("predicted_", "residual_"))]
     x = next((c for c in ("time_s", "speed_rpm") if c in frame.columns), None)
     if x is None:
         raise ValueError(f"{caller}: neither time_s nor speed_rpm in this record: "
@@ -63,15 +68,18 @@ def record(source: Any, columns: Sequence[str] | None = None, *,
     draw.require_columns(frame, columns, caller)
     if not columns:
         raise ValueError(f"{caller}: no column of numbers beside {x}")
-    panels: dict[str, list[str]] = {}
+    panels: dict[tuple[str, bool], list[str]] = {}
     for column in columns:
-        panels.setdefault(draw.unit_of(column), []).append(column)
-    axes, own = _panels(ax, list(panels))
+        # What is left is small beside what moves.
+        panels.setdefault((draw.unit_of(column), column.startswith("residual_")), []).append(column)
+    axes, own = _panels(ax, [unit for unit, _ in panels])
     if own and any(len(names) > 1 for names in panels.values()):
         axes[0].figure.set_figwidth(8.5)  # legends stand beside
     across, label = _across(draw.numbers(frame, x, caller), x)
-    for one, names in zip(axes, panels.values()):
+    for one, ((_, left), names) in zip(axes, panels.items()):
         _panel(one, own, frame, across, names, joined=x == "time_s")
+        if left:
+            one.axhline(0.0, color="0.5", linewidth=0.8, zorder=0.5)
     axes[-1].set_xlabel(label)
     if own:
         axes[0].figure.align_ylabels(axes)
@@ -110,7 +118,11 @@ def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns
     for i, column in enumerate(columns):
         values = draw.numbers(frame, column, "record()")
         look = draw.style(i)
-        if joined:
+        here = np.isfinite(values)
+        few = joined and 0 < here.sum() < len(values) / 2  # readings now and then
+        if few:
+            look["linestyle"] = "none"
+        elif joined:
             look["markevery"] = draw.markevery(len(frame), i)
             if len(frame) > 4 * draw.MOST_MARKERS and len(columns) == 1:
                 look["marker"] = None  # one long curve needs no marks
@@ -128,7 +140,7 @@ def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns
 
 def _common_words(columns: list[str]) -> str:
     """All words of one quantity; of several those that all end with, as "Temperature"."""
-    words = [split_column(column)[0].split("_") for column in columns]
+    words = [split_column(column)[0].removeprefix("predicted_").split("_") for column in columns]
     shared: list[str] = []
     for ends in zip(*(reversed(one) for one in words)):
         if len(set(ends)) > 1:

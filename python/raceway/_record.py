@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
+from numbers import Real
 from typing import TYPE_CHECKING
 
 from ._errors import InputError
@@ -16,9 +17,10 @@ if TYPE_CHECKING:
 class Record:
     """Measurements: settings and readings, row by row, as a CSV file or a DataFrame has them.
 
-    What a column means is found by its name and unit (``speed_rpm``, ``Drehzahl [1/min]``,
-    ``friction_torque_Nm``), or said by ``columns``. A record is read when a model is held against
-    it, because the model says what is measured and what the record may leave out.
+    What a column means is found by its name and unit (``speed_rpm``, ``friction_torque_Nm``), or said by
+    ``columns``, which `Model.suggest_columns` proposes for such as ``Drehzahl [1/min]``. A record is read
+    when a model is held against it, because the model says what is measured and what the record may leave
+    out.
 
     Parameters
     ----------
@@ -114,6 +116,10 @@ class Record:
             )
         if frame.empty:
             raise InputError(f"{name}: the DataFrame has no rows")
+        twice = frame.columns[frame.columns.duplicated()]
+        if len(twice) > 0:
+            raise InputError(f"{name}: two columns are named {twice[0]}")
+        _refuse_decimal_commas(frame, name)
         return cls(name, frame.to_csv(index=False), columns=columns, drop_nan=drop_nan)
 
     @property
@@ -127,15 +133,37 @@ class Record:
         return self._text
 
     def to_frame(self) -> pandas.DataFrame:
-        """Return the columns as they stand in the file; see `Model.predict` for those that are understood."""
+        """Return the columns under their own names, numbers in their own units.
+
+        `Model.predict` has those that are understood, in ours. Titles and a row of units are left out, and a
+        cell without number, such as ``#NV``, is NaN.
+        """
         import io
 
         import pandas
 
-        return pandas.read_csv(io.StringIO(self._text), sep=None, engine="python", comment="#")
+        from . import _engine
+
+        return pandas.read_csv(io.StringIO(_engine.plain_csv(self._name, self._text)))
 
     def __repr__(self) -> str:
         return f"<raceway.Record {self._name}>"
+
+
+def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:
+    """Numbers that pandas has read as text, since it was not told of the comma."""
+    from pandas.api.types import is_string_dtype
+
+    for column in frame.columns:
+        if not is_string_dtype(frame[column]):
+            continue
+        cells = frame[column].dropna().astype(str)
+        commas = cells[cells.str.contains(",")]
+        if len(commas) > 0 and cells.str.fullmatch(r"[+-]?\d+(,\d+)?").all():
+            raise InputError(
+                f'{name}: {column} has text with a decimal comma, such as "{commas.iloc[0]}": '
+                'pandas.read_csv(path, sep=";", decimal=",") reads numbers'
+            )
 
 
 def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
@@ -149,6 +177,11 @@ def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
         )
     lines = ["[columns]"]
     for ours, theirs in columns.items():
+        if isinstance(theirs, bool) or not isinstance(theirs, (str, Real)):
+            raise TypeError(
+                f"columns: {ours} is the name of one of their columns, or a number that holds in all rows, "
+                f"not {type(theirs).__name__}"
+            )
         # JSON strings are TOML strings.
         value = json.dumps(theirs) if isinstance(theirs, str) else repr(float(theirs))
         lines.append(f"{json.dumps(str(ours))} = {value}")

@@ -15,6 +15,7 @@ from . import _engine
 if TYPE_CHECKING:
     import pandas
 
+    from ._correction import Correction
     from ._model import Model
 
 #: Status of a state by its number.
@@ -93,8 +94,14 @@ class Solution(Mapping[str, numpy.ndarray]):
         columns |= {n: self._values[k].ravel() for n, k in self._places.items()}
         return pandas.DataFrame(columns | {"status": numpy.atleast_1d(self.status).ravel()})
 
+    def _repr_html_(self) -> str:
+        from ._html import html_of
+
+        return html_of(self)
+
     def __repr__(self) -> str:
-        return f"<raceway.Solution of {self._status.size} states: {', '.join(self._places)}>"
+        states = f"{self._status.size} state{'' if self._status.size == 1 else 's'}"
+        return f"<raceway.Solution of {states}: {', '.join(self._places)}>"
 
 
 class _Document:
@@ -147,7 +154,7 @@ class Table(_Document):
         _write(path, writers[format](), overwrite)
 
     def __repr__(self) -> str:
-        return f"<raceway.Table of {self.data['bearing']}: {len(self.data['rows'])} points>"
+        return f"<raceway.Table of {self._engine.bearing}: {self._engine.points} points>"
 
 
 class Displacement(_Document):
@@ -168,6 +175,9 @@ class Displacement(_Document):
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Write the curve as CSV."""
         _write(path, self._engine.csv(), overwrite)
+
+    def __repr__(self) -> str:
+        return f"<raceway.Displacement of {self.data['bearing']}: {len(self.data['rows'])} speeds>"
 
 
 class _Answer(_Document):
@@ -240,11 +250,20 @@ class Comparison(_Answer):
         """Of errors."""
         return _first(self.data)["unit"]
 
-    def to_frame(self) -> pandas.DataFrame:
-        """Return one row per row of the record, with ``measured``, ``predicted`` and ``error`` of the first model."""
+    def to_frame(self, measured: str | None = None) -> pandas.DataFrame:
+        """Return one row per row of the record, with ``measured``, ``predicted`` and ``error`` of the first model.
+
+        Parameters
+        ----------
+        measured : str, optional
+            Which of several measured columns, such as ``"axial_displacement_um"``; default: the first.
+        """
         frame = self._models[0].predict(self._record)
-        predicted = next(name for name in frame if name.startswith("predicted_"))
-        measured = predicted.removeprefix("predicted_")
+        known = [name.removeprefix("predicted_") for name in frame if name.startswith("predicted_")]
+        measured = known[0] if measured is None else measured
+        if measured not in known:
+            raise ValueError(f"measured = {measured!r}: must be {' or '.join(known)}")
+        predicted = f"predicted_{measured}"
         frame = frame.rename(columns={measured: "measured", predicted: "predicted"})
         frame["error"] = frame["predicted"] - frame["measured"]
         return frame
@@ -266,12 +285,12 @@ class _Report(_Answer):
 class _Fitted(_Report):
     """Models that a fit made."""
 
-    def __init__(self, answer: _engine.Answer, models: dict[str, Model]) -> None:
+    def __init__(self, answer: _engine.Answer, models: Mapping[str, Model | Correction]) -> None:
         super().__init__(answer)
         self.models = models
 
     @property
-    def model(self) -> Model:
+    def model(self) -> Model | Correction:
         """The one model with what was fitted."""
         if len(self.models) > 1:
             raise ValueError(
@@ -293,6 +312,43 @@ class Calibration(_Fitted):
     def parameters(self) -> dict[str, dict[str, Any]]:
         """Value, standard error, start and unit of each parameter."""
         return self.data["parameters"]
+
+    def conf_interval(self) -> pandas.DataFrame:
+        """Return 95 % intervals by profile likelihood, one row per parameter.
+
+        Returns
+        -------
+        pandas.DataFrame
+            ``value``, ``lower``, ``upper`` in the ``unit`` of the parameter; ``open_lower`` and
+            ``open_upper`` where chi-square does not rise to the end of the interval before the bound
+            that stands there. NaN for what the fit has held.
+
+        Raises
+        ------
+        ValueError
+            They were not asked for: ``calibrate(record, profile=True)``.
+
+        Notes
+        -----
+        Where chi-square, all other parameters fitted again, is 3.84 above its least; times the
+        reduced chi-square where the size of the noise is taken from the misfit (docs/files.md).
+
+        Examples
+        --------
+        >>> import raceway
+        >>> rig = "tests/hidden_effect/rigs/dev-01/"
+        >>> record = raceway.Record.read(rig + "train.csv")
+        >>> fit = raceway.Model.read(rig + "model.toml").calibrate(record, profile=True)
+        >>> fit.conf_interval().loc[["f0"], ["lower", "value", "upper"]].round(3)
+            lower  value  upper
+        f0  1.496  1.505  1.514
+        """
+        from .fit_report import conf_interval
+
+        return conf_interval(self)
+
+    def __repr__(self) -> str:
+        return f"<raceway.Calibration: {_values(self.data)}>"
 
 
 class Diagnosis(_Report):
@@ -330,6 +386,14 @@ class Addition(_Fitted):
     def refused(self) -> str:
         """Why the effects do not help; empty where they do."""
         return self._answer.refused
+
+    def __repr__(self) -> str:
+        refused = "refused, " if self.refused else ""
+        return f"<raceway.Addition: {refused}{_values(self.data['calibration'])}>"
+
+
+def _values(calibration: dict[str, Any]) -> str:
+    return ", ".join(f"{name} = {p['value']:.4g}" for name, p in calibration.get("parameters", {}).items())
 
 
 def _first(document: dict[str, Any]) -> dict[str, Any]:

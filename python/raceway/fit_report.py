@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 import textwrap
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ._documents import document_of, effect_name, files_text, kind_of, number
-from ._likelihood import RANKED, Explanation, Likelihood, likelihood_fall, likelihood_of, ranked
+from ._likelihood import RANKED, ranked
+
+if TYPE_CHECKING:
+    import pandas
 
 WIDTH = 80
 LEAST_CORRELATION = 0.1
@@ -50,43 +53,55 @@ def _header(data: dict[str, Any], whose: dict[str, Any]) -> list[str]:
     return lines + (_fact("rows not predicted", left_out) if left_out else [])
 
 
-def _pair(values: tuple[float, float]) -> str:
-    return f"{values[0]:.6g}, {values[1]:.6g}"
+def _pair(one: dict[str, Any]) -> str:
+    return f"{one['aic']:.6g}, {one['bic']:.6g}"
 
 
-def _statistics(data: dict[str, Any], fit: Likelihood) -> list[str]:
-    lines = _fact("chi-square", "-" if fit.chi_square is None else f"{fit.chi_square:.6g}")
+def _moved(one: dict[str, Any], readings: int) -> int:
+    """k, the parameters that a fit moved, those at a bound among them."""
+    return readings - one["degrees_of_freedom"]
+
+
+def _criteria(data: dict[str, Any]) -> list[str]:
+    """AIC and BIC of a calibration, and from what they are."""
+    n, chi = data["readings"], data["chi_square"]
+    if data["aic"] is None:
+        why = "scatter beside the declared deviations was fitted to what this model leaves" if \
+            chi is not None else "the noise of the readings is not known, or they follow each other"
+        return _fact("AIC, BIC", "-") + wrapped(f"not to be had: {why}.")
+    k = _moved(data, n)
+    lines = _fact("AIC, BIC", _pair(data))
+    if chi is None:
+        return lines + wrapped(
+            "AIC = -2 ln L + 2 k and BIC = -2 ln L + k ln N, with -2 ln L = N (1 + ln(2 pi RMS^2)) "
+            f"of N = {n} readings that weigh alike and k = {k} parameters that the fit moved: the "
+            "size of the noise is not known, and its most likely one is taken.")
+    log_determinant = data["noise"]["log_determinant"]
+    lines += wrapped(
+        "AIC = -2 ln L + 2 k and BIC = -2 ln L + k ln N, with -2 ln L = chi2 + ln det(2 pi S) = "
+        f"{chi:.6g} {'+' if log_determinant >= 0 else '-'} {abs(log_determinant):.6g}, S the "
+        f"covariance of the noise of N = {n} readings and k = {k} parameters that the fit moved, "
+        "those at a bound among them. Compare them between models of the same rows and the same S.")
+    if chi > 0.0:
+        scaled = n * math.log(chi / n)
+        lines += _fact("AIC, BIC as in lmfit",
+                       _pair({"aic": scaled + 2 * k, "bic": scaled + k * math.log(n)}))
+        lines += wrapped("lmfit's are N ln(chi2/N) + 2 k and N ln(chi2/N) + k ln N: there the size "
+                         "of the noise is fitted too.")
+    return lines
+
+
+def _statistics(data: dict[str, Any]) -> list[str]:
+    chi = data["chi_square"]
+    lines = _fact("chi-square", "-" if chi is None else f"{chi:.6g}")
     lines += _fact("reduced chi-square", number(data.get("reduced_chi_square"), 5))
     for part in data.get("channels", [data]):
         error = f"{_error(part['rmse'], part['unit'])}, before " \
             f"{_error(part['rmse_before'], part['unit'])}"
-        quantity = f" ({part['quantity']})" if "channels" in data else ""
+        quantity = f" ({part['quantity']}, {part['readings']} readings)" \
+            if "channels" in data else ""
         lines += _fact("RMS error", error + quantity)
-    known, scaled, error_only = fit.criteria(), fit.scaled_criteria(), fit.error_criteria()
-    if known is not None and scaled is not None:
-        lines += _fact("AIC, BIC", _pair(known)) + _fact("AIC, BIC as in lmfit", _pair(scaled))
-        lines += wrapped(
-            f"AIC = chi2 + 2 k and BIC = chi2 + k ln N, with N = {fit.readings} readings and k = "
-            f"{fit.moved} parameters that the fit moved, those at a bound among them. chi2 is -2 "
-            "ln L but for ln det(2 pi S), S the covariance of the noise, which the document lacks "
-            "(field noise.log_determinant): it is the same for all models of the same rows under "
-            "the same noise, and only such may be compared.")
-        lines += wrapped("lmfit's are N ln(chi2/N) + 2 k and N ln(chi2/N) + k ln N: there the size "
-                         "of the noise is fitted too.")
-    elif error_only is not None:
-        lines += _fact("AIC, BIC", _pair(error_only))
-        lines += wrapped(
-            f"AIC = N ln(RMS^2) + 2 k and BIC = N ln(RMS^2) + k ln N, with N = {fit.readings} "
-            f"readings, k = {fit.moved} parameters that the fit moved and RMS in "
-            f"{_unit(data['unit'])}: from the RMS error alone, since the noise is not known "
-            "(reduced_chi_square is null). These are lmfit's, of readings that weigh alike and are "
-            "independent, as those of a record over time are not.")
-    else:
-        lines += _fact("AIC, BIC", "-")
-        lines += wrapped("not to be had: reduced_chi_square is null, and of several measured "
-                         "columns the document lacks the number of readings of each "
-                         "(channels.readings).")
-    return lines
+    return lines + _criteria(data)
 
 
 def _bound(p: dict[str, Any]) -> str:
@@ -98,6 +113,18 @@ def _bound(p: dict[str, Any]) -> str:
     return ", at its bound"
 
 
+def _interval(p: dict[str, Any]) -> str:
+    """The 95 % interval of a document, open where a bound stands for its end."""
+    profile = p.get("profile") or {"from": p.get("from"), "to": p.get("to")}
+    if profile["from"] is None and profile["to"] is None and not profile.get("open_from"):
+        return ""
+
+    def end(side: str) -> str:
+        words = number(profile[side], 5)
+        return f"{words} (open)" if profile.get(f"open_{side}") else words
+    return f"95%: {end('from')} to {end('to')}"
+
+
 def _parameter(name: str, p: dict[str, Any], start: float | None) -> list[str]:
     value, std = p.get("value"), p.get("std")
     error = "no stderr"
@@ -106,29 +133,36 @@ def _parameter(name: str, p: dict[str, Any], start: float | None) -> list[str]:
     words = f"{name}: {number(value, 7)} {error} {_unit(p.get('unit'))}".rstrip()
     if std is not None and value:
         words += f" ({100.0 * std / abs(value):.2f}%)"
-    more = f" (start {number(start, 6)}" if start is not None else " ("
+    more = [] if start is None else [f"start {number(start, 6)}"]
     if p.get("lower") is not None and p.get("upper") is not None:
-        more += f", bounds {number(p['lower'], 6)} to {number(p['upper'], 6)}"
-    if p.get("from") is not None and p.get("to") is not None:
-        more += f"{', ' if start is not None else ''}95%: {number(p['from'], 5)} to " \
-            f"{number(p['to'], 5)}"
-    more = "" if more == " (" else more + ")"
-    doubt = "" if p.get("identifiable", True) else ", not told by these data"
-    return wrapped(words + more + _bound(p) + doubt, hanging=" " * 8)
+        more.append(f"bounds {number(p['lower'], 6)} to {number(p['upper'], 6)}")
+    if interval := _interval(p):
+        more.append(interval)
+    doubt = ", held by the fit" if p.get("held") else \
+        "" if p.get("identifiable", True) else ", not told by these data"
+    return wrapped(words + (f" ({', '.join(more)})" if more else "") + _bound(p) + doubt,
+                   hanging=" " * 8)
+
+
+def _correlations(names: list[str], matrix: list[list[float | None]]) -> list[str]:
+    pairs = [(abs(r), names[j], names[i], r) for i, row in enumerate(matrix)
+             for j, r in enumerate(row[:i]) if r is not None and abs(r) >= LEAST_CORRELATION]
+    if not pairs:
+        return []
+    lines = [f"[[Correlations]] (below {LEAST_CORRELATION:g} not shown)"]
+    for _, first, second, r in sorted(pairs, key=lambda pair: -pair[0]):
+        lines += wrapped(f"C({first}, {second}) = {r:+.4f}", hanging=" " * 8)
+    return lines
 
 
 def _calibrated(data: dict[str, Any]) -> list[str]:
     lines = ["[[Parameters]]"]
     for name, p in data["parameters"].items():
         lines += _parameter(name, p, p.get("start"))
-    names, matrix = list(data["parameters"]), data.get("correlation") or []
-    pairs = [(abs(r), names[j], names[i], r) for i, row in enumerate(matrix)
-             for j, r in enumerate(row[:i]) if r is not None and abs(r) >= LEAST_CORRELATION]
-    if pairs:
-        lines.append(f"[[Correlations]] (below {LEAST_CORRELATION:g} not shown)")
-        for _, first, second, r in sorted(pairs, key=lambda pair: -pair[0]):
-            lines += wrapped(f"C({first}, {second}) = {r:+.4f}", hanging=" " * 8)
-    return lines
+    if profile := data.get("profile"):
+        lines += wrapped(f"95%: by profile likelihood, where chi2 of the others refitted is "
+                         f"{profile['rise']:.4g} above its least; open: not before the bound.")
+    return lines + _correlations(list(data["parameters"]), data.get("correlation") or [])
 
 
 def _said(data: dict[str, Any]) -> list[str]:
@@ -139,34 +173,36 @@ def _said(data: dict[str, Any]) -> list[str]:
     return lines
 
 
-def _fit_facts(data: dict[str, Any], fit: Likelihood) -> list[str]:
+def _fit_facts(data: dict[str, Any]) -> list[str]:
     report = data.get("report", {})
-    lines = _fact("parameters", f"{len(data['parameters'])} free, {fit.moved} moved")
+    lines = _fact("readings", data["readings"])
+    lines += _fact("parameters",
+                   f"{len(data['parameters'])} free, {_moved(data, data['readings'])} moved")
     lines += _fact("degrees of freedom", data["degrees_of_freedom"])
     return lines + _fact("fit", f"{report.get('status', '-')}, iterations "
                                 f"{report.get('iterations', '-')}")
 
 
 def _calibration(data: dict[str, Any]) -> list[str]:
-    fit = likelihood_of(data)
     return [f"[[Calibration of {plain(data['quantity'])}]]", *_header(data, data),
-            *_fit_facts(data, fit), "[[Fit Statistics]]", *_statistics(data, fit),
-            *_calibrated(data), *_said(data)]
+            *_fit_facts(data), "[[Fit Statistics]]", *_statistics(data), *_calibrated(data),
+            *_said(data)]
 
 
 def _addition(data: dict[str, Any]) -> list[str]:
-    calibration = data["calibration"]
-    fit = likelihood_of(calibration)
+    calibration, before = data["calibration"], data["before"]
     lines = [f"[[Effect added to the model of {plain(calibration['quantity'])}]]"]
-    lines += _header(calibration, data) + _fit_facts(calibration, fit)
+    lines += _header(calibration, data) + _fit_facts(calibration)
     if data.get("refused"):
         lines += _fact("refused", data.get("reason"))
-    lines += ["[[Fit Statistics]]", *_statistics(calibration, fit)]
-    if data.get("gain") is not None:
+    lines += ["[[Fit Statistics]]", *_statistics(calibration)]
+    if data["gain"] is not None:
+        lines += _fact("chi-square before", f"{before['chi_square']:.6g}")
         lines += _fact("gain", number(data["gain"], 5))
-    else:
-        lines += _fact("gain", "not in the document (field gain): ask diagnose")
-    lines += _errors_alone(data, calibration, fit)
+        lines += _fact("dAIC, dBIC", _pair({key: calibration[key] - before[key]
+                                            for key in ("aic", "bic")}))
+        lines += wrapped("after less before, under the same noise. gain: fall of -2 ln L less ln N "
+                         "for each free shape of an effect.")
     lines += ["[[Rows held out]]"]
     for part in data.get("hold_out", []):
         lines += wrapped(f"by {part['left_out']}: RMS error "
@@ -175,60 +211,23 @@ def _addition(data: dict[str, Any]) -> list[str]:
     return lines + _calibrated(calibration) + _said(data)
 
 
-def _errors_alone(data: dict[str, Any], calibration: dict[str, Any], fit: Likelihood) -> list[str]:
-    """Before and after on one scale, of which the document has RMS errors only."""
-    if "channels" in data:
-        return []
-    # Parameters of an effect carry its name before a point.
-    added = sum("." in name for name in calibration["parameters"])
-    before = Likelihood(fit.readings, fit.moved - added, None, data["before"]["rmse"])
-    old, new = before.error_criteria(), fit.error_criteria()
-    if old is None or new is None:
-        return []
-    return _fact("dAIC, dBIC", _pair((new[0] - old[0], new[1] - old[1]))) + wrapped(
-        f"after less before, of N ln(RMS^2) + 2 k and N ln(RMS^2) + k ln N with k = {before.moved} "
-        f"before and {fit.moved} after: from the RMS errors alone, as if all rows weighed alike, "
-        "since the document lacks the chi-square before (field before.chi_square).")
-
-
-def _explanation(one: Explanation, data: dict[str, Any], base: int) -> tuple[list[str], bool]:
-    """Its line, and whether its criteria are known."""
-    readings = data["rows"]
-    gain, rmse = (one.lead["gain"], one.lead.get("rmse")) if one.lead else (None, None)
-    fall = None if "channels" in data else likelihood_fall(gain, one.members, readings)
-    k, aic, bic = "-", "-", "-"
-    if fall is not None:
-        k = str(base + fall[1])
-        aic = f"{2.0 * fall[1] - fall[0]:.1f}"
-        bic = f"{fall[1] * math.log(readings) - fall[0]:.1f}"
-    words, lines = plain(("<- " if one.in_verdict else "") + one.name), []
-    if len(words) > 29:
-        lines, words = wrapped(words), ""
-    lines.append(f"    {words:<30}{k:>3}{number(rmse, 4):>9}{number(gain, 4):>9}{aic:>10}{bic:>10}")
-    return lines, fall is not None
-
-
-def _ranking(data: dict[str, Any], base: int) -> list[str]:
+def _ranking(data: dict[str, Any]) -> list[str]:
+    base, readings = data["baseline"], data["readings"]
     lines = ["[[Explanations against the model without them]]"]
     lines.append(f"    {'':<30}{'k':>3}{'RMS':>9}{'gain':>9}{'dAIC':>10}{'dBIC':>10}")
-    lines.append(f"    {'without':<30}{base:>3}{number(data['rmse_before'], 4):>9}"
-                 f"{'0':>9}{'0':>10}{'0':>10}")
-    sure = True
+    lines.append(f"    {'without':<30}{_moved(base, readings):>3}"
+                 f"{number(data['rmse_before'], 4):>9}{'0':>9}{'0':>10}{'0':>10}")
     for one in ranked(data):
-        words, known = _explanation(one, data, base)
-        lines += words
-        sure = sure and known
-    lines += wrapped(f"k free parameters, RMS in {_unit(data['unit'])}. gain: fall of -2 ln L "
-                     "under the noise found, less ln N for each free shape of an effect; needed "
-                     f"{number(data.get('needed_gain'), 4)}. dAIC = 2 dk - fall, dBIC = dk ln N - "
-                     f"fall of -2 ln L, with N = {data['rows']} rows; the constant of the noise "
-                     "drops out.")
-    if not sure:
-        lines += wrapped("-: an effect of several parameters with one at its bound, a set without "
-                         "effect of its own, or several measured columns: the document lacks which "
-                         "parameter is the size (effects.parameters.is_size), what a set gains "
-                         "(explanations.gain) or the number of readings (channels.readings).")
-    return lines
+        words, fit = plain(("<- " if one.in_verdict else "") + one.name), one.fit
+        if len(words) > 29:
+            lines, words = lines + wrapped(words), ""
+        lines.append(f"    {words:<30}{_moved(fit, readings):>3}{number(fit['rmse'], 4):>9}"
+                     f"{number(fit['gain'], 4):>9}{fit['aic'] - base['aic']:>10.1f}"
+                     f"{fit['bic'] - base['bic']:>10.1f}")
+    return lines + wrapped(
+        f"k parameters that the fit moved, RMS in {_unit(data['unit'])}. gain: fall of -2 ln L "
+        "under the noise found, less ln N for each free shape of an effect; needed "
+        f"{number(data.get('needed_gain'), 4)}. dAIC, dBIC: against the model without.")
 
 
 def _held_out(data: dict[str, Any]) -> list[str]:
@@ -242,53 +241,69 @@ def _held_out(data: dict[str, Any]) -> list[str]:
             lines, words = lines + wrapped(words), ""
         lines.append(f"    {words:<50}{number(e.get('rmse'), 4):>12}"
                      f"{number(e.get('rmse_cross_validated'), 4):>12}")
-    return lines + wrapped("These have no gain in the document (effects.gain is null), hence no "
-                           "AIC and BIC: effects are judged on parts of the record that no fit "
-                           "saw.")
+    return lines + wrapped("These have no likelihood (effects.gain is null), hence no AIC and BIC: what "
+                           "is left follows itself, and effects are judged on parts of the record "
+                           "that no fit saw.")
 
 
 def _diagnosis(data: dict[str, Any]) -> list[str]:
     named = [e for e in data.get("effects", []) if e.get("in_verdict")]
-    # They stand where an effect is: where nothing is missing none is said to have been free.
-    base = data.get("base_parameters") or \
-        next((e["base_parameters"] for e in data.get("effects", [])), None)
-    lines = [f"[[Diagnosis of {plain(data.get('baseline', {}).get('quantity', 'the readings'))}]]"]
+    base, unit = data["baseline"], data["unit"]
+    lines = [f"[[Diagnosis of {plain(base.get('quantity', 'the readings'))}]]"]
     lines += wrapped(data["headline"]) + _header(data, data)
-    if base is None:
-        lines += _fact("parameters", "not in the document (field base_parameters is empty)")
-    else:
-        lines += _fact("parameters", f"{len(base)} of the model without effects")
-        lines += _fact("degrees of freedom", "not in the document (field degrees_of_freedom)"
-                       if "channels" in data else f"{data['rows'] - len(base)} without effects")
+    lines += _fact("parameters", f"{len(data['base_parameters'])} of the model without effects")
+    if base["degrees_of_freedom"] is not None:
+        lines += _fact("degrees of freedom", f"{base['degrees_of_freedom']} without effects")
     lines += _fact("candidates tried", data.get("candidates_tried", "-"))
     lines += _fact("verdict", data["verdict"]) + ["[[Fit Statistics]]"]
-    lines += _fact("RMS error", f"{_error(data['rmse_after'], data['unit'])}, before "
-                                f"{_error(data['rmse_before'], data['unit'])}")
-    lines += _fact("noise found", _error((data.get("noise") or {}).get("rms"), data["unit"]))
+    lines += _fact("RMS error", f"{_error(data['rmse_after'], unit)}, before "
+                                f"{_error(data['rmse_before'], unit)}")
+    lines += _fact("noise found", _error((data.get("noise") or {}).get("rms"), unit))
     if data.get("p_value") is not None:
         lines += _fact("p of the misfit", f"{number(data['p_value'], 2)}, of what remains "
                                           f"{number(data.get('remaining_p_value'), 2)}")
-    lines += _fact("chi-square, AIC, BIC", "-")
-    lines += wrapped("The document lacks the chi-square of the model without effects (field "
-                     "baseline.chi_square) and ln det(2 pi S) of the noise "
-                     "(noise.log_determinant). Differences between explanations need neither, "
-                     "where they have a gain.")
-    if base is not None:
-        judged = any(e.get("gain") is not None for e in data["effects"])
-        lines += _ranking(data, len(base)) if judged else _held_out(data)
+    if base["chi_square"] is not None:
+        lines += _fact("chi-square", f"{base['chi_square']:.6g} without effects")
+        lines += _fact("AIC, BIC", f"{_pair(base)} without effects") + _ranking(data)
+    else:
+        lines += _held_out(data)
     lines += ["[[Parameters]]"]
     for effect in named:
         for name, p in effect["parameters"].items():
             lines += _parameter(f"{effect_name(effect)}.{name}", p, None)
-    # Without a verdict of one set every effect has base parameters of its own.
-    for name, p in (data.get("base_parameters") or {}).items():
-        lines += _parameter(name, {**p, "value": p["after"]}, p["before"])
-    if not named and not data.get("base_parameters"):
-        lines += wrapped("none: no effect is named, and the base parameters are those of calibrate")
+    # Without an explanation both are those of the model alone.
+    explained = bool(data.get("explanations"))
+    for name, p in data["base_parameters"].items():
+        lines += _parameter(name, {**p, "value": p["after"]}, p["before"] if explained else None)
+    if explained:
+        lines += wrapped("start: fitted without effects; value: with the first explanation.")
     else:
-        lines += wrapped("start: fitted without effects; value: with the first explanation. "
-                         "Correlations are not in the document (field correlation): add has them.")
-    return lines + _said(data)
+        lines += wrapped("fitted without effects: none is named.")
+    correlation = data["correlation"]
+    return lines + _correlations(correlation["names"], correlation["rows"]) + _said(data)
+
+
+def conf_interval(result: Any) -> pandas.DataFrame:
+    """95 % intervals by profile likelihood of a Calibration, one row per parameter.
+
+    Raises
+    ------
+    ValueError
+        The document has none: they were not asked for.
+    """
+    import pandas
+
+    data = document_of(result, ("Calibration",), "conf_interval()")
+    if "profile" not in data:
+        raise ValueError("conf_interval(): this Calibration has no profile intervals; ask for them "
+                         "with calibrate(record, profile=True)")
+    rows = {}
+    for name, p in data["parameters"].items():
+        of = p["profile"]
+        rows[name] = {"value": p["value"], "lower": of["from"], "upper": of["to"],
+                      "unit": p["unit"], "open_lower": of["open_from"], "open_upper": of["open_to"]}
+    frame = pandas.DataFrame.from_dict(rows, orient="index")
+    return frame.astype({"lower": float, "upper": float})
 
 
 def fit_report(result: Any) -> str:
@@ -302,11 +317,8 @@ def fit_report(result: Any) -> str:
     Returns
     -------
     str
-        Plain text of 80 columns: header, chi-square, AIC and BIC with their formulas, parameters
-        with standard errors, correlations above 0.1. A fit against known noise has ``AIC = chi2 +
-        2 k``, ``BIC = chi2 + k ln N`` with N readings and k parameters that moved; the constant of
-        the noise is left out. Where the noise is not known both come from the RMS error. Numbers
-        that a document lacks are named, with the field that would have to hold them.
+        Plain text of 80 columns: header, chi-square, AIC and BIC of the document with their
+        formulas, parameters with standard errors and intervals, correlations above 0.1.
 
     Raises
     ------
@@ -320,14 +332,16 @@ def fit_report(result: Any) -> str:
     >>> Calibration = type("Calibration", (), {"data": {
     ...     "parameters": {"f0": {"value": 1.5, "std": 0.03, "unit": "1", "start": 2.0,
     ...                           "lower": 0.01, "upper": 30.0, "at_bound": False,
-    ...                           "identifiable": True}},
-    ...     "correlation": [[1.0]], "rows": 101, "rows_not_predicted": [],
-    ...     "degrees_of_freedom": 100, "reduced_chi_square": 1.1, "quantity": "friction_torque",
-    ...     "unit": "Nmm", "rmse_before": 74.4, "rmse": 10.7, "messages": [],
-    ...     "report": {"status": "converged", "iterations": 1}}})
-    >>> print("\\n".join(fit_report(Calibration()).splitlines()[:8]))
+    ...                           "held": False, "identifiable": True}},
+    ...     "correlation": [[1.0]], "rows": 101, "rows_not_predicted": [], "readings": 101,
+    ...     "degrees_of_freedom": 100, "chi_square": 110.0, "reduced_chi_square": 1.1,
+    ...     "noise": {"log_determinant": 660.0}, "aic": 772.0, "bic": 774.6,
+    ...     "quantity": "friction_torque", "unit": "Nmm", "rmse_before": 74.4, "rmse": 10.7,
+    ...     "messages": [], "report": {"status": "converged", "iterations": 1}}})
+    >>> print("\\n".join(fit_report(Calibration()).splitlines()[:9]))
     [[Calibration of friction_torque]]
         rows                  = 101
+        readings              = 101
         parameters            = 1 free, 1 moved
         degrees of freedom    = 100
         fit                   = converged, iterations 1

@@ -20,8 +20,9 @@ from . import _draw as draw
 from ._documents import document_of, label_of
 from ._plot_errors import ladder, residuals
 from ._plot_record import record
+from ._plot_spindle import spindle_run
 
-__all__ = ["campbell", "contact_angles", "ladder", "record", "residuals", "stribeck"]
+__all__ = ["campbell", "contact_angles", "ladder", "record", "residuals", "spindle_run", "stribeck"]
 
 NEAR = 0.1  # a reading belongs to the curve of a value within this share of it
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import copy
+import pathlib
 import re
 from html.parser import HTMLParser
 
 import pandas as pd
 import pytest
 
+import raceway
 from raceway._html import html_of
 
 HOSTILE = "<script>alert('x')</script>\"&<img src=x onerror=y>"
@@ -177,3 +179,32 @@ def test_a_conformity_of_the_catalogue_is_shown(make, document):
 def test_anything_else_is_refused():
     with pytest.raises(TypeError, match="not 'DataFrame'"):
         html_of(pd.DataFrame())
+
+
+def test_states_show_themselves():
+    model = raceway.Model.new("S 6014 C")
+    one, several = model.solve(6000, 300), model.solve([0, 6000], 300)
+    assert "Friction torque" in Tags(one._repr_html_()).text
+    assert "2 rows" in Tags(several._repr_html_()).text
+    assert repr(one).startswith("<raceway.Solution of 1 state:")
+
+
+def test_fits_say_what_they_found():
+    rig = "tests/hidden_effect/rigs/dev-03"
+    root = pathlib.Path(__file__).parents[2]
+    model = raceway.Model.read(root / rig / "model.toml")
+    record = raceway.Record.read(root / rig / "train.csv")
+    added = model.add("lubricant-drag", record)
+    size = added.model.parameters["lubricant-drag.torque_at_10000_rpm_Nmm"]["value"]
+    assert repr(added).endswith(f"lubricant-drag.torque_at_10000_rpm_Nmm = {size:.4g}>")
+    assert repr(model.add("cage-friction", record)).startswith("<raceway.Addition: refused, f0 = ")
+
+
+def test_a_calibration_says_nothing_of_the_size_of_a_noise_that_its_document_lacks(calibration):
+    assert "rms" not in calibration.data["noise"] and "not known" not in html_of(calibration)
+
+
+def test_a_gain_of_rounding_is_none(diagnosis):
+    diagnosis.data["effects"][-1] |= {"in_verdict": True, "gain": 4.6e-10}
+    diagnosis.data["effects"].insert(0, diagnosis.data["effects"].pop())
+    assert "e-10" not in html_of(diagnosis)

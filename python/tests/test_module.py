@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+import warnings
 
 import numpy
 import pandas
@@ -254,3 +255,82 @@ def test_a_model_is_not_overwritten(model, tmp_path):
     assert raceway.Model.read(file).parameters["rolling_factor"]["value"] == 1.1
     with pytest.raises(raceway.InputError, match="f00: no such parameter"):
         model.with_values({"f00": 1.0})
+
+
+def test_settings_come_back_as_they_were_entered():
+    # The way to SI and back moves the last digit of 750, 1500 and 3000 rpm, and of 20.3 C.
+    speeds = numpy.arange(0, 14001, 250)
+    frame = raceway.Model.new("S 6014 C").table(speeds, [100, 300], temperature_C=[20.3, 40.1]).to_frame()
+    assert sorted(frame["speed_rpm"].unique()) == speeds.tolist()
+    assert sorted(frame["temperature_C"].unique()) == [20.3, 40.1]
+    rows = pandas.DataFrame({"speed_rpm": speeds, "axial_load_N": 300.0, "friction_torque_Nmm": 1.0})
+    understood = raceway.Model.new("S 6014 C").predict(raceway.Record.from_pandas(rows))
+    assert understood["speed_rpm"].tolist() == speeds.tolist()
+
+
+def test_other_numbers_are_named_by_table_and_key():
+    model = raceway.Model.new("S 6014 C")
+    thicker = model.with_values({"lubricant.viscosity_40C_mm2_s": 32, "rolling_factor": 1.1})
+    assert "viscosity_40C_mm2_s = 32.0" in thicker.text and "rolling_factor = 1.1" in thicker.text
+    with pytest.raises(raceway.InputError, match="did you mean viscosity_40C_mm2_s"):
+        model.with_values({"lubricant.viscosity_40C": 32})
+    with pytest.raises(raceway.InputError, match="such as lubricant.viscosity_40C_mm2_s"):
+        model.with_values({"viscosity_40C_mm2_s": 32})
+
+
+def test_a_bearing_that_is_not_in_the_catalogue_is_described():
+    model = raceway.Model.new("mine", bore_mm=70, outer_diameter_mm=110, contact_angle_deg=25, ball_count=20)
+    assert "70 x 110 mm, 25 deg" in model.notes[0]
+    assert model.solve(1000, 300).data["balls"][19]
+    with pytest.raises(raceway.InputError, match="with bore_mm and outer_diameter_mm, and ball_count"):
+        raceway.Model.new("S 6014")
+    with pytest.raises(ValueError, match="ball_count = -4"):
+        raceway.Model.new("mine", bore_mm=70, outer_diameter_mm=110, ball_count=-4)
+
+
+def test_messages_name_what_python_has_in_place_of_flags():
+    record = raceway.Record("rig.csv", "Drehzahl;Moment\n1000;0,2\n")
+    with pytest.raises(raceway.InputError, match=r"Model\.suggest_columns\(record\) proposes"):
+        raceway.Model.new("S 6014 C", law="palmgren").compare(record)
+    assert "For the argument columns of Record" in raceway.Model.new("S 6014 C").suggest_columns(record)
+
+
+def test_what_a_law_ignores_is_a_note_of_the_model_and_no_doubt_of_every_comparison(root):
+    model = raceway.Model.read(root / RIG / "model.toml")
+    assert any("palmgren ignores ball_count" in note for note in model.notes)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", raceway.Doubt)
+        comparison = model.compare(raceway.Record.read(root / RIG / "test.csv"))
+    assert not comparison.warnings
+
+
+def test_fitted_models_say_what_was_fitted(root):
+    model = raceway.Model.read(root / RIG / "model.toml")
+    record = raceway.Record.read(root / RIG / "train.csv")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", raceway.Doubt)
+        calibrated = model.calibrate(record).model.calibrate(record).model
+        better = calibrated.add("lubricant-drag", record).model
+    assert calibrated.source == model.source + ", calibrated"
+    assert better.source == calibrated.source + " + lubricant-drag"
+    names = [m["model"] for m in model.compare(record, calibrated, better).data["models"]]
+    assert len(set(names)) == 3
+
+
+def test_ranges_of_large_numbers_have_no_exponent(root):
+    model = raceway.Model.new("S 6014 C", law="palmgren")
+    path = root / "data/measurements/german_export.csv"
+    columns = model.suggest_columns(raceway.Record.read(path))
+    comparison = model.compare(raceway.Record.read(path, columns=columns, drop_nan=True))
+    worst = comparison.data["where"][0]
+    assert worst["variable"] == "speed" and worst["from"] > 10000
+    assert comparison.data["statement"].endswith(f"at {worst['from']:.0f} to {worst['to']:.0f} rpm.")
+
+
+def test_a_record_is_a_frame_in_whatever_form_it_was_written(root):
+    frame = raceway.Record.read(root / "data/measurements/german_export.csv").to_frame()
+    assert list(frame) == ["Zeit", "Drehzahl", "Axialkraft", "Temperatur Öl", "Reibmoment", "Bemerkung"]
+    assert len(frame) == 72 and frame["Reibmoment"].isna().sum() == 1
+    assert frame.loc[0, ["Drehzahl", "Axialkraft", "Reibmoment"]].tolist() == [12983, 0.15, 0.5205]
+    odd = pandas.DataFrame({"n, rpm": [1, 2], "what": ['say "no"', "a;b"]})
+    assert raceway.Record.from_pandas(odd).to_frame().equals(odd)

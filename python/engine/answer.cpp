@@ -1,0 +1,106 @@
+#include "python/engine/answer.h"
+
+#include <pybind11/stl.h>
+
+#include "io/error.h"
+#include "io/number_text.h"
+#include "python/engine/arrays.h"
+
+namespace raceway::python {
+namespace {
+
+/// Keyword arguments of Python that name what a command has as a flag.
+void take(session::LoopOptions& options, const std::string& name, const py::handle& value) {
+  if (name == "columns")
+    options.reading.columns_text = value.cast<std::string>();
+  else if (name == "drop_nan")
+    options.reading.drop_nan = value.cast<bool>();
+  else if (name == "from")
+    options.reading.period.from = value.cast<std::string>();
+  else if (name == "until")
+    options.reading.period.until = value.cast<std::string>();
+  else if (name == "per_record")
+    options.per_record.names = value.cast<std::vector<std::string>>();
+  else if (name == "displacement")
+    options.displacement = value.cast<std::string>();
+  else if (name == "tolerance")
+    options.tolerance.text = value.cast<std::string>();
+  else
+    throw py::type_error("unexpected option " + name);
+}
+
+/// What an answer makes when it is asked for, without the lock of the interpreter.
+template <typename Make>
+auto made(const Make& make, const char* missing) {
+  if (!make) throw io::InputError(missing);
+  const py::gil_scoped_release others;
+  return make();
+}
+
+py::list own_effects_of(const EngineAnswer& answer) {
+  py::list models;
+  for (const auto& own : answer.fitted.own_effects) {
+    py::dict of;
+    for (const auto& [id, values] : own) of[py::str(id)] = py::cast(values);
+    models.append(of);
+  }
+  return models;
+}
+
+}  // namespace
+
+session::LoopOptions options_of(const py::kwargs& given) {
+  session::LoopOptions options;
+  for (const auto& [key, value] : given)
+    if (!value.is_none()) take(options, key.cast<std::string>(), value);
+  return options;
+}
+
+std::vector<double> in_unit(const record::Channel& channel, std::span<const double> si) {
+  std::vector<double> values;
+  values.reserve(si.size());
+  for (const double value : si) {
+    const double in_unit_of_file = io::value_in_unit(channel, value);
+    values.push_back(channel.role == record::Role::setting ? as_entered(in_unit_of_file)
+                                                           : in_unit_of_file);
+  }
+  return values;
+}
+
+NamedColumns columns_of(const record::Record& record) {
+  NamedColumns columns;
+  for (const record::Column& column : record.columns)
+    columns.emplace_back(column.channel->name, in_unit(*column.channel, column.values));
+  return columns;
+}
+
+py::dict arrays_of(NamedColumns columns) {
+  py::dict arrays;
+  for (auto& [name, values] : columns) {
+    const std::vector<std::size_t> shape{values.size()};
+    arrays[py::str(name)] = owned(std::move(values), shape);
+  }
+  return arrays;
+}
+
+void bind_answer(py::module_& module) {
+  py::class_<EngineAnswer>(module, "Answer")
+      .def_readonly("json", &EngineAnswer::json)
+      .def_readonly("notes", &EngineAnswer::notes)
+      .def_readonly("warnings", &EngineAnswer::warnings)
+      .def_readonly("converged", &EngineAnswer::converged)
+      .def_readonly("refused", &EngineAnswer::refused)
+      .def_property_readonly("records", [](const EngineAnswer& a) { return a.fitted.records; })
+      .def_property_readonly("models", [](const EngineAnswer& a) { return a.fitted.texts; })
+      .def_property_readonly("own_effects", &own_effects_of)
+      .def("page",
+           [](const EngineAnswer& a) {
+             return made(a.page, "there is no page of this: compare() has one");
+           })
+      .def("csv", [](const EngineAnswer& a) { return made(a.csv, "there are no rows of this"); })
+      .def("rows", [](const EngineAnswer& a) {
+        return arrays_of(made(a.rows, "there are no rows of this"));
+      });
+}
+
+}  // namespace raceway::python

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/engine/heard.h"
+#include "python/engine/interruptible.h"
+#include "record/record.h"
+#include "session/loop_question.h"
+#include "session/source.h"
+
+namespace raceway::python {
+
+namespace py = pybind11;
+
+using Texts = std::vector<std::pair<std::string, std::string>>;  // names with what they hold
+
+/// Columns by name, in the units of files.
+using NamedColumns = std::vector<std::pair<std::string, std::vector<double>>>;
+
+/// What was found, as Python shows it.
+struct EngineAnswer {
+  std::string json{};
+  std::function<std::string()> page{};
+  std::function<std::string()> csv{};
+  std::function<NamedColumns()> rows{};
+  std::vector<std::string> notes{}, warnings{};
+  bool converged = true;
+  std::string refused{};  ///< why an effect was not added; empty where it was
+  session::FittedTexts fitted{};
+};
+
+inline std::vector<session::Source> sources(const Texts& texts) {
+  std::vector<session::Source> list;
+  for (const auto& [name, text] : texts) list.emplace_back(name, text);
+  return list;
+}
+
+/// The columns of a record as it was understood.
+[[nodiscard]] NamedColumns columns_of(const record::Record& record);
+/// Values of a channel [SI] in the unit of files.
+[[nodiscard]] std::vector<double> in_unit(const record::Channel& channel,
+                                          std::span<const double> si);
+/// The same as arrays of numpy.
+[[nodiscard]] py::dict arrays_of(NamedColumns columns);
+
+/// Options of a question as keyword arguments of Python have them, but for what stands in models.
+[[nodiscard]] session::LoopOptions options_of(const py::kwargs& given);
+
+/// Runs `work` on a question and gives the answer what was said meanwhile.
+template <typename Work>
+EngineAnswer answered(const Waiting& waiting, std::atomic<bool>& cancelled,
+                      const Progress& progress, const Work& work) {
+  Heard heard;
+  EngineAnswer answer = interruptible(cancelled, progress, waiting, [&] { return work(heard); });
+  // The defaults are counted where the model is read.
+  for (std::string& note : heard.note_lines)
+    if (note.find(": raceway check ") == note.npos) answer.notes.push_back(std::move(note));
+  answer.warnings.insert(answer.warnings.begin(), heard.warning_lines.begin(),
+                         heard.warning_lines.end());
+  return answer;
+}
+
+template <typename Work>
+EngineAnswer answered(const Work& work) {
+  std::atomic<bool> cancelled = false;
+  return answered(Waiting(), cancelled, Progress(), work);
+}
+
+void bind_answer(py::module_& module);
+
+}  // namespace raceway::python

@@ -1,0 +1,256 @@
+#include "python/engine/correction.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "correction/numbers.h"
+#include "correction/simulation.h"
+#include "io/displacement_curve.h"
+#include "io/error.h"
+#include "io/number_text.h"
+#include "python/engine/answer.h"
+#include "session/control_export.h"
+#include "session/correction_loop.h"
+#include "session/correction_run.h"
+#include "session/identification.h"
+#include "session/law_fit.h"
+#include "shaft/displacement_table.h"
+
+namespace raceway::python {
+namespace {
+
+session::Source source_of(const EngineCorrection& correction) {
+  return {correction.file().source, correction.file().text};
+}
+
+/// A record with the corrections of a file. `given`: columns, drop_nan, from, until.
+session::SeriesQuestion ask(Heard& heard, const EngineCorrection& correction, const Texts& data,
+                            const session::Reading& reading) {
+  return session::ask_series(heard, source_of(correction), sources(data).front(), reading);
+}
+
+void fill_validations(EngineAnswer& answer, std::vector<io::Validation>& list, Heard& heard,
+                      const std::vector<correction::Model>& models, const Texts& validate,
+                      const io::ReadOptions& options) {
+  if (validate.empty()) return;
+  const record::Record other =
+      session::open_series(heard, sources(validate).front(), models, options);
+  for (const correction::Model& model : models) {
+    session::Validated one = session::validated(model, other);
+    list.push_back(std::move(one.validation));
+    answer.warnings.insert(answer.warnings.end(), one.warnings.begin(), one.warnings.end());
+  }
+}
+
+EngineAnswer arx(Heard& heard, const EngineCorrection& correction, const Texts& data,
+                 const session::IdentifyChoices& choices, const session::Reading& reading) {
+  const session::SeriesQuestion asked = ask(heard, correction, data, reading);
+  std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
+  EngineAnswer answer;
+  for (const correction::Model& model : asked.file.models) {
+    found.emplace_back(model.displacement, session::arx_baseline(asked, model, choices));
+    const std::vector<std::string>& messages = found.back().second.messages;
+    answer.warnings.insert(answer.warnings.end(), messages.begin(), messages.end());
+  }
+  answer.json = io::arx_json(asked.file.source, asked.data, found);
+  return answer;
+}
+
+/// Sections, a bank of lags or a regression, with the file of the models that were found.
+EngineAnswer identified(Heard& heard, const EngineCorrection& correction, const Texts& data,
+                        const Texts& validate, const session::IdentifyChoices& choices,
+                        const session::Reading& reading) {
+  session::SeriesQuestion asked = ask(heard, correction, data, reading);
+  std::vector<correction::Identification> found;
+  std::vector<correction::Model> models;
+  EngineAnswer answer;
+  for (const correction::Model& model : asked.file.models) {
+    found.push_back(session::identified(heard, asked, model, choices));
+    models.push_back(found.back().model);
+    const std::vector<std::string>& messages = found.back().messages;
+    answer.warnings.insert(answer.warnings.end(), messages.begin(), messages.end());
+  }
+  std::vector<io::Validation> validations;
+  fill_validations(answer, validations, heard, models, validate,
+                   reading.options(asked.file.columns));
+  answer.json = io::identification_json(asked.file.source, asked.data, found, validations);
+  answer.fitted.texts = {session::identified_text(asked, models, choices)};
+  return answer;
+}
+
+EngineAnswer identify(const EngineCorrection& correction, const Texts& data, const Texts& validate,
+                      const std::string& order, const std::vector<std::string>& inputs,
+                      const std::vector<std::string>& lags, const std::string& baseline,
+                      double time_limit_s, const py::object& progress_of_caller,
+                      const py::kwargs& given) {
+  const session::Reading reading = options_of(given).reading;
+  std::atomic<bool> cancelled = false;
+  Progress progress;
+  session::IdentifyChoices choices{
+      .order = order, .inputs = inputs, .lags = lags, .baseline = baseline};
+  choices.cancelled = [&] { return cancelled.load(); };
+  choices.progress = [&](double share, std::string_view step) { progress.set(share, step); };
+  choices.check();
+  return answered({time_limit_s, progress_of_caller}, cancelled, progress, [&](Heard& heard) {
+    return baseline == "arx" ? arx(heard, correction, data, choices, reading)
+                             : identified(heard, correction, data, validate, choices, reading);
+  });
+}
+
+/// The record as it was understood, with what was predicted and what is left of each displacement.
+/// `predicted(k)`: of the k-th [m].
+template <typename Predicted>
+NamedColumns course(const session::SeriesQuestion& asked, const Predicted& predicted) {
+  NamedColumns columns = columns_of(asked.data);
+  for (std::size_t k = 0; k < asked.file.models.size(); ++k) {
+    const record::Channel& channel = *asked.file.models[k].displacement;
+    const std::string name(channel.name);
+    std::vector<double> values = in_unit(channel, predicted(k)), left = values;
+    for (std::size_t row = 0; row < left.size(); ++row)
+      left[row] = io::value_in_unit(channel, asked.data.value(channel, row)) - values[row];
+    columns.emplace_back("predicted_" + name, std::move(values));
+    if (asked.data.has(channel)) columns.emplace_back("residual_" + name, std::move(left));
+  }
+  return columns;
+}
+
+EngineAnswer correct(const EngineCorrection& correction, const Texts& data,
+                     const py::kwargs& given) {
+  const session::Reading reading = options_of(given).reading;
+  return answered([&](Heard& heard) {
+    const auto run = std::make_shared<const session::CorrectionRun>(
+        session::run_corrections(ask(heard, correction, data, reading)));
+    EngineAnswer answer;
+    answer.json = run->json();
+    answer.warnings = run->warnings;
+    answer.csv = [run] { return run->csv(); };
+    answer.page = [run] { return run->page(); };
+    answer.rows = [run] {
+      return course(run->asked, [&](std::size_t k) { return run->corrected[k].predicted; });
+    };
+    return answer;
+  });
+}
+
+EngineAnswer learn(const EngineCorrection& correction, const Texts& data, const std::string& every,
+                   const std::string& forget, const py::kwargs& given) {
+  const session::Reading reading = options_of(given).reading;
+  const session::LearningChoices choices{.every = every, .forget = forget};
+  choices.check();
+  return answered([&](Heard& heard) {
+    const auto run = std::make_shared<const session::LearningRun>(
+        session::learn_corrections(ask(heard, correction, data, reading), choices));
+    EngineAnswer answer;
+    answer.json = run->json();
+    answer.notes = run->notes;
+    answer.warnings = run->warnings;
+    answer.fitted.texts = {run->text()};
+    answer.csv = [run] { return run->csv(); };
+    answer.rows = [run] {
+      return course(run->asked, [&](std::size_t k) { return run->learnt[k].learning.predicted; });
+    };
+    return answer;
+  });
+}
+
+EngineAnswer check(const EngineCorrection& correction, const Texts& data, const py::kwargs& given) {
+  const session::LoopOptions options = options_of(given);
+  return answered([&](Heard& heard) {
+    const session::CheckedCorrection checked = session::check_correction(
+        heard, source_of(correction), sources(data), options.displacement, options.reading);
+    EngineAnswer answer;
+    answer.json = checked.json();
+    return answer;
+  });
+}
+
+/// The text, with what is to be known of it.
+py::tuple export_correction(const EngineCorrection& correction, const std::string& format,
+                            const std::string& output) {
+  session::require_control_name(format, output);
+  const session::ControlExport made =
+      session::export_corrections(correction.file(), format, output);
+  return py::make_tuple(made.text, made.plan.notes);
+}
+
+EngineAnswer fit_law(const std::string& name, const std::string& text, double at_rpm,
+                     const py::kwargs& given) {
+  const session::Reading reading = options_of(given).reading;
+  return answered([&](Heard& heard) {
+    const auto found = std::make_shared<const session::LawFit>(
+        session::fit_law(heard, {name, text}, reading, at_rpm));
+    EngineAnswer answer;
+    answer.json = found->json("-o FILE writes it");
+    answer.converged = found->fit.converged();
+    answer.csv = [found] {
+      return io::displacement_table_text(shaft::make_displacement_table(found->curve.points),
+                                         found->curve.source);
+    };
+    return answer;
+  });
+}
+
+}  // namespace
+
+EngineCorrection::EngineCorrection(const std::string& source, const std::string& text)
+    : file_(session::open_corrections(heard_, session::Source(source, text),
+                                      session::Defaults::keep)) {}
+
+py::list EngineCorrection::parameters() const {
+  py::list list;
+  for (const correction::Model& model : file_.models)
+    for (const record::Parameter& p : correction::parameters(model)) {
+      py::dict of;
+      of["displacement"] = std::string(model.displacement->name);
+      of["name"] = p.name;
+      of["value"] = p.value;
+      of["unit"] = p.unit;
+      of["lower"] = p.lower;
+      of["upper"] = p.upper;
+      list.append(of);
+    }
+  return list;
+}
+
+py::list EngineCorrection::inputs() const {
+  std::vector<std::string> names;
+  for (const correction::Model& model : file_.models)
+    for (const record::Channel* c : correction::inputs_of(model))
+      if (std::find(names.begin(), names.end(), c->name) == names.end())
+        names.emplace_back(c->name);
+  return py::cast(names);
+}
+
+void bind_correction(py::module_& module) {
+  py::class_<EngineCorrection, std::shared_ptr<EngineCorrection>>(module, "Correction")
+      .def(py::init<const std::string&, const std::string&>(), py::arg("source"), py::arg("text"))
+      .def_property_readonly("source", [](const EngineCorrection& c) { return c.file().source; })
+      .def_property_readonly("text", [](const EngineCorrection& c) { return c.file().text; })
+      .def_property_readonly("defaults",
+                             [](const EngineCorrection& c) { return c.file().defaults; })
+      .def_property_readonly("notes",
+                             [](const EngineCorrection& c) { return c.heard().note_lines; })
+      .def_property_readonly("warnings",
+                             [](const EngineCorrection& c) { return c.heard().warning_lines; })
+      .def_property_readonly("displacements",
+                             [](const EngineCorrection& c) {
+                               std::vector<std::string> names;
+                               for (const correction::Model& m : c.file().models)
+                                 names.emplace_back(m.displacement->name);
+                               return names;
+                             })
+      .def_property_readonly("inputs", &EngineCorrection::inputs)
+      .def("parameters", &EngineCorrection::parameters);
+  module.def("identify", &identify);
+  module.def("correct", &correct);
+  module.def("learn", &learn);
+  module.def("check_correction", &check);
+  module.def("export_correction", &export_correction);
+  module.def("fit_law", &fit_law);
+}
+
+}  // namespace raceway::python

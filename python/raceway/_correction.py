@@ -1,0 +1,391 @@
+"""Corrections of machines: the displacement over hours, from what a control knows."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from . import _engine
+from ._correction_results import Check, CorrectionComparison, CorrectionRun, Identification, Program
+from ._errors import InputError, NotConverged
+from ._from_file import FromFile
+from ._given import text_of
+from ._model import Model, _is_correction, _names, _tables, _warn
+from ._record import Record
+from ._results import Addition, Calibration, Diagnosis
+from ._series import lag_texts, one_record, order_text, reading, seconds
+
+FORMATS = ("python", "c", "csv", "linuxcnc")
+
+
+class Correction(FromFile):
+    """What is believed of the displacement of a machine: lags of temperatures, power, speed and feeds.
+
+    One file may have several displacements, each with its model. A correction never changes; what a
+    fit finds is another one. `read` and `from_text` make one.
+
+    Examples
+    --------
+    >>> correction = Correction.from_text('''
+    ... [correction]
+    ... displacement = "displacement_z_um"
+    ... [[correction.channel]]
+    ... name = "spindle"
+    ... input = "front_bearing_temperature_C"
+    ... sections = [{ gain_um_K = 5.0, time_constant_s = 5400 }]
+    ... ''')
+    >>> correction.displacements, correction.inputs
+    (['displacement_z_um'], ['front_bearing_temperature_C'])
+    >>> correction.parameters["spindle.gain_1"]["value"]
+    5.0
+    """
+
+    def __init__(self, source: str, text: str) -> None:
+        tables = _tables(text_of("text", text))
+        if tables and "correction" not in tables:
+            raise InputError(f"{source}: has no [correction]: raceway.Model.read takes models of bearings")
+        self._engine = _engine.Correction(source, text)
+        _warn(self._engine.warnings)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Correction:
+        """Read a file with ``[correction]`` (TOML; keys with their units: docs/files.md).
+
+        Raises
+        ------
+        InputError
+            With file, line, key, value and allowed range, as the command says it.
+        """
+        return cls(os.fspath(path), _engine.read_text(os.fspath(path)))
+
+    @classmethod
+    def from_text(cls, text: str, name: str = "correction") -> Correction:
+        """Take the text of a file; `name` stands in messages, and files that it names are beside it."""
+        return cls(name, text)
+
+    @property
+    def displacements(self) -> list[str]:
+        """Columns that it predicts, such as ``"displacement_z_um"``."""
+        return self._engine.displacements
+
+    @property
+    def inputs(self) -> list[str]:
+        """Columns that a record needs to drive it."""
+        return self._engine.inputs
+
+    @property
+    def parameters(self) -> dict[str, dict[str, Any]]:
+        """Numbers that a fit may change: value, unit, lower and upper bound.
+
+        Of several displacements their names stand before: ``"displacement_ch1_um.offset"``.
+        """
+        several = len(self.displacements) > 1
+        hidden = ("name", "displacement")
+        return {
+            f"{p['displacement']}.{p['name']}" if several else p["name"]: {
+                k: v for k, v in p.items() if k not in hidden
+            }
+            for p in self._engine.parameters()
+        }
+
+    def identify(
+        self,
+        record: Record,
+        *,
+        inputs: str | Iterable[str] | None = None,
+        order: int | tuple[int, int] = (1, 3),
+        lags_s: str | Iterable[float] | None = None,
+        baseline: str | None = None,
+        validate: Record | None = None,
+        from_s: float | None = None,
+        until_s: float | None = None,
+        time_limit_s: float | None = None,
+        progress: Callable[[float, str], None] | None = None,
+    ) -> Identification:
+        """Find how many lags each channel needs, and their numbers, from a record over time.
+
+        Parameters
+        ----------
+        record : Record
+            With ``time_s``, the inputs and the displacement, whose cells may be empty.
+        inputs : str or iterable of str, optional
+            Columns that may drive channels of their own, or ``"all"``: taken up as long as the error
+            on parts held out falls.
+        order : int or (int, int)
+            Sections of each channel, from 1 to 6, or the fewest and the most.
+        lags_s : "auto" or iterable of float, optional
+            A bank instead: every input through each of these lags [s] (0: at once; ``"auto"``: by the
+            length of the record), gains by ridge, for machines with many sensors.
+        baseline : {"regression", "arx"}, optional
+            Instead of sections: regression on the inputs as they are; ARX, to see why it is not used.
+        validate : Record, optional
+            Another record, to judge what was found by.
+        from_s, until_s : float, optional
+            Readings that count, by the time since the first row [s]; all rows drive the model.
+        time_limit_s : float, optional
+            After which it gives up with TimeoutError.
+        progress : callable, optional
+            Called with the share that is done and the step, some ten times a second.
+
+        Raises
+        ------
+        InputError
+            No such input, an order or lags that are none, a record that does not carry the numbers.
+        KeyboardInterrupt
+            Stops it; nothing is left half done.
+        """
+        if baseline not in (None, "regression", "arx"):
+            raise ValueError(f"baseline = {baseline!r}: must be regression or arx")
+        if lags_s is not None and (baseline is not None or order != (1, 3)):
+            raise ValueError("lags_s: a bank has neither baseline nor order; take one of them")
+        options = reading(record, from_s, until_s)
+        answer = _engine.identify(
+            self._engine,
+            [(record.name, record.text)],
+            [] if validate is None else [(one_record(validate).name, validate.text)],
+            order_text(order),
+            [] if inputs is None else _names("inputs", inputs),
+            lag_texts(lags_s),
+            baseline or "",
+            float("inf") if time_limit_s is None else float(time_limit_s),
+            progress,
+            **options,
+        )
+        _warn(answer.warnings)
+        return Identification(answer, self._fitted(answer, ", identified").get(""))
+
+    def correct(
+        self,
+        record: Record,
+        *,
+        learn: bool = False,
+        every_s: float | None = None,
+        forget_s: float | None = None,
+        from_s: float | None = None,
+        until_s: float | None = None,
+    ) -> CorrectionRun:
+        """Run it over a record: predictions with their band, and what is left of what was read.
+
+        Parameters
+        ----------
+        record : Record
+            With ``time_s`` and the inputs; readings of the displacement may be missing.
+        learn : bool
+            Take readings as they come: zero, states and gains are learnt, and a row is predicted from
+            readings before it alone.
+        every_s : float, optional
+            With `learn`: at least between two readings that are learnt [s]; the others judge.
+        forget_s : float, optional
+            With `learn`: time in which gains return to those of the model [s]; 7 days without.
+        from_s, until_s : float, optional
+            Readings that count, by the time since the first row [s].
+        """
+        options = reading(record, from_s, until_s)
+        texts = [(record.name, record.text)]
+        if not learn:
+            for argument, value in (("every_s", every_s), ("forget_s", forget_s)):
+                if value is not None:
+                    raise ValueError(f"{argument}: belongs to learn=True")
+            answer = _engine.correct(self._engine, texts, **options)
+        else:
+            durations = (seconds("every_s", every_s), seconds("forget_s", forget_s))
+            answer = _engine.learn(self._engine, texts, *durations, **options)
+        _warn(answer.warnings)
+        return CorrectionRun(answer, self._fitted(answer, ", learnt").get(""))
+
+    def compare(
+        self,
+        record: Record,
+        *others: Correction,
+        displacement: str | None = None,
+        zero: str = "mean",
+        refit: str | Iterable[str] = (),
+        tolerance: str | None = None,
+        from_s: float | None = None,
+        until_s: float | None = None,
+    ) -> CorrectionComparison:
+        """Say how far it is from a record, and where; with other corrections: the ladder.
+
+        Parameters
+        ----------
+        record : Record
+        *others : Correction
+        displacement : str, optional
+            Which of several.
+        zero : {"mean", "first", "none"}
+            The constant taken off before: that which leaves least, the first reading of a run, none.
+        refit : iterable of str
+            Parameters, or groups such as ``"gains"``, that are fitted to the record before.
+        tolerance : str, optional
+            Error below which nothing matters, such as ``"2um"``.
+        """
+        if zero not in ("mean", "first", "none"):
+            raise ValueError(f"zero = {zero!r}: must be mean, first or none")
+        for other in others:
+            if not isinstance(other, Correction):
+                raise TypeError(f"a raceway.Correction is wanted, not {type(other).__name__}")
+        options = reading(record, from_s, until_s, displacement, tolerance)
+        engines = [c._engine for c in (self, *others)]
+        texts = [(record.name, record.text)]
+        answer = _engine.compare_corrections(engines, texts, _names("refit", refit), zero, **options)
+        _warn(answer.warnings)
+        return CorrectionComparison(answer, (), record)
+
+    def calibrate(
+        self,
+        record: Record,
+        *,
+        displacement: str | None = None,
+        from_s: float | None = None,
+        until_s: float | None = None,
+    ) -> Calibration:
+        """Re-fit the free numbers (``[calibration] free``; by default gains, time constants, offset).
+
+        Raises
+        ------
+        NotConverged
+            Where the fit found no values.
+        """
+        options = reading(record, from_s, until_s, displacement)
+        answer = _engine.calibrate(self._engine, [(record.name, record.text)], False, **options)
+        if not answer.converged:
+            raise NotConverged("; ".join(["the calibration did not converge", *answer.warnings]))
+        _warn(answer.warnings)
+        return Calibration(answer, self._fitted(answer, ", calibrated"))
+
+    def diagnose(
+        self,
+        record: Record,
+        *,
+        displacement: str | None = None,
+        pairs: bool = True,
+        tried_before: int = 0,
+        tolerance: str | None = None,
+        from_s: float | None = None,
+        until_s: float | None = None,
+        time_limit_s: float | None = None,
+        progress: Callable[[float, str], None] | None = None,
+    ) -> Diagnosis:
+        """Say which effect is missing, where the error on parts held out is beyond the tolerance.
+
+        Parameters
+        ----------
+        record : Record
+        displacement : str, optional
+            Which of several.
+        pairs : bool
+            Without: single effects only, for a quick look.
+        tried_before : int
+            Explanations of your own already tried on these data.
+        tolerance : str, optional
+            Error that does not matter, such as ``"2um"``, where ``tolerance_um`` is not in the file.
+        from_s, until_s : float, optional
+            Readings that count, by the time since the first row [s].
+        time_limit_s : float, optional
+            After which it gives up with TimeoutError.
+        progress : callable, optional
+            Called with the share that is done and the step, some ten times a second.
+
+        Raises
+        ------
+        InputError
+            A record that carries no verdict, with the reason; no tolerance.
+        KeyboardInterrupt
+            Stops it; nothing is left half done.
+        """
+        options = reading(record, from_s, until_s, displacement, tolerance)
+        limit = float("inf") if time_limit_s is None else float(time_limit_s)
+        texts = [(record.name, record.text)]
+        answer = _engine.diagnose(
+            self._engine, texts, bool(pairs), int(tried_before), limit, progress, **options
+        )
+        _warn(answer.warnings)
+        return Diagnosis(answer)
+
+    def add(
+        self,
+        effects: str | Iterable[str],
+        record: Record,
+        *,
+        displacement: str | None = None,
+        tolerance: str | None = None,
+        from_s: float | None = None,
+        until_s: float | None = None,
+    ) -> Addition:
+        """Switch effects on, calibrated, and judge them on parts that the fit did not see.
+
+        Returns
+        -------
+        Addition
+            `Addition.refused` says why an effect does not help; `Addition.model` has it all the same.
+        """
+        options = reading(record, from_s, until_s, displacement, tolerance)
+        texts = [(record.name, record.text)]
+        ids = _names("effects", effects)
+        answer = _engine.add(self._engine, ids, texts, **options)
+        if not answer.converged:
+            raise NotConverged("; ".join(["the fit did not converge", *answer.warnings]))
+        _warn(answer.warnings)
+        return Addition(answer, self._fitted(answer, "".join(f" + {name}" for name in ids)))
+
+    def check(
+        self,
+        record: Record,
+        *,
+        displacement: str | None = None,
+    ) -> Check:
+        """Say what a record can tell: time constants, the last digit of each sensor, effects."""
+        options = reading(record, None, None, displacement)
+        answer = _engine.check_correction(self._engine, [(record.name, record.text)], **options)
+        _warn(answer.warnings)
+        return Check(answer)
+
+    def export(
+        self, format: str, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False
+    ) -> Program:
+        """Return it as a program that runs on a control without this package, and write that to `path`.
+
+        Parameters
+        ----------
+        format : {"python", "c", "csv", "linuxcnc"}
+            One file of Python with the standard library alone; one header of C99; a table of numbers
+            with units; a component of LinuxCNC's HAL, whose file has its name and ends in ``.comp``.
+        path : path, optional
+            By its name functions of C and components are called.
+        """
+        if format not in FORMATS:
+            raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")
+        output = "" if path is None else os.fspath(path)
+        program = Program(format, *_engine.export_correction(self._engine, format, output))
+        if path is not None:
+            program.save(path, overwrite=overwrite)
+        return program
+
+    def _fitted(self, answer: _engine.Answer, fitted: str) -> dict[str, Correction]:
+        """The one that was found, under the empty name; none where there is none. A ladder tells it apart by what was fitted."""
+        source = self.source if self.source.endswith(fitted) else self.source + fitted
+        return {"": Correction(source, text) for text in answer.models}
+
+    def _repr_html_(self) -> str:
+        from ._html_correction import correction_html
+
+        return correction_html(self)
+
+    def __repr__(self) -> str:
+        return f"<raceway.Correction of {', '.join(self.displacements)} from {self.source}>"
+
+
+def read(path: str | os.PathLike[str]) -> Model | Correction:
+    """Read a model file of either kind: a `Correction` where it has [correction] and no [bearing].
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     Model.new("S 6014 C").save(f"{folder}/my.toml")
+    ...     read(f"{folder}/my.toml").kind
+    'rig'
+    """
+    text = _engine.read_text(os.fspath(path))
+    return (Correction if _is_correction(text) else Model)(os.fspath(path), text)

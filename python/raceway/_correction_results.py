@@ -1,0 +1,180 @@
+"""What corrections answer."""
+
+from __future__ import annotations
+
+import io
+import os
+from typing import TYPE_CHECKING, Any
+
+from . import _engine
+from ._results import Comparison, _Answer, _first, _write
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._correction import Correction
+
+
+class Identification(_Answer):
+    """A correction whose structure and numbers come from a record."""
+
+    def __init__(self, answer: _engine.Answer, found: Correction | None) -> None:
+        super().__init__(answer)
+        self._found = found
+
+    @property
+    def correction(self) -> Correction:
+        """What was found.
+
+        Raises
+        ------
+        ValueError
+            Of an ARX model, which is fitted one step ahead and is not used.
+        """
+        if self._found is None:
+            raise ValueError(
+                "an ARX model is fitted one step ahead and is no correction; sections are, without baseline"
+            )
+        return self._found
+
+    @property
+    def parameters(self) -> dict[str, dict[str, Any]]:
+        """Value, standard error (None without one) and unit of each, by names as `Correction.parameters`."""
+        axes = self.data.get("axes", [self.data])
+        found = {}
+        for axis in axes:
+            before = f"{axis['displacement']}." if len(axes) > 1 else ""
+            for name, number in _numbers(axis):
+                found[before + name] = number
+        return found
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return one row per parameter: ``parameter``, ``value``, ``std`` and ``unit``."""
+        import pandas
+
+        rows = [{"parameter": name, **number} for name, number in self.parameters.items()]
+        return pandas.DataFrame(rows, columns=["parameter", "value", "std", "unit"])
+
+    def _repr_html_(self) -> str:
+        from ._html_correction import identification_html
+
+        return identification_html(self)
+
+    def __repr__(self) -> str:
+        return f"<raceway.Identification on {self.data['data']}>"
+
+
+class CorrectionRun(_Answer):
+    """A correction over a record: what it predicts, and what is left of what was read."""
+
+    def __init__(self, answer: _engine.Answer, learnt: Correction | None) -> None:
+        super().__init__(answer)
+        self._learnt = learnt
+
+    @property
+    def correction(self) -> Correction:
+        """With the zero and the gains that were learnt, as they stand at the end.
+
+        Raises
+        ------
+        ValueError
+            Where nothing was to be learnt.
+        """
+        if self._learnt is None:
+            raise ValueError("nothing was learnt: correct(record, learn=True) does")
+        return self._learnt
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return one row per row of the record, as ``raceway correct -o`` writes it; see also `course`."""
+        import pandas
+
+        return pandas.read_csv(io.StringIO(self._answer.csv()))
+
+    def course(self) -> pandas.DataFrame:
+        """Return the record as it was understood, with what is predicted and what that leaves of it.
+
+        Columns ``predicted_...`` and, where something was read, ``residual_...`` (reading minus prediction).
+        """
+        import pandas
+
+        rows = self._answer.rows()
+        return pandas.DataFrame({"time_s": rows.pop("time_s")} | rows)
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write `to_frame` as CSV."""
+        _write(path, self._answer.csv(), overwrite)
+
+    def _repr_html_(self) -> str:
+        from ._html_correction import run_html
+
+        return run_html(self)
+
+    def __repr__(self) -> str:
+        return f"<raceway.CorrectionRun over {self.data['data']}: {self.data['rows']} rows>"
+
+
+class CorrectionComparison(Comparison):
+    """How far corrections are from a record."""
+
+    def to_frame(self, measured: str | None = None) -> pandas.DataFrame:
+        """Return one row per row of the record, with ``measured``, ``predicted`` and ``error`` of the first [um].
+
+        One displacement is compared, that of `measured` where it is named.
+        """
+        import pandas
+
+        quantity = _first(self.data)["quantity"]
+        if measured not in (None, quantity, f"{quantity}_um"):
+            raise ValueError(f"measured = {measured!r}: {quantity}_um was compared")
+        return pandas.DataFrame(self._answer.rows())
+
+
+class Check(_Answer):
+    """What a record over time can tell."""
+
+    def _repr_html_(self) -> str:
+        from ._html_correction import check_html
+
+        return check_html(self)
+
+
+class Program:
+    """A correction that runs without this package.
+
+    Attributes
+    ----------
+    format : str
+    text : str
+    notes : list of str
+        What its control has to know.
+    """
+
+    def __init__(self, format: str, text: str, notes: list[str]) -> None:
+        self.format = format
+        self.text = text
+        self.notes = notes
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Write it."""
+        _write(path, self.text, overwrite)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<raceway.Program in {self.format}: {self.text.count(chr(10))} lines>"
+
+
+def _numbers(axis: dict[str, Any]) -> list[tuple[str, dict[str, Any]]]:
+    """Numbers of the document of one displacement, by the names of the model's parameters."""
+    found = [("offset", axis["offset_um"])] if axis.get("offset_um") else []
+    for channel in axis.get("channels", []):
+        name = channel["name"]
+        for k, section in enumerate(channel["sections"], 1):
+            found.append((f"{name}.gain_{k}", section["gain"]))
+            found.append((f"{name}.time_constant_{k}", section["time_constant_s"]))
+        through = channel["feedthrough"]
+        if through["value"] or through["std"] is not None:
+            found.append((f"{name}.feedthrough", through))
+    found += [(f"kinematic.{key}", number) for key, number in axis.get("kinematic", {}).items()]
+    return [(name, number) for name, number in found if number]

@@ -1,0 +1,69 @@
+"""Arguments as the engine takes them, and what it says beside its answers."""
+
+from __future__ import annotations
+
+import numbers
+import warnings
+from collections.abc import Iterable
+
+import numpy
+from numpy.typing import ArrayLike
+
+from ._errors import Doubt
+
+
+def warn(lines: Iterable[str]) -> None:
+    for line in lines:
+        warnings.warn(line, Doubt, stacklevel=3)
+
+
+def arrays(**given: ArrayLike | None) -> dict[str, numpy.ndarray]:
+    """Arrays of float64, those that are such already as they are."""
+    found = {}
+    for name, value in given.items():
+        if value is None:
+            continue
+        try:
+            array = numpy.asarray(value)
+        except ValueError:
+            raise ValueError(f"{name}: lists of different lengths make no array") from None
+        if array.dtype.kind not in "fiu":
+            raise TypeError(f"{name}: numbers are wanted, not {_kind(array)}")
+        if array.dtype.byteorder == ">" or array.dtype != numpy.float64:
+            array = array.astype(numpy.float64)
+        found[name] = array
+    return found
+
+
+def text_of(argument: str, value: str) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{argument}: text is wanted, not {type(value).__name__}")
+    return value
+
+
+def tolerance_text(value: str) -> str:
+    if not isinstance(value, str):
+        words = 'an error with its unit, such as "2Nmm" or "2um", is wanted'
+        raise TypeError(f"tolerance: {words}, not {value!r}")
+    return value
+
+
+def value_of(name: str, value: float) -> float:
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name}: a number is wanted, not {type(value).__name__}")
+    return float(value)
+
+
+def _kind(array: numpy.ndarray) -> str:
+    return {"U": "text", "S": "text", "b": "truth values", "c": "complex numbers"}.get(
+        array.dtype.kind, f"objects ({array.dtype})"
+    )
+
+
+def axis(name: str, values: ArrayLike | None) -> list[float]:
+    if values is None:
+        return []
+    array = arrays(**{name: values})[name]
+    if array.ndim > 1:
+        raise ValueError(f"{name}: an axis is a list of numbers, not an array of shape {array.shape}")
+    return [float(v) for v in numpy.atleast_1d(array)]

@@ -1,0 +1,71 @@
+"""The law of kinematic displacement."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import _engine
+from ._errors import NotConverged
+from ._model import _warn
+from ._record import Record
+from ._results import _Answer
+from ._series import reading
+
+
+class KinematicLaw(_Answer):
+    """The law of kinematic displacement u = A n^(1 - B exp(-C n)), u in um, n in rpm, of a curve."""
+
+    @property
+    def parameters(self) -> dict[str, dict[str, Any]]:
+        """Value, standard error and unit of A, B and C."""
+        return self.data["parameters"]
+
+    @property
+    def table(self) -> str:
+        """The monotone table that stands in place of a law which does not follow the curve, as CSV."""
+        return self._answer.csv()
+
+    def _repr_html_(self) -> str:
+        from ._html_correction import law_html
+
+        return law_html(self)
+
+    def __repr__(self) -> str:
+        numbers = ", ".join(f"{name} = {p['value']:.4g}" for name, p in self.parameters.items())
+        return f"<raceway.KinematicLaw: {numbers}>"
+
+
+def fit_law(curve: Record, *, at_rpm: float | None = None) -> KinematicLaw:
+    """Fit the law of kinematic displacement to a curve of ``speed_rpm`` and ``axial_displacement_um``.
+
+    Parameters
+    ----------
+    curve : Record
+        With ``std_um`` where the scatter is known; `Displacement.to_frame` is one.
+    at_rpm : float, optional
+        Also displacement and slope there.
+
+    Raises
+    ------
+    InputError
+        A curve of too few speeds, `at_rpm` where the law is not valid.
+    NotConverged
+        Where the fit found no values.
+
+    Examples
+    --------
+    >>> import pandas
+    >>> speeds = [1000.0, 2000.0, 4000.0, 6000.0, 8000.0, 10000.0]
+    >>> moved = [0.0993, 0.4125, 2.0097, 4.8855, 8.4087, 11.8716]
+    >>> curve = pandas.DataFrame({"speed_rpm": speeds, "axial_displacement_um": moved})
+    >>> law = fit_law(Record.from_pandas(curve))
+    >>> sorted(law.parameters)
+    ['A', 'B', 'C']
+    """
+    nan = float("nan")
+    options = reading(curve, None, None)
+    answer = _engine.fit_law(curve.name, curve.text, nan if at_rpm is None else float(at_rpm), **options)
+    if not answer.converged:
+        raise NotConverged("; ".join(["the fit of the law did not converge", *answer.warnings]))
+    _warn(answer.warnings)
+    return KinematicLaw(answer)
