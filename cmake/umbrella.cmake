@@ -8,7 +8,9 @@ set(kernel_headers "(_impl|vector_math)[.]h$")
 function(raceway_headers folder)
   file(GLOB headers RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS *.h */*.h)
   list(FILTER headers EXCLUDE REGEX ${kernel_headers})
-  set(text "// All headers of ${folder} for users of the library; made by cmake/umbrella.cmake.\n#pragma once\n\n")
+  string(CONCAT text "// All headers of ${folder} for users of the library; made by cmake/umbrella.cmake.\n"
+    "// Threads: functions, and members that are const, may be called by several threads at once, on the same objects\n"
+    "// too; other members by one thread at a time. Where it is otherwise a header says so.\n#pragma once\n\n")
   foreach(header IN LISTS headers)
     get_filename_component(within ${header} DIRECTORY)
     install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raceway/${folder}/${within})

@@ -1,6 +1,6 @@
 # The README shows the example, what it prints, and the Stribeck table as the program prints it; docs/c.md
-# its programs.
-# Run as: cmake -DROOT=<source folder> -DEXAMPLE=<program> [-DRACEWAY=<program> -DWORK=<folder>] -P readme.cmake
+# and docs/loop.md their programs.
+# Run as: cmake -DROOT=<source folder> -DEXAMPLE=<program> -DLOOP=<program> [-DRACEWAY=<program> -DWORK=<folder>] -P readme.cmake
 cmake_minimum_required(VERSION 3.22)
 
 function(expect_in page what text)
@@ -27,6 +27,11 @@ if(RACEWAY)
   output_of(${RACEWAY} table ${WORK}/my.toml --speed 0:12000:2000 --axial-load 100,300,900)
   expect_in(README.md "the Stribeck table" "${output}")
 endif()
+file(READ ${ROOT}/tests/install/loop.cpp loop)
+expect_in(docs/loop.md "tests/install/loop.cpp" "${loop}")
+set(rig ${ROOT}/tests/hidden_effect/rigs/dev-03)
+output_of(${LOOP} ${rig}/model.toml ${rig}/train.csv ${rig}/test.csv)
+expect_in(docs/loop.md "the output of the loop" "${output}")
 foreach(program example.c example.f90)
   file(READ ${ROOT}/tests/install/${program} text)
   expect_in(docs/c.md tests/install/${program} "${text}")
