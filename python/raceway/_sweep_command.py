@@ -18,7 +18,20 @@ from . import _engine
 from . import sweep
 from ._errors import Doubt, InputError
 from ._results import _write
-from ._sweep_slabs import CutOff, cut, input_of, path_of, read_slab, refuse_other_input, slab_files, work_on, write_slab
+from ._sweep_slabs import (
+    CutOff,
+    Slab,
+    cut,
+    input_of,
+    path_of,
+    read_header,
+    read_slab,
+    refuse_other_cut,
+    refuse_other_input,
+    slab_files,
+    work_on,
+    write_slab,
+)
 
 JOB = """JOB is a Python file with two names:
   items   a list, or a mapping of names to items, or a function without arguments that gives one
@@ -44,7 +57,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     running.add_argument("job", metavar="JOB", help="Python file with items and work")
     running.add_argument("--folder", required=True, help="where slabs are written")
     running.add_argument("--slab", metavar="K/N", help="the K-th of N slabs; without it all that the folder lacks")
-    running.add_argument("--slabs", type=int, metavar="N", help="without --slab: number of slabs; 256, or one per item")
+    running.add_argument("--slabs", type=int, metavar="N", help="without --slab: number of slabs; 64 without")
     running.add_argument("--client", metavar="ADDRESS", help="without --slab: scheduler of Dask, tcp://HOST:PORT")
     running.add_argument("--threads", type=int, help="cores for one item; all, with --client 1")
     merging = commands.add_parser("merge", help="join slabs; refuses a missing one and one of other input")
@@ -93,19 +106,19 @@ def _run(asked: argparse.Namespace) -> str:
     return _one_slab(asked, job.work, names, items, slab)
 
 
-def _one_slab(asked: argparse.Namespace, work: Callable[[Any], Any], names: list[str], items: list[Any], slab: Any) -> str:
+def _one_slab(asked: argparse.Namespace, work: Callable[[Any], Any], names: list[str], items: list[Any], slab: Slab) -> str:
     made_from = input_of(work, names, items)
     path = path_of(asked.folder, slab)
     for there in slab_files(asked.folder):
         try:
-            header = read_slab(there).header
+            header = read_header(there)
+            refuse_other_input(there, header, made_from, len(items))
+            refuse_other_cut(there, header, slab.of)
+            if there == path:
+                read_slab(there)
+                return f"{path}: is there already, {slab.last - slab.first} items"
         except CutOff:
-            continue  # made again by its own task
-        except FileNotFoundError:
-            continue
-        refuse_other_input(there, header, made_from, slab.of, len(items))
-        if there == path:
-            return f"{path}: is there already, {slab.last - slab.first} items"
+            pass  # this one is made again, another by its own task
     outcomes = work_on(work, items[slab.first : slab.last], asked.threads)
     write_slab(asked.folder, slab, made_from, names[slab.first : slab.last], outcomes, len(items))
     sweep._said(sweep.Sweep(names[slab.first : slab.last], outcomes))

@@ -6,6 +6,7 @@ import functools
 import pickle
 import sys
 import sysconfig
+import time
 import types
 import uuid
 import warnings
@@ -57,6 +58,15 @@ def client_of(given: Any) -> Iterator[Any]:
         client.close()
 
 
+def count_workers(client: Any) -> int:
+    """Workers that are there, or the first to come."""
+    try:
+        client.wait_for_workers(1, timeout=PATIENCE_S)
+    except TimeoutError:
+        raise InputError(f"the scheduler has no worker, and none came in {PATIENCE_S:g} s") from None
+    return len(client.scheduler_info()["workers"])
+
+
 def run_on(
     client: Any,
     function: Callable[[Any], Any],
@@ -71,10 +81,6 @@ def run_on(
     its items, which go one at a time: the item that ends workers is an error, the others are done.
     """
     distributed = _dask()
-    try:
-        client.wait_for_workers(1, timeout=PATIENCE_S)
-    except TimeoutError:
-        raise InputError(f"the scheduler has no worker, and none came in {PATIENCE_S:g} s") from None
     mark = uuid.uuid4().hex[:12]
     packed = _packed(function, items, function)
     waiting = deque(slabs)
@@ -82,7 +88,8 @@ def run_on(
     pieces: dict[Slab, dict[int, Outcome]] = {}
     flying: dict[Any, tuple[Slab, int | None]] = {}
     sets = {_engine.instruction_set()}
-    alone = False  # whether workers are there is said once
+    alone = False  # said once
+    workers, looked = count_workers(client), time.monotonic()
 
     def submit(slab: Slab, at: int | None) -> None:
         part = items[slab.first : slab.last] if at is None else [items[at]]
@@ -99,7 +106,8 @@ def run_on(
 
     try:
         while waiting or suspects or flying:
-            workers = len(client.scheduler_info()["workers"])
+            if time.monotonic() > looked + 1.0:
+                workers, looked = len(client.scheduler_info()["workers"]), time.monotonic()
             if workers == 0 and not alone:
                 alone = True
                 warnings.warn("no worker is left; waiting for one to come", Doubt, stacklevel=4)

@@ -268,20 +268,27 @@ class CutOff(InputError):
     """A file that ends too early or was changed."""
 
 
+def _header(path: pathlib.Path, first: bytes) -> dict[str, Any]:
+    try:
+        header = json.loads(first)
+        form, version = header["raceway_sweep"], header["version"]
+    except (ValueError, KeyError, TypeError):
+        raise CutOff(f"{path}: is no slab of a sweep, or was cut off") from None
+    if form != _FORM or version != _engine.__version__:
+        raise InputError(f"{path}: was made by raceway {version}, this is {_engine.__version__}: make the slab again")
+    return header
+
+
+def read_header(path: pathlib.Path) -> dict[str, Any]:
+    with open(path, "rb") as file:
+        return _header(path, file.readline())
+
+
 def read_slab(path: pathlib.Path) -> SlabFile:
     """Read a slab that this user has made: its values are pickles, which can run code."""
     with open(path, "rb") as file:
-        first = file.readline()
+        header = _header(path, file.readline())
         content = file.read()
-    try:
-        header = json.loads(first)
-        form = header["raceway_sweep"]
-    except (ValueError, KeyError, TypeError):
-        raise CutOff(f"{path}: is no slab of a sweep, or was cut off") from None
-    if form != _FORM or header["version"] != _engine.__version__:
-        raise InputError(
-            f"{path}: was made by raceway {header.get('version')}, this is {_engine.__version__}: make the slab again"
-        )
     if hashlib.sha256(content).hexdigest() != header["sha256"]:
         raise CutOff(f"{path}: was cut off or changed after it was made: make the slab again")
     names, parts = pickle.loads(content)
@@ -292,17 +299,34 @@ def slab_files(folder: str | os.PathLike[str]) -> list[pathlib.Path]:
     return sorted(pathlib.Path(folder).glob(f"*{ENDING}"))
 
 
-def refuse_other_input(path: pathlib.Path, found: Mapping[str, Any], made_from: str, of: int, items: int) -> None:
-    if found["input"] != made_from or found["items"] != items:
+def refuse_other_input(path: pathlib.Path, header: Mapping[str, Any], made_from: str, items: int) -> None:
+    if header["input"] != made_from or header["items"] != items:
         raise InputError(
             f"{path}: was made from other input (another function, other items or other names): "
             "take another folder, or remove the slabs of this one"
         )
-    if found["slabs"] != of:
+
+
+def refuse_other_cut(path: pathlib.Path, header: Mapping[str, Any], of: int) -> None:
+    if header["slabs"] != of:
         raise InputError(
-            f"{path}: is one of {found['slabs']} slabs, and {of} are wanted: take slabs={found['slabs']}, "
-            "or another folder"
+            f"{path}: is one of {header['slabs']} slabs, and {of} are wanted: ask for {header['slabs']}, "
+            "or take another folder"
         )
+
+
+def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> dict[int, SlabFile]:
+    """Slabs of this input by their numbers; those of another are refused, those cut off are made again."""
+    there = {}
+    for path in slab_files(folder):
+        try:
+            slab = read_slab(path)
+        except CutOff as e:
+            warnings.warn(f"{e}; it is made again", Doubt, stacklevel=3)
+            continue
+        refuse_other_input(path, slab.header, made_from, items)
+        there[slab.header["slab"]] = slab
+    return there
 
 
 def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:

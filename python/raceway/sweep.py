@@ -22,6 +22,7 @@ is kept with its name, and the others go on. docs/scale.md has both ways and wha
 
 from __future__ import annotations
 
+import contextlib
 import os
 import pickle
 import warnings
@@ -36,28 +37,16 @@ from ._errors import Doubt, InputError
 from ._given import arrays as _arrays
 from ._model import Model
 from ._results import Solution
-from ._sweep_slabs import (
-    CutOff,
-    Outcome,
-    Slab,
-    cut,
-    input_of,
-    path_of,
-    read_all,
-    read_slab,
-    refuse_other_input,
-    slab_files,
-    work_on,
-    write_slab,
-)
+from ._sweep_slabs import Outcome, Slab, cut, input_of, read_all, refuse_other_cut, slabs_there, work_on, write_slab
 
 if TYPE_CHECKING:
     import pandas
 
 __all__ = ["Failure", "ItemDoubt", "Sweep", "load", "run", "solve"]
 
-#: Slabs of a sweep of many items: of a thousand machines four each.
-SLABS = 256
+#: Slabs of a sweep of many items, and at least how many for each worker of Dask.
+SLABS = 64
+SLABS_PER_WORKER = 8
 
 
 @dataclass(frozen=True)
@@ -201,7 +190,8 @@ def run(
         Where every slab is kept as soon as it is done. The same sweep asked again begins with what is
         there, also after KeyboardInterrupt or a power cut.
     slabs : int, optional
-        Parts that go to a worker and to a file as a whole; 256, or one per item if they are fewer.
+        Parts that go to a worker and to a file as a whole. Without: as many as `folder` has already, else
+        64, for more than eight workers 8 each, and no more than there are items.
     threads : int, optional
         Cores for one item: all in this process, 1 in a worker of Dask, if it is not said.
     progress : callable, optional
@@ -223,43 +213,50 @@ def run(
     """
     if not callable(function):
         raise TypeError(f"function: a function of one item is wanted, not {type(function).__name__}")
-    names, items = _named(names, items)
-    parts = cut(len(items), _number_of_slabs(slabs, len(items)))
     if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int) or threads < 1):
         raise ValueError(f"threads = {threads!r}: must be 1 or more")
-    outcomes: dict[int, list[Outcome]] = {}
-    made_from = ""
-    if folder is not None:
-        made_from = input_of(function, names, items)
-        outcomes = _kept(folder, made_from, len(parts), len(items))
-    left = [slab for slab in parts if slab.number not in outcomes]
-    before = sum(slab.last - slab.first for slab in parts if slab.number in outcomes)
-    done = before
+    names, items = _named(names, items)
+    with contextlib.ExitStack() as stack:
+        workers = None
+        if client is not None:
+            from ._sweep_dask import client_of, count_workers
 
-    def tell(extra: int = 0) -> None:
-        if progress is not None:
-            progress((done + extra) / max(1, len(items)), f"{done + extra} of {len(items)} items")
+            workers = stack.enter_context(client_of(client))
+            several = max(SLABS, SLABS_PER_WORKER * count_workers(workers))
+        else:
+            several = SLABS
+        made_from = "" if folder is None else input_of(function, names, items)
+        there = {} if folder is None else slabs_there(folder, made_from, len(items))
+        if slabs is None:
+            slabs = next((slab.header["slabs"] for slab in there.values()), min(several, max(1, len(items))))
+        parts = cut(len(items), _number_of_slabs(slabs, len(items)))
+        for slab in there.values():
+            refuse_other_cut(slab.path, slab.header, len(parts))
+        outcomes = {number: slab.outcomes for number, slab in there.items()}
+        left = [slab for slab in parts if slab.number not in outcomes]
+        done = len(items) - sum(slab.last - slab.first for slab in left)
 
-    def take(slab: Slab, found: list[Outcome]) -> None:
-        nonlocal done
-        if folder is not None:
-            write_slab(folder, slab, made_from, names[slab.first : slab.last], found, len(items))
-        outcomes[slab.number] = found
-        done += slab.last - slab.first
+        def tell(extra: int = 0) -> None:
+            if progress is not None:
+                progress((done + extra) / max(1, len(items)), f"{done + extra} of {len(items)} items")
 
-    def take_and_tell(slab: Slab, found: list[Outcome]) -> None:
-        take(slab, found)
+        def take(slab: Slab, found: list[Outcome]) -> None:
+            nonlocal done
+            if folder is not None:
+                write_slab(folder, slab, made_from, names[slab.first : slab.last], found, len(items))
+            outcomes[slab.number] = found
+            done += slab.last - slab.first
+            if workers is not None:
+                tell()
+
         tell()
+        if workers is not None and left:
+            from ._sweep_dask import run_on
 
-    tell()
-    if left and client is None:
-        for slab in left:
-            take(slab, work_on(function, items[slab.first : slab.last], threads, tell))
-    elif left:
-        from ._sweep_dask import client_of, run_on
-
-        with client_of(client) as workers:
-            run_on(workers, function, items, left, 1 if threads is None else threads, take_and_tell)
+            run_on(workers, function, items, left, 1 if threads is None else threads, take)
+        elif workers is None:
+            for slab in left:
+                take(slab, work_on(function, items[slab.first : slab.last], threads, tell))
     return _said(Sweep(names, [outcome for slab in parts for outcome in outcomes[slab.number]]))
 
 
@@ -394,27 +391,10 @@ def _named(
     return called, found
 
 
-def _number_of_slabs(slabs: int | None, items: int) -> int:
-    if slabs is None:
-        return max(1, min(SLABS, items))
+def _number_of_slabs(slabs: int, items: int) -> int:
     if isinstance(slabs, bool) or not isinstance(slabs, int) or not 1 <= slabs <= max(1, items):
         raise ValueError(f"slabs = {slabs!r}: must be from 1 to {max(1, items)}, the number of items")
     return slabs
-
-
-def _kept(folder: str | os.PathLike[str], made_from: str, of: int, items: int) -> dict[int, list[Outcome]]:
-    """Slabs that are there; those of other input are refused, those cut off made again."""
-    kept = {}
-    for path in slab_files(folder):
-        try:
-            slab = read_slab(path)
-        except CutOff as e:
-            warnings.warn(f"{e}; it is made again", Doubt, stacklevel=3)
-            continue
-        refuse_other_input(path, slab.header, made_from, of, items)
-        if path.name == path_of(folder, Slab(slab.header["slab"], of, 0, 0)).name:
-            kept[slab.header["slab"]] = slab.outcomes
-    return kept
 
 
 def _said(found: Sweep) -> Sweep:

@@ -59,15 +59,17 @@ def lag(time_s: numpy.ndarray, u: numpy.ndarray, tau_s: float) -> numpy.ndarray:
 
 
 def machine(number: int) -> Machine:
-    """Machine `number`: a warm-up, a pause and a second load within 10 h, a row every minute or so."""
+    """Machine `number`: a warm-up, a pause, a second and a third load within 10 h, a row every minute or so."""
     draw = numpy.random.default_rng([18, number])
-    time_s = numpy.cumsum(draw.uniform(100.0, 140.0, 300))
+    time_s = numpy.cumsum(draw.uniform(50.0, 70.0, 600))
     time_s = numpy.round(time_s - time_s[0], 2)
     hours = time_s / 3600.0
     # The bearing follows speeds with a lag of its own, the room its day.
     loads = draw.uniform(4.0, 16.0, 4)
     speed = numpy.select([hours < 2.5, hours < 4.0, hours < 7.5], [loads[0], 0.0, loads[1]], loads[2] * 0.3)
-    bearing_C = numpy.round(22.0 + lag(time_s, speed, draw.uniform(600.0, 1200.0)) * 1.5, 3)
+    heated_C = 22.0 + 1.5 * lag(time_s, speed, draw.uniform(600.0, 1200.0))
+    # A thermometer that never stands still; the machine follows what it shows.
+    bearing_C = numpy.round(heated_C + draw.normal(0.0, 0.01, len(time_s)), 3)
     room_C = numpy.round(
         22.0 + draw.uniform(1.0, 3.0) * numpy.sin(2.0 * numpy.pi * (hours / draw.uniform(5.0, 9.0) + draw.uniform())), 3
     )
