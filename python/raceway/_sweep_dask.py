@@ -144,19 +144,11 @@ def run_on(
                     pieces[slab] = {}
                     suspects.extend((slab, place) for place in range(slab.first, slab.last))
                 else:
-                    words = (
-                        f"every worker that had it ended (memory, a crash or a kill), {_deaths()} of them: its log says more"
-                    )
+                    words = "the workers that had it ended, one after the other (memory, a crash); their logs say more"
                     finish_suspect(slab, at, Outcome(None, ("KilledWorker", words, ""), ()))
     finally:
         if flying:
             client.cancel(list(flying))
-
-
-def _deaths() -> int:
-    import dask
-
-    return int(dask.config.get("distributed.scheduler.allowed-failures", 3)) + 1
 
 
 def _refuse_other_version(version: str) -> None:

@@ -35,6 +35,7 @@ from numpy.typing import ArrayLike
 
 from ._errors import Doubt, InputError
 from ._given import arrays as _arrays
+from ._given import warn as _warn
 from ._model import Model
 from ._results import Solution
 from ._sweep_slabs import Outcome, Slab, cut, input_of, read_all, refuse_other_cut, slabs_there, work_on, write_slab
@@ -211,11 +212,24 @@ def run(
     KeyboardInterrupt
         Stops it. Slabs that are done are in `folder`.
     """
+    names, items = _named(names, items)
+    return _said(_run(function, names, items, client, folder, slabs, threads, progress))
+
+
+def _run(
+    function: Callable[[Any], Any],
+    names: list[str],
+    items: list[Any],
+    client: Any,
+    folder: str | os.PathLike[str] | None,
+    slabs: int | None,
+    threads: int | None,
+    progress: Callable[[float, str], None] | None,
+) -> Sweep:
     if not callable(function):
         raise TypeError(f"function: a function of one item is wanted, not {type(function).__name__}")
     if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int) or threads < 1):
         raise ValueError(f"threads = {threads!r}: must be 1 or more")
-    names, items = _named(names, items)
     with contextlib.ExitStack() as stack:
         workers = None
         if client is not None:
@@ -257,7 +271,7 @@ def run(
         elif workers is None:
             for slab in left:
                 take(slab, work_on(function, items[slab.first : slab.last], threads, tell))
-    return _said(Sweep(names, [outcome for slab in parts for outcome in outcomes[slab.number]]))
+    return Sweep(names, [outcome for slab in parts for outcome in outcomes[slab.number]])
 
 
 def solve(
@@ -326,18 +340,12 @@ def solve(
     firsts = range(0, count, states)
     items = [{n: a if a.ndim == 0 else a[first : first + states] for n, a in flat.items()} for first in firsts]
     ends = [min(first + states, count) for first in firsts]
-    found = run(
-        _States(model, tuple(columns)),
-        items,
-        names=[f"states {first + 1} to {end}" for first, end in zip(firsts, ends)],
-        client=client,
-        folder=folder,
-        slabs=len(items),
-        threads=threads,
-        progress=progress,
-    )
+    names = [f"states {first + 1} to {end}" for first, end in zip(firsts, ends)]
+    work = _States(model, tuple(columns))
+    found = _run(work, names, items, client, folder, len(items), threads, progress)
     if found.failures:
         raise InputError(str(found.failures[0]))
+    _warn(dict.fromkeys(doubt.message for doubt in found.doubts))
     solutions: list[Solution] = found.values()
     values = numpy.concatenate([s._values for s in solutions], axis=1)
     status = numpy.concatenate([s._status for s in solutions])

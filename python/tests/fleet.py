@@ -71,7 +71,7 @@ def machine(number: int) -> Machine:
     # A thermometer that never stands still; the machine follows what it shows.
     bearing_C = numpy.round(heated_C + draw.normal(0.0, 0.01, len(time_s)), 3)
     room_C = numpy.round(
-        22.0 + draw.uniform(1.0, 3.0) * numpy.sin(2.0 * numpy.pi * (hours / draw.uniform(5.0, 9.0) + draw.uniform())), 3
+        22.0 + draw.uniform(2.0, 4.0) * numpy.sin(2.0 * numpy.pi * (hours / draw.uniform(4.0, 7.0) + draw.uniform())), 3
     )
     truth = {
         "spindle.gain_1": draw.uniform(2.0, 8.0),
