@@ -64,15 +64,17 @@ def machine(number: int) -> Machine:
     time_s = numpy.cumsum(draw.uniform(50.0, 70.0, 600))
     time_s = numpy.round(time_s - time_s[0], 2)
     hours = time_s / 3600.0
-    # The bearing follows speeds with a lag of its own, the room its day.
+    # The bearing follows the power with a lag of its own.
     loads = draw.uniform(4.0, 16.0, 4)
     speed = numpy.select([hours < 2.5, hours < 4.0, hours < 7.5], [loads[0], 0.0, loads[1]], loads[2] * 0.3)
     heated_C = 22.0 + 1.5 * lag(time_s, speed, draw.uniform(600.0, 1200.0))
     # A thermometer that never stands still; the machine follows what it shows.
     bearing_C = numpy.round(heated_C + draw.normal(0.0, 0.01, len(time_s)), 3)
-    room_C = numpy.round(
-        22.0 + draw.uniform(2.0, 4.0) * numpy.sin(2.0 * numpy.pi * (hours / draw.uniform(4.0, 7.0) + draw.uniform())), 3
-    )
+    # Its day, and a gate that stands open for an hour and a half.
+    day_C = draw.uniform(1.0, 3.0) * numpy.sin(2.0 * numpy.pi * (hours / draw.uniform(5.0, 9.0) + draw.uniform()))
+    opened = draw.uniform(1.0, 6.0)
+    gate_C = numpy.where((hours > opened) & (hours < opened + 1.5), -draw.uniform(4.0, 8.0), 0.0)
+    room_C = numpy.round(22.0 + day_C + lag(time_s, gate_C, 400.0), 3)
     truth = {
         "spindle.gain_1": draw.uniform(2.0, 8.0),
         "spindle.time_constant_1": draw.uniform(1500.0, 4500.0),
