@@ -4,6 +4,7 @@ An item is asked of one function; its value does not depend on who worked on it,
 the workers of Dask or over the tasks of Slurm is the serial one, to the last bit. What one item raises
 is kept with its name, and the others go on. docs/scale.md has both ways and what things cost.
 
+>>> import raceway
 >>> from raceway import sweep
 >>> model = raceway.Model.new("S 6014 C")
 >>> def torque(factor):
@@ -13,9 +14,9 @@ is kept with its name, and the others go on. docs/scale.md has both ways and wha
 <raceway.sweep.Sweep: 3 items>
 >>> found.to_frame().round(1)
   name  torque_Nmm error
-0    1       265.4  None
+0    1       264.7  None
 1    2       293.7  None
-2    3       322.0  None
+2    3       322.6  None
 
 ``python3 -m raceway.sweep --help`` has the same for job arrays.
 """
@@ -241,12 +242,11 @@ def _run(
             several = SLABS
         made_from = "" if folder is None else input_of(function, names, items)
         there = {} if folder is None else slabs_there(folder, made_from, len(items))
-        if slabs is None:
-            slabs = next((slab.header["slabs"] for slab in there.values()), min(several, max(1, len(items))))
-        parts = cut(len(items), _number_of_slabs(slabs, len(items)))
-        for slab in there.values():
-            refuse_other_cut(slab.path, slab.header, len(parts))
-        outcomes = {number: slab.outcomes for number, slab in there.items()}
+        of = next((file.header["slabs"] for file in there.values()), min(several, max(1, len(items))))
+        parts = cut(len(items), of if slabs is None else _number_of_slabs(slabs, len(items)))
+        for file in there.values():
+            refuse_other_cut(file.path, file.header, len(parts))
+        outcomes = {number: file.outcomes for number, file in there.items()}
         left = [slab for slab in parts if slab.number not in outcomes]
         done = len(items) - sum(slab.last - slab.first for slab in left)
 
@@ -310,7 +310,7 @@ def solve(
     Examples
     --------
     >>> import numpy
-    >>> model = raceway.Model.new("S 6014 C")
+    >>> model = Model.new("S 6014 C")
     >>> speeds = numpy.linspace(100.0, 12000.0, 50)
     >>> parted = solve(model, speeds, 300.0, states=7)
     >>> bool((parted.friction_torque_Nmm == model.solve(speeds, 300.0).friction_torque_Nmm).all())
@@ -407,10 +407,13 @@ def _number_of_slabs(slabs: int, items: int) -> int:
 
 def _said(found: Sweep) -> Sweep:
     """What a sweep of many items says once for all of them."""
-    for kind, which in (("failed", found.failures), ("made warnings", found.doubts)):
+    lists: list[tuple[str, str, Sequence[Failure | ItemDoubt]]] = [
+        ("failed", "failures", found.failures),
+        ("made warnings", "doubts", found.doubts),
+    ]
+    for kind, where, which in lists:
         if which:
             count = len({one.name for one in which})
-            where = "failures" if kind == "failed" else "doubts"
             warnings.warn(
                 f"{count} of {len(found)} items {kind} (.{where} has all), the first {which[0]}", Doubt, stacklevel=3
             )

@@ -6,6 +6,7 @@ identified is held against the numbers that were drawn, not against the program.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy
@@ -49,13 +50,13 @@ def lag(time_s: numpy.ndarray, u: numpy.ndarray, tau_s: float) -> numpy.ndarray:
     Between two rows x(t) = u(t) - tau s + c exp(-t/tau), s the slope of u: the particular solution and
     what is left of the state before.
     """
-    x = numpy.zeros_like(u)
-    for k in range(1, len(u)):
-        step = time_s[k] - time_s[k - 1]
-        slope = (u[k] - u[k - 1]) / step
-        c = x[k - 1] - (u[k - 1] - tau_s * slope)
-        x[k] = u[k] - tau_s * slope + c * numpy.exp(-step / tau_s)
-    return x
+    t, inputs, x = time_s.tolist(), u.tolist(), [0.0]
+    for k in range(1, len(t)):
+        step = t[k] - t[k - 1]
+        slope = (inputs[k] - inputs[k - 1]) / step
+        c = x[-1] - (inputs[k - 1] - tau_s * slope)
+        x.append(inputs[k] - tau_s * slope + c * math.exp(-step / tau_s))
+    return numpy.array(x)
 
 
 def machine(number: int) -> Machine:
