@@ -39,15 +39,13 @@ def timed(work: Callable[[], Any], pids: list[int]) -> tuple[float, float, Any]:
 def two_workers() -> None:
     machines = {made.record.name: made for made in map(fleet.machine, range(MACHINES))}
     here = os.getpid()
-    with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, host="tcp://127.0.0.1", dashboard_address=None
-    ) as cluster, distributed.Client(cluster) as client:
+    with sweep.workers(2) as client:
         pids = [here, *client.run(os.getpid).values()]
         sweep.run(fleet.identify, dict(list(machines.items())[:20]), client=client)  # imports are not counted
         print(f"{MACHINES} machines, {len(os.sched_getaffinity(0))} cores, Dask {distributed.__version__}; by turns:")
         print("one process           two workers                             overhead over the serial sum")
         print("wall s  processor s   wall s  processor s of client + workers  2 x wall  processor")
-        for _ in range(3):
+        for _ in range(5):
             wall, busy, serial = timed(lambda: sweep.run(fleet.identify, machines, threads=1), [here])
             wall2, busy2, parted = timed(lambda: sweep.run(fleet.identify, machines, client=client), pids)
             assert [pickle.dumps(v) for v in parted.values()] == [pickle.dumps(v) for v in serial.values()]

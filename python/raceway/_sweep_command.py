@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import csv
 import importlib.util
 import io
@@ -59,7 +60,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     running.add_argument("--slab", metavar="K/N", help="the K-th of N slabs; without it all that the folder lacks")
     running.add_argument("--slabs", type=int, metavar="N", help="without --slab: number of slabs; 64 without")
     running.add_argument("--client", metavar="ADDRESS", help="without --slab: scheduler of Dask, tcp://HOST:PORT")
-    running.add_argument("--threads", type=int, help="cores for one item; all, with --client 1")
+    running.add_argument("--workers", type=int, metavar="N", help="without --slab: N processes of Dask on this computer")
+    running.add_argument("--threads", type=int, help="cores for one item; all, in a worker of Dask 1")
     merging = commands.add_parser("merge", help="join slabs; refuses a missing one and one of other input")
     merging.add_argument("folder", metavar="FOLDER")
     merging.add_argument("-o", "--output", required=True, metavar="FILE", help="CSV, one row per item; - is stdout")
@@ -88,16 +90,20 @@ def _run(asked: argparse.Namespace) -> str:
     job = _job(asked.job)
     names, items = sweep._named(None, job.items() if callable(job.items) else job.items)
     if asked.slab is None:
-        found = sweep.run(
-            job.work,
-            dict(zip(names, items, strict=True)),
-            client=asked.client,
-            folder=asked.folder,
-            slabs=asked.slabs,
-            threads=asked.threads,
-        )
+        if asked.client is not None and asked.workers is not None:
+            raise InputError("--client and --workers: take one of them")
+        with contextlib.ExitStack() as stack:
+            client = asked.client if asked.workers is None else stack.enter_context(sweep.workers(asked.workers))
+            found = sweep.run(
+                job.work,
+                dict(zip(names, items, strict=True)),
+                client=client,
+                folder=asked.folder,
+                slabs=asked.slabs,
+                threads=asked.threads,
+            )
         return f"{asked.folder}: {len(found)} items"
-    for flag in ("client", "slabs"):
+    for flag in ("client", "workers", "slabs"):
         if getattr(asked, flag) is not None:
             raise InputError(f"--{flag}: belongs to all slabs, not to one; leave out --slab")
     if asked.threads is not None and asked.threads < 1:

@@ -37,6 +37,20 @@ def _dask() -> Any:
 
 
 @contextmanager
+def local_workers(count: int) -> Iterator[Any]:
+    """A client of worker processes on this computer, ended behind."""
+    distributed = _dask()
+    import dask
+
+    # Ticks and samples of a profile, 50 and 100 times a second, are a twentieth of what short items cost.
+    calm = {"distributed.admin.tick.interval": "500ms", "distributed.worker.profile.interval": "500ms"}
+    with dask.config.set(calm), distributed.LocalCluster(
+        n_workers=count, threads_per_worker=1, processes=True, host="tcp://127.0.0.1", dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        yield client
+
+
+@contextmanager
 def client_of(given: Any) -> Iterator[Any]:
     """The client itself, or one of the scheduler at an address, which is closed behind."""
     distributed = _dask()

@@ -44,7 +44,7 @@ from ._sweep_slabs import Outcome, Slab, cut, input_of, read_all, refuse_other_c
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["Failure", "ItemDoubt", "Sweep", "load", "run", "solve"]
+__all__ = ["Failure", "ItemDoubt", "Sweep", "load", "run", "solve", "workers"]
 
 #: Slabs of a sweep of many items, and at least how many for each worker of Dask.
 SLABS = 64
@@ -186,8 +186,8 @@ def run(
     names : iterable of str, optional
         One of each item, all different; ``"1"``, ``"2"``, ... without.
     client : distributed.Client or str, optional
-        Workers of Dask, or the address of their scheduler (``"tcp://10.0.0.1:8786"``); this process
-        without. Each worker process works on one item at a time: one process per core is best.
+        Workers of Dask (`workers` makes some), or the address of their scheduler
+        (``"tcp://10.0.0.1:8786"``); this process without. Each worker process works on one item at a time: one process per core is best.
     folder : path, optional
         Where every slab is kept as soon as it is done. The same sweep asked again begins with what is
         there, also after KeyboardInterrupt or a power cut.
@@ -232,12 +232,12 @@ def _run(
     if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int) or threads < 1):
         raise ValueError(f"threads = {threads!r}: must be 1 or more")
     with contextlib.ExitStack() as stack:
-        workers = None
+        dask = None
         if client is not None:
             from ._sweep_dask import client_of, count_workers
 
-            workers = stack.enter_context(client_of(client))
-            several = max(SLABS, SLABS_PER_WORKER * count_workers(workers))
+            dask = stack.enter_context(client_of(client))
+            several = max(SLABS, SLABS_PER_WORKER * count_workers(dask))
         else:
             several = SLABS
         made_from = "" if folder is None else input_of(function, names, items)
@@ -260,15 +260,15 @@ def _run(
                 write_slab(folder, slab, made_from, names[slab.first : slab.last], found, len(items))
             outcomes[slab.number] = found
             done += slab.last - slab.first
-            if workers is not None:
+            if dask is not None:
                 tell()
 
         tell()
-        if workers is not None and left:
+        if dask is not None and left:
             from ._sweep_dask import run_on
 
-            run_on(workers, function, items, left, 1 if threads is None else threads, take)
-        elif workers is None:
+            run_on(dask, function, items, left, 1 if threads is None else threads, take)
+        elif dask is None:
             for slab in left:
                 take(slab, work_on(function, items[slab.first : slab.last], threads, tell))
     return Sweep(names, [outcome for slab in parts for outcome in outcomes[slab.number]])
@@ -362,6 +362,37 @@ class _States:
 
     def __call__(self, given: Mapping[str, numpy.ndarray]) -> Solution:
         return self.model.solve(**given, columns=self.columns)  # type: ignore[arg-type]
+
+
+@contextlib.contextmanager
+def workers(count: int | None = None) -> Iterator[Any]:
+    """Worker processes of Dask on this computer, for `client` of `run` and `solve`, ended behind.
+
+    A script that uses it stands behind ``if __name__ == "__main__":``, since each worker reads it.
+
+    Parameters
+    ----------
+    count : int, optional
+        As many as this process may use cores, if it is not said.
+
+    Raises
+    ------
+    ImportError
+        Where Dask is not installed.
+
+    Examples
+    --------
+    >>> with workers(2) as client:  # doctest: +SKIP
+    ...     found = run(identify, machines, client=client)
+    """
+    if count is None:
+        count = len(os.sched_getaffinity(0))
+    if isinstance(count, bool) or not isinstance(count, int) or count < 1:
+        raise ValueError(f"count = {count!r}: must be 1 or more")
+    from ._sweep_dask import local_workers
+
+    with local_workers(count) as client:
+        yield client
 
 
 def load(folder: str | os.PathLike[str]) -> Sweep:

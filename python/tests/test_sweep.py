@@ -29,9 +29,9 @@ PACKAGE = pathlib.Path(raceway.__file__).absolute().parents[1]
 def workers():
     """Two worker processes of their own behind TCP, as they would be on other machines."""
     # An item that ends its worker is tried once more, alone.
-    with dask.config.set({"distributed.scheduler.allowed-failures": 0}), distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, host="tcp://127.0.0.1", dashboard_address=None
-    ) as cluster, distributed.Client(cluster) as client:
+    with dask.config.set({"distributed.scheduler.allowed-failures": 0}), sweep.workers(2) as client:
+        assert isinstance(client.cluster, distributed.LocalCluster)
+        assert len(set(client.run(os.getpid).values()) - {os.getpid()}) == 2
         assert client.scheduler.address.startswith("tcp://127.0.0.1:")
         yield client
 
@@ -441,6 +441,9 @@ def test_slabs_of_an_array_are_merged(job, tmp_path):
         value = names["work"](factor)
         assert row == f"{name},{value['factor']!r},{value['torque_Nmm']!r},"
     assert job("merge", "slabs", "-o", "all.csv").returncode == 1  # is there
+    parted = job("run", "job.py", "--folder", "dask", "--workers", "2", "--slabs", "4")
+    assert parted.returncode == 0, parted.stderr
+    assert job("merge", "dask", "-o", "-").stdout == (tmp_path / "all.csv").read_text()
 
 
 @pytest.mark.parametrize(
