@@ -473,6 +473,24 @@ def test_a_slab_of_another_job_is_refused(job, tmp_path):
     assert merged.returncode == 1 and "was made from other input than" in merged.stderr
 
 
+def test_docs_scale_shows_what_the_command_does(job, root, tmp_path):
+    page = (root / "docs/scale.md").read_text()
+    code = page.split("```python\n# job.py\n")[1].split("```")[0]
+    (tmp_path / "job.py").write_text(code)
+    task = page.split("\npython3 -m raceway.sweep ")[1].split("\n")[0].split()
+    said = page.split("$ python3 -m raceway.sweep merge slabs -o result.csv\n")[1].split("\n")[0]
+    for number in "13":
+        done = job(*[word.replace("$SLURM_ARRAY_TASK_ID", number) for word in task])
+        assert done.returncode == 0, done.stderr
+    assert job("merge", "slabs", "-o", "result.csv").stderr == said + "\n"
+    job(*[word.replace("$SLURM_ARRAY_TASK_ID", "2") for word in task])
+    assert job("merge", "slabs", "-o", "result.csv").returncode == 0
+    rows = (tmp_path / "result.csv").read_text().splitlines()
+    model = raceway.Model.new("S 6014 C", law="palmgren").with_values({"f0": 0.8})
+    assert rows[1] == f"factor 0.8,0.8,{model.solve(6000, 300).data['friction_torque_Nmm']!r},"
+    assert len(rows) == 6
+
+
 def test_a_header_can_be_read_by_other_programs(tmp_path):
     sweep.run(root_of, [1.0, 4.0], folder=tmp_path, slabs=1)
     header = json.loads((tmp_path / "slab-1-of-1.sweep").read_bytes().split(b"\n", 1)[0])
