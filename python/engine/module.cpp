@@ -1,7 +1,11 @@
 #include <pybind11/pybind11.h>
+#include <tbb/global_control.h>
 
+#include <cstddef>
+#include <memory>
 #include <string>
 
+#include "bearing/solve_many.h"
 #include "fit/problem.h"
 #include "io/error.h"
 #include "python/engine/answer.h"
@@ -22,6 +26,16 @@ void raise_input_error(const py::object& type, const io::InputError& e) {
   PyErr_SetObject(type.ptr(), error.ptr());
 }
 
+/// Threads that work at once in this process from now on; 0: as many as it has cores.
+void limit_threads(std::size_t threads) {
+  // Never destroyed: at exit TBB may be gone before it.
+  static auto& limit = *new std::unique_ptr<tbb::global_control>;
+  limit.reset();
+  if (threads > 0)
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  threads);
+}
+
 }  // namespace
 }  // namespace raceway::python
 
@@ -29,6 +43,10 @@ PYBIND11_MODULE(_engine, module) {
   using namespace raceway::python;
   module.doc() = "The engine of raceway; use the package raceway.";
   module.attr("__version__") = RACEWAY_VERSION;
+  module.def("limit_threads", &limit_threads);
+  module.def("instruction_set", [] {
+    return std::string(raceway::bearing::name(raceway::bearing::best_instruction_set()));
+  });
   static const py::object* const input_error =
       new py::object(py::module_::import("raceway._errors").attr("InputError"));
   py::register_exception_translator([](std::exception_ptr p) {

@@ -36,11 +36,11 @@ from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses
 
 
 def __getattr__(name: str) -> _Any:
-    # matplotlib takes longer to load than all else, and not everybody draws.
-    if name == "plot":
+    # matplotlib takes longer to load than all else, and not everybody draws or sweeps.
+    if name in ("plot", "sweep"):
         import importlib
 
-        return importlib.import_module(".plot", __name__)
+        return importlib.import_module(f".{name}", __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

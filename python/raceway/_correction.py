@@ -372,8 +372,18 @@ class Correction(FromFile):
 
         return correction_html(self)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self.source, self.text)
+
     def __repr__(self) -> str:
         return f"<raceway.Correction of {', '.join(self.displacements)} from {self.source}>"
+
+
+def _restored(source: str, text: str) -> Correction:
+    """A correction in another process, which does not say again what makes it doubtful."""
+    correction = Correction.__new__(Correction)
+    correction._engine = _engine.Correction(source, text)
+    return correction
 
 
 def read(path: str | os.PathLike[str]) -> Model | Correction:

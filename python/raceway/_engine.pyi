@@ -5,6 +5,9 @@ import numpy
 
 __version__: str
 
+def limit_threads(threads: int) -> None: ...
+def instruction_set() -> str: ...
+
 _Texts = Sequence[tuple[str, str]]
 
 class Model:

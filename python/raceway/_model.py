@@ -447,6 +447,9 @@ class Model(FromFile, SpindleQuestions):
         _warn(answer.warnings)
         return Addition(answer, _models(self, answer, "".join(f" + {name}" for name in ids)))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self.source, self.text, self._effects, list(self._said))
+
     def __repr__(self) -> str:
         return f"<raceway.Model {self.name} ({self.kind}) from {self.source}>"
 
@@ -457,6 +460,15 @@ def _tables(text: str) -> set[str]:
         return set(tomllib.loads(text))
     except tomllib.TOMLDecodeError:
         return set()
+
+
+def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[str]) -> Model:
+    """A model in another process, which does not say again what makes it doubtful."""
+    model = Model.__new__(Model)
+    model._effects = tuple(effects)
+    model._engine = _engine.Model(source, text, [e._for_engine() for e in effects])
+    model._said = said
+    return model
 
 
 def _is_correction(text: str) -> bool:

@@ -15,14 +15,14 @@ def blocks(page):
     return re.findall(r"```python\n(.*?)```\n\n```\n(.*?)```", page, re.S)
 
 
-@pytest.mark.parametrize("name", ["README.md", "docs/python.md"])
+@pytest.mark.parametrize("name", ["README.md", "docs/python.md", "docs/scale.md"])
 def test_examples_print_what_they_show(name, root, tmp_path, monkeypatch):
     pages = blocks((root / name).read_text())
     assert pages
     for link in ("tests", "data"):
         (tmp_path / link).symlink_to(root / link)
     monkeypatch.chdir(tmp_path)
-    names: dict[str, object] = {}
+    names: dict[str, object] = {"__name__": "__main__"}  # as a script
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", raceway.Doubt)
         for code, shown in pages:

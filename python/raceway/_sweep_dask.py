@@ -1,0 +1,209 @@
+"""Slabs of a sweep over the workers of Dask."""
+
+from __future__ import annotations
+
+import functools
+import pickle
+import sys
+import sysconfig
+import time
+import types
+import uuid
+import warnings
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from . import _engine
+from ._errors import Doubt, InputError
+from ._sweep_slabs import Outcome, Slab, mixed_sets, work_on
+
+#: How long a scheduler may take to answer, and its first worker to come [s].
+PATIENCE_S = 30.0
+#: Slabs that lie at the scheduler for each worker, so that none waits for the next.
+AHEAD = 2
+
+
+def _dask() -> Any:
+    try:
+        import distributed
+    except ImportError:
+        raise ImportError(
+            "a sweep over several processes needs Dask, which is not installed: "
+            "apt install python3-dask python3-distributed"
+        ) from None
+    return distributed
+
+
+@contextmanager
+def local_workers(count: int) -> Iterator[Any]:
+    """A client of worker processes on this computer, ended behind."""
+    distributed = _dask()
+    import dask
+
+    # Ticks and samples of a profile, 50 and 100 times a second, are a twentieth of what short items cost.
+    calm = {"distributed.admin.tick.interval": "500ms", "distributed.worker.profile.interval": "500ms"}
+    with dask.config.set(calm), distributed.LocalCluster(
+        n_workers=count, threads_per_worker=1, processes=True, host="tcp://127.0.0.1", dashboard_address=None
+    ) as cluster, distributed.Client(cluster) as client:
+        yield client
+
+
+@contextmanager
+def client_of(given: Any) -> Iterator[Any]:
+    """The client itself, or one of the scheduler at an address, which is closed behind."""
+    distributed = _dask()
+    if isinstance(given, distributed.Client):
+        yield given
+        return
+    if not isinstance(given, str):
+        raise TypeError(
+            "client: a distributed.Client or the address of a scheduler, such as tcp://10.0.0.1:8786, "
+            f"is wanted, not {type(given).__name__}"
+        )
+    try:
+        client = distributed.Client(given, timeout=PATIENCE_S)
+    except (OSError, ValueError) as e:
+        raise InputError(f"client = {given!r}: no scheduler answers there within {PATIENCE_S:g} s ({e})") from None
+    try:
+        yield client
+    finally:
+        client.close()
+
+
+def count_workers(client: Any) -> int:
+    """Workers that are there, or the first to come."""
+    try:
+        client.wait_for_workers(1, timeout=PATIENCE_S)
+    except TimeoutError:
+        raise InputError(f"the scheduler has no worker, and none came in {PATIENCE_S:g} s") from None
+    return len(client.scheduler_info()["workers"])
+
+
+def run_on(
+    client: Any,
+    function: Callable[[Any], Any],
+    items: Sequence[Any],
+    slabs: Sequence[Slab],
+    threads: int | None,
+    done: Callable[[Slab, list[Outcome]], None],
+) -> None:
+    """Let workers do `slabs`, and say of each when it is done, in whatever order.
+
+    Dask gives the slab of a worker that ends to another one. A slab that has ended several is cut into
+    its items, which go one at a time: the item that ends workers is an error, the others are done.
+    """
+    distributed = _dask()
+    mark = uuid.uuid4().hex[:12]
+    packed = _packed(function, items, function)
+    waiting = deque(slabs)
+    suspects: deque[tuple[Slab, int]] = deque()
+    pieces: dict[Slab, dict[int, Outcome]] = {}
+    flying: dict[Any, tuple[Slab, int | None]] = {}
+    sets = {_engine.instruction_set()}
+    alone = False  # said once
+    workers, looked = count_workers(client), time.monotonic()
+
+    def submit(slab: Slab, at: int | None) -> None:
+        part = items[slab.first : slab.last] if at is None else [items[at]]
+        key = f"raceway-sweep-{mark}-{slab.number}" + ("" if at is None else f"-{at}")
+        future = client.submit(
+            _work, packed, _packed(function, items, part), threads, key=key, pure=False, retries=0
+        )
+        flying[future] = (slab, at)
+
+    def finish_suspect(slab: Slab, at: int, outcome: Outcome) -> None:
+        pieces[slab][at] = outcome
+        if len(pieces[slab]) == slab.last - slab.first:
+            done(slab, [outcome for _, outcome in sorted(pieces.pop(slab).items())])
+
+    try:
+        while waiting or suspects or flying:
+            if time.monotonic() > looked + 1.0:
+                workers, looked = len(client.scheduler_info()["workers"]), time.monotonic()
+            if workers == 0 and not alone:
+                alone = True
+                warnings.warn("no worker is left; waiting for one to come", Doubt, stacklevel=4)
+            while waiting and len(flying) < max(1, workers) * AHEAD:
+                submit(waiting.popleft(), None)
+            if suspects and all(at is None for _, at in flying.values()):
+                submit(*suspects.popleft())
+            try:
+                ended = distributed.wait(list(flying), timeout=1.0, return_when="FIRST_COMPLETED").done
+            except TimeoutError:
+                continue
+            for future in ended:
+                slab, at = flying.pop(future)
+                if future.status == "finished":
+                    version, instruction_set, outcomes = pickle.loads(future.result())
+                    _refuse_other_version(version)
+                    if instruction_set not in sets:
+                        sets.add(instruction_set)
+                        warnings.warn(mixed_sets(sorted(sets)), Doubt, stacklevel=4)
+                    if at is None:
+                        done(slab, outcomes)
+                    else:
+                        finish_suspect(slab, at, outcomes[0])
+                    continue
+                if future.status != "error":
+                    raise ConnectionError(
+                        f"{slab}: the scheduler was lost or has dropped it ({future.status}); "
+                        "with folder= a sweep goes on where it was"
+                    )
+                error = future.exception()
+                if not isinstance(error, distributed.scheduler.KilledWorker):
+                    raise InputError(f"{slab}: a worker cannot take it: {type(error).__name__}: {error}") from error
+                if at is None:
+                    pieces[slab] = {}
+                    suspects.extend((slab, place) for place in range(slab.first, slab.last))
+                else:
+                    words = "the workers that had it ended, one after the other (memory, a crash); their logs say more"
+                    finish_suspect(slab, at, Outcome(None, ("KilledWorker", words, ""), ()))
+    finally:
+        if flying:
+            client.cancel(list(flying))
+
+
+def _refuse_other_version(version: str) -> None:
+    if version != _engine.__version__:
+        raise InputError(f"a worker has raceway {version}, this is {_engine.__version__}: all need the same")
+
+
+def _work(packed: bytes, part: bytes, threads: int | None) -> bytes:
+    """One slab, in a worker."""
+    outcomes = work_on(pickle.loads(packed), pickle.loads(part), threads)
+    return pickle.dumps((_engine.__version__, _engine.instruction_set(), outcomes), 5)
+
+
+def _packed(function: Callable[[Any], Any], items: Sequence[Any], what: Any) -> bytes:
+    """As bytes that a worker understands which has not the files of this script."""
+    import cloudpickle
+
+    own = _own_modules(function, items)
+    for module in own:
+        cloudpickle.register_pickle_by_value(module)
+    try:
+        return cloudpickle.dumps(what, 5)
+    except Exception as e:
+        raise TypeError(f"no other process can take the function or an item ({type(e).__name__}: {e})") from None
+    finally:
+        for module in own:
+            cloudpickle.unregister_pickle_by_value(module)
+
+
+def _own_modules(function: Any, items: Sequence[Any]) -> list[types.ModuleType]:
+    """Modules of the function and of the items that are not installed."""
+    while isinstance(function, functools.partial):
+        function = function.func
+    names = {getattr(function, "__module__", None)} | {type(item).__module__ for item in items[:1]}
+    return [sys.modules[name] for name in sorted(n for n in names if n in sys.modules) if not _installed(name)]
+
+
+def _installed(name: str) -> bool:
+    top = name.partition(".")[0]
+    if top in ("__main__", "builtins", "raceway") or top in sys.stdlib_module_names:
+        return True
+    file = getattr(sys.modules[name], "__file__", None) or ""
+    places = [sysconfig.get_path("purelib"), sysconfig.get_path("platlib"), "/usr/lib/python3/dist-packages"]
+    return any(file.startswith(f"{place}/") for place in places)

@@ -1,0 +1,459 @@
+"""Many items, one after the other or over many machines: a fleet of corrections, samples of a model.
+
+An item is asked of one function; its value does not depend on who worked on it, so that a sweep over
+the workers of Dask or over the tasks of Slurm is the serial one, to the last bit. What one item raises
+is kept with its name, and the others go on. docs/scale.md has both ways and what things cost.
+
+>>> import raceway
+>>> from raceway import sweep
+>>> model = raceway.Model.new("S 6014 C")
+>>> def torque(factor):
+...     return {"torque_Nmm": float(model.with_values({"rolling_factor": factor}).solve(6000.0, 300.0).friction_torque_Nmm)}
+>>> found = sweep.run(torque, [0.9, 1.0, 1.1])
+>>> found
+<raceway.sweep.Sweep: 3 items>
+>>> found.to_frame().round(1)
+  name  torque_Nmm error
+0    1       264.7  None
+1    2       293.7  None
+2    3       322.6  None
+
+``python3 -m raceway.sweep --help`` has the same for job arrays.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import warnings
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy
+from numpy.typing import ArrayLike
+
+from ._errors import Doubt, InputError
+from ._given import arrays as _arrays
+from ._given import warn as _warn
+from ._model import Model
+from ._results import Solution
+from ._sweep_slabs import Outcome, Slab, cut, input_of, read_all, refuse_other_cut, slabs_there, work_on, write_slab
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["Failure", "ItemDoubt", "Sweep", "load", "run", "solve", "workers"]
+
+#: Slabs of a sweep of many items, and at least how many for each worker of Dask.
+SLABS = 64
+SLABS_PER_WORKER = 8
+
+
+@dataclass(frozen=True)
+class Failure:
+    """What an item raised.
+
+    Attributes
+    ----------
+    name : str
+        Of the item.
+    kind : str
+        Class of the error, such as ``"InputError"``.
+    message : str
+    traceback : str
+        Where it was raised, as Python prints it.
+    """
+
+    name: str
+    kind: str
+    message: str
+    traceback: str = field(compare=False, repr=False, default="")
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.message}"
+
+
+@dataclass(frozen=True)
+class ItemDoubt:
+    """A warning that was said while an item was worked on."""
+
+    name: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.message}"
+
+
+class Sweep(Mapping[str, Any]):
+    """What came of every item, by its name and in the order of the items.
+
+    ``sweep[name]`` raises for an item that failed; `values` has None there.
+
+    Attributes
+    ----------
+    names : list of str
+    failures : list of Failure
+        Items that raised something, in their order.
+    doubts : list of ItemDoubt
+        What was warned of, in the order of the items.
+    """
+
+    def __init__(self, names: Sequence[str], outcomes: Sequence[Outcome]) -> None:
+        self.names = list(names)
+        self._values = [None if o.value is None else pickle.loads(o.value) for o in outcomes]
+        self._failed = {n: Failure(n, *o.error) for n, o in zip(self.names, outcomes, strict=True) if o.error}
+        self._places = {name: place for place, name in enumerate(self.names)}
+        self.failures = list(self._failed.values())
+        self.doubts = [ItemDoubt(n, text) for n, o in zip(self.names, outcomes, strict=True) for text in o.doubts]
+
+    def values(self) -> list[Any]:  # type: ignore[override]
+        """Return the values in the order of the items, None for those that failed."""
+        return list(self._values)
+
+    def items(self) -> list[tuple[str, Any]]:  # type: ignore[override]
+        """Return pairs of name and value, None for those that failed."""
+        return list(zip(self.names, self._values, strict=True))
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._places:
+            raise KeyError(f"{name}: no such item")
+        if name in self._failed:
+            failure = self._failed[name]
+            raise RuntimeError(f"{failure.name} has no value, {failure.kind}: {failure.message}")
+        return self._values[self._places[name]]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return one dict per item: ``name``, the numbers and texts of its value, ``error`` (None without).
+
+        Raises
+        ------
+        InputError
+            Where a value is neither a number or text nor a dict of them.
+        """
+        rows = []
+        for name, value in self.items():
+            failure = self._failed.get(name)
+            cells = value if isinstance(value, Mapping) else {} if failure else {"value": value}
+            for key, cell in cells.items():
+                if not isinstance(cell, (bool, int, float, str, numpy.bool_, numpy.number, type(None))):
+                    raise InputError(
+                        f"{name}: {key} is a {type(cell).__name__}; a table takes numbers and text, values() has all"
+                    )
+            rows.append({"name": name, **cells, "error": failure and f"{failure.kind}: {failure.message}"})
+        return rows
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return `rows` as a DataFrame, ``error`` as the last column."""
+        import pandas
+
+        rows = self.rows()
+        columns = [key for key in dict.fromkeys(key for row in rows for key in row) if key != "error"]
+        return pandas.DataFrame(rows, columns=[*columns, "error"])
+
+    def __repr__(self) -> str:
+        failed = f", {len(self.failures)} failed" if self.failures else ""
+        return f"<raceway.sweep.Sweep: {len(self)} item{'' if len(self) == 1 else 's'}{failed}>"
+
+
+def run(
+    function: Callable[[Any], Any],
+    items: Iterable[Any] | Mapping[str, Any],
+    *,
+    names: Iterable[str] | None = None,
+    client: Any = None,
+    folder: str | os.PathLike[str] | None = None,
+    slabs: int | None = None,
+    threads: int | None = None,
+    progress: Callable[[float, str], None] | None = None,
+) -> Sweep:
+    """Ask `function` of every item.
+
+    Parameters
+    ----------
+    function : callable
+        Of one item, giving numbers, arrays, text, or lists and dicts of them. It must give the same
+        for the same item: a random number needs a seed that comes from the item.
+    items : iterable, or mapping of names to items
+        Anything that can be pickled: models, corrections, records, numbers, paths.
+    names : iterable of str, optional
+        One of each item, all different; ``"1"``, ``"2"``, ... without.
+    client : distributed.Client or str, optional
+        Workers of Dask (`workers` makes some), or the address of their scheduler
+        (``"tcp://10.0.0.1:8786"``); this process without. Each worker process works on one item at a time: one process per core is best.
+    folder : path, optional
+        Where every slab is kept as soon as it is done. The same sweep asked again begins with what is
+        there, also after KeyboardInterrupt or a power cut.
+    slabs : int, optional
+        Parts that go to a worker and to a file as a whole. Without: as many as `folder` has already, else
+        64, for more than eight workers 8 each, and no more than there are items.
+    threads : int, optional
+        Cores for one item: all in this process, 1 in a worker of Dask, if it is not said.
+    progress : callable, optional
+        Called with the share that is done and a few words, as slabs (in this process: items) are done.
+
+    Returns
+    -------
+    Sweep
+        In the order of the items. A `raceway.Doubt` says how many failed and were doubtful.
+
+    Raises
+    ------
+    InputError
+        A folder with slabs of other input, no scheduler at the address, another version there.
+    ImportError
+        With `client`, where Dask is not installed.
+    KeyboardInterrupt
+        Stops it. Slabs that are done are in `folder`.
+    """
+    names, items = _named(names, items)
+    return _said(_run(function, names, items, client, folder, slabs, threads, progress))
+
+
+def _run(
+    function: Callable[[Any], Any],
+    names: list[str],
+    items: list[Any],
+    client: Any,
+    folder: str | os.PathLike[str] | None,
+    slabs: int | None,
+    threads: int | None,
+    progress: Callable[[float, str], None] | None,
+) -> Sweep:
+    if not callable(function):
+        raise TypeError(f"function: a function of one item is wanted, not {type(function).__name__}")
+    if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int) or threads < 1):
+        raise ValueError(f"threads = {threads!r}: must be 1 or more")
+    with contextlib.ExitStack() as stack:
+        dask = None
+        if client is not None:
+            from ._sweep_dask import client_of, count_workers
+
+            dask = stack.enter_context(client_of(client))
+            several = max(SLABS, SLABS_PER_WORKER * count_workers(dask))
+        else:
+            several = SLABS
+        made_from = "" if folder is None else input_of(function, names, items)
+        there = {} if folder is None else slabs_there(folder, made_from, len(items))
+        of = next((file.header["slabs"] for file in there.values()), min(several, max(1, len(items))))
+        parts = cut(len(items), of if slabs is None else _number_of_slabs(slabs, len(items)))
+        for file in there.values():
+            refuse_other_cut(file.path, file.header, len(parts))
+        outcomes = {number: file.outcomes for number, file in there.items()}
+        left = [slab for slab in parts if slab.number not in outcomes]
+        done = len(items) - sum(slab.last - slab.first for slab in left)
+
+        def tell(extra: int = 0) -> None:
+            if progress is not None:
+                progress((done + extra) / max(1, len(items)), f"{done + extra} of {len(items)} items")
+
+        def take(slab: Slab, found: list[Outcome]) -> None:
+            nonlocal done
+            if folder is not None:
+                write_slab(folder, slab, made_from, names[slab.first : slab.last], found, len(items))
+            outcomes[slab.number] = found
+            done += slab.last - slab.first
+            if dask is not None:
+                tell()
+
+        tell()
+        if dask is not None and left:
+            from ._sweep_dask import run_on
+
+            run_on(dask, function, items, left, 1 if threads is None else threads, take)
+        elif dask is None:
+            for slab in left:
+                take(slab, work_on(function, items[slab.first : slab.last], threads, tell))
+    return Sweep(names, [outcome for slab in parts for outcome in outcomes[slab.number]])
+
+
+def solve(
+    model: Model,
+    speed_rpm: ArrayLike,
+    axial_load_N: ArrayLike | None = None,
+    radial_load_N: ArrayLike | None = None,
+    temperature_C: ArrayLike | None = None,
+    moment_y_Nmm: ArrayLike | None = None,
+    moment_z_Nmm: ArrayLike | None = None,
+    *,
+    columns: Sequence[str] = (),
+    states: int = 10_000,
+    client: Any = None,
+    folder: str | os.PathLike[str] | None = None,
+    threads: int | None = None,
+    progress: Callable[[float, str], None] | None = None,
+) -> Solution:
+    """`raceway.Model.solve` for more states than one machine likes: the same numbers, to the last bit.
+
+    Parameters
+    ----------
+    model : raceway.Model
+    speed_rpm, axial_load_N, radial_load_N, temperature_C, moment_y_Nmm, moment_z_Nmm, columns
+        As `raceway.Model.solve` takes them.
+    states : int
+        Of one slab; no number depends on it.
+    client, folder, threads, progress
+        As `run` takes them.
+
+    Raises
+    ------
+    InputError
+        As of `raceway.Model.solve`; a place is counted within its slab.
+
+    Examples
+    --------
+    >>> import numpy
+    >>> model = Model.new("S 6014 C")
+    >>> speeds = numpy.linspace(100.0, 12000.0, 50)
+    >>> parted = solve(model, speeds, 300.0, states=7)
+    >>> bool((parted.friction_torque_Nmm == model.solve(speeds, 300.0).friction_torque_Nmm).all())
+    True
+    """
+    if not isinstance(model, Model):
+        raise TypeError(f"model: a raceway.Model is wanted, not {type(model).__name__}")
+    if states < 1:
+        raise ValueError(f"states = {states}: must be 1 or more")
+    given = _arrays(
+        speed_rpm=speed_rpm,
+        axial_load_N=axial_load_N,
+        radial_load_N=radial_load_N,
+        temperature_C=temperature_C,
+        moment_y_Nmm=moment_y_Nmm,
+        moment_z_Nmm=moment_z_Nmm,
+    )
+    try:
+        shape = numpy.broadcast_shapes(*(array.shape for array in given.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items())
+        raise InputError(f"these arrays have no common shape: {shapes}") from None
+    flat = {n: a if a.ndim == 0 else numpy.broadcast_to(a, shape).reshape(-1) for n, a in given.items()}
+    count = int(numpy.prod(shape))
+    if count == 0 or not shape:
+        return model.solve(**given, columns=columns)  # type: ignore[arg-type]
+    firsts = range(0, count, states)
+    items = [{n: a if a.ndim == 0 else a[first : first + states] for n, a in flat.items()} for first in firsts]
+    ends = [min(first + states, count) for first in firsts]
+    names = [f"states {first + 1} to {end}" for first, end in zip(firsts, ends)]
+    work = _States(model, tuple(columns))
+    found = _run(work, names, items, client, folder, len(items), threads, progress)
+    if found.failures:
+        raise InputError(str(found.failures[0]))
+    _warn(dict.fromkeys(doubt.message for doubt in found.doubts))
+    solutions: list[Solution] = found.values()
+    values = numpy.concatenate([s._values for s in solutions], axis=1)
+    status = numpy.concatenate([s._status for s in solutions])
+    notes = list(dict.fromkeys(note for s in solutions for note in s.notes))
+    return Solution(list(solutions[0]), values.reshape(-1, *shape), status.reshape(shape), given, notes, None)
+
+
+@dataclass(frozen=True)
+class _States:
+    """A slab of states, asked of a model."""
+
+    model: Model
+    columns: tuple[str, ...]
+
+    def __call__(self, given: Mapping[str, numpy.ndarray]) -> Solution:
+        return self.model.solve(**given, columns=self.columns)  # type: ignore[arg-type]
+
+
+@contextlib.contextmanager
+def workers(count: int | None = None) -> Iterator[Any]:
+    """Worker processes of Dask on this computer, for `client` of `run` and `solve`, ended behind.
+
+    A script that uses it stands behind ``if __name__ == "__main__":``, since each worker reads it.
+
+    Parameters
+    ----------
+    count : int, optional
+        As many as this process may use cores, if it is not said.
+
+    Raises
+    ------
+    ImportError
+        Where Dask is not installed.
+
+    Examples
+    --------
+    >>> with workers(2) as client:  # doctest: +SKIP
+    ...     found = run(identify, machines, client=client)
+    """
+    if count is None:
+        count = len(os.sched_getaffinity(0))
+    if isinstance(count, bool) or not isinstance(count, int) or count < 1:
+        raise ValueError(f"count = {count!r}: must be 1 or more")
+    from ._sweep_dask import local_workers
+
+    with local_workers(count) as client:
+        yield client
+
+
+def load(folder: str | os.PathLike[str]) -> Sweep:
+    """Put the slabs of a folder together, whoever made them; they are pickles: load your own alone.
+
+    Raises
+    ------
+    InputError
+        A slab is missing, is there twice, was cut off, or was made from other input than the others.
+    """
+    slabs = read_all(folder)
+    return Sweep([n for slab in slabs for n in slab.names], [o for slab in slabs for o in slab.outcomes])
+
+
+def _named(
+    names: Iterable[str] | None, items: Iterable[Any] | Mapping[str, Any]
+) -> tuple[list[str], list[Any]]:
+    if isinstance(items, Mapping):
+        if names is not None:
+            raise ValueError("names: the items are a mapping and have theirs")
+        names, items = list(items), list(items.values())
+    if isinstance(items, (str, bytes)):
+        raise TypeError(f"items: a list or a mapping is wanted, not {type(items).__name__}")
+    found = list(items)
+    called = [str(place + 1) for place in range(len(found))] if names is None else list(names)
+    for name in called:
+        if not isinstance(name, str):
+            raise TypeError(f"names: text is wanted, not {type(name).__name__}")
+    if len(called) != len(found):
+        raise ValueError(f"names: there are {len(called)} for {len(found)} items")
+    if len(set(called)) != len(called):
+        seen: set[str] = set()
+        twice = next(name for name in called if name in seen or seen.add(name))  # type: ignore[func-returns-value]
+        raise ValueError(f"names: {twice} is there twice")
+    return called, found
+
+
+def _number_of_slabs(slabs: int, items: int) -> int:
+    if isinstance(slabs, bool) or not isinstance(slabs, int) or not 1 <= slabs <= max(1, items):
+        raise ValueError(f"slabs = {slabs!r}: must be from 1 to {max(1, items)}, the number of items")
+    return slabs
+
+
+def _said(found: Sweep) -> Sweep:
+    """What a sweep of many items says once for all of them."""
+    lists: list[tuple[str, str, Sequence[Failure | ItemDoubt]]] = [
+        ("failed", "failures", found.failures),
+        ("made warnings", "doubts", found.doubts),
+    ]
+    for kind, where, which in lists:
+        if which:
+            count = len({one.name for one in which})
+            warnings.warn(
+                f"{count} of {len(found)} items {kind} (.{where} has all), the first {which[0]}", Doubt, stacklevel=3
+            )
+    return found
+
+
+if __name__ == "__main__":
+    import sys
+
+    from raceway._sweep_command import main
+
+    sys.exit(main())
