@@ -14,6 +14,7 @@ using Run = std::function<int()>;
 Run setup_solve(CLI::App& command);
 Run setup_table(CLI::App& command);
 Run setup_displacement(CLI::App& command);
+Run setup_sensitivity(CLI::App& command);
 Run setup_spindle(CLI::App& command);
 Run setup_step_response(CLI::App& command);
 Run setup_deflection(CLI::App& command);

@@ -41,6 +41,8 @@ constexpr std::array commands{
     Command{"spindle",
             "Temperatures, preload and displacement of a spindle through a speed programme",
             cli::setup_spindle},
+    Command{"sensitivity", "Which datum of a model matters most for what it predicts",
+            cli::setup_sensitivity},
     Command{"fit-law", "Fit the kinematic displacement law u = A n^(1 - B exp(-C n)) to a curve",
             cli::setup_fit_law},
     Command{"step-response", "How a spindle moves after a step of its speed: K, T and their laws",

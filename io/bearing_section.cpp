@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "io/number_text.h"
 #include "record/units.h"
 
 // Last: see io/toml_text.h.
@@ -85,6 +86,20 @@ std::optional<CatalogueBearing> row_named(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, double>> keys_of(const BearingGeometry& geometry) {
+  std::vector<std::pair<std::string, double>> keys{
+      {std::string(ball_count.name), static_cast<double>(geometry.ball_count)}};
+  for (const auto& [key, number] : lengths_and_ratios) {
+    const double unit = key.unit == "mm"    ? mm
+                        : key.unit == "deg" ? degree
+                        : key.unit == "um"  ? um
+                                            : 1.0;
+    if (!std::isnan(geometry.*number))
+      keys.emplace_back(key.name, with_15_digits(geometry.*number / unit));
+  }
+  return keys;
+}
 
 Names missing_keys_of_bearing(const ModelTables& tables) {
   const Section s = tables.section("bearing");

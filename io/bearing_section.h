@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bearing/bearing.h"
@@ -24,6 +25,10 @@ struct NamedBearing {
 };
 
 inline constexpr Key static_load_rating{"static_load_rating_N", "N", 1, 1e9};
+
+/// A geometry as keys of [bearing], in their units; without what it does not know.
+[[nodiscard]] std::vector<std::pair<std::string, double>> keys_of(
+    const bearing::BearingGeometry& geometry);
 
 /// What [bearing] must have and has not, where it names no row of the catalogue.
 [[nodiscard]] Names missing_keys_of_bearing(const ModelTables& tables);

@@ -17,6 +17,7 @@
 #include "io/effect_section.h"
 #include "io/friction_section.h"
 #include "io/loop_section.h"
+#include "io/model_reader.h"
 #include "io/rig_section.h"
 #include "io/sensor_section.h"
 #include "io/shaft_section.h"
@@ -127,7 +128,11 @@ void note_the_implausible(const model::Model& model, std::vector<std::string>& n
   note(looks_like_kelvin("room_temperature_C", celsius(model.rig.room_temperature)));
 }
 
-ModelFile model_of_tables(ModelTables& tables, std::string text, const std::string& source) {
+}  // namespace
+
+ModelFile model_of_tables(ModelTables& tables, std::string text) {
+  const std::string& source = tables.source();
+  check_tables(tables);
   const bool of_spindle = is_spindle(tables);
   BearingReader bearings(tables);
   NamedBearing bearing =
@@ -204,13 +209,10 @@ ModelFile model_of_tables(ModelTables& tables, std::string text, const std::stri
           .sensor_file = std::move(sensor.file)};
 }
 
-}  // namespace
-
 ModelFile parse_model(std::string text, const std::string& source) {
   ModelTables tables(text, source);
-  check_tables(tables);
   try {
-    return model_of_tables(tables, std::move(text), source);
+    return model_of_tables(tables, std::move(text));
   } catch (const MissingKey& first) {
     Names missing = missing_keys_of_bearing(tables);
     for (std::string& one : missing_keys_of_friction(tables)) missing.push_back(std::move(one));

@@ -16,6 +16,8 @@ class ModelTables {
  public:
   ModelTables(std::string_view text, std::string source)
       : root_(parse_toml(text, source)), source_(std::move(source)) {}
+  ModelTables(toml::table root, std::string source)
+      : root_(std::move(root)), source_(std::move(source)) {}
 
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] const std::string& source() const { return source_; }

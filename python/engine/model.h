@@ -42,5 +42,6 @@ void bind_model(py::module_& module);
 void bind_tables(py::module_& module);
 void bind_loop(py::module_& module);
 void bind_spindle(py::module_& module);
+void bind_sensitivity(py::module_& module);
 
 }  // namespace raceway::python

@@ -64,4 +64,5 @@ PYBIND11_MODULE(_engine, module) {
   bind_loop(module);
   bind_correction(module);
   bind_spindle(module);
+  bind_sensitivity(module);
 }

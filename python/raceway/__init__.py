@@ -31,6 +31,7 @@ from ._results import (
     Solution,
     Table,
 )
+from ._sensitivity import Sensitivity
 from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses
 
 
@@ -66,6 +67,7 @@ __all__ = [
     "Number",
     "Program",
     "Record",
+    "Sensitivity",
     "Solution",
     "SpindleRun",
     "State",

@@ -177,6 +177,18 @@ def step_response(
     model: Model, speed_rpm: Sequence[float], duration_h: float, coolant: bool, time_limit_s: float
 ) -> StepAnswer: ...
 def imported_steps(model: Model, cases: tuple[str, str], temperature_C: float) -> StepAnswer: ...
+def sensitivity(
+    model: Model,
+    of: Sequence[str],
+    axes: Sequence[Sequence[float]],
+    steady: bool,
+    coolant: bool,
+    spreads: Sequence[tuple[str, str]],
+    samples: int,
+    seed: int,
+    time_limit_s: float,
+    progress: Callable[[float, str], None] | None,
+) -> Answer: ...
 def compare(models: Sequence[Model], data: _Texts, refit: Sequence[str], **options: object) -> Answer: ...
 def calibrate(model: Model | Correction, data: _Texts, profile: bool, **options: object) -> Answer: ...
 def diagnose(

@@ -29,12 +29,13 @@ from ._results import (
     Solution,
     Table,
 )
+from ._sensitivity import SensitivityQuestion
 from ._spindle_questions import SpindleQuestions
 
 Records: TypeAlias = "Record | Sequence[Record]"
 
 
-class Model(FromFile, SpindleQuestions):
+class Model(FromFile, SpindleQuestions, SensitivityQuestion):
     """What is believed of a bearing on a rig, of the sets on a shaft or of a spindle.
 
     It never changes; what a fit finds is another model. `read`, `from_text` and `new` make one.

@@ -1,0 +1,211 @@
+#include "session/sensitivity.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cli/axis_flag.h"
+#include "cli/commands.h"
+#include "cli/messages.h"
+#include "cli/progress.h"
+#include "cli/text_table.h"
+#include "io/names.h"
+#include "session/open_input.h"
+
+namespace raceway::cli {
+namespace {
+
+struct SensitivityFlags {
+  std::string model, speed, axial_load, radial_load, temperature;
+  std::vector<std::string> of, spread;
+  std::size_t samples = 0;
+  std::uint64_t seed = 1;
+  bool steady = false, no_coolant = false, all = false, json = false;
+};
+
+session::SensitivityQuestion question_of(const SensitivityFlags& f) {
+  session::SensitivityQuestion q{
+      .steady = f.steady, .coolant_on = !f.no_coolant, .samples = f.samples, .seed = f.seed};
+  for (const std::string& list : f.of)
+    for (std::size_t begin = 0; begin <= list.size();) {
+      const std::size_t end = std::min(list.find(',', begin), list.size());
+      q.predictions.push_back(list.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  const auto values = [](const std::string& text, const char* flag) {
+    return text.empty() ? std::vector<double>() : axis(text, flag);
+  };
+  q.speeds_rpm = values(f.speed, "--speed");
+  q.axial_loads_N = values(f.axial_load, "--axial-load");
+  q.radial_loads_N = values(f.radial_load, "--radial-load");
+  q.temperatures_C = values(f.temperature, "--temperature");
+  for (const std::string& one : f.spread) {
+    const auto more = one.find('=') == one.npos ? io::read_spreads(one) : io::parse_spreads(one);
+    q.spreads.insert(q.spreads.end(), more.begin(), more.end());
+  }
+  return q;
+}
+
+std::string with_sign(double value) {
+  return std::isfinite(value) && value > 0.0 ? "+" + number(value, 3) : number(value, 3);
+}
+
+std::string with_error(double value, double error) {
+  if (!std::isfinite(value)) return "-";
+  const double shown = std::fabs(value) < 0.0005 ? 0.0 : value;
+  return fmt::format("{:.3f} +-{:.3f}", shown, error);
+}
+
+std::string remark(const io::LocalSensitivity& local) {
+  std::string words;
+  const auto add = [&](const char* more) {
+    words += (words.empty() ? "" : ", ") + std::string(more);
+  };
+  if (local.kink) add("kink");
+  if (local.steps_disagree && !local.kink) add("steps disagree");
+  if (local.one_sided) add("to one side");
+  return words;
+}
+
+constexpr double least_share = 0.001;  // what a table lists, of the squares of the changes
+
+void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity& p, bool all) {
+  fmt::print("{} = {} at {}\n\n", p.name, number(p.value), session::words_of_state(s, p.state));
+  std::vector<TextTable::Column> heads{{"datum", "", true}, {"value", ""}, {"+-", ""}};
+  for (const char* name : {"derivative", "% per %", "change", "share %"})
+    heads.push_back({name, ""});
+  if (p.global) {
+    heads.push_back({"first order", ""});
+    heads.push_back({"total", ""});
+  }
+  heads.push_back({"", "", true});
+  TextTable table(heads);
+  std::vector<std::string> left_out;
+  for (const std::size_t k : p.order) {
+    const io::VariedDatum& d = s.data[k];
+    const io::LocalSensitivity& local = p.local[k];
+    const auto at = std::find(s.sampled.begin(), s.sampled.end(), k);
+    const fit::SobolIndex* const global =
+        p.global && at != s.sampled.end()
+            ? &p.global->inputs[static_cast<std::size_t>(at - s.sampled.begin())]
+            : nullptr;
+    const bool small = local.share < least_share && !(global && global->total >= least_share);
+    if (small && !all) {
+      left_out.push_back(d.name);
+      continue;
+    }
+    std::vector<std::string> row{d.name,
+                                 number(d.value, 6),
+                                 number(d.spread, 3),
+                                 number(local.derivative),
+                                 number(local.elasticity, 3),
+                                 with_sign(local.change),
+                                 fmt::format("{:.1f}", 100.0 * local.share)};
+    if (p.global) {
+      row.push_back(global ? with_error(global->first, global->first_error) : "-");
+      row.push_back(global ? with_error(global->total, global->total_error) : "-");
+    }
+    row.push_back(remark(local));
+    table.add(row);
+  }
+  fmt::print("{}", table.text(terminal_width()));
+  if (!left_out.empty()) fmt::print("below 0.1 % each: {}\n", io::listed(left_out));
+  if (p.global) {
+    double alone = 0.0;
+    for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;
+    fmt::print(
+        "of samples: mean {}, standard deviation {}; {:.3f} of the variance by one datum alone\n",
+        number(p.global->mean), number(p.global->std, 3), alone);
+  }
+  for (const std::string& line : p.cannot_tell) fmt::print("{}\n", line);
+}
+
+void print(const io::Sensitivity& s, bool all) {
+  fmt::print("What matters of {}\n", s.model);
+  for (const io::PredictionSensitivity& p : s.predictions) {
+    fmt::print("\n");
+    print_prediction(s, p, all);
+  }
+  fmt::print("\n");
+  if (!s.does_not_enter.empty()) fmt::print("does not enter: {}\n", io::listed(s.does_not_enter));
+  for (const auto& [name, why] : s.not_varied) fmt::print("not varied: {}: {}\n", name, why);
+}
+
+int run(const SensitivityFlags& flags) {
+  session::SensitivityQuestion question = question_of(flags);
+  const io::ModelFile file =
+      session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
+  std::optional<Progress> bar;
+  if (shows_progress() && (flags.samples > 0 || flags.steady)) bar.emplace();
+  if (bar)
+    question.progress = [&](double share) {
+      bar->show(std::min(share, 0.999), "varying the data");
+    };
+  const io::Sensitivity found = session::sensitivity(messages(), file, question);
+  if (bar) bar->show(1.0);
+  bar.reset();
+  if (flags.json)
+    put_document(io::sensitivity_json(found));
+  else
+    print(found, flags.all);
+  warn(session::sensitivity_warnings(found));
+  return found.converged() ? done : not_converged;
+}
+
+}  // namespace
+
+Run setup_sensitivity(CLI::App& command) {
+  auto flags = std::make_shared<SensitivityFlags>();
+  command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
+  command
+      .add_option("--of", flags->of,
+                  "predictions, with commas: torque, heat, displacement, contact-angle,\n"
+                  "stiffness, pressure, life, of shafts and spindles preload, temperature;\n"
+                  "or columns of raceway solve; default: torque, of a shaft displacement")
+      ->type_name("NAMES");
+  command
+      .add_option("--speed", flags->speed,
+                  "[rpm]; like all axes as 100,300,900 or as from:to:step, 0:12000:2000")
+      ->required()
+      ->type_name("VALUES");
+  command
+      .add_option("--axial-load", flags->axial_load,
+                  "[N], on a shaft positive towards the tool; default: of the model")
+      ->type_name("VALUES");
+  command
+      .add_option("--radial-load", flags->radial_load, "[N]; default: [rig] of the model, else 0")
+      ->type_name("VALUES");
+  command
+      .add_option("--temperature", flags->temperature,
+                  "of the lubricant [C]; default: [rig] of the model, else 40")
+      ->type_name("VALUES");
+  command.add_flag("--steady", flags->steady, "of a whole spindle, where its speed leads");
+  command.add_flag("--no-coolant", flags->no_coolant, "with --steady: it does not flow");
+  command
+      .add_option("--spread", flags->spread,
+                  "how far data may be off either way, as ball_diameter_mm=0.01 or\n"
+                  "viscosity_40C_mm2_s=10%, with commas; or a file (TOML) with keys of the\n"
+                  "model; default: 1 %, 1 K of temperatures, 1 of counts, and of what was\n"
+                  "fitted its standard error")
+      ->type_name("DATA");
+  command
+      .add_option("--global", flags->samples,
+                  "indices of Sobol' from so many samples, a power of two; each is\n"
+                  "evaluated once for every datum and twice more")
+      ->check(CLI::Range(std::size_t{2}, std::size_t{1} << 24U))
+      ->type_name("SAMPLES");
+  command.add_option("--seed", flags->seed, "of the samples; default 1")->type_name("N");
+  command.add_flag("--all", flags->all, "also data with less than 0.1 %");
+  command.add_flag("--json", flags->json, "one JSON document instead of text");
+  command.footer(
+      "Examples:\n"
+      "  raceway sensitivity my.toml --speed 10000 --axial-load 300\n"
+      "  raceway sensitivity my.toml --of torque,stiffness --speed 10000 --axial-load 300 \\\n"
+      "    --spread contact_angle_deg=1,viscosity_40C_mm2_s=10% --global 1024\n"
+      "  raceway sensitivity spindle.toml --steady --speed 6000 --of displacement");
+  return [flags] { return run(*flags); };
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,212 @@
+"""Which datum of a model matters most for what it predicts."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import ArrayLike
+
+from . import _engine
+from ._given import axis, value_of, warn
+from ._results import _Answer
+
+if TYPE_CHECKING:
+    import pandas
+
+_FIRST = 15  # data of a report
+
+
+class Sensitivity(_Answer):
+    """Derivatives of predictions by every datum of a model, and where asked their indices of Sobol'.
+
+    The spread of a datum is how far it may be off either way; ``change`` is what that does to the
+    prediction, ``share`` what it has of the sum of squares of all changes.
+    """
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return one row per prediction, state and datum, the largest change first.
+
+        With indices: ``first``, ``total`` and half the widths of their 95 % intervals.
+        """
+        import pandas
+
+        rows = []
+        for p in self.data["predictions"]:
+            state = {k: v for k, v in p.items() if k not in _NO_STATE}
+            for datum in p["data"]:
+                row = {"prediction": p["name"], **state, "predicted": p["value"],
+                       **{"datum" if k == "name" else k: v for k, v in datum.items() if k != "global"}}
+                rows.append(row | (datum.get("global") or {}))
+        return pandas.DataFrame(rows)
+
+    @property
+    def does_not_enter(self) -> list[str]:
+        """Data that change no digit of any of the predictions."""
+        return list(self.data["does_not_enter"])
+
+    def report(self) -> str:
+        """Tell in words and a table what matters, for each prediction and state."""
+        blocks = [_block(p) for p in self.data["predictions"]]
+        if self.does_not_enter:
+            blocks.append("does not enter: " + ", ".join(self.does_not_enter))
+        blocks += [f"not varied: {n['name']}: {n['why']}" for n in self.data["not_varied"]]
+        return "\n\n".join(blocks)
+
+    def _repr_html_(self) -> str:
+        from ._html import paragraph, table, text
+
+        html = ""
+        for p in self.data["predictions"]:
+            html += paragraph(f"<b>{text(_title(p))}</b>")
+            head, rows = _rows(p)
+            html += table(head, [[text(cell) for cell in row] for row in rows])
+        return html
+
+    def __repr__(self) -> str:
+        predictions = self.data["predictions"]
+        names = list(dict.fromkeys(p["name"] for p in predictions))
+        first = predictions[0]["data"]
+        most = f"; {first[0]['name']} matters most for the first" if first else ""
+        return f"<raceway.Sensitivity of {', '.join(names)}{most}>"
+
+
+_NO_STATE = ("name", "value", "mean", "std", "complete_samples", "cannot_tell", "data")
+
+
+def _number(value: float | None, digits: int = 4) -> str:
+    return "-" if value is None else f"{value:.{digits}g}"
+
+
+def _title(p: dict[str, Any]) -> str:
+    state = ", ".join(f"{k} {v:g}" for k, v in p.items() if k not in _NO_STATE)
+    return f"{p['name']} = {_number(p['value'])} at {state}"
+
+
+def _rows(p: dict[str, Any]) -> tuple[list[str], list[list[str]]]:
+    head = ["datum", "value", "+-", "derivative", "% per %", "change", "share %"]
+    sampled = any("global" in d for d in p["data"])
+    if sampled:
+        head += ["first order", "total"]
+    rows = []
+    for d in p["data"][:_FIRST]:
+        row = [d["name"], _number(d["value"], 6), _number(d["spread"], 3), _number(d["derivative"]),
+               _number(d["elasticity"], 3), _number(d["change"], 3),
+               "-" if d["share"] is None else f"{100 * d['share']:.1f}"]
+        if sampled:
+            row += [_index(d.get("global"), "first"), _index(d.get("global"), "total")]
+        rows.append(row)
+    return head, rows
+
+
+def _index(index: dict[str, Any] | None, name: str) -> str:
+    if not index or index[name] is None:
+        return "-"
+    return f"{index[name]:.3f} +-{_number(index[name + '_error'], 2)}"
+
+
+def _block(p: dict[str, Any]) -> str:
+    head, rows = _rows(p)
+    widths = [max(len(row[k]) for row in [head, *rows]) for k in range(len(head))]
+    lines = [_title(p), ""]
+    for row in [head, *rows]:
+        cells = [cell.ljust(w) if k == 0 else cell.rjust(w)
+                 for k, (cell, w) in enumerate(zip(row, widths))]
+        lines.append("  ".join(cells).rstrip())
+    if len(p["data"]) > _FIRST:
+        lines.append(f"{len(p['data']) - _FIRST} more in data")
+    return "\n".join(lines + list(p.get("cannot_tell", [])))
+
+
+class SensitivityQuestion:
+    """The question which datum matters, of a Model."""
+
+    _engine: _engine.Model
+
+    def sensitivity(
+        self,
+        speed_rpm: ArrayLike,
+        axial_load_N: ArrayLike | None = None,
+        radial_load_N: ArrayLike | None = None,
+        temperature_C: ArrayLike | None = None,
+        *,
+        of: str | Iterable[str] = (),
+        spread: Mapping[str, float | str] | None = None,
+        samples: int = 0,
+        seed: int = 1,
+        steady: bool = False,
+        coolant: bool = True,
+        time_limit_s: float | None = None,
+        progress: Callable[[float, str], None] | None = None,
+    ) -> Sensitivity:
+        """Say which datum of the model matters most for what it predicts (docs/sensitivity.md).
+
+        Parameters
+        ----------
+        speed_rpm, axial_load_N, radial_load_N, temperature_C : float or sequence of float
+            States: all combinations. What is not given is that of the model.
+        of : str or iterable of str
+            ``"torque"``, ``"heat"``, ``"displacement"``, ``"contact-angle"``, ``"stiffness"``,
+            ``"pressure"``, ``"life"``, of shafts and spindles ``"preload"``, ``"temperature"``, or names
+            of columns. Default torque, of a shaft or a spindle displacement.
+        spread : mapping
+            How far data may be off either way, in their units or as ``"10%"``. Default 1 %, 1 K of
+            temperatures, 1 of counts, and of what was fitted its standard error.
+        samples : int
+            Of global indices, a power of two; 0: derivatives alone.
+        seed : int
+            Of the samples.
+        steady : bool
+            Of a whole spindle, where its speed leads.
+        coolant : bool
+            With `steady`: whether it flows.
+        time_limit_s : float, optional
+            After which it gives up with TimeoutError.
+        progress : callable, optional
+            Called with the share that is done and the step, some ten times a second.
+
+        Raises
+        ------
+        InputError
+            A datum or prediction that the model does not have, a spread that is negative.
+        KeyboardInterrupt
+            Stops it; nothing is left half done.
+
+        Examples
+        --------
+        >>> import raceway
+        >>> model = raceway.Model.read("tests/hidden_effect/rigs/dev-03/model.toml")
+        >>> found = model.sensitivity(6000, 300, of="torque")
+        >>> found.to_frame()[["datum", "elasticity"]].head(3).round(3)
+        """
+        words = [of] if isinstance(of, str) else list(of)
+        spreads = [(str(n), v if isinstance(v, str) else repr(value_of(f"spread of {n}", v)))
+                   for n, v in (spread or {}).items()]
+        answer = _engine.sensitivity(
+            self._engine,
+            [one for word in words for one in word.split(",")],
+            [axis("speed_rpm", speed_rpm), axis("axial_load_N", axial_load_N),
+             axis("radial_load_N", radial_load_N), axis("temperature_C", temperature_C)],
+            bool(steady),
+            bool(coolant),
+            spreads,
+            _count("samples", samples),
+            _count("seed", seed),
+            float("inf") if time_limit_s is None else value_of("time_limit_s", time_limit_s),
+            progress,
+        )
+        warn(answer.warnings)
+        return Sensitivity(answer)
+
+
+def _count(name: str, value: int) -> int:
+    if isinstance(value, bool):
+        raise TypeError(f"{name}: a whole number is wanted, not bool")
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: a whole number is wanted, not {type(value).__name__}") from None
+    if not 0 <= number < 2**63:
+        raise ValueError(f"{name} = {number}: must be from 0 to 2**63 - 1")
+    return number
