@@ -81,7 +81,7 @@ def escaped(text):
     """Plain words for reStructuredText; `code` in backticks stays code."""
     parts = re.split(r"`+([^`]+)`+", text)
     return "".join(
-        f"\\ ``{part}``\\ " if i % 2 else re.sub(r"([*|_\\`<>])", r"\\\1", part) for i, part in enumerate(parts)
+        f"\\ ``{part}``\\ " if i % 2 else re.sub(r"([*|_\\`<>@])", r"\\\1", part) for i, part in enumerate(parts)
     )
 
 
@@ -102,9 +102,9 @@ def comment(element):
             result.extend(["::", "", *("   " + line[least:] for line in literal), ""])
         paragraph, literal = [], []
 
-    for line in [one.rstrip() for one in raw]:
-        # Doxygen leaves one blank in front.
-        text = line[1:] if line.startswith(" ") else line
+    for line in raw:
+        # Doxygen leaves the slashes, or of what stands behind a member one blank in front.
+        text = re.sub(r"^\s*///( |$)|^ ", "", line).rstrip()
         label = re.match(r"[A-Z][A-Za-z]+: ", text)
         if not text.strip():
             flush()

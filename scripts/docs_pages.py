@@ -314,7 +314,7 @@ def cpp_pages():
     for folder in FOLDERS:
         head = (UMBRELLA / folder / "all.h").read_text(encoding="utf-8")
         threads = re.search(r"// (Threads: .*\n(?:// .*\n)*)", head)[1].replace("\n// ", " ").strip()
-        example = f'#include "{folder}/all.h"   // CMake: target_link_libraries(my_program PRIVATE raceway::{folder})'
+        example = f'#include "{folder}/all.h"  // of the CMake target raceway::{folder}'
         text, names, left = docs_cpp.folder_page(folder, {"what": table[folder], "threads": threads}, headers[folder], xml, example)
         write(f"reference/cpp/{folder}.rst", text)
         unparsed += left

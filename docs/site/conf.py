@@ -27,13 +27,22 @@ suppress_warnings = ["myst.header"]  # a notebook or a page may begin at any lev
 # Executed before, by scripts/run_notebooks.py.
 nbsphinx_execute = "never"
 nbsphinx_requirejs_path = ""
-mathjax_path = ""
+mathjax_path = "mathjax.js"  # of no page: formulas are text
 
 autodoc_typehints = "none"  # signatures would run over three lines; the sections say the types
 autodoc_member_order = "bysource"
 autodoc_default_options = {"members": True, "inherited-members": "Mapping,BaseException,RuntimeError,ValueError,UserWarning"}
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False
+
+def setup(app):
+    """nbsphinx asks for MathJax, from a network, where no page has an equation."""
+
+    def without_mathjax(app, page, template, context, doctree):
+        context["script_files"] = [one for one in context["script_files"] if "mathjax" not in str(one)]
+
+    app.connect("html-page-context", without_mathjax, priority=900)
+
 
 copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
