@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/correction_file.h"
+#include "io/json_text.h"
 #include "io/key_book.h"
 #include "io/key_meanings.h"
 #include "io/model_file.h"
@@ -36,6 +37,8 @@ viscosity_100C_mm2_s = 4.8
 f0 = 1.5
 z = 0.001
 y = 0.33
+[rig]
+inertia_kgm2 = 0.01
 [loop]
 tolerance_Nmm = 2
 [columns]
@@ -116,6 +119,9 @@ inner_diameter_mm = 90
 outer_diameter_mm = 100
 start_mm = 120
 end_mm = 180
+[loop]
+tolerance_K = 1
+tolerance_um = 1
 [[sensor]]
 name = "front"
 part = "housing"
@@ -144,6 +150,22 @@ start_mm = 40
 length_mm = 275
 outer_diameter_mm = 180
 flange_mm = 120
+)";
+
+// In the place of a preload.
+constexpr const char* class_and_offset = R"(
+[bearing]
+catalogue = "S 6014 C"
+[lubricant]
+viscosity_40C_mm2_s = 22.0
+viscosity_100C_mm2_s = 4.8
+[arrangement]
+layout = "O"
+front = 1
+rear = 1
+distance_mm = 100
+inner_ring_temperature_C = 30
+outer_ring_temperature_C = 30
 )";
 
 constexpr const char* network = R"(
@@ -197,22 +219,69 @@ gain_um = 0
 time_constant_s = 900
 )";
 
+/// Names that are one's own, and tables in braces, as people look for them.
+void take_general_name(ModelKey& key) {
+  constexpr std::array general{std::pair{"effect own, c", "effect.PARAMETER"},
+                               std::pair{"columns.speed_rpm", "columns.COLUMN"},
+                               std::pair{"sections", "correction.channel.sections"}};
+  for (const auto& [as_asked, name] : general)
+    if (key.table == as_asked) key.table = name;
+  if (key.table == "effect.PARAMETER") key.unit.clear();
+}
+
 }  // namespace
 
 std::vector<ModelKey> model_keys() {
   KeyBook book;
-  const std::string beginning = short_rig;
-  for (const char* text : {rig})
-    (void)parse_model(text, "model.toml");
+  const std::string name = "model.toml";
+  (void)parse_model(rig, name);
   for (const char* law : {"palmgren", "skf", "contact"})
-    (void)parse_model(beginning + law + "\"\n", "model.toml");
-  for (const char* text : {spindle, whole_housing, network}) (void)parse_model(text, "model.toml");
-  (void)parse_correction(correction_of_lags, "model.toml");
+    (void)parse_model(std::string(short_rig) + law + "\"\n", name);
+  for (const char* text : {spindle, whole_housing, network}) (void)parse_model(text, name);
+  for (const char* preload : {"preload_class = \"light\"", "preload_offset_um = 5"})
+    (void)parse_model(std::string(class_and_offset) + preload + "\n", name);
+  (void)parse_correction(correction_of_lags, name);
   std::vector<ModelKey> keys = book.keys();
-  for (ModelKey& key : keys)
+  // A bearing of a set has the keys of [bearing], and one more.
+  std::erase_if(keys, [](const ModelKey& key) {
+    return key.table == "arrangement.front_bearing" && key.name != "offset_um";
+  });
+  for (ModelKey& key : keys) {
+    take_general_name(key);
     for (const KeyMeaning& one : key_meanings())
       if (one.table == key.table && one.name == key.name) key.meaning = one.meaning;
+  }
+  // By table, in the order in which the meanings stand; what has none comes last.
+  const auto place = [](const ModelKey& key) {
+    const auto all = key_meanings();
+    return std::find_if(all.begin(), all.end(),
+                        [&](const KeyMeaning& one) {
+                          return one.table == key.table && one.name == key.name;
+                        }) -
+           all.begin();
+  };
+  std::stable_sort(keys.begin(), keys.end(),
+                   [&](const ModelKey& a, const ModelKey& b) { return place(a) < place(b); });
   return keys;
+}
+
+std::string model_keys_json(std::span<const ModelKey> keys) {
+  const auto or_null = [](const std::string& words) {
+    return words.empty() ? json(nullptr) : json(words);
+  };
+  json list = json::array();
+  for (const ModelKey& key : keys)
+    list.push_back({{"table", key.table},
+                    {"key", key.name},
+                    {"unit", or_null(key.unit)},
+                    {"from", key.lower},
+                    {"to", key.upper},
+                    {"whole_number", key.whole},
+                    {"required", key.required},
+                    {"choices", key.choices},
+                    {"default", or_null(key.fallback)},
+                    {"meaning", key.meaning}});
+  return text({{"keys", list}});
 }
 
 }  // namespace raceway::io

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,7 @@ struct ModelKey {
   bool whole = false;                   ///< a whole number
   bool required = false;                ///< wherever its table is
   std::vector<std::string> choices{};   ///< words, where others are none
-  std::string fallback{};               ///< the default as messages have it; empty where it has none
+  std::string fallback{};  ///< the default as messages have it; empty where it has none
   std::string_view meaning{};
 };
 
@@ -25,5 +26,8 @@ struct ModelKey {
 /// in their catalogues. What it says of a key comes from the reader itself, which is watched as it
 /// reads models that have all tables.
 [[nodiscard]] std::vector<ModelKey> model_keys();
+
+/// `keys [{table, key, unit, from, to, whole_number, required, choices, default, meaning}]`.
+[[nodiscard]] std::string model_keys_json(std::span<const ModelKey> keys);
 
 }  // namespace raceway::io

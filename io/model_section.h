@@ -143,6 +143,7 @@ class Section {
     return static_cast<int>(*value);
   }
   [[nodiscard]] std::optional<std::string> text(std::string_view key) const {
+    if (KeyBook* const book = KeyBook::open()) (void)book->entry(name_, key);
     const toml::node* const node = find(key);
     if (!node) return std::nullopt;
     if (!node->is_string())

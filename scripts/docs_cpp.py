@@ -276,6 +276,20 @@ def heading(text, line):
     return [text, line * len(text), ""]
 
 
+def formulas(code):
+    """What a header says above its formulas: (name, comment) of all that name their source, as they stand."""
+    for block in re.finditer(r"((?:^///.*\n)+)((?:template <.*\n)?.*\n)", code, re.M):
+        if "Source:" not in block[1]:
+            continue
+        declared = re.sub(r"template <[^\n]*\n", "", block[2])
+        name = re.search(r"(?:struct|class) (\w+)|(\w+)\(|(\w+)(?= ?[={])", declared)
+        if not name:
+            continue
+        element = ET.Element("member")
+        ET.SubElement(ET.SubElement(element, "detaileddescription"), "verbatim").text = block[1]
+        yield name[1] or name[2] or name[3], comment(element)
+
+
 def folder_page(folder, says, headers, xml_of, example):
     """The page of one folder, and the names on it as (scope, name)."""
     classes, files, inner = xml_of

@@ -228,6 +228,70 @@ def effect_pages():
     write("reference/effects/index.md", text)
 
 
+def key_pages():
+    """The keys of model files, a page for each table with the tables in it."""
+    pages = {}
+    for key in json.loads(asked("keys", "--json"))["keys"]:
+        pages.setdefault(key["table"].split(".")[0], {}).setdefault(key["table"], []).append(key)
+    for page, tables in pages.items():
+        title = ", ".join(f"[{t}]" for t in tables) if len(tables) <= 2 else f"[{page}]"
+        text = f"# Keys of {prose(title)}\n\n"
+        text += "Asked of the program, on the command line:\n\n" + code(f'$ raceway keys "[{page}]"', "console") + "\n"
+        for table, keys in tables.items():
+            if len(tables) > 1:
+                text += f"## {prose('[' + table + ']')}\n\n"
+            text += "| key | unit | range | default | meaning |\n| --- | --- | --- | --- | --- |\n"
+            for key in keys:
+                limits = f"{number(key['from'])} to {number(key['to'])}" if key["from"] is not None and key["to"] is not None else ""
+                if key["choices"]:
+                    limits = ", ".join(f'`"{one}"`' for one in key["choices"])
+                default = "**required**" if key["required"] else re.sub("^default: ", "", key["default"] or "")
+                unit = "" if key["unit"] in (None, "1") else key["unit"]
+                text += (f"| `{key['key']}` | {for_table(unit)} | {limits} | {default if key['required'] else for_table(default)} | "
+                         f"{for_table(key['meaning'])} |\n")
+                expect(key["key"], f"reference/keys/{page}", "key")
+            text += "\n"
+        write(f"reference/keys/{page}.md", text)
+    text = "# Keys of model files\n\nEvery key of a model, with its unit, its range, its default and what it means. "
+    text += "[Files](../../docs/files.md) says how they go together, and what measurements and results look like; numbers of effects are "
+    text += "on [their pages](../effects/index.md).\n\n"
+    text += code('[bearing]\ncatalogue = "S 6014 C"\n\n[lubricant]\nviscosity_40C_mm2_s = 22.0\nviscosity_100C_mm2_s = 4.8', "toml") + "\n"
+    text += "| table | keys |\n| --- | --- |\n"
+    for page, tables in pages.items():
+        for table, keys in tables.items():
+            text += f"| [{prose('[' + table + ']')}]({page}.md) | " + ", ".join(f"`{k['key']}`" for k in keys) + " |\n"
+    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(pages) + "\n```\n"
+    write("reference/keys/index.md", text)
+
+
+LAWS = {
+    "palmgren": ["friction/palmgren.h"],
+    "skf": ["friction/skf.h"],
+    "contact": ["friction/contact/rolling.h", "friction/contact/film.h", "friction/contact/traction.h",
+                "friction/contact/hysteresis.h", "friction/contact/shear.h", "friction/contact/oil.h", "friction/contact/roelands.h",
+                "friction/contact/contact_law.h"],
+    "spin-friction": ["friction/spin.h"],
+    "lubricant, heat": ["friction/lubricant.h", "friction/heat.h"],
+}
+
+
+def law_page():
+    """The formulas of the laws, from the comments above the code that evaluates them."""
+    text = "Laws\n====\n\nThe formulas with source, domain and accuracy, as they stand above the code that evaluates them. Which law when, and "
+    text += "what each ignores of a bearing: :doc:`/docs/laws`. References: :download:`references.bib </files/data/references.bib>`.\n\n"
+    text += ".. code-block:: toml\n\n   [friction]\n   law = \"palmgren\"   # or \"skf\" or \"contact\"\n\n"
+    copy = SOURCE / "files/data/references.bib"
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy(ROOT / "data/references.bib", copy)
+    for title, headers in LAWS.items():
+        text += title + "\n" + "-" * len(title) + "\n\n"
+        for header in headers:
+            for name, lines in docs_cpp.formulas((ROOT / header).read_text(encoding="utf-8")):
+                text += f"{name}\n{'~' * len(name)}\n\n" + "\n".join(lines) + f"\n*{header}*\n\n"
+                expect(name, "reference/laws", "law")
+    write("reference/laws.rst", text)
+
+
 # ---- Python
 
 
@@ -342,6 +406,8 @@ def main():
     copy_pages()
     command_pages()
     effect_pages()
+    key_pages()
+    law_page()
     python_pages()
     cpp_pages()
     write("reference/index.md", (SOURCE / "reference.md").read_text(encoding="utf-8"))
