@@ -47,7 +47,8 @@ void print_key(const ModelKey& key) {
   const std::string in = allowed(key), fallback = default_of(key);
   fmt::print("  {}", key.name);
   if (!in.empty()) fmt::print("  {}", in);
-  if (!fallback.empty()) fmt::print("{} {}", in.empty() ? " " : ";", fallback);
+  if (!fallback.empty())
+    fmt::print("{}{}{}", in.empty() ? "  " : "; ", key.required ? "" : "default ", fallback);
   fmt::print("\n");
   constexpr std::size_t margin = 6;
   for (const std::string& line :

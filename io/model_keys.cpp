@@ -219,7 +219,7 @@ gain_um = 0
 time_constant_s = 900
 )";
 
-/// Names that are one's own, and tables in braces, as people look for them.
+/// Names that are one's own, tables in braces and defaults that only this model has, in general.
 void take_general_name(ModelKey& key) {
   constexpr std::array general{std::pair{"effect own, c", "effect.PARAMETER"},
                                std::pair{"columns.speed_rpm", "columns.COLUMN"},
@@ -227,6 +227,9 @@ void take_general_name(ModelKey& key) {
   for (const auto& [as_asked, name] : general)
     if (key.table == as_asked) key.table = name;
   if (key.table == "effect.PARAMETER") key.unit.clear();
+  if (key.table == "bearing" && key.name == "name")
+    key.fallback = "that of the catalogue, else of the file";
+  if (key.table == "calibration" && key.name == "free") key.fallback = "those of the law";
 }
 
 }  // namespace

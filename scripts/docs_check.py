@@ -110,8 +110,8 @@ def main():
     expected = json.loads((folder.parent / "expected.json").read_text(encoding="utf-8"))
     for one in expected:
         name, page = one["name"], one["page"]
-        if name == "A":  # a word that the search leaves out
-            continue
+        if name.lower() in search.language.stopwords and one["kind"] not in ("C++", "C", "python"):
+            continue  # "A", "to": words that the search leaves out; of functions it knows the names
         last = re.split(r"[.:]", name)[-1]
         if page not in search.pages(name) | search.objects.get(last, set()):
             wrong.append(f"search: {one['kind']} {name} is not found on {page}")

@@ -134,6 +134,8 @@ def options(lines):
     rows = []
     for line in lines:
         row = re.match(r"  (\S.*?)(?:  +(.*))?$", line)
+        if line[:1] not in ("", " "):
+            break  # what stands below a table
         if row and not line.startswith("   "):
             rows.append([row[1], [row[2]] if row[2] else []])
         elif line.strip() and rows:
@@ -163,7 +165,8 @@ def command_pages():
     text = "# Commands\n\n" + "What each takes, in the words of its `--help`.\n\n"
     text += "| command | what it does |\n| --- | --- |\n"
     text += "".join(f"| [`{n}`]({n}.md) | {for_table(m)} |\n" for n, m in commands)
-    text += "\n" + prose(" ".join(l for l in top["Subcommands"] if False)) + "\n"
+    said = [line for line in top["Subcommands"] if line and not line.startswith(" ")]
+    text += "\n" + prose(" ".join(said)) + "\n\n"
     text += code("\n".join("$ " + l.strip() for l in top["Example"] if l.strip()), "console")
     text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(n for n, _ in commands) + "\n```\n"
     write("reference/commands/index.md", text)
