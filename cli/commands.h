@@ -30,6 +30,7 @@ Run setup_compare(CLI::App& command);
 Run setup_effects(CLI::App& command);
 Run setup_diagnose(CLI::App& command);
 Run setup_add(CLI::App& command);
+Run setup_keys(CLI::App& command);
 Run setup_describe(CLI::App& command);
 Run setup_bearings(CLI::App& command);
 Run setup_new(CLI::App& command);

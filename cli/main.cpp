@@ -68,6 +68,7 @@ constexpr std::array commands{
             cli::setup_export},
     Command{"effects", "The catalogue of physical effects, or one of them explained",
             cli::setup_effects},
+    Command{"keys", "The keys of model files, with unit, default and range", cli::setup_keys},
     Command{"bearings", "The catalogue of bearings", cli::setup_bearings},
     Command{"new", "Write a commented model file of a catalogue bearing", cli::setup_new},
     Command{"check", "What was read from a model and its data, and what can be learnt from it",

@@ -4,7 +4,7 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/raceway RENAME co
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/raceway COMPONENT command)
 # The rig of the first page.
 install(DIRECTORY tests/hidden_effect/rigs/dev-03/ DESTINATION ${CMAKE_INSTALL_DATADIR}/raceway/examples/rig COMPONENT command)
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/raceway/docs COMPONENT command)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/raceway/docs COMPONENT command PATTERN site EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libraceway-dev RENAME copyright COMPONENT development)
 
 set(CPACK_GENERATOR DEB)

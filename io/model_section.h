@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/error.h"
+#include "io/key_book.h"
 #include "io/names.h"
 #include "io/toml_text.h"
 
@@ -92,6 +93,8 @@ class Section {
   }
 
   void allow_only(const Names& known) const {
+    if (KeyBook* const book = KeyBook::open())
+      for (const std::string& name : known) book->entry(name_, name);
     if (!table_) return;
     for (const auto& [key, node] : *table_) {
       const std::string_view given = key.str();
@@ -107,6 +110,12 @@ class Section {
   }
 
   [[nodiscard]] std::optional<double> number(const Key& key) const {
+    if (KeyBook* const book = KeyBook::open()) {
+      ModelKey& entry = book->entry(name_, key.name);
+      entry.unit = key.unit;
+      entry.lower = key.lower;
+      entry.upper = key.upper;
+    }
     const toml::node* const node = find(key.name);
     if (!node) return std::nullopt;
     if (!node->is_number())
@@ -120,11 +129,13 @@ class Section {
   }
   [[nodiscard]] double required(const Key& key) const {
     const auto value = number(key);
+    if (KeyBook* const book = KeyBook::open()) book->entry(name_, key.name).required = true;
     if (!value) fail_missing(key);
     return *value;
   }
   [[nodiscard]] std::optional<int> whole_number(const Key& key) const {
     const auto value = number(key);
+    if (KeyBook* const book = KeyBook::open()) book->entry(name_, key.name).whole = true;
     if (!value) return std::nullopt;
     if (*value != std::floor(*value))
       fail(key.name, fmt::format("{} = {}: must be a whole number from {} to {}", key.name, *value,
@@ -132,6 +143,7 @@ class Section {
     return static_cast<int>(*value);
   }
   [[nodiscard]] std::optional<std::string> text(std::string_view key) const {
+    if (KeyBook* const book = KeyBook::open()) (void)book->entry(name_, key);
     const toml::node* const node = find(key);
     if (!node) return std::nullopt;
     if (!node->is_string())
@@ -146,6 +158,7 @@ class Section {
   }
   [[nodiscard]] std::optional<std::string> choice(std::string_view key,
                                                   const Names& allowed) const {
+    if (KeyBook* const book = KeyBook::open()) book->entry(name_, key).choices = allowed;
     auto value = text(key);
     if (value && std::find(allowed.begin(), allowed.end(), *value) == allowed.end())
       fail(key, fmt::format("{} = \"{}\": must be {}{}", key, *value, listed(allowed, "or"),

@@ -44,6 +44,8 @@ class ModelTables {
 
   void note_default(std::string_view table, std::string_view key, const std::string& value,
                     std::string_view why = "default") {
+    if (KeyBook* const book = KeyBook::open())
+      book->entry(table, key).fallback = why == "default" ? value : std::string(why);
     defaults_.push_back(fmt::format("{}.{} = {} ({})", table, key, value, why));
   }
   double number_or(const Section& s, const Key& key, double fallback) {

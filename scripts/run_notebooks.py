@@ -1,7 +1,8 @@
 """Executes every notebook of examples/ from nothing, for scripts/notebooks.
 
 Fails on an error, on words on stderr and on a cell that does not end. A cell with the tag `doubt` must
-warn of a raceway.Doubt, and of nothing else. What came out is a page and a picture per figure.
+warn of a raceway.Doubt, and of nothing else. What came out is the notebook with its outputs, a
+page of it and a picture per figure.
 """
 
 import base64
@@ -61,6 +62,7 @@ def executed(path, folder):
     for number, cell in enumerate(notebook.cells, 1):
         if not wrong and cell.cell_type == "code" and (said := complaints(cell)):
             wrong.append(f"cell {number}: {said}\n{cell.source}")
+    nbformat.write(notebook, folder / path.name)
     # Nothing of a network; links as from build/notebooks.
     page, _ = HTMLExporter(require_js_url="", mathjax_url="").from_notebook_node(notebook)
     page = page.replace('<script src=""></script>', "").replace('href="../', 'href="../../').replace('.ipynb"', '.html"')
@@ -75,7 +77,7 @@ def executed(path, folder):
 def main():
     examples, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    for old in [*folder.glob("*.html"), *folder.glob("*.png")]:
+    for old in [*folder.glob("*.html"), *folder.glob("*.png"), *folder.glob("*.ipynb")]:
         old.unlink()
     os.environ["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"  # a debugger's word on stderr
     os.environ.pop("MPLBACKEND", None)  # pictures go into the notebook

@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Documentation, Page,
                                          "docs/loop.md", "docs/race-control.md", "docs/shaft.md",
                                          "docs/spindle.md", "docs/spindle-record.md",
                                          "docs/torque-sensor.md", "docs/validation.md",
-                                         "docs/worked-examples.md"),
+                                         "docs/verdicts.md", "docs/worked-examples.md"),
                          [](const auto& p) {
                            std::string name = fs::path(p.param).stem().string();
                            std::erase(name, '-');
