@@ -19,21 +19,29 @@ namespace {
 
 struct SensitivityFlags {
   std::string model, speed, axial_load, radial_load, temperature;
-  std::vector<std::string> of, spread;
+  std::vector<std::string> of, spread, data;
   std::size_t samples = 0;
   std::uint64_t seed = 1;
   bool steady = false, no_coolant = false, all = false, json = false;
 };
 
+/// Names with commas between them, of a flag that may be given several times.
+std::vector<std::string> split(const std::vector<std::string>& lists) {
+  std::vector<std::string> names;
+  for (const std::string& list : lists)
+    for (std::size_t begin = 0; begin <= list.size();) {
+      const std::size_t end = std::min(list.find(',', begin), list.size());
+      names.push_back(list.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  return names;
+}
+
 session::SensitivityQuestion question_of(const SensitivityFlags& f) {
   session::SensitivityQuestion q{
       .steady = f.steady, .coolant_on = !f.no_coolant, .samples = f.samples, .seed = f.seed};
-  for (const std::string& list : f.of)
-    for (std::size_t begin = 0; begin <= list.size();) {
-      const std::size_t end = std::min(list.find(',', begin), list.size());
-      q.predictions.push_back(list.substr(begin, end - begin));
-      begin = end + 1;
-    }
+  q.predictions = split(f.of);
+  q.data = split(f.data);
   const auto values = [](const std::string& text, const char* flag) {
     return text.empty() ? std::vector<double>() : axis(text, flag);
   };
@@ -47,6 +55,8 @@ session::SensitivityQuestion question_of(const SensitivityFlags& f) {
   }
   return q;
 }
+
+constexpr std::size_t narrowest = 100;  // columns of a table that is one piece
 
 std::string with_sign(double value) {
   return std::isfinite(value) && value > 0.0 ? "+" + number(value, 3) : number(value, 3);
@@ -66,9 +76,31 @@ std::string remark(const io::LocalSensitivity& local) {
   if (local.kink) add("kink");
   if (local.steps_disagree && !local.kink) add("steps disagree");
   if (local.one_sided) add("to one side");
+  if (!std::isfinite(local.derivative)) add("no value beside it");
   return words;
 }
 
+/// A line of names in lines of the terminal.
+void print_words(const std::string& words) {
+  for (const std::string& line : filled(words, std::max(terminal_width(), narrowest)))
+    fmt::print("{}\n", line);
+}
+
+/// Names behind the reason that they share.
+void print_reasons(std::string_view what,
+                   const std::vector<std::pair<std::string, std::string>>& reasons) {
+  std::vector<std::string> told;
+  for (const auto& [first, why] : reasons) {
+    if (std::find(told.begin(), told.end(), why) != told.end()) continue;
+    told.push_back(why);
+    std::vector<std::string> names;
+    for (const auto& [name, other] : reasons)
+      if (other == why) names.push_back(name);
+    print_words(fmt::format("{}: {} ({})", what, io::listed(names), why));
+  }
+}
+
+constexpr std::size_t most_named = 12;
 constexpr double least_share = 0.001;  // what a table lists, of the squares of the changes
 
 void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity& p, bool all) {
@@ -96,13 +128,14 @@ void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity&
       left_out.push_back(d.name);
       continue;
     }
-    std::vector<std::string> row{d.name,
-                                 number(d.value, 6),
-                                 number(d.spread, 3),
-                                 number(local.derivative),
-                                 number(local.elasticity, 3),
-                                 with_sign(local.change),
-                                 fmt::format("{:.1f}", 100.0 * local.share)};
+    std::vector<std::string> row{
+        d.name,
+        fmt::format("{:.6g}", d.value),
+        fmt::format("{:.3g}", d.spread),
+        number(local.derivative),
+        number(local.elasticity, 3),
+        with_sign(local.change),
+        std::isnan(local.share) ? "-" : fmt::format("{:.1f}", 100.0 * local.share)};
     if (p.global) {
       row.push_back(global ? with_error(global->first, global->first_error) : "-");
       row.push_back(global ? with_error(global->total, global->total_error) : "-");
@@ -110,8 +143,13 @@ void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity&
     row.push_back(remark(local));
     table.add(row);
   }
-  fmt::print("{}", table.text(terminal_width()));
-  if (!left_out.empty()) fmt::print("below 0.1 % each: {}\n", io::listed(left_out));
+  fmt::print("{}",
+             table.text(std::max<std::size_t>(terminal_width(), narrowest + (p.global ? 30 : 0))));
+  if (!left_out.empty())
+    print_words(fmt::format("below 0.1 % each: {}",
+                            left_out.size() > most_named
+                                ? fmt::format("{} data, which --all lists", left_out.size())
+                                : io::listed(left_out)));
   if (p.global) {
     double alone = 0.0;
     for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;
@@ -129,8 +167,9 @@ void print(const io::Sensitivity& s, bool all) {
     print_prediction(s, p, all);
   }
   fmt::print("\n");
-  if (!s.does_not_enter.empty()) fmt::print("does not enter: {}\n", io::listed(s.does_not_enter));
-  for (const auto& [name, why] : s.not_varied) fmt::print("not varied: {}: {}\n", name, why);
+  if (!s.does_not_enter.empty()) print_words("does not enter: " + io::listed(s.does_not_enter));
+  print_reasons("not varied", s.not_varied);
+  print_reasons("not sampled", s.not_sampled);
 }
 
 int run(const SensitivityFlags& flags) {
@@ -190,6 +229,10 @@ Run setup_sensitivity(CLI::App& command) {
                   "model; default: 1 %, 1 K of temperatures, 1 of counts, and of what was\n"
                   "fitted its standard error")
       ->type_name("DATA");
+  command
+      .add_option("--data", flags->data,
+                  "only these data are varied, with commas; of a table all: bearing,shaft")
+      ->type_name("NAMES");
   command
       .add_option("--global", flags->samples,
                   "indices of Sobol' from so many samples, a power of two; each is\n"

@@ -8,6 +8,12 @@
 namespace raceway::io {
 namespace {
 
+json reasons_json(const std::vector<std::pair<std::string, std::string>>& reasons) {
+  json list = json::array();
+  for (const auto& [name, why] : reasons) list.push_back({{"name", name}, {"why", why}});
+  return list;
+}
+
 json global_json(const fit::SobolIndex& index) {
   return {{"first", index.first},
           {"first_error", index.first_error},
@@ -66,18 +72,18 @@ bool Sensitivity::converged() const {
 }
 
 std::string sensitivity_json(const Sensitivity& s) {
-  json predictions = json::array(), not_varied = json::array();
+  json predictions = json::array();
   for (const PredictionSensitivity& p : s.predictions) predictions.push_back(prediction_json(s, p));
-  for (const auto& [name, why] : s.not_varied) not_varied.push_back({{"name", name}, {"why", why}});
   json document{{"model", s.source},
                 {"bearing", s.model},
                 {"predictions", std::move(predictions)},
                 {"does_not_enter", s.does_not_enter},
-                {"not_varied", std::move(not_varied)}};
+                {"not_varied", reasons_json(s.not_varied)}};
   if (s.samples == 0) return text(document);
   json global{{"samples", s.samples},
               {"seed", s.seed},
               {"evaluations", s.evaluations},
+              {"not_sampled", reasons_json(s.not_sampled)},
               {"failed", s.failed}};
   if (s.failed > 0) {
     json at = json::object();

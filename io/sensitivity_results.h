@@ -59,6 +59,8 @@ struct Sensitivity {
   std::size_t samples = 0, evaluations = 0;
   std::uint64_t seed = 0;
   std::vector<std::size_t> sampled = {};  ///< indices of data
+  /// Data that the samples leave as they are, since the model does not take all of their spread.
+  std::vector<std::pair<std::string, std::string>> not_sampled = {};
   /// Of the evaluations those without every prediction, and the data of the first of them.
   std::size_t failed = 0;
   std::string why_failed = {};

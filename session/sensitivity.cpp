@@ -231,6 +231,12 @@ class Data {
                         .origin = "asked",
                         .has_elasticity = !in_celsius(axes[a].name)});
       }
+    for (const std::string& name : question.data) {
+      const std::size_t before = asked_.size();
+      for (std::size_t k = 0; k < all_.size(); ++k)
+        if (all_[k].name.starts_with(name + ".")) asked_.push_back(k);
+      if (asked_.size() == before) asked_.push_back(find(name));
+    }
   }
 
   [[nodiscard]] const std::vector<VariedDatum>& all() const { return all_; }
@@ -241,6 +247,11 @@ class Data {
     for (std::size_t k = of_model_.data().size(); k < all_.size(); ++k)
       if (all_[k].name == name) return k;
     return of_model_.find(name);
+  }
+
+  /// Whether it is among those that the question names: all where it names none.
+  [[nodiscard]] bool is_asked(std::size_t k) const {
+    return asked_.empty() || std::find(asked_.begin(), asked_.end(), k) != asked_.end();
   }
 
   [[nodiscard]] Outcome predict(const Predictor& predictor,
@@ -275,6 +286,7 @@ class Data {
   std::string source_;
   std::vector<State> states_;
   std::vector<VariedDatum> all_;
+  std::vector<std::size_t> asked_;
   std::vector<std::size_t> axes_;  // of the data behind those of the model
 };
 
@@ -338,6 +350,7 @@ void look_at_steps(const VariedDatum& datum, const Around& around, std::size_t i
     const bool above = std::isfinite(up) && std::isfinite(up_2);
     const double side = above ? h : -h, whole = above ? up : down, half = above ? up_2 : down_2;
     local.derivative = one_sided_slope(f0, whole, half, side);
+    // Of a smooth prediction its curvature, which the extrapolation takes off.
     local.derivative_error = std::fabs(local.derivative - (half - f0) / (0.5 * side));
     return;
   }
@@ -350,16 +363,15 @@ void look_at_steps(const VariedDatum& datum, const Around& around, std::size_t i
 /// kink.
 void look_for_kinks(const VariedDatum& datum, const Around& around, std::size_t i, double f0,
                     double largest, LocalSensitivity& local) {
-  if (datum.whole || local.one_sided || !std::isfinite(local.derivative)) return;
-  const auto value = [&](std::size_t which) { return around.at[which].values[i]; };
-  const double h = around.step;
-  const double size = datum.spread > 0.0 ? datum.spread : h;
+  if (datum.whole || !std::isfinite(local.derivative)) return;
+  const double h = around.step, size = datum.spread > 0.0 ? datum.spread : h;
   const double told = std::fmax(0.02 * std::fabs(local.derivative) * size, least_told * largest);
+  local.steps_disagree = local.derivative_error * size > told;
+  if (local.one_sided) return;
+  const auto value = [&](std::size_t which) { return around.at[which].values[i]; };
   const double bend = std::fabs(value(0) - 2.0 * f0 + value(1)) / h;
   const double bend_2 = std::fabs(value(2) - 2.0 * f0 + value(3)) / (0.5 * h);
   local.kink = bend_2 * size > told && bend_2 > 0.7 * bend;
-  const double coarse = (value(0) - value(1)) / (2.0 * h), fine = (value(2) - value(3)) / h;
-  local.steps_disagree = std::fabs(fine - coarse) * size > told;
 }
 
 double usual_spread(const VariedDatum& datum, std::string& from) {
@@ -607,8 +619,10 @@ Sensitivity sensitivity(Messages& messages, const io::ModelFile& file,
     }
     if (usual == 0.0) usual = datum.spread;
     around[k].step = datum.whole ? 1.0 : q.steady ? usual : step_of_usual * usual;
-    if (around[k].step == 0.0)
-      s.not_varied.emplace_back(datum.name, "is zero, of which 1 % is none; a spread varies it");
+    if (!data.is_asked(k))
+      around[k].step = 0.0;
+    else if (around[k].step == 0.0)
+      s.not_varied.emplace_back(datum.name, "zero, of which 1 % is none; a spread varies it");
   }
   constexpr std::array<double, 4> shares{1.0, -1.0, 0.5, -0.5};
   for_all(around.size() * 6, q, 0.0, q.samples > 0 ? 0.1 : 1.0, [&](std::size_t i) {
@@ -630,17 +644,19 @@ Sensitivity sensitivity(Messages& messages, const io::ModelFile& file,
   for (std::size_t k = 0; k < around.size(); ++k) {
     const Around& one = around[k];
     if (one.step == 0.0) continue;
-    bool enters = false, taken = false;
+    bool enters = false;
     std::string refused, spread_refused;
     for (std::size_t which = 0; which < one.at.size(); ++which) {
       const Outcome& outcome = one.at[which];
-      if (!outcome.refused.empty()) {
+      if (!outcome.refused.empty())
         (which >= 4 ? spread_refused : refused) = outcome.refused;
-      } else if (!outcome.values.empty()) {
-        if (which < 4) taken = true;
+      else if (!outcome.values.empty())
         enters = enters || !same(outcome.values, here.values);
-      }
     }
+    // A slope needs both steps of one side.
+    const auto has = [&](std::size_t which) { return !one.at[which].values.empty(); };
+    const bool taken =
+        data.all()[k].whole ? has(0) || has(1) : (has(0) && has(2)) || (has(1) && has(3));
     const VariedDatum& datum = data.all()[k];
     if (!taken) {
       s.not_varied.emplace_back(datum.name, refused);
@@ -650,12 +666,16 @@ Sensitivity sensitivity(Messages& messages, const io::ModelFile& file,
       s.does_not_enter.push_back(datum.name);
       continue;
     }
-    if (!spread_refused.empty() && q.samples > 0)
+    const bool given = datum.spread_from == "given";
+    if (!spread_refused.empty() && q.samples > 0 && given)
       throw io::InputError(
           fmt::format("spread of {} = {:.6g} ({}): leaves what a model may have: {}", datum.name,
                       datum.spread, datum.spread_from, spread_refused),
           {.key = datum.name});
-    if (datum.spread > 0.0) s.sampled.push_back(places.size());
+    if (!spread_refused.empty() && q.samples > 0)
+      s.not_sampled.emplace_back(datum.name, spread_refused);
+    else if (datum.spread > 0.0)
+      s.sampled.push_back(places.size());
     places.push_back(k);
     s.data.push_back(datum);
   }
@@ -683,9 +703,7 @@ Sensitivity sensitivity(Messages& messages, const io::ModelFile& file,
     for (std::size_t k = 0; k < places.size(); ++k) {
       LocalSensitivity& local = p.local[k];
       if (squares > 0.0) local.share = local.change * local.change / squares;
-      if (std::all_of(around[places[k]].at.begin(), around[places[k]].at.begin() + 4,
-                      [](const Outcome& o) { return !o.values.empty(); }))
-        look_for_kinks(s.data[k], around[places[k]], i, p.value, largest, local);
+      look_for_kinks(s.data[k], around[places[k]], i, p.value, largest, local);
     }
     p.order.resize(places.size());
     std::iota(p.order.begin(), p.order.end(), std::size_t{0});

@@ -22,6 +22,8 @@ struct SensitivityQuestion {
   bool steady = false;  ///< of a whole spindle, where its speed leads
   bool coolant_on = true;
   std::vector<io::SpreadText> spreads{};
+  /// Names of the data that are varied, or of tables with all that is in them; empty: all.
+  std::vector<std::string> data{};
   std::size_t samples = 0;  ///< of global indices; 0: none
   std::uint64_t seed = 1;
   Wording wording = Wording::flags;

@@ -14,8 +14,8 @@ namespace {
 EngineAnswer sensitivity(const EngineModel& model, const std::vector<std::string>& of,
                          const std::vector<std::vector<double>>& axes, bool steady, bool coolant,
                          const std::vector<std::pair<std::string, std::string>>& spreads,
-                         std::size_t samples, std::uint64_t seed, double time_limit_s,
-                         const py::object& told) {
+                         const std::vector<std::string>& data, std::size_t samples,
+                         std::uint64_t seed, double time_limit_s, const py::object& told) {
   std::atomic<bool> cancelled = false;
   Progress progress;
   session::SensitivityQuestion question{
@@ -26,6 +26,7 @@ EngineAnswer sensitivity(const EngineModel& model, const std::vector<std::string
       .temperatures_C = axes.at(3),
       .steady = steady,
       .coolant_on = coolant,
+      .data = data,
       .samples = samples,
       .seed = seed,
       .wording = session::Wording::arguments,

@@ -184,6 +184,7 @@ def sensitivity(
     steady: bool,
     coolant: bool,
     spreads: Sequence[tuple[str, str]],
+    data: Sequence[str],
     samples: int,
     seed: int,
     time_limit_s: float,

@@ -133,6 +133,7 @@ class SensitivityQuestion:
         *,
         of: str | Iterable[str] = (),
         spread: Mapping[str, float | str] | None = None,
+        data: str | Iterable[str] = (),
         samples: int = 0,
         seed: int = 1,
         steady: bool = False,
@@ -153,6 +154,8 @@ class SensitivityQuestion:
         spread : mapping
             How far data may be off either way, in their units or as ``"10%"``. Default 1 %, 1 K of
             temperatures, 1 of counts, and of what was fitted its standard error.
+        data : str or iterable of str
+            Only these are varied; of a table all: ``"bearing"``. Default all.
         samples : int
             Of global indices, a power of two; 0: derivatives alone.
         seed : int
@@ -180,17 +183,17 @@ class SensitivityQuestion:
         >>> found = model.sensitivity(6000, 300, of="torque")
         >>> found.to_frame()[["datum", "elasticity"]].head(3).round(3)
         """
-        words = [of] if isinstance(of, str) else list(of)
         spreads = [(str(n), v if isinstance(v, str) else repr(value_of(f"spread of {n}", v)))
                    for n, v in (spread or {}).items()]
         answer = _engine.sensitivity(
             self._engine,
-            [one for word in words for one in word.split(",")],
+            _names(of),
             [axis("speed_rpm", speed_rpm), axis("axial_load_N", axial_load_N),
              axis("radial_load_N", radial_load_N), axis("temperature_C", temperature_C)],
             bool(steady),
             bool(coolant),
             spreads,
+            _names(data),
             _count("samples", samples),
             _count("seed", seed),
             float("inf") if time_limit_s is None else value_of("time_limit_s", time_limit_s),
@@ -198,6 +201,11 @@ class SensitivityQuestion:
         )
         warn(answer.warnings)
         return Sensitivity(answer)
+
+
+def _names(given: str | Iterable[str]) -> list[str]:
+    words = [given] if isinstance(given, str) else list(given)
+    return [one for word in words for one in str(word).split(",")]
 
 
 def _count(name: str, value: int) -> int:
