@@ -243,15 +243,14 @@ def key_pages():
         for table, keys in tables.items():
             if len(tables) > 1:
                 text += f"## {prose('[' + table + ']')}\n\n"
-            text += "| key | unit | range | default | meaning |\n| --- | --- | --- | --- | --- |\n"
+            text += "| key | meaning | range | default |\n| --- | --- | --- | --- |\n"
             for key in keys:
-                limits = f"{number(key['from'])} to {number(key['to'])}" if key["from"] is not None and key["to"] is not None else ""
+                unit = "" if key["unit"] in (None, "1") else " " + key["unit"]
+                limits = f"{number(key['from'])} to {number(key['to'])}{unit}" if key["from"] is not None and key["to"] is not None else unit
                 if key["choices"]:
                     limits = ", ".join(f'`"{one}"`' for one in key["choices"])
-                default = "**required**" if key["required"] else re.sub("^default: ", "", key["default"] or "")
-                unit = "" if key["unit"] in (None, "1") else key["unit"]
-                text += (f"| `{key['key']}` | {for_table(unit)} | {limits} | {default if key['required'] else for_table(default)} | "
-                         f"{for_table(key['meaning'])} |\n")
+                default = "**required**" if key["required"] else for_table(re.sub("^default: ", "", key["default"] or ""))
+                text += f"| `{key['key']}` | {for_table(key['meaning'])} | {limits if key['choices'] else for_table(limits)} | {default} |\n"
                 expect(key["key"], f"reference/keys/{page}", "key")
             text += "\n"
         write(f"reference/keys/{page}.md", text)

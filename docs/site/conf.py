@@ -10,6 +10,8 @@ extensions = ["myst_parser", "nbsphinx", "sphinx.ext.autodoc", "numpydoc", "sphi
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 exclude_patterns = ["_static"]
 
+smartquotes = False  # "mineral" and --json are typed as they stand
+
 html_theme = "furo"
 html_title = f"raceway {version}"
 html_static_path = ["_static"]
