@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import pickle
 import sys
@@ -36,21 +37,41 @@ def timed(work: Callable[[], Any], pids: list[int]) -> tuple[float, float, Any]:
     return time.perf_counter() - wall, processor_time_s(pids) - busy, found
 
 
+def half(which: int) -> float:
+    """Processor time of every second machine in a plain process [s]."""
+    _engine.limit_threads(1)
+    machines = [fleet.machine(k) for k in range(which, MACHINES, 2)]
+    fleet.identify(machines[0])
+    before = time.process_time()
+    for made in machines:
+        fleet.identify(made)
+    return time.process_time() - before
+
+
 def two_workers() -> None:
     machines = {made.record.name: made for made in map(fleet.machine, range(MACHINES))}
-    here = os.getpid()
-    with sweep.workers(2) as client:
-        pids = [here, *client.run(os.getpid).values()]
+    here = [os.getpid()]
+    plain = multiprocessing.get_context("spawn").Pool(2)
+    with plain, sweep.workers(2) as client:
+        pids = list(client.run(os.getpid).values())
         sweep.run(fleet.identify, dict(list(machines.items())[:20]), client=client)  # imports are not counted
-        print(f"{MACHINES} machines, {len(os.sched_getaffinity(0))} cores, Dask {distributed.__version__}; by turns:")
-        print("one process           two workers                             overhead over the serial sum")
-        print("wall s  processor s   wall s  processor s of client + workers  2 x wall  processor")
-        for _ in range(5):
-            wall, busy, serial = timed(lambda: sweep.run(fleet.identify, machines, threads=1), [here])
-            wall2, busy2, parted = timed(lambda: sweep.run(fleet.identify, machines, client=client), pids)
+        print(f"{MACHINES} machines, {len(os.sched_getaffinity(0))} cores, Dask {distributed.__version__}; by turns, s:")
+        print("one process        two workers of Dask                 two plain processes")
+        print("  wall  processor    wall  processor  client + scheduler         processor")
+        rows = []
+        for _ in range(4):
+            wall, busy, serial = timed(lambda: sweep.run(fleet.identify, machines, threads=1), here)
+            both = sum(plain.map(half, range(2), chunksize=1))
+            client_before = processor_time_s(here)
+            wall2, workers, parted = timed(lambda: sweep.run(fleet.identify, machines, client=client), pids)
+            own = processor_time_s(here) - client_before
             assert [pickle.dumps(v) for v in parted.values()] == [pickle.dumps(v) for v in serial.values()]
-            over, more = 2.0 * wall2 / wall - 1.0, busy2 / busy - 1.0
-            print(f"{wall:6.2f}  {busy:11.2f}   {wall2:6.2f}  {busy2:31.2f}  {over:+8.1%}  {more:+9.1%}")
+            print(f"{wall:6.2f}  {busy:9.2f}  {wall2:6.2f}  {workers:9.2f}  {own:18.2f}  {both:16.2f}", flush=True)
+            rows.append((wall, busy, wall2, workers + own, both))
+        # What others do on the machine only adds.
+        wall, busy, wall2, all_of_it, both = map(min, zip(*rows))
+        print(f"over the serial sum: wall clock of both {2.0 * wall2 / wall - 1.0:+.1%}, processor {all_of_it / busy - 1.0:+.1%}")
+        print(f"processor over two plain processes side by side: {all_of_it / both - 1.0:+.1%}")
 
 
 def cost(what: str, items: int, work: Callable[[], Any]) -> None:

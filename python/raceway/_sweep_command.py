@@ -58,7 +58,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     running.add_argument("job", metavar="JOB", help="Python file with items and work")
     running.add_argument("--folder", required=True, help="where slabs are written")
     running.add_argument("--slab", metavar="K/N", help="the K-th of N slabs; without it all that the folder lacks")
-    running.add_argument("--slabs", type=int, metavar="N", help="without --slab: number of slabs; 64 without")
+    running.add_argument("--slabs", type=int, metavar="N", help="without --slab: number of slabs; 32 without")
     running.add_argument("--client", metavar="ADDRESS", help="without --slab: scheduler of Dask, tcp://HOST:PORT")
     running.add_argument("--workers", type=int, metavar="N", help="without --slab: N processes of Dask on this computer")
     running.add_argument("--threads", type=int, help="cores for one item; all, in a worker of Dask 1")

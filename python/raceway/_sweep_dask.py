@@ -42,8 +42,14 @@ def local_workers(count: int) -> Iterator[Any]:
     distributed = _dask()
     import dask
 
-    # Ticks and samples of a profile, 50 and 100 times a second, are a twentieth of what short items cost.
-    calm = {"distributed.admin.tick.interval": "500ms", "distributed.worker.profile.interval": "500ms"}
+    # For short items: ticks and samples of a profile come 50 and 100 times a second, and a worker gives memory back to the
+    # system after each of them, to ask for it again (a seventh of the time of an identification).
+    calm = {
+        "distributed.admin.tick.interval": "500ms",
+        "distributed.worker.profile.interval": "500ms",
+        "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": 2**27,
+        "distributed.nanny.pre-spawn-environ.MALLOC_MMAP_THRESHOLD_": 2**25,
+    }
     with dask.config.set(calm), distributed.LocalCluster(
         n_workers=count, threads_per_worker=1, processes=True, host="tcp://127.0.0.1", dashboard_address=None
     ) as cluster, distributed.Client(cluster) as client:

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 __all__ = ["Failure", "ItemDoubt", "Sweep", "load", "run", "solve", "workers"]
 
 #: Slabs of a sweep of many items, and at least how many for each worker of Dask.
-SLABS = 64
+SLABS = 32
 SLABS_PER_WORKER = 8
 
 
@@ -193,7 +193,7 @@ def run(
         there, also after KeyboardInterrupt or a power cut.
     slabs : int, optional
         Parts that go to a worker and to a file as a whole. Without: as many as `folder` has already, else
-        64, for more than eight workers 8 each, and no more than there are items.
+        32, for more than four workers 8 each, and no more than there are items.
     threads : int, optional
         Cores for one item: all in this process, 1 in a worker of Dask, if it is not said.
     progress : callable, optional
