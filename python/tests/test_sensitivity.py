@@ -52,7 +52,7 @@ def test_a_report_names_the_first_and_what_does_not_enter(model):
     text = found.report()
     assert text.splitlines()[0].startswith("friction_torque_Nmm = ")
     assert text.splitlines()[3].startswith(first)
-    assert "does not enter: " in text and "bearing.bore_mm" in found.does_not_enter
+    assert "does not enter: " in text and "bearing.ball_count" in found.does_not_enter
     assert first in repr(found) and "<table" in found._repr_html_()
 
 

@@ -12,10 +12,10 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-const char* const commands[] = {"solve",     "table",    "displacement", "fit-law",
-                                "calibrate", "compare",  "diagnose",     "add",
-                                "effects",   "bearings", "new",          "check",
-                                "merge",     "describe", "export",       "step-response"};
+const char* const commands[] = {
+    "solve",    "table",    "displacement", "fit-law",       "calibrate",  "compare",
+    "diagnose", "add",      "effects",      "bearings",      "new",        "check",
+    "merge",    "describe", "export",       "step-response", "sensitivity"};
 
 TEST(CommandLine, TellsItsVersion) {
   const Result r = run("--version");
