@@ -56,7 +56,7 @@ session::SensitivityQuestion question_of(const SensitivityFlags& f) {
   return q;
 }
 
-constexpr std::size_t narrowest = 100;  // columns of a table that is one piece
+constexpr std::size_t narrowest = 116;  // columns of a table that is one piece
 
 std::string with_sign(double value) {
   return std::isfinite(value) && value > 0.0 ? "+" + number(value, 3) : number(value, 3);

@@ -16,9 +16,9 @@ namespace raceway::io {
 struct VariedDatum {
   std::string name;
   double value = unset;
-  double spread = unset;    ///< how far it may be off, either way
-  std::string spread_from;  ///< "given", "standard error", "1 %", "1 K", "1"
-  std::string origin;       ///< "file", "default", "catalogue", "asked"
+  double spread = unset;         ///< how far it may be off, either way
+  std::string spread_from = {};  ///< "given", "standard error", "1 %", "1 K", "1"
+  std::string origin = {};       ///< "file", "default", "catalogue", "asked"
   bool whole = false;
   bool has_elasticity = true;  ///< not of a temperature in C, whose zero means nothing
 };
@@ -41,8 +41,8 @@ struct PredictionSensitivity {
   std::string name;
   std::size_t state = 0;
   double value = unset;
-  std::vector<LocalSensitivity> local;  ///< of each datum
-  std::vector<std::size_t> order;       ///< of the data, the largest change first
+  std::vector<LocalSensitivity> local = {};  ///< of each datum
+  std::vector<std::size_t> order = {};       ///< of the data, the largest change first
   /// Of the data in Sensitivity::sampled, where they were asked for.
   std::optional<fit::SobolIndices> global = {};
   std::vector<std::string> cannot_tell = {};  ///< what the samples leave open, in words
@@ -50,12 +50,12 @@ struct PredictionSensitivity {
 
 struct Sensitivity {
   std::string source, model;
-  std::vector<std::string> inputs;          ///< names of what a state is given by
-  std::vector<std::vector<double>> states;  ///< values of these
-  std::vector<VariedDatum> data;            ///< those that enter
-  std::vector<PredictionSensitivity> predictions;
-  std::vector<std::string> does_not_enter;
-  std::vector<std::pair<std::string, std::string>> not_varied;  ///< a datum, and why
+  std::vector<std::string> inputs = {};          ///< names of what a state is given by
+  std::vector<std::vector<double>> states = {};  ///< values of these
+  std::vector<VariedDatum> data = {};            ///< those that enter
+  std::vector<PredictionSensitivity> predictions = {};
+  std::vector<std::string> does_not_enter = {};
+  std::vector<std::pair<std::string, std::string>> not_varied = {};  ///< a datum, and why
   std::size_t samples = 0, evaluations = 0;
   std::uint64_t seed = 0;
   std::vector<std::size_t> sampled = {};  ///< indices of data

@@ -182,6 +182,10 @@ class SensitivityQuestion:
         >>> model = raceway.Model.read("tests/hidden_effect/rigs/dev-03/model.toml")
         >>> found = model.sensitivity(6000, 300, of="torque")
         >>> found.to_frame()[["datum", "elasticity"]].head(3).round(3)
+                               datum  elasticity
+        0  bearing.pitch_diameter_mm       2.959
+        1          rig.temperature_C         NaN
+        2                friction.f0       0.980
         """
         spreads = [(str(n), v if isinstance(v, str) else repr(value_of(f"spread of {n}", v)))
                    for n, v in (spread or {}).items()]

@@ -46,13 +46,33 @@ def test_derivatives_are_differences_of_models(model):
         assert frame["derivative"][name] == pytest.approx((up - down) / (2 * step), rel=1e-5)
 
 
+def test_numbers_of_the_catalogue_are_data_too():
+    model = raceway.Model.from_text('''[bearing]
+catalogue = "S 6014 C"
+[lubricant]
+viscosity_40C_mm2_s = 20.0
+viscosity_100C_mm2_s = 4.4
+''')
+    found = model.sensitivity(8000, 300, of="stiffness,torque").to_frame()
+    for column, names in (("axial_stiffness_N_um", ["ball_diameter_mm", "contact_angle_deg", "inner_conformity"]),
+                          ("friction_torque_Nmm", ["pitch_diameter_mm", "static_load_rating_N"])):
+        frame = found[found.prediction == column].set_index("datum")
+        assert frame["predicted"].iloc[0] == pytest.approx(float(model.solve(8000, 300)[column]), rel=1e-12)
+        for name in names:
+            key = f"bearing.{name}"
+            assert frame["origin"][key] in ("catalogue", "default")
+            step = 1e-4 * frame["value"][key]
+            up, down = (float(model.with_values({key: frame["value"][key] + s}).solve(8000, 300)[column]) for s in (step, -step))
+            assert frame["derivative"][key] == pytest.approx((up - down) / (2 * step), rel=1e-4), key
+
+
 def test_a_report_names_the_first_and_what_does_not_enter(model):
     found = model.sensitivity(8000, 300)
     first = found.data["predictions"][0]["data"][0]["name"]
     text = found.report()
     assert text.splitlines()[0].startswith("friction_torque_Nmm = ")
     assert text.splitlines()[3].startswith(first)
-    assert "does not enter: " in text and "bearing.bore_mm" in found.does_not_enter
+    assert "does not enter: " in text and "bearing.ball_count" in found.does_not_enter
     assert first in repr(found) and "<table" in found._repr_html_()
 
 

@@ -15,7 +15,7 @@ using testing::StartsWith;
 const char* const commands[] = {
     "solve",    "table",    "displacement", "fit-law",       "calibrate", "compare",
     "diagnose", "add",      "effects",      "bearings",      "new",       "check",
-    "merge",    "describe", "export",       "step-response", "keys"};
+    "merge",    "describe", "export",       "step-response", "keys",      "sensitivity"};
 
 TEST(CommandLine, TellsItsVersion) {
   const Result r = run("--version");
