@@ -84,8 +84,7 @@ Run setup_keys(CLI::App& command) {
   auto words = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   command
-      .add_option("WORDS", *words,
-                  "those with all these words in table, name or meaning; without, all keys")
+      .add_option("WORDS", *words, "which all stand in table, name or meaning; without, all keys")
       ->type_name("");
   command.add_flag("--json", *json, "one JSON document instead of text");
   command.footer(
