@@ -201,8 +201,9 @@ Run setup_sensitivity(CLI::App& command) {
   command
       .add_option("--of", flags->of,
                   "predictions, with commas: torque, heat, displacement, contact-angle,\n"
-                  "stiffness, pressure, life, of shafts and spindles preload, temperature;\n"
-                  "or columns of raceway solve; default: torque, of a shaft displacement")
+                  "stiffness, pressure, life, of shafts and spindles preload,\n"
+                  "temperature; or columns of raceway solve; default: torque, of a shaft\n"
+                  "displacement")
       ->type_name("NAMES");
   command
       .add_option("--speed", flags->speed,
@@ -225,9 +226,9 @@ Run setup_sensitivity(CLI::App& command) {
   command
       .add_option("--spread", flags->spread,
                   "how far data may be off either way, as ball_diameter_mm=0.01 or\n"
-                  "viscosity_40C_mm2_s=10%, with commas; or a file (TOML) with keys of the\n"
-                  "model; default: 1 %, 1 K of temperatures, 1 of counts, and of what was\n"
-                  "fitted its standard error")
+                  "viscosity_40C_mm2_s=10%, with commas; or a file (TOML) with keys of\n"
+                  "the model; default: 1 %, 1 K of temperatures, 1 of counts, and of\n"
+                  "what was fitted its standard error")
       ->type_name("DATA");
   command
       .add_option("--data", flags->data,
@@ -243,7 +244,7 @@ Run setup_sensitivity(CLI::App& command) {
   command.add_flag("--all", flags->all, "also data with less than 0.1 %");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(
-      "Examples:\n"
+      "Example:\n"
       "  raceway sensitivity my.toml --speed 10000 --axial-load 300\n"
       "  raceway sensitivity my.toml --of torque,stiffness --speed 10000 --axial-load 300 \\\n"
       "    --spread contact_angle_deg=1,viscosity_40C_mm2_s=10% --global 1024\n"

@@ -46,7 +46,7 @@ class Sensitivity(_Answer):
         """Data that change no digit of any of the predictions."""
         return list(self.data["does_not_enter"])
 
-    def report(self) -> str:
+    def text(self) -> str:
         """Tell in words and a table what matters, for each prediction and state."""
         blocks = [_block(p) for p in self.data["predictions"]]
         if self.does_not_enter:

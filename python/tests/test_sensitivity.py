@@ -69,7 +69,7 @@ viscosity_100C_mm2_s = 4.4
 def test_a_report_names_the_first_and_what_does_not_enter(model):
     found = model.sensitivity(8000, 300)
     first = found.data["predictions"][0]["data"][0]["name"]
-    text = found.report()
+    text = found.text()
     assert text.splitlines()[0].startswith("friction_torque_Nmm = ")
     assert text.splitlines()[3].startswith(first)
     assert "does not enter: " in text and "bearing.ball_count" in found.does_not_enter

@@ -40,37 +40,6 @@ TEST(Calibrate, FindsParametersOfNoiselessDataFromAFarStart) {
   EXPECT_LT(fit.channels[0].rmse_after, 1e-7 * fit.channels[0].rmse_before);
 }
 
-TEST(Calibrate, StatesAnUncertaintyThatCoversTheTruth) {
-  Model truth = synthetic_model();
-  truth.law_values = {2.0, 0.0012, 0.35};
-  Model model = synthetic_model();
-  model.free = {"f0", "z", "y"};
-  for (const bool declared : {false, true}) {
-    std::mt19937 random(20);
-    constexpr int sets = 200;
-    std::vector<double> square(3, 0.0);
-    int inside = 0;
-    for (int set = 0; set < sets; ++set) {
-      DataSet data = full_plan();
-      measure(truth, 3.0 * N_mm, random, data);
-      if (declared) declare_noise(3.0 * N_mm, data);
-      const Calibration fit = calibrate(model, data);
-      ASSERT_TRUE(fit.converged());
-      EXPECT_TRUE(std::isfinite(fit.reduced_chi_square));
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Parameter& p = fit.parameters[k];
-        const double t = (p.value - truth.law_values[k]) / p.std;
-        square[k] += t * t / sets;
-        if (std::abs(t) < 1.96) ++inside;
-      }
-    }
-    // Mean square of 200 normal deviates: 1 +- 0.1; widening by sqrt(chi2) when it exceeds 1 is
-    // mild.
-    for (const double s : square) EXPECT_NEAR(s, 1.0, 0.3);
-    EXPECT_NEAR(inside / (3.0 * sets), 0.95, 0.03);
-  }
-}
-
 TEST(Calibrate, WeighsRowsByTheirStandardDeviation) {
   Model truth = synthetic_model();
   std::mt19937 random(5);
