@@ -301,11 +301,12 @@ def python_pages():
     sys.path.insert(0, str(ROOT / "build/release/python"))
     import raceway
     import raceway.plot
+    import raceway.sweep
 
     groups = {
         "models": ("Models and records", ["Model", "Record", "read"]),
         "results": ("Results", ["Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition",
-                                "KinematicLaw", "fit_law"]),
+                                "Sensitivity", "KinematicLaw", "fit_law"]),
         "correction": ("Corrections of machines", ["Correction", "Identification", "CorrectionRun", "CorrectionComparison", "Check",
                                                    "Program"]),
         "spindle": ("Spindles", ["SteadyStates", "SpindleRun", "Modes", "Deflection", "StepResponses"]),
@@ -319,29 +320,40 @@ def python_pages():
         example = PYTHON_EXAMPLES[page]
         text += ".. code-block:: python\n\n" + "\n".join("   " + line for line in example.strip().split("\n")) + "\n\n"
         for name in names:
-            one = getattr(raceway, name)
-            text += f"{name}\n{'-' * len(name)}\n\n"
-            text += f".. auto{'class' if inspect.isclass(one) else 'function'}:: raceway.{name}\n\n"
-            expect(name, f"reference/python/{page}", "python")
-            if inspect.isclass(one):
-                for member in vars(one):
-                    if not member.startswith("_") and (inspect.getdoc(getattr(one, member, None))):
-                        expect(f"{name}.{member}", f"reference/python/{page}", "python")
+            text += entry(raceway, name, name, page)
         write(f"reference/python/{page}.rst", text)
-    text = "Python: pictures\n================\n\n.. py:currentmodule:: raceway.plot\n\n.. code-block:: python\n\n"
-    text += "   import raceway\n   model = raceway.Model.new(\"S 6014 C\")\n   table = model.table(speed_rpm=range(0, 12001, 500), axial_load_N=[100, 300])\n"
-    text += "   raceway.plot.stribeck(table).figure.savefig(\"stribeck.pdf\")\n\n"
-    text += inspect.getdoc(raceway.plot) + "\n\n"
-    for name in raceway.plot.__all__:
-        text += f"{name}\n{'-' * len(name)}\n\n.. autofunction:: raceway.plot.{name}\n\n"
-        expect(f"plot.{name}", "reference/python/plot", "python")
-    write("reference/python/plot.rst", text)
+    for page, title, module in (("plot", "pictures", raceway.plot), ("sweep", "many items", raceway.sweep)):
+        text = f"Python: {title}\n" + "=" * (len(title) + 8) + f"\n\n.. py:currentmodule:: {module.__name__}\n\n"
+        if page in PYTHON_EXAMPLES:
+            text += ".. code-block:: python\n\n" + "\n".join("   " + line for line in PYTHON_EXAMPLES[page].strip().split("\n")) + "\n\n"
+        text += inspect.getdoc(module) + "\n\n"
+        for name in module.__all__:
+            text += entry(module, name, f"{page}.{name}", page)
+        write(f"reference/python/{page}.rst", text)
     text = "Python API\n==========\n\n" + inspect.getdoc(raceway) + "\n\n.. toctree::\n   :maxdepth: 1\n\n"
-    text += "".join(f"   {page}\n" for page in [*groups, "plot"])
+    text += "".join(f"   {page}\n" for page in [*groups, "plot", "sweep"])
     write("reference/python/index.rst", text)
 
 
+def entry(module, name, shown, page):
+    """The section of a class or a function, which the search must find, and so the members of a class."""
+    one = getattr(module, name)
+    expect(shown, f"reference/python/{page}", "python")
+    if inspect.isclass(one):
+        for member in vars(one):
+            if not member.startswith("_") and inspect.getdoc(getattr(one, member, None)):
+                expect(f"{shown}.{member}", f"reference/python/{page}", "python")
+    kind = "class" if inspect.isclass(one) else "function"
+    return f"{name}\n{'-' * len(name)}\n\n.. auto{kind}:: {module.__name__}.{name}\n\n"
+
+
 PYTHON_EXAMPLES = {
+    "plot": """
+import raceway
+model = raceway.Model.new("S 6014 C")
+table = model.table(speed_rpm=range(0, 12001, 500), axial_load_N=[100, 300])
+raceway.plot.stribeck(table).figure.savefig("stribeck.pdf")
+""",
     "models": """
 import raceway
 model = raceway.Model.new("S 6014 C")
