@@ -1,11 +1,10 @@
 #include "io/key_meanings.h"
 
-#include <array>
-
 namespace raceway::io {
 namespace {
 
-constexpr std::array meanings{
+// No std::array: clang does not deduce one of so many.
+constexpr KeyMeaning meanings[]{
     KeyMeaning{"bearing", "catalogue",
                "designation of a bearing of the catalogue; every other key of this table may then "
                "be left out, and overrides its row where it is given"},
