@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -11,33 +10,42 @@
 #include "io/error.h"
 #include "io/output_file.h"
 #include "session/control_export.h"
-#include "session/correction_input.h"
 
 namespace raceway::cli {
 namespace {
 
 struct ExportFlags {
-  std::string model, format, output;
+  std::string model, format, record, output;
   bool force = false;
 };
 
 int run(const ExportFlags& flags) {
   const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (to_file) io::require_writable(flags.output, if_exists);
+  const bool with_hal = to_file && flags.format == "linuxcnc";
+  const session::HalFiles hal = session::hal_files(flags.output);
   session::require_control_name(flags.format, flags.output);
-  const io::CorrectionFile file = session::open_corrections(messages(), flags.model);
-  const auto [plan, text] = session::export_corrections(file, flags.format, flags.output);
-  const std::filesystem::path folder = std::filesystem::path(flags.model).parent_path();
-  for (const io::ControlTable& t : plan.tables) add_input((folder / t.file).string());
+  if (to_file) io::require_writable(flags.output, if_exists);
+  for (const std::string& file : {hal.start, hal.shutdown})
+    if (with_hal) io::require_writable(file, if_exists);
+  if (!flags.record.empty()) add_input(flags.record);
+  const session::Source record(flags.record);
+  const auto [plan, text, hal_start, hal_shutdown] = session::export_plan(
+      session::open_plan(messages(), flags.model, flags.record.empty() ? nullptr : &record),
+      flags.format, flags.output);
   if (to_file) {
     io::write_text(flags.output, text, if_exists);
+    if (with_hal) {
+      io::write_text(hal.start, hal_start, if_exists);
+      io::write_text(hal.shutdown, hal_shutdown, if_exists);
+    }
     std::size_t parts = 0;
     for (const io::ControlAxis& a : plan.axes)
       parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.kinematics.size();
     say(fmt::format("{} written: {} displacement{} of {} part{} from {} input{}", flags.output,
                     plan.axes.size(), plan.axes.size() == 1 ? "" : "s", parts,
                     parts == 1 ? "" : "s", plan.inputs.size(), plan.inputs.size() == 1 ? "" : "s"));
+    if (with_hal) say(fmt::format("{} and {} written", hal.start, hal.shutdown));
   } else {
     fmt::print("{}", text);
   }
@@ -49,24 +57,33 @@ int run(const ExportFlags& flags) {
 
 Run setup_export(CLI::App& command) {
   auto flags = std::make_shared<ExportFlags>();
-  command.add_option("MODEL", flags->model, "model file (TOML) with [correction]")
+  command
+      .add_option("MODEL", flags->model,
+                  "model file (TOML) with [correction], or a table that\n"
+                  "--format csv wrote")
       ->required()
       ->type_name("");
   command
       .add_option("--format", flags->format,
                   "python (one file, standard library alone), c (one header of C99,\n"
                   "math.h alone, double or float), csv (a table of numbers with units),\n"
-                  "linuxcnc (a component of HAL, for halcompile)")
+                  "linuxcnc (a component of HAL in Python, and its HAL files)")
       ->required()
       ->check(CLI::IsMember({"python", "c", "csv", "linuxcnc"}))
       ->type_name("NAME");
+  command
+      .add_option("--record", flags->record,
+                  "record over time (CSV) that is stored in the file, for its own check;\n"
+                  "without it one that is made up within the ranges of the model")
+      ->type_name("RECORD");
   command.add_option("-o,--output", flags->output, "file to write; stdout without it")
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.footer(
       "Example:\n  raceway export z.toml --format python -o correction.py\n"
       "  raceway export z.toml --format c -o correction.h\n"
-      "  raceway export z.toml --format linuxcnc -o thermal.comp");
+      "  raceway export z.toml --format linuxcnc -o thermal.py\n"
+      "  python3 correction.py --check");
   return [flags] { return run(*flags); };
 }
 

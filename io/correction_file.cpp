@@ -16,6 +16,7 @@
 // Last: see io/toml_text.h.
 #include "io/column_section.h"
 #include "io/correction_trust.h"
+#include "io/export_section.h"
 #include "io/formula_section.h"
 #include "io/model_tables.h"
 
@@ -444,9 +445,9 @@ class CorrectionReader {
 };
 
 void check_tables(const ModelTables& tables) {
-  const Names known{"correction", "calibration", "loop",         "columns", "bearing",
-                    "lubricant",  "friction",    "arrangement",  "rig",     "solver",
-                    "material",   "effect",      "torque_sensor"};
+  const Names known{"correction", "calibration", "loop",          "columns", "bearing",
+                    "lubricant",  "friction",    "arrangement",   "rig",     "solver",
+                    "material",   "effect",      "torque_sensor", "export"};
   for (const auto& [key, node] : tables.root())
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
       throw InputError(fmt::format("{}: {}: unknown table{}", tables.place(key), key.str(),
@@ -570,6 +571,7 @@ CorrectionFile parse_correction(std::string text, const std::string& source) {
     read_tolerance(tables, file.models[k]);
   }
   file.columns = read_columns(tables);
+  file.control = read_export(tables, file.models);
   file.defaults = tables.defaults();
   file.text = std::move(text);
   return file;

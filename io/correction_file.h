@@ -5,6 +5,7 @@
 
 #include "correction/model.h"
 #include "io/column_map.h"
+#include "io/control/settings.h"
 
 namespace raceway::io {
 
@@ -16,6 +17,7 @@ struct CorrectionFile {
   std::vector<std::string> defaults{};  ///< every default that was used
   std::vector<std::string> notes{};     ///< what else the user should know
   ColumnMap columns{};                  ///< how its measurements are written
+  ControlSettings control{};            ///< what a control does with it, [export]
   std::vector<std::string> tables{};    ///< paths of the files that it names
 };
 

@@ -424,6 +424,51 @@ constexpr KeyMeaning meanings[]{
     KeyMeaning{"correction.residual", "rms_um", "of what was left on parts that no fit saw"},
     KeyMeaning{"correction.residual", "correlation_time_s",
                "in which what was left forgets itself"},
+    KeyMeaning{
+        "export", "limit_um",
+        "an offset is at most this, either way; of all axes, or { COLUMN = ... } by displacement"},
+    KeyMeaning{"export", "slew_um_s", "an offset goes no faster; of all axes, or by displacement"},
+    KeyMeaning{"export", "sign",
+               "1 or -1: offset = sign * displacement, an axis moves against it; of all axes, or "
+               "by displacement"},
+    KeyMeaning{
+        "export", "unit",
+        "of what is handed out, counts being whole numbers; of all axes, or by displacement"},
+    KeyMeaning{"export", "count_um", "of one count; of all axes, or by displacement"},
+    KeyMeaning{"export", "axis",
+               "of LinuxCNC that is moved; without it that of displacement_LETTER_um"},
+    KeyMeaning{
+        "export", "plausible",
+        "[lowest, highest] that an input can be, in its unit; one pair is of all temperatures, or "
+        "{ COLUMN = [...] } of any input; default [-40, 150] of temperatures"},
+    KeyMeaning{"export", "fastest_per_s",
+               "that an input can change, in its unit, 0 where it may do anything; one number is "
+               "of all temperatures, or { COLUMN = ... } of any input"},
+    KeyMeaning{"export", "stuck_s",
+               "for how long an input can stand still, 0 for ever; one number is of all "
+               "temperatures, or { COLUMN = ... } of any input"},
+    KeyMeaning{"export", "smoothing_s",
+               "time constant that instant parts feel inputs with, for sensors of coarse steps; of "
+               "all inputs, or { COLUMN = ... }"},
+    KeyMeaning{"export", "on_fault",
+               "of an input, after hold_s: go on with its last value, fade to the last offset that "
+               "good inputs asked for, or to 0"},
+    KeyMeaning{"export", "hold_s", "for how long an input at fault is taken as it last was"},
+    KeyMeaning{"export", "fade_s", "in which an offset fades, and comes back"},
+    KeyMeaning{"export", "longest_gap_s",
+               "between two calls; after a longer one offsets move no further than in this time, "
+               "and an alarm is raised"},
+    KeyMeaning{"export", "clock_jump_s",
+               "more between two calls is a clock that was set, and nothing moves"},
+    KeyMeaning{"export", "restart",
+               "after a longer gap: sections go on as if speeds and feeds were 0 meanwhile, as if "
+               "no time had passed, or from rest"},
+    KeyMeaning{"export", "touch_off",
+               "what is applied at a touch-off stays, or goes back to 0; offsets count from there"},
+    KeyMeaning{"export", "disabled", "offsets go to 0 by their slew, or stand"},
+    KeyMeaning{"export", "beyond_range",
+               "sections go on in proportion beyond [correction.range], or hold there as instant "
+               "parts do"},
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ void check_tables(const ModelTables& tables) {
   Names known{"bearing", "lubricant",     "friction",    "arrangement", "rig",
               "solver",  "material",      "calibration", "loop",        "effect",
               "columns", "torque_sensor", "correction",  "life"};
+  if (tables.root().contains("correction")) known.emplace_back("export");
   const Names& of_spindle = tables_of_spindle();
   known.insert(known.end(), of_spindle.begin(), of_spindle.end());
   for (const auto& [key, node] : tables.root()) {

@@ -217,6 +217,7 @@ id = "own"
 formula = "speed_rpm"
 gain_um = 0
 time_constant_s = 900
+[export]
 )";
 
 /// Names that are one's own, tables in braces and defaults that only this model has, in general.

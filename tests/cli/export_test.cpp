@@ -67,13 +67,60 @@ TEST(Export, WritesToStdoutAndNeverOverAFile) {
   EXPECT_THAT(file_text(kept), HasSubstr("static inline void kept_update("));
 }
 
+TEST(Export, OfLinuxcncIsAComponentWithItsHalFiles) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write("z.toml", z_model), program = scratch.file("z.py");
+  const Result written = run("export " + model + " --format linuxcnc -o " + program);
+  ASSERT_EQ(written.status, 0) << written.err;
+  EXPECT_THAT(written.err, HasSubstr("z.hal and " + scratch.file("z_shutdown.hal") + " written"));
+  EXPECT_THAT(file_text(scratch.file("z.hal")),
+              HasSubstr("net z-z-counts z.z-counts => axis.z.eoffset-counts\n"));
+  EXPECT_THAT(file_text(scratch.file("z_shutdown.hal")), HasSubstr("\nsetp z.stop 1\n"));
+  EXPECT_THAT(run_shell("python3 " + program + " --check").out, HasSubstr(": good"));
+  // None of the three is written where one is there.
+  std::filesystem::remove(program);
+  expect_refused(run("export " + model + " --format linuxcnc -o " + program), "z.hal");
+  EXPECT_FALSE(std::filesystem::exists(program));
+  const std::string other = scratch.write(
+      "a.toml",
+      std::string(z_model).replace(z_model.find("displacement_z_um"), 17, "displacement_tip_um"));
+  expect_refused(run("export " + other + " --format linuxcnc -o " + scratch.file("tip.py")),
+                 "[export] axis = { displacement_tip_um = \"z\" }");
+}
+
+TEST(Export, StoresARecordThatTheProgramReplays) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write("z.toml", z_model), program = scratch.file("z.py");
+  std::string record = "time_s;speed_rpm;front_temperature_C\n";  // of a German Excel
+  for (int k = 0; k < 50; ++k)
+    record += std::to_string(60 * k) + ";3000;2" + std::to_string(k % 9) + ",5\n";
+  const std::string data = scratch.write("record.csv", record);
+  ASSERT_EQ(run("export " + model + " --format python -o " + program + " --record " + data).status,
+            0);
+  EXPECT_THAT(run_shell("python3 " + program + " --check").out, HasSubstr("check: 50 rows over"));
+  expect_refused(
+      run("export " + model + " --format python --force -o " + data + " --record " + data),
+      "is read by this run");
+}
+
+TEST(Export, ReadsItsTableBack) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.write("z.toml", z_model), table = scratch.file("z.csv");
+  ASSERT_EQ(run("export " + model + " --format csv -o " + table).status, 0);
+  EXPECT_EQ(run("export " + table + " --format csv").out, file_text(table));
+  EXPECT_EQ(run("export " + table + " --format python").out,
+            run("export " + model + " --format python").out);
+  expect_refused(run("export " + table + " --format csv --record " + table),
+                 "is a table that export wrote, which has its record in it");
+}
+
 TEST(Export, RefusesInOneMessage) {
   const ScratchFolder scratch;
   const std::string model = scratch.write("z.toml", z_model);
   EXPECT_THAT(run("export " + model + " --format st").err, HasSubstr("--format"));
   EXPECT_EQ(run("export " + model).status, 1);
   expect_refused(run("export " + model + " --format linuxcnc -o " + scratch.file("z-axis.c")),
-                 "z_axis.comp");
+                 "z_axis.py");
   const std::string swings = scratch.write(
       "swings.toml",
       "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = 1\n[[correction.channel]]\n"

@@ -9,6 +9,7 @@ spec.loader.exec_module(correction)
 
 machine = correction.Correction()
 columns = [entry[0] for entry in correction.INPUTS]
+outputs = [axis["displacement"] for axis in correction.AXES]
 for line in sys.stdin:
     words = line.split()
     if words[0] == "restart":
@@ -19,9 +20,14 @@ for line in sys.stdin:
         os.remove(state)
     elif words[0] == "reset":
         machine.reset()
-    elif words[0] == "zero":
-        machine.set_zero()
+    elif words[0] == "touch-off":
+        machine.touch_off()
+    elif words[0] == "applied":
+        machine.applied(dict(zip(outputs, map(float, words[1:]))))
     else:
-        inputs = dict(zip(columns, map(float, words[2:])))
-        y = machine.update(float(words[1]), inputs)
-        print(" ".join("%.17g" % y[a["displacement"]] for a in correction.AXES), machine.status)
+        time, given = float(words[1]), words[2:]
+        if words[0] == "u":
+            y = machine.predict(time, dict(zip(columns, map(float, given))))
+        else:
+            y = machine.update(time, dict(zip(columns, map(float, given[1:]))), given[0] == "1")
+        print(" ".join("%.17g" % y[column] for column in outputs), machine.status)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "correction/model.h"
+#include "io/control/settings.h"
 
 /// Corrections as numbers that a control runs, of which every format of `export` is written.
 ///
@@ -28,6 +29,9 @@ struct ControlInput {
   bool temperature = false;
   /// What the numbers of the model were found in; NaN where that is not known.
   double lowest = unset, highest = unset;
+  /// What it can be, how fast it can change [1/s], how long it can stand still [s]; NaN: not asked.
+  double plausible_low = unset, plausible_high = unset, fastest_per_s = unset, stuck_s = unset;
+  double smoothing_s = 0.0;  ///< that instant parts feel it with
 };
 
 /// What a model has seen of its inputs at once: |weights (x - mean)| is no larger than `farthest`.
@@ -113,11 +117,27 @@ struct ControlAxis {
   std::string column{};      ///< "displacement_z_um"
   std::string identifier{};  ///< as of an input
   std::string name{};        ///< of the model
+  std::string letter{};      ///< of the axis that it moves: "z"; empty where nobody says
+  double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
+  double unit_um = 1.0;  ///< of what is handed out
+  bool counts = false;   ///< whole numbers of it
+  std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts"
   double offset_um = 0.0;
   std::vector<ControlSection> sections{};
   std::vector<ControlElement> elements{};
   std::vector<ControlFeedthrough> feedthroughs{};
   std::vector<ControlKinematic> kinematics{};
+};
+
+/// A record with what `correct` makes of it, kept beside the numbers: what runs them can be held to
+/// it.
+struct ControlCheck {
+  struct Row {
+    double time_s = unset;
+    std::vector<double> inputs{};            ///< in their units, as those of the plan
+    std::vector<double> displacements_um{};  ///< of the axes of the plan
+  };
+  std::vector<Row> rows{};  ///< none where there is no record
 };
 
 struct ControlPlan {
@@ -129,6 +149,8 @@ struct ControlPlan {
   std::vector<ControlTable> tables{};
   std::vector<ControlDrive> drives{};
   std::vector<ControlAxis> axes{};
+  ControlCheck check{};
+  ControlSettings settings{};  ///< what is for all of them; the rest stands with inputs and axes
   /// What of the models is not in it, or is in it otherwise, a sentence each.
   std::vector<std::string> notes{};
 };
@@ -136,6 +158,17 @@ struct ControlPlan {
 /// Throws InputError for what no control can run: a polynomial without real, separate time
 /// constants.
 [[nodiscard]] ControlPlan control_plan(const std::vector<correction::Model>& models,
-                                       const std::string& source);
+                                       const ControlSettings& settings, const std::string& source);
+
+/// Drives and tables that are alike become one, in the order in which axes use them, and inputs and
+/// displacements get the names that languages know.
+void in_order(ControlPlan& plan);
+
+/// Offsets in whole counts of every axis, as LinuxCNC takes them.
+void count_in_whole_numbers(ControlPlan& plan);
+
+/// Places of the inputs that an axis goes by, rising.
+[[nodiscard]] std::vector<std::size_t> used_inputs(const ControlPlan& plan,
+                                                   const ControlAxis& axis);
 
 }  // namespace raceway::io

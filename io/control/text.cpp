@@ -1,10 +1,10 @@
-#include "io/control_text.h"
+#include "io/control/text.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "io/control_files.h"
+#include "io/control/formats.h"
 
 namespace raceway::io {
 
@@ -36,17 +36,43 @@ std::uint32_t stamp(const ControlPlan& plan) {
   ControlPlan bare = plan;  // the numbers count, not where they come from
   bare.source.clear();
   bare.notes.clear();
+  bare.check = {};
   std::uint32_t hash = 2166136261U;  // FNV-1a
   for (const char c : control_csv(bare)) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
   return hash;
 }
 
+namespace {
+
+constexpr std::string_view written_by = "Thermal correction, written by raceway ",
+                           of_model = " from ";
+constexpr std::string_view before_note = "Note: ";
+
+/// The rest of a line without the dot at its end; empty where it does not begin so.
+std::string_view rest_of(std::string_view line, std::string_view mark, std::string_view begin) {
+  if (!line.starts_with(mark) || !line.substr(mark.size()).starts_with(begin)) return {};
+  line.remove_prefix(mark.size() + begin.size());
+  return line.ends_with('.') ? line.substr(0, line.size() - 1) : std::string_view();
+}
+
+}  // namespace
+
 std::string control_heading(const ControlPlan& plan, std::string_view mark) {
-  std::string text = fmt::format("{}Thermal correction, written by raceway {} from {}.\n", mark,
-                                 RACEWAY_VERSION, harmless(plan.source));
+  std::string text = fmt::format("{}{}{}{}{}.\n", mark, written_by, RACEWAY_VERSION, of_model,
+                                 harmless(plan.source));
   for (const std::string& note : plan.notes)
-    text += fmt::format("{}Note: {}.\n", mark, harmless(note));
+    text += fmt::format("{}{}{}.\n", mark, before_note, harmless(note));
   return text;
+}
+
+std::string source_in_heading(std::string_view line, std::string_view mark) {
+  const std::string_view rest = rest_of(line, mark, written_by);
+  const std::size_t at = rest.find(of_model);
+  return at == rest.npos ? std::string() : std::string(rest.substr(at + of_model.size()));
+}
+
+std::string note_in_heading(std::string_view line, std::string_view mark) {
+  return std::string(rest_of(line, mark, before_note));
 }
 
 std::string filled(std::string_view text, const std::vector<Replacement>& values) {

@@ -1,10 +1,11 @@
-#include "io/control_plan.h"
+#include "io/control/plan.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "correction/catalogue.h"
@@ -29,8 +30,11 @@ double shown(double value) { return with_15_digits(value); }
 
 class Planner {
  public:
-  Planner(const std::vector<Model>& models, const std::string& source) : models_(models) {
+  Planner(const std::vector<Model>& models, const ControlSettings& settings,
+          const std::string& source)
+      : models_(models), settings_(settings) {
     plan_.source = source;
+    plan_.settings = settings;
   }
 
   ControlPlan plan() {
@@ -43,6 +47,7 @@ class Planner {
       if (m.together) add(*m.together);
     }
     note_unknown_ranges();
+    in_order(plan_);
     return std::move(plan_);
   }
 
@@ -50,16 +55,6 @@ class Planner {
   void note(std::string text) {
     if (std::find(plan_.notes.begin(), plan_.notes.end(), text) == plan_.notes.end())
       plan_.notes.push_back(std::move(text));
-  }
-
-  std::string identifier(std::string_view column) {
-    std::string name(column);
-    std::replace(name.begin(), name.end(), '-', '_');
-    if (name.front() >= '0' && name.front() <= '9') name.insert(0, "x");
-    while (std::find(identifiers_.begin(), identifiers_.end(), name) != identifiers_.end())
-      name.insert(0, "x");
-    identifiers_.push_back(name);
-    return name;
   }
 
   std::size_t number_of(std::string_view column) const {
@@ -72,7 +67,6 @@ class Planner {
     const std::size_t known = number_of(c.name);
     if (known != nowhere) return known;
     ControlInput in{.column = std::string(c.name),
-                    .identifier = identifier(c.name),
                     .unit = std::string(c.unit.empty() ? "0 or 1" : c.unit),
                     .temperature = record::is_temperature(c)};
     // Of several models the narrower range: beyond it one of them is out of what it has seen.
@@ -88,8 +82,46 @@ class Planner {
           in.lowest = std::isnan(in.lowest) ? low : std::max(in.lowest, low);
           in.highest = std::isnan(in.highest) ? high : std::min(in.highest, high);
         }
+    guard(in);
     plan_.inputs.push_back(std::move(in));
     return plan_.inputs.size() - 1;
+  }
+
+  /// What is asked of temperatures is asked of other inputs only where their column is named.
+  void guard(ControlInput& in) const {
+    const auto given = [&](const auto& by_column) {
+      return in.temperature || by_column.names(in.column);
+    };
+    if (given(settings_.plausible)) {
+      const ControlLimits limits = settings_.plausible.of(in.column);
+      in.plausible_low = limits.low;
+      in.plausible_high = limits.high;
+    }
+    const auto asked = [&](const ByColumn<double>& by_column) {
+      const double value = given(by_column) ? by_column.of(in.column) : 0.0;
+      return value > 0.0 ? value : unset;
+    };
+    in.fastest_per_s = asked(settings_.fastest_per_s);
+    in.stuck_s = asked(settings_.stuck_s);
+    in.smoothing_s = settings_.smoothing_s.of(in.column);
+  }
+
+  /// Where it goes to: displacement_z_um is of the axis z.
+  void hand_out(ControlAxis& axis) const {
+    constexpr std::string_view before = "displacement_", after = "_um";
+    const std::string name =
+        axis.column.substr(before.size(), axis.column.size() - before.size() - after.size());
+    axis.letter = settings_.axis.of(axis.column);
+    if (axis.letter.empty() && name.size() == 1 &&
+        std::string_view("xyzuvw").find(name.front()) != std::string_view::npos)
+      axis.letter = name;
+    axis.sign = settings_.sign.of(axis.column);
+    axis.limit_um = settings_.limit_um.of(axis.column);
+    axis.slew_um_s = settings_.slew_um_s.of(axis.column);
+    const std::string unit = settings_.unit.of(axis.column);
+    axis.counts = unit == "counts";
+    axis.unit_um = axis.counts ? settings_.count_um.of(axis.column) : unit == "mm" ? 1000.0 : 1.0;
+    axis.output = fmt::format("offset_{}_{}", name, unit);
   }
 
   void add(const correction::SeenTogether& seen) {
@@ -270,9 +302,9 @@ class Planner {
 
   void add(const Model& m) {
     ControlAxis axis{.column = std::string(m.displacement->name),
-                     .identifier = identifier(m.displacement->name),
                      .name = m.name,
                      .offset_um = shown(m.offset / um)};
+    hand_out(axis);
     for (const DrivenChannel& c : m.channels) add(c, m, axis);
     if (m.kinematic && m.kinematic->A != 0.0)
       axis.kinematics.push_back({m.kinematic->A, m.kinematic->B, m.kinematic->C});
@@ -287,14 +319,99 @@ class Planner {
   }
 
   const std::vector<Model>& models_;
+  const ControlSettings& settings_;
   ControlPlan plan_;
-  std::vector<std::string> identifiers_;
 };
 
 }  // namespace
 
-ControlPlan control_plan(const std::vector<correction::Model>& models, const std::string& source) {
-  return Planner(models, source).plan();
+ControlPlan control_plan(const std::vector<correction::Model>& models,
+                         const ControlSettings& settings, const std::string& source) {
+  return Planner(models, settings, source).plan();
+}
+
+namespace {
+
+/// All that makes two drives different.
+std::string key_of(const ControlDrive& d) {
+  return fmt::format("{} {} {} {} {:.17g} {} {:.17g} {:.17g} {:.17g} {:.17g} {}",
+                     static_cast<int>(d.kind), fmt::join(d.inputs, ","), d.reference, d.temperature,
+                     d.temperature_C, d.table, d.exponent, d.decay_rpm, d.lowest, d.highest,
+                     d.unit);
+}
+std::string key_of(const ControlTable& t) {
+  return fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g}", t.file, t.axial_load_N,
+                     fmt::join(t.speed_rpm, ","), fmt::join(t.temperature_C, ","),
+                     fmt::join(t.torque_Nmm, ","));
+}
+
+/// Takes in what is new and says where it stands.
+template <typename Thing>
+std::size_t place_in(std::vector<Thing>& list, std::map<std::string, std::size_t>& known,
+                     const Thing& thing) {
+  const auto [found, fresh] = known.emplace(key_of(thing), list.size());
+  if (fresh) list.push_back(thing);
+  return found->second;
+}
+
+}  // namespace
+
+void in_order(ControlPlan& plan) {
+  std::vector<ControlDrive> drives;
+  std::vector<ControlTable> tables;
+  std::map<std::string, std::size_t> known_drives, known_tables;
+  const auto move = [&](std::size_t& drive) {
+    ControlDrive d = plan.drives[drive];
+    if (d.table != nowhere) d.table = place_in(tables, known_tables, plan.tables[d.table]);
+    drive = place_in(drives, known_drives, d);
+  };
+  for (ControlAxis& a : plan.axes) {
+    for (ControlSection& s : a.sections) move(s.drive);
+    for (ControlElement& e : a.elements) move(e.drive);
+    for (ControlFeedthrough& f : a.feedthroughs) move(f.drive);
+  }
+  plan.drives = std::move(drives);
+  plan.tables = std::move(tables);
+  std::set<std::string> taken;
+  const auto identifier = [&](const std::string& column) {
+    std::string name = column;
+    std::replace(name.begin(), name.end(), '-', '_');
+    if (name.front() >= '0' && name.front() <= '9') name.insert(0, "x");
+    while (!taken.insert(name).second) name.insert(0, "x");
+    return name;
+  };
+  for (ControlInput& in : plan.inputs) in.identifier = identifier(in.column);
+  for (ControlAxis& a : plan.axes) a.identifier = identifier(a.column);
+}
+
+void count_in_whole_numbers(ControlPlan& plan) {
+  for (ControlAxis& a : plan.axes) {
+    if (a.counts) continue;
+    a.counts = true;
+    a.unit_um = plan.settings.count_um.of(a.column);
+    a.output = a.output.substr(0, a.output.rfind('_')) + "_counts";
+  }
+}
+
+std::vector<std::size_t> used_inputs(const ControlPlan& plan, const ControlAxis& axis) {
+  std::set<std::size_t> used;
+  const auto add_drive = [&](std::size_t index) {
+    const ControlDrive& d = plan.drives[index];
+    used.insert(d.inputs.begin(), d.inputs.end());
+    used.insert({d.reference, d.temperature});
+    if (d.kind == ControlDrive::Kind::power || d.kind == ControlDrive::Kind::motor)
+      used.insert(plan.speed);
+  };
+  for (const ControlSection& s : axis.sections) {
+    add_drive(s.drive);
+    if (s.speed_factor != 0.0) used.insert(plan.speed);
+    if (s.off_gain != 1.0 || s.off_time_constant != 1.0) used.insert(plan.coolant);
+  }
+  for (const ControlElement& e : axis.elements) add_drive(e.drive);
+  for (const ControlFeedthrough& f : axis.feedthroughs) add_drive(f.drive);
+  if (!axis.kinematics.empty()) used.insert(plan.speed);
+  used.erase(nowhere);
+  return {used.begin(), used.end()};
 }
 
 }  // namespace raceway::io

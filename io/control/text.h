@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/control_plan.h"
+#include "io/control/plan.h"
 
 /// What the writers of a ControlPlan share; not for other code.
 namespace raceway::io {
@@ -22,12 +22,18 @@ namespace raceway::io {
                                           std::string_view before = {},
                                           std::string_view after = {});
 
+/// Of the check record, against `correct`, in double [um].
+inline constexpr const char* control_tolerance = "1e-9";
+
 /// What a state that was saved belongs to: another model has another one.
 [[nodiscard]] std::uint32_t stamp(const ControlPlan& plan);
 
 /// The lines that every file begins with: what it is, of which model, and what is not in it. Each
 /// begins with `mark`.
 [[nodiscard]] std::string control_heading(const ControlPlan& plan, std::string_view mark);
+/// The source and a note in such a line, read back; empty in others.
+[[nodiscard]] std::string source_in_heading(std::string_view line, std::string_view mark);
+[[nodiscard]] std::string note_in_heading(std::string_view line, std::string_view mark);
 
 /// `text` with every `@KEY@` replaced.
 struct Replacement {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "correction/model.h"
+#include "io/control/plan.h"
+#include "record/record.h"
+
+/// What a program of a plan is held to: rows of a record, and what `correct` makes of them.
+namespace raceway::io {
+
+/// Of a record that somebody took: its first run, of which at most `most_rows` rows.
+///
+/// Inputs are held within the ranges of the models, since beyond them a control does on purpose
+/// something else; it ends where a power leaves its own. No rows where fewer than two are left.
+[[nodiscard]] ControlCheck check_of(const ControlPlan& plan,
+                                    const std::vector<correction::Model>& models,
+                                    const record::Record& record, std::size_t most_rows = 1000);
+
+/// Of one that is made up within the ranges: warming up, cooling down, speeds and feeds in blocks,
+/// a coolant that switches and a gap, long enough for the slowest section.
+[[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
+                                         const std::vector<correction::Model>& models);
+
+}  // namespace raceway::io

@@ -1,0 +1,359 @@
+#pragma once
+// A model, what the programs that are exported of it answer to a script of calls, and what
+// `correct` makes of the same record.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "correction/simulation.h"
+#include "io/control/formats.h"
+#include "io/correction_file.h"
+#include "io/error.h"
+#include "io/series_file.h"
+#include "record/series_channel.h"
+#include "record/units.h"
+
+namespace raceway::io::control_test {
+
+namespace fs = std::filesystem;
+
+// As both programs have them.
+enum Flag {
+  beyond_range = 1,
+  no_value = 2,
+  beyond_table = 4,
+  beyond_element = 8,
+  clock_stood = 16,
+  not_started = 32,
+  implausible = 128,
+  jumped = 256,
+  stuck = 512,
+  late = 1024,
+  limited = 2048,
+  untrusted = 4096,
+  moving = 8192,
+  disabled = 16384,
+  restarted = 32768,
+  was_off = 65536
+};
+
+inline std::string text_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder of its own, removed at its end.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "raceway-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
+    path_ = name;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return file(name);
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+  /// Runs a line of shell in it; what it wrote, and nothing if it failed.
+  [[nodiscard]] std::string shell(const std::string& line) const {
+    const int status =
+        std::system(fmt::format("cd '{}' && {{ {}\n}} > out 2> err", path_.string(), line).c_str());
+    EXPECT_EQ(status, 0) << line << "\n" << text_of(file("err")).substr(0, 3000);
+    return status == 0 ? text_of(file("out")) : "";
+  }
+
+ private:
+  fs::path path_;
+};
+
+inline const std::string rest_of_table =
+    "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n"
+    "0,400,20,90\n3000,400,20,210\n9000,400,20,420\n0,600,20,110\n3000,600,20,240\n"
+    "9000,600,20,470\n0,400,45,60\n3000,400,45,150\n9000,400,45,330\n0,600,45,75\n"
+    "3000,600,45,170\n9000,600,45,360\n";
+
+/// All that a model may have, over two displacements.
+inline const std::string everything = R"([[correction]]
+name = "Z */ of \"machine\"\\ 7"
+displacement = "displacement_z_um"
+offset_um = 3.25
+[[correction.channel]]
+name = "spindle"
+input = ["front_temperature_C", "rear-left_temperature_C"]
+reference = "base_temperature_C"
+sections = [{ gain_um_K = 5.1, time_constant_s = 5400 }, { gain_um_K = -3.3, time_constant_s = 900 }]
+feedthrough_um_K = 0.7
+scale = 1.2
+[[correction.channel]]
+name = "losses"
+input = "power_W"
+friction_table = "friction.csv"
+axial_load_N = 470
+temperature_C = "front_temperature_C"
+sections = [{ gain_um_W = 0.18, time_constant_s = 4000 }]
+[[correction.channel]]
+name = "line"
+input = "power_W"
+friction_table = "friction.csv"
+axial_load_N = 550
+temperature_C = 37
+gain = { slope_um_W = 0.04817, offset_um = 1.03617 }
+time_constant = { slope_min_W = -0.06298, offset_min = 135.245 }
+[[correction.channel]]
+name = "screw"
+input = ["x_feed_m_min", "y_feed_m_min"]
+sections = [{ gain_um_m_min = 0.8, time_constant_s = 2500 }]
+[correction.kinematic]
+A = 1.28e-3
+B = 0.697
+C = 5.3e-4
+[[correction.effect]]
+id = "ambient-drift"
+input = "room_temperature_C"
+gain_um_K = -2.5
+time_constant_s = 8000
+[[correction.effect]]
+id = "motor-heat"
+gain_um = 6.0
+time_constant_s = 1800
+decay_speed_rpm = 2500
+[[correction.effect]]
+id = "cooling-switch"
+channel = "losses"
+gain_ratio = 1.7
+time_constant_ratio = 0.6
+[[correction.effect]]
+id = "offset-jump"
+size_um = 4.0
+time_s = 3000
+[[correction]]
+displacement = "displacement_y_um"
+[[correction.channel]]
+name = "sensor"
+input = "front_temperature_C"
+sections = [{ gain_um_K = 4.0, time_constant_s = 3000 }]
+[[correction.channel]]
+name = "speedy"
+input = "rear-left_temperature_C"
+sections = [{ gain_um_K = 2.0, time_constant_s = 6000 }]
+[[correction.channel]]
+name = "lazy"
+input = "table_speed_rpm"
+exponent = 1.5
+sections = [{ gain_um_rpm = -0.02, time_constant_s = 2000 }]
+[[correction.channel]]
+name = "power-law"
+input = "power_W"
+friction_table = "friction.csv"
+axial_load_N = 500
+temperature_C = 30
+gain = { factor = 0.4, exponent = 0.8 }
+time_constant = { factor = 90, exponent = -0.2 }
+[[correction.channel]]
+name = "tabled"
+input = "power_W"
+friction_table = "friction.csv"
+axial_load_N = 500
+temperature_C = 30
+gain = { table = "K.csv" }
+time_constant = { table = "T.csv" }
+scale = -0.5
+[[correction.effect]]
+id = "sensor-lag"
+channel = "sensor"
+sensor_time_constant_s = 240
+[[correction.effect]]
+id = "speed-dependent-time-constant"
+channel = "speedy"
+s = 2.5
+g = 0.6
+[[correction.effect]]
+id = "thermal-asymmetry"
+channel = "lazy"
+ratio = 2.2
+[[correction.effect]]
+id = "second-time-constant"
+channel = "lazy"
+gain_um_rpm = 0.01
+time_constant_s = 300
+[[correction.effect]]
+id = "kinematic-displacement"
+A = 2e-4
+B = 0.5
+C = 4e-4
+)";
+
+inline constexpr const char* every_range = R"([correction.range]
+front_temperature_C = [10, 60]
+rear-left_temperature_C = [10, 60]
+base_temperature_C = [10, 60]
+room_temperature_C = [10, 60]
+speed_rpm = [0, 9000]
+x_feed_m_min = [-30, 20]
+y_feed_m_min = [0, 30]
+table_speed_rpm = [0, 600]
+)";
+
+/// Speeds, feeds and coolant that switch, temperatures that follow, on an uneven clock with a gap
+/// of two hours and, of 900 rows, a run that begins anew.
+inline std::string record_text(double shortest_step = 7.0, double longest_step = 70.0,
+                               int rows = 900) {
+  std::string text =
+      "time_s,run_id,speed_rpm,front_temperature_C,rear-left_temperature_C,base_temperature_C,"
+      "room_temperature_C,x_feed_m_min,y_feed_m_min,table_speed_rpm,coolant_on\n";
+  double t = 0.0;
+  for (int k = 0; k < rows; ++k) {
+    if (k > 0) t += shortest_step + (longest_step - shortest_step) * (0.5 + 0.5 * std::sin(k * k));
+    if (k == 300) t += 7200.0;
+    const double h = t / 3600.0;
+    const int block = (k / 60) % 5;
+    const double speed =
+        std::vector{0.0, 3000.0, 8000.0, -4500.0, 1200.0}[static_cast<std::size_t>(block)];
+    text += fmt::format("{:.3f},{},{},{:.2f},{:.2f},{:.3f},{:.3f},{},{},{},{}\n", t,
+                        k < 600 || rows > 900 ? 1 : 2, speed,
+                        24 + 9 * std::sin(h) + 4 * std::cos(3.1 * h), 25 + 6 * std::sin(0.7 * h),
+                        21 + 0.4 * h, 20 + 2 * std::sin(0.3 * h), k % 90 < 30 ? 0.0 : 12.5,
+                        block == 2 ? 8.0 : 0.0, 100 * (k / 50 % 4), k % 130 < 80 ? 1 : 0);
+  }
+  return text;
+}
+
+/// A model, a record, and what `correct` makes of them.
+struct Case {
+  Folder folder{};
+  CorrectionFile file{};
+  record::Record data{};
+  ControlPlan plan{};
+
+  explicit Case(const std::string& model, const std::string& record = record_text()) {
+    (void)folder.write("friction.csv", rest_of_table);
+    (void)folder.write("K.csv", "power_W,gain_um\n0,1\n40,9\n90,15\n200,20\n");
+    (void)folder.write("T.csv", "power_W,time_constant_min\n0,120\n100,70\n250,40\n");
+    file = read_correction(folder.write("model.toml", model));
+    std::vector<const record::Channel*> wanted, needed;
+    for (const auto& m : file.models) {
+      wanted.push_back(m.displacement);
+      for (const record::Channel* c : correction::inputs_of(m)) needed.push_back(c);
+    }
+    data = parse_series(record, "record.csv", wanted, needed);
+    plan = control_plan(file.models, file.control, file.source);
+  }
+
+  /// Of every displacement at every row [um].
+  [[nodiscard]] std::vector<std::vector<double>> corrected() const {
+    const correction::Series series(data);
+    std::vector<std::vector<double>> all(data.rows());
+    for (correction::Model m : file.models) {
+      std::erase_if(m.effects, [](const auto& e) { return e.id == "offset-jump"; });
+      std::vector<double> y(data.rows());
+      correction::simulate(m, series, y);
+      for (std::size_t k = 0; k < y.size(); ++k) all[k].push_back(y[k] / um);
+    }
+    return all;
+  }
+
+  /// "u TIME INPUTS": a call, which answers a line of displacements and flags.
+  [[nodiscard]] std::string call(std::size_t row) const {
+    std::string line = fmt::format("u {:.17g}", data.value(record::time, row));
+    for (const ControlInput& in : plan.inputs) {
+      const record::Channel& c = *record::series_channel(in.column);
+      line += fmt::format(" {:.12g}", c.in_unit(data.value(c, row)));
+    }
+    return line + "\n";
+  }
+  /// Of the whole record; "reset" where a run begins.
+  [[nodiscard]] std::string calls(std::size_t from = 0, std::size_t to = 1u << 30U) const {
+    std::string lines;
+    for (std::size_t k = from; k < std::min(to, data.rows()); ++k) {
+      if (k > 0 && data.run_of(k) != data.run_of(k - 1)) lines += "reset\n";
+      lines += call(k);
+    }
+    return lines;
+  }
+};
+
+struct Answer {
+  std::vector<double> displacements{};
+  int flags = 0;
+};
+
+/// The ways in which a plan runs. Lines of a script: "u TIME INPUTS" asks for displacements as
+/// `correct` has them, "g TIME ENABLE INPUTS" for offsets; "reset", "touch-off", "applied OFFSETS",
+/// and "restart": the state is saved, all else forgotten, the state read.
+enum class Way { python, c, single };
+
+inline std::vector<Answer> answers(const Case& c, Way way, const std::string& script) {
+  const std::string sources = std::string(RACEWAY_SOURCE_DIR) + "/tests/io/control/";
+  const std::string strict =
+      "cc -std=c99 -O2 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -I. ";
+  (void)c.folder.write("script", script);
+  std::string line;
+  if (way == Way::python) {
+    (void)c.folder.write("machine.py", control_python(c.plan));
+    line = "python3 '" + sources + "driver.py' machine.py < script";
+  } else {
+    (void)c.folder.write("machine.h", control_c(c.plan, "machine"));
+    line = strict + (way == Way::single ? "-DMACHINE_SINGLE " : "") + "'" + sources +
+           "driver.c' -o machine -lm && ./machine < script";
+  }
+  std::vector<Answer> all;
+  std::istringstream out(c.folder.shell(line));
+  for (std::string text; std::getline(out, text);) {
+    std::istringstream words(text);
+    Answer a;
+    for (std::size_t k = 0; k < c.plan.axes.size(); ++k) {
+      double y = NAN;
+      words >> y;
+      a.displacements.push_back(y);
+    }
+    words >> a.flags;
+    EXPECT_FALSE(words.fail()) << text;
+    all.push_back(a);
+  }
+  return all;
+}
+
+/// Largest distance of any displacement [um].
+inline double distance(const std::vector<Answer>& got,
+                       const std::vector<std::vector<double>>& expected) {
+  EXPECT_EQ(got.size(), expected.size());
+  if (got.size() != expected.size()) return NAN;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < got.size(); ++k)
+    for (std::size_t i = 0; i < expected[k].size(); ++i)
+      // NaN is far away.
+      if (const double d = std::abs(got[k].displacements[i] - expected[k][i]); !(d <= largest))
+        largest = d;
+  return largest;
+}
+
+class Control : public testing::TestWithParam<Way> {
+ protected:
+  /// Against `correct` [um]; a clock in floating seconds since 1970 has its own digits.
+  static double tolerance() { return GetParam() == Way::single ? 1e-3 : 1e-9; }
+  static std::vector<Answer> run(const Case& c, const std::string& script) {
+    return answers(c, GetParam(), script);
+  }
+};
+
+inline std::string name_of(const testing::TestParamInfo<Way>& way) {
+  constexpr std::array names{"Python", "C", "SinglePrecision"};
+  return names[static_cast<std::size_t>(way.param)];
+}
+
+}  // namespace raceway::io::control_test
