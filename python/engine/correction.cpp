@@ -168,13 +168,17 @@ EngineAnswer check(const EngineCorrection& correction, const Texts& data, const 
   });
 }
 
-/// The text, with what is to be known of it.
+/// The text, with what is to be known of it, and the lines of HAL that go with it. `record`: one or
+/// none.
 py::tuple export_correction(const EngineCorrection& correction, const std::string& format,
-                            const std::string& output) {
+                            const std::string& output, const Texts& record) {
   session::require_control_name(format, output);
+  Heard heard;
   const session::ControlExport made =
-      session::export_corrections(correction.file(), format, output);
-  return py::make_tuple(made.text, made.plan.notes);
+      session::export_plan(session::open_plan(heard, source_of(correction),
+                                              record.empty() ? nullptr : &sources(record).front()),
+                           format, output);
+  return py::make_tuple(made.text, made.plan.notes, made.hal, made.hal_shutdown);
 }
 
 EngineAnswer fit_law(const std::string& name, const std::string& text, double at_rpm,

@@ -342,7 +342,12 @@ class Correction(FromFile):
         return Check(answer)
 
     def export(
-        self, format: str, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False
+        self,
+        format: str,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        record: Record | None = None,
+        overwrite: bool = False,
     ) -> Program:
         """Return it as a program that runs on a control without this package, and write that to `path`.
 
@@ -350,14 +355,17 @@ class Correction(FromFile):
         ----------
         format : {"python", "c", "csv", "linuxcnc"}
             One file of Python with the standard library alone; one header of C99; a table of numbers
-            with units; a component of LinuxCNC's HAL, whose file has its name and ends in ``.comp``.
+            with units; a component of LinuxCNC's HAL in Python, whose file has its name, and its HAL files.
         path : path, optional
             By its name functions of C and components are called.
+        record : Record, optional
+            Of which the first run is stored in the file, for its own check; without it one that is made up.
         """
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")
         output = "" if path is None else os.fspath(path)
-        program = Program(format, *_engine.export_correction(self._engine, format, output))
+        stored = [] if record is None else [(record.name, record.text)]
+        program = Program(format, *_engine.export_correction(self._engine, format, output, stored))
         if path is not None:
             program.save(path, overwrite=overwrite)
         return program

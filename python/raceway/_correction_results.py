@@ -147,16 +147,28 @@ class Program:
     text : str
     notes : list of str
         What its control has to know.
+    hal, hal_shutdown : str
+        Of LinuxCNC: the lines of HAL that load it and connect the axes, and those that end it; else empty.
     """
 
-    def __init__(self, format: str, text: str, notes: list[str]) -> None:
+    def __init__(self, format: str, text: str, notes: list[str], hal: str = "", hal_shutdown: str = "") -> None:
         self.format = format
         self.text = text
         self.notes = notes
+        self.hal = hal
+        self.hal_shutdown = hal_shutdown
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write it."""
-        _write(path, self.text, overwrite)
+        """Write it; of LinuxCNC the files of HAL beside it, too."""
+        stem = os.path.splitext(os.fspath(path))[0]
+        files = [(os.fspath(path), self.text)]
+        if self.hal:
+            files += [(stem + ".hal", self.hal), (stem + "_shutdown.hal", self.hal_shutdown)]
+        for name, _ in files:
+            if not overwrite and os.path.exists(name):
+                raise FileExistsError(f"{name} exists: save(path, overwrite=True) replaces it")
+        for name, text in files:
+            _write(name, text, overwrite)
 
     def __str__(self) -> str:
         return self.text

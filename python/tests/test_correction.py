@@ -226,14 +226,24 @@ def test_check(document):
 def test_export(command, tmp_path, format):
     correction = raceway.Correction.read(f"{SPINDLE}/ch3.toml")
     assert str(correction.export(format)) == command("export", correction.source, "--format", format)
-    end = {"python": "py", "c": "h", "csv": "csv", "linuxcnc": "comp"}[format]
+    end = {"python": "py", "c": "h", "csv": "csv", "linuxcnc": "py"}[format]
     ours, theirs = tmp_path / "a" / f"thermal.{end}", tmp_path / f"thermal.{end}"
     ours.parent.mkdir()
     correction.export(format, ours)
     command("export", correction.source, "--format", format, "-o", str(theirs))
-    assert ours.read_text() == theirs.read_text()
+    for name in sorted(file.name for file in ours.parent.iterdir()):
+        assert (ours.parent / name).read_text() == (tmp_path / name).read_text()
+    assert (ours.parent / "thermal_shutdown.hal").exists() == (format == "linuxcnc")
     with pytest.raises(FileExistsError):
         correction.export(format, ours)
+
+
+def test_export_with_a_record(tmp_path):
+    correction, record = read(EXACT)
+    program = correction.export("python", tmp_path / "z.py", record=record)
+    assert "check: 1000 rows" in subprocess.run(
+        [sys.executable, tmp_path / "z.py", "--check"], capture_output=True, text=True, check=True).stdout
+    assert str(correction.export("python")) != str(program)
 
 
 def test_several_displacements(spindle):
@@ -339,7 +349,7 @@ def test_wrong_records_and_models():
         correction.correct(record, learn=True, every_s=-60)
     with pytest.raises(ValueError, match="must be python, c, csv or linuxcnc"):
         correction.export("java")
-    with pytest.raises(raceway.InputError, match="wrong.comp"):
+    with pytest.raises(raceway.InputError, match="wrong.py"):
         correction.export("linuxcnc", "wrong.txt")
 
 
