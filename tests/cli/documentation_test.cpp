@@ -131,9 +131,9 @@ TEST_P(Page, PrintsWhatItShows) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documentation, Page,
-                         testing::Values("README.md", "docs/coast-down.md", "docs/correction.md",
-                                         "docs/export.md", "docs/kinematic-law.md", "docs/laws.md",
-                                         "docs/loop.md", "docs/race-control.md",
+                         testing::Values("README.md", "docs/coast-down.md", "docs/control.md",
+                                         "docs/correction.md", "docs/kinematic-law.md",
+                                         "docs/laws.md", "docs/loop.md", "docs/race-control.md",
                                          "docs/sensitivity.md", "docs/shaft.md", "docs/spindle.md",
                                          "docs/spindle-record.md", "docs/torque-sensor.md",
                                          "docs/validation.md", "docs/verdicts.md",
