@@ -9,6 +9,8 @@
 #include "cli/axis_flag.h"
 #include "io/catalogue_file.h"
 #include "io/column_map.h"
+#include "io/control/formats.h"
+#include "io/control/table_reader.h"
 #include "io/csv.h"
 #include "io/data_file.h"
 #include "io/displacement_curve.h"
@@ -80,6 +82,15 @@ void curve(const std::string& text) {
   refusable([&] { (void)io::parse_displacement_curve(text, "curve.csv"); });
 }
 
+/// A table of coefficients that is taken is written again as it then reads.
+void coefficients(const std::string& text) {
+  refusable([&] {
+    const std::string written = io::control_csv(io::read_control_table(text, "table.csv"));
+    if (io::control_csv(io::read_control_table(written, "again.csv")) != written)
+      throw std::logic_error("written again it is another table");
+  });
+}
+
 /// A map, and rows that it is to find their columns in.
 void columns(const std::string& text) {
   static const Subject rig = subject("[rig]\ninertia_kgm2 = 0.5\n");
@@ -119,10 +130,10 @@ void command_line(const std::string& text) {
   for (const bool comma : {false, true}) (void)io::parse_number(text, comma);
 }
 
-constexpr Reader all[] = {{"model", model},         {"data", data},
-                          {"catalogue", catalogue}, {"table", table},
-                          {"curve", curve},         {"columns", columns},
-                          {"timestamp", timestamp}, {"command_line", command_line}};
+constexpr Reader all[] = {
+    {"model", model},         {"data", data},           {"coefficients", coefficients},
+    {"catalogue", catalogue}, {"table", table},         {"curve", curve},
+    {"columns", columns},     {"timestamp", timestamp}, {"command_line", command_line}};
 
 }  // namespace
 
