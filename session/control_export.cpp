@@ -32,10 +32,14 @@ std::string name_of(const std::string& output) {
 io::ControlPlan plan_of(Messages& messages, const Source& model, const Source* record) {
   const io::CorrectionFile file = open_corrections(messages, model);
   io::ControlPlan plan = io::control_plan(file.models, file.control, file.source);
-  plan.check = record ? io::check_of(plan, file.models,
-                                     open_series(messages, *record, file.models,
-                                                 Reading{}.options(file.columns)))
-                      : io::made_up_check(plan, file.models);
+  if (record) {
+    const record::Record data =
+        open_series(messages, *record, file.models, Reading{}.options(file.columns));
+    plan.check = io::check_of(plan, file.models, data);
+    for (std::string& note : io::coarse_sensors(plan, data)) plan.notes.push_back(std::move(note));
+  } else {
+    plan.check = io::made_up_check(plan, file.models);
+  }
   if (plan.check.rows.empty())
     plan.notes.push_back("no record is in it, so that its own check has nothing to replay");
   return plan;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "correction/catalogue.h"
+#include "correction/quantum.h"
 #include "correction/range.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
@@ -81,6 +82,35 @@ ControlCheck check_of(const ControlPlan& plan, const std::vector<correction::Mod
     rows.push_back(std::move(row));
   }
   return filled_in(plan, models, std::move(rows));
+}
+
+std::vector<std::string> coarse_sensors(const ControlPlan& plan, const record::Record& record) {
+  constexpr double noticed_um = 0.5;
+  std::vector<std::string> notes;
+  for (std::size_t k = 0; k < plan.inputs.size(); ++k) {
+    const ControlInput& in = plan.inputs[k];
+    const record::Channel& c = *record::series_channel(in.column);
+    if (!in.temperature || in.smoothing_s > 0.0) continue;
+    const double step_K = correction::quantum_of(c, record.values(c));
+    for (const ControlAxis& a : plan.axes) {
+      double per_K = 0.0;
+      const auto add = [&](std::size_t drive, double gain) {
+        const ControlDrive& d = plan.drives[drive];
+        if (d.kind != ControlDrive::Kind::rise) return;
+        const auto times = std::count(d.inputs.begin(), d.inputs.end(), k);
+        per_K += gain * (static_cast<double>(times) / static_cast<double>(d.inputs.size()) -
+                         (d.reference == k ? 1.0 : 0.0));
+      };
+      for (const ControlFeedthrough& f : a.feedthroughs) add(f.drive, f.gain);
+      for (const ControlSection& s : a.sections) add(s.drive, s.direct * s.gain);
+      if (!(std::abs(per_K) * step_K >= noticed_um)) continue;
+      notes.push_back(fmt::format(
+          "{} reads in steps of {:.3g} K, each of which moves {} by {:.3g} um at once: [export] "
+          "smoothing_s = {{ {} = 60 }} spreads them",
+          in.column, step_K, a.column, std::abs(per_K) * step_K, in.column));
+    }
+  }
+  return notes;
 }
 
 ControlCheck made_up_check(const ControlPlan& plan, const std::vector<correction::Model>& models) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "correction/model.h"
@@ -21,5 +22,10 @@ namespace raceway::io {
 /// a coolant that switches and a gap, long enough for the slowest section.
 [[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
                                          const std::vector<correction::Model>& models);
+
+/// Sensors whose last digit, as the record has it, moves an axis at once by half a micrometre or
+/// more, and that nothing smooths: a sentence each.
+[[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
+                                                      const record::Record& record);
 
 }  // namespace raceway::io

@@ -98,6 +98,13 @@ TEST(Export, StoresARecordThatTheProgramReplays) {
   ASSERT_EQ(run("export " + model + " --format python -o " + program + " --record " + data).status,
             0);
   EXPECT_THAT(run_shell("python3 " + program + " --check").out, HasSubstr("check: 50 rows over"));
+  const std::string coarse = scratch.write(
+      "coarse.toml",
+      std::string(z_model).replace(z_model.find("sections"), 0, "feedthrough_um_K = 2.0\n"));
+  EXPECT_THAT(run("export " + coarse + " --format c --record " + data).err,
+              HasSubstr("front_temperature_C reads in steps of 1 K, each of which moves "
+                        "displacement_z_um by 2 um at once: [export] smoothing_s = { "
+                        "front_temperature_C = 60 } spreads them"));
   expect_refused(
       run("export " + model + " --format python --force -o " + data + " --record " + data),
       "is read by this run");
