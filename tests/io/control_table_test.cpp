@@ -112,7 +112,7 @@ TEST(ControlCheckRecord, OfARecordIsItsFirstRunHeldWithinTheRange) {
 // A name may hold anything: it stays in comments and cells.
 TEST(ControlTableText, HostileNamesStayNames) {
   const std::string name =
-      "=cmd|' /C calc'!A0,\\\"\\\"\\\"*/ }; system(\\\"x\\\"); /* __import__('os') ??/";
+      "=cmd|' /C calc'!A0,\\\"\\\"\\\"*/ }; system(\\\"x\\\"); /* __import__('os') ?/";
   const std::string model =
       "[correction]\nname = \"" + name +
       "\"\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\nname = "
