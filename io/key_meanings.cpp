@@ -440,7 +440,8 @@ constexpr KeyMeaning meanings[]{
     KeyMeaning{
         "export", "plausible",
         "[lowest, highest] that an input can be, in its unit; one pair is of all temperatures, or "
-        "{ COLUMN = [...] } of any input; default [-40, 150] of temperatures"},
+        "{ COLUMN = [...] } of any input; default [-40, 150] of temperatures, 10 times the range "
+        "of others"},
     KeyMeaning{"export", "fastest_per_s",
                "that an input can change, in its unit, 0 where it may do anything; one number is "
                "of all temperatures, or { COLUMN = ... } of any input"},

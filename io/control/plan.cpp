@@ -25,6 +25,9 @@ using correction::Input;
 using correction::Model;
 using record::Channel;
 
+/// Of the highest value that was seen: what goes beyond it is no speed or feed of that machine.
+constexpr double far_beyond = 10.0;
+
 /// Values of a change of unit lose their last digits, gains carry all that they have.
 double shown(double value) { return with_15_digits(value); }
 
@@ -96,6 +99,9 @@ class Planner {
       const ControlLimits limits = settings_.plausible.of(in.column);
       in.plausible_low = limits.low;
       in.plausible_high = limits.high;
+    } else if (!in.temperature && in.highest > 0.0 && in.column != "coolant_on") {
+      in.plausible_low = 0.0;  // a size
+      in.plausible_high = far_beyond * in.highest;
     }
     const auto asked = [&](const ByColumn<double>& by_column) {
       const double value = given(by_column) ? by_column.of(in.column) : 0.0;

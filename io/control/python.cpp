@@ -139,8 +139,8 @@ std::string program_with(const ControlPlan& plan, std::string_view usage, std::s
   for (const ControlDrive& d : plan.drives) drives += "    " + drive_text(d, plan) + ",\n";
   for (const ControlAxis& a : plan.axes) axes += axis_text(plan, a);
   for (const ControlCheck::Row& r : plan.check.rows)
-    check += fmt::format("    ({}, {}, {}),\n", number(r.time_s), list(r.inputs),
-                         list(r.displacements_um));
+    check += fmt::format("{:.15g} {:.15g} {:.15g}\n", r.time_s, fmt::join(r.inputs, " "),
+                         fmt::join(r.displacements_um, " "));
   const ControlSettings& s = plan.settings;
   return filled(python_program, {{"HEADING", control_heading(plan, "# ")},
                                  {"USAGE", std::string(usage)},

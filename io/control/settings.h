@@ -40,7 +40,8 @@ struct ControlSettings {
   ByColumn<double> count_um{0.1};    ///< of one count
   ByColumn<std::string> axis{};      ///< letter of the axis; empty: that of displacement_LETTER_um
   // Of inputs, by their column.
-  ByColumn<ControlLimits> plausible{{-40.0, 150.0}, {}};  ///< `all`: of temperatures alone
+  ByColumn<ControlLimits> plausible{
+      {-40.0, 150.0}, {}};  ///< `all`: of temperatures alone; others ten times their range
   ByColumn<double> fastest_per_s{1.0};  ///< `all`: of temperatures alone; 0: not asked
   ByColumn<double> stuck_s{3600.0};     ///< `all`: of temperatures alone; 0: not asked
   ByColumn<double> smoothing_s{0.0};    ///< that instant parts feel them with

@@ -218,7 +218,8 @@ inline std::string record_text(double shortest_step = 7.0, double longest_step =
       "room_temperature_C,x_feed_m_min,y_feed_m_min,table_speed_rpm,coolant_on\n";
   double t = 0.0;
   for (int k = 0; k < rows; ++k) {
-    if (k > 0) t += shortest_step + (longest_step - shortest_step) * (0.5 + 0.5 * std::sin(k * k));
+    if (k > 0)
+      t += shortest_step + (longest_step - shortest_step) * (0.5 + 0.5 * std::sin(1.0 * k * k));
     if (k == 300) t += 7200.0;
     const double h = t / 3600.0;
     const int block = (k / 60) % 5;
