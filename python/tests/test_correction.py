@@ -224,7 +224,7 @@ def test_check(document):
 
 @pytest.mark.parametrize("format", ["python", "c", "csv", "linuxcnc"])
 def test_export(command, tmp_path, format):
-    correction = raceway.Correction.read(f"{SPINDLE}/ch3.toml")
+    correction = raceway.Correction.read(f"{EXACT}/correction.toml")
     assert str(correction.export(format)) == command("export", correction.source, "--format", format)
     end = {"python": "py", "c": "h", "csv": "csv", "linuxcnc": "py"}[format]
     ours, theirs = tmp_path / "a" / f"thermal.{end}", tmp_path / f"thermal.{end}"
