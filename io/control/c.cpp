@@ -227,10 +227,6 @@ class Numbers {
               feedthrough_count_ = 0, kinematic_count_ = 0;
 };
 
-}  // namespace
-
-namespace {
-
 /// The program as of another name than "correction".
 std::string with_name(std::string_view text, std::string_view name) {
   std::string capitals(name);

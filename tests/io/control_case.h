@@ -81,133 +81,13 @@ class Folder {
   fs::path path_;
 };
 
-inline const std::string rest_of_table =
-    "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n"
-    "0,400,20,90\n3000,400,20,210\n9000,400,20,420\n0,600,20,110\n3000,600,20,240\n"
-    "9000,600,20,470\n0,400,45,60\n3000,400,45,150\n9000,400,45,330\n0,600,45,75\n"
-    "3000,600,45,170\n9000,600,45,360\n";
-
+/// A part of the models here.
+inline std::string part(const std::string& name) {
+  return text_of(fs::path(RACEWAY_SOURCE_DIR) / "tests/io/control/models" / name);
+}
 /// All that a model may have, over two displacements.
-inline const std::string everything = R"([[correction]]
-name = "Z */ of \"machine\"\\ 7"
-displacement = "displacement_z_um"
-offset_um = 3.25
-[[correction.channel]]
-name = "spindle"
-input = ["front_temperature_C", "rear-left_temperature_C"]
-reference = "base_temperature_C"
-sections = [{ gain_um_K = 5.1, time_constant_s = 5400 }, { gain_um_K = -3.3, time_constant_s = 900 }]
-feedthrough_um_K = 0.7
-scale = 1.2
-[[correction.channel]]
-name = "losses"
-input = "power_W"
-friction_table = "friction.csv"
-axial_load_N = 470
-temperature_C = "front_temperature_C"
-sections = [{ gain_um_W = 0.18, time_constant_s = 4000 }]
-[[correction.channel]]
-name = "line"
-input = "power_W"
-friction_table = "friction.csv"
-axial_load_N = 550
-temperature_C = 37
-gain = { slope_um_W = 0.04817, offset_um = 1.03617 }
-time_constant = { slope_min_W = -0.06298, offset_min = 135.245 }
-[[correction.channel]]
-name = "screw"
-input = ["x_feed_m_min", "y_feed_m_min"]
-sections = [{ gain_um_m_min = 0.8, time_constant_s = 2500 }]
-[correction.kinematic]
-A = 1.28e-3
-B = 0.697
-C = 5.3e-4
-[[correction.effect]]
-id = "ambient-drift"
-input = "room_temperature_C"
-gain_um_K = -2.5
-time_constant_s = 8000
-[[correction.effect]]
-id = "motor-heat"
-gain_um = 6.0
-time_constant_s = 1800
-decay_speed_rpm = 2500
-[[correction.effect]]
-id = "cooling-switch"
-channel = "losses"
-gain_ratio = 1.7
-time_constant_ratio = 0.6
-[[correction.effect]]
-id = "offset-jump"
-size_um = 4.0
-time_s = 3000
-[[correction]]
-displacement = "displacement_y_um"
-[[correction.channel]]
-name = "sensor"
-input = "front_temperature_C"
-sections = [{ gain_um_K = 4.0, time_constant_s = 3000 }]
-[[correction.channel]]
-name = "speedy"
-input = "rear-left_temperature_C"
-sections = [{ gain_um_K = 2.0, time_constant_s = 6000 }]
-[[correction.channel]]
-name = "lazy"
-input = "table_speed_rpm"
-exponent = 1.5
-sections = [{ gain_um_rpm = -0.02, time_constant_s = 2000 }]
-[[correction.channel]]
-name = "power-law"
-input = "power_W"
-friction_table = "friction.csv"
-axial_load_N = 500
-temperature_C = 30
-gain = { factor = 0.4, exponent = 0.8 }
-time_constant = { factor = 90, exponent = -0.2 }
-[[correction.channel]]
-name = "tabled"
-input = "power_W"
-friction_table = "friction.csv"
-axial_load_N = 500
-temperature_C = 30
-gain = { table = "K.csv" }
-time_constant = { table = "T.csv" }
-scale = -0.5
-[[correction.effect]]
-id = "sensor-lag"
-channel = "sensor"
-sensor_time_constant_s = 240
-[[correction.effect]]
-id = "speed-dependent-time-constant"
-channel = "speedy"
-s = 2.5
-g = 0.6
-[[correction.effect]]
-id = "thermal-asymmetry"
-channel = "lazy"
-ratio = 2.2
-[[correction.effect]]
-id = "second-time-constant"
-channel = "lazy"
-gain_um_rpm = 0.01
-time_constant_s = 300
-[[correction.effect]]
-id = "kinematic-displacement"
-A = 2e-4
-B = 0.5
-C = 4e-4
-)";
-
-inline constexpr const char* every_range = R"([correction.range]
-front_temperature_C = [10, 60]
-rear-left_temperature_C = [10, 60]
-base_temperature_C = [10, 60]
-room_temperature_C = [10, 60]
-speed_rpm = [0, 9000]
-x_feed_m_min = [-30, 20]
-y_feed_m_min = [0, 30]
-table_speed_rpm = [0, 600]
-)";
+inline const std::string everything = part("axis_z.toml") + part("axis_y.toml");
+inline const std::string every_range = part("range.toml");
 
 /// Speeds, feeds and coolant that switch, temperatures that follow, on an uneven clock with a gap
 /// of two hours and, of 900 rows, a run that begins anew.
@@ -242,9 +122,8 @@ struct Case {
   ControlPlan plan{};
 
   explicit Case(const std::string& model, const std::string& record = record_text()) {
-    (void)folder.write("friction.csv", rest_of_table);
-    (void)folder.write("K.csv", "power_W,gain_um\n0,1\n40,9\n90,15\n200,20\n");
-    (void)folder.write("T.csv", "power_W,time_constant_min\n0,120\n100,70\n250,40\n");
+    for (const char* table : {"friction.csv", "K.csv", "T.csv"})
+      (void)folder.write(table, part(table));
     file = read_correction(folder.write("model.toml", model));
     std::vector<const record::Channel*> wanted, needed;
     for (const auto& m : file.models) {
