@@ -2,13 +2,14 @@
 """Judges what scripts/try-linuxcnc has recorded, in the folder of its run; draws it.
 
     check.py record SOURCE.csv FROM UNTIL > record.csv    a part of a record, each second
-    check.py unmoved|day|again                            ends with 1 and a line where something is not as it should be
+    check.py page|unmoved|day|again                       ends with 1 and a line where something is not as it should be
     check.py plot > PICTURE.svg
 """
 
 import bisect
 import csv
 import json
+import math
 import os
 import sys
 import zlib
@@ -162,6 +163,18 @@ def replays(s):
     demand(behind <= 1e-3, f"day: counts stay {behind:.3f} um from what is wanted")
 
 
+def page():
+    """The model of docs/control.md at 3000 rpm: its kinematic law alone, in counts."""
+    with open("page.json", encoding="utf-8") as source:
+        seen = json.load(source)
+    demand(seen.get("done"), "page: the operator did not come to the end")
+    law = 1.28e-3 * 3000.0 ** (1.0 - 0.697 * math.exp(-5.3e-4 * 3000.0))
+    demand(abs(seen["joint_um"] + law) <= COUNT_UM / 2 + EXACT_UM and not seen["alarm"],
+           f"page: the joint is {seen['joint_um']:.3f} um away, should be {-law:.3f} um")
+    print(f"page: the five commands of docs/control.md end in a joint that M3 S3000 moves by {seen['joint_um']:.2f} um; the law "
+          f"says {law:.2f} um")
+
+
 def day():
     s = Samples("day")
     demand(follows(s, "day") > 500, "day: too few counts")
@@ -255,4 +268,4 @@ if __name__ == "__main__":
     if sys.argv[1] == "record":
         record(sys.argv[2], int(sys.argv[3]), int(sys.argv[4]))
     else:
-        {"day": day, "unmoved": unmoved, "again": again, "plot": plot}[sys.argv[1]]()
+        {"page": page, "day": day, "unmoved": unmoved, "again": again, "plot": plot}[sys.argv[1]]()

@@ -91,6 +91,24 @@ def until(record_time):
     wait(f"{record_time} s of the record", lambda: get("sensors.time") >= record_time, 120.0)
 
 
+def page():
+    """Those of docs/control.md are in another terminal."""
+    machine = Machine()
+    machine.on()
+    machine.home()
+    before = get("joint.2.pos-cmd")
+    open("homed", "w", encoding="utf-8").close()
+    wait("thermal.enable", lambda: get("thermal.enable"), 30.0)
+    wait("the first call of the correction", lambda: not get("thermal.status") & (32 | 16384))
+    machine.go("M3 S3000")
+    wait("the speed", lambda: get("thermal.speed_rpm") == 3000)
+    wait("a call with it", lambda: get("thermal.z-displacement") > 0)
+    wait("the joint to be there", lambda: not get("thermal.status") & 8192)
+    time.sleep(0.5)
+    seen["joint_um"] = 1000.0 * (get("joint.2.pos-cmd") - before)
+    seen["alarm"] = get("thermal.alarm")
+
+
 def day():
     """The whole record, with what happens on a machine meanwhile. Times are those of the record [s]."""
     calls = subprocess.Popen([sys.executable, "calls.py", "thermal.state", "calls.csv"])
@@ -184,7 +202,7 @@ def main():
     component.ready()
     start = time.monotonic()
     try:
-        {"day": day, "unmoved": unmoved, "killed": killed, "again": again}[part]()
+        {"page": page, "day": day, "unmoved": unmoved, "killed": killed, "again": again}[part]()
         seen["done"] = True
     finally:
         seen["took_s"] = time.monotonic() - start
