@@ -20,13 +20,27 @@ class Engine(build_ext):
         if not (tree / "CMakeCache.txt").exists():
             report = shutil.which("npm") is not None  # else without the pages of reports
             subprocess.run(
-                ["cmake", "-S", ROOT, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                 "-DCMAKE_UNITY_BUILD=ON", "-DRACEWAY_PYTHON=ON", "-DRACEWAY_BUILD_CLI=OFF", "-DRACEWAY_C=OFF",
-                 "-DRACEWAY_BUILD_BENCH=OFF", f"-DRACEWAY_REPORT={'ON' if report else 'OFF'}",
-                 f"-DPython_EXECUTABLE={sys.executable}"],
-                check=True)
+                [
+                    "cmake",
+                    "-S",
+                    ROOT,
+                    "-B",
+                    tree,
+                    "-G",
+                    "Ninja",
+                    "-DCMAKE_BUILD_TYPE=Release",
+                    "-DCMAKE_UNITY_BUILD=ON",
+                    "-DRACEWAY_PYTHON=ON",
+                    "-DRACEWAY_BUILD_CLI=OFF",
+                    "-DRACEWAY_C=OFF",
+                    "-DRACEWAY_BUILD_BENCH=OFF",
+                    f"-DRACEWAY_REPORT={'ON' if report else 'OFF'}",
+                    f"-DPython_EXECUTABLE={sys.executable}",
+                ],
+                check=True,
+            )
         subprocess.run(["cmake", "--build", tree, "--target", "engine"], check=True)
-        built, = (tree / "python/raceway").glob("_engine.*.so")
+        (built,) = (tree / "python/raceway").glob("_engine.*.so")
         place = Path(self.get_ext_fullpath(ext.name))
         place.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(built, place)
@@ -44,5 +58,4 @@ def data_files() -> list[tuple[str, list[str]]]:
 
 version = re.search(r"project\(raceway VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())
 assert version is not None
-setup(version=version[1], ext_modules=[Extension("raceway._engine", [])], cmdclass={"build_ext": Engine},
-      data_files=data_files())
+setup(version=version[1], ext_modules=[Extension("raceway._engine", [])], cmdclass={"build_ext": Engine}, data_files=data_files())

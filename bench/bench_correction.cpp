@@ -11,6 +11,7 @@
 #include "io/correction_file.h"
 #include "io/series_file.h"
 #include "record/series_channel.h"
+#include "tests/places.h"
 
 namespace {
 
@@ -24,7 +25,7 @@ struct Machine {
 };
 
 Machine read_machine(const std::string& name) {
-  const std::string folder = RACEWAY_SOURCE_DIR "/data/corrections/" + name + "/";
+  const std::string folder = tests::source_dir() + "/data/corrections/" + name + "/";
   correction::Model model = io::read_correction(folder + "correction.toml").models.front();
   record::Record data = io::read_series(folder + "train.csv", {model.displacement}, {});
   return {std::move(model), std::move(data)};

@@ -13,6 +13,7 @@
 #include "io/data_file.h"
 #include "io/model_file.h"
 #include "io/subject.h"
+#include "tests/places.h"
 
 namespace {
 
@@ -25,7 +26,7 @@ struct Rig {
 };
 
 Rig read_rig(const std::string& name) {
-  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/" + name + "/";
+  const std::string folder = tests::source_dir() + "/tests/hidden_effect/rigs/" + name + "/";
   model::Model model = io::read_model(folder + "model.toml").model;
   record::Record data = io::read_record(folder + "train.csv", *io::make_subject(model));
   return {std::move(model), std::move(data)};
@@ -118,7 +119,7 @@ record::Record rows_of_a_shaft() {
 /// does some thirty times.
 void displacement_response(benchmark::State& state) {
   const auto subject = io::make_subject(
-      io::read_model(RACEWAY_SOURCE_DIR "/data/spindles/two_against_one.toml").model);
+      io::read_model(tests::source_dir() + "/data/spindles/two_against_one.toml").model);
   const record::Record data = rows_of_a_shaft();
   const auto prepared = subject->prepare(data);
   const auto predictor = subject->predictor(data, {"contact_angle_deg"}, prepared);

@@ -190,8 +190,8 @@ int run_arx(const IdentifyFlags& flags) {
 correction::Identification identified(const IdentifyFlags& flags, session::SeriesQuestion& asked,
                                       const correction::Model& model) {
   session::IdentifyChoices choices = flags.choices;
-  constexpr double an_hour = 3600.0;
-  const InterruptFlag interrupt(an_hour);
+  constexpr double longest_wait = 3600.0;
+  const InterruptFlag interrupt(longest_wait);
   choices.cancelled = [] { return InterruptFlag::raised().load(); };
   std::optional<Progress> bar;
   if (shows_progress()) {

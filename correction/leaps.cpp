@@ -11,7 +11,7 @@ namespace raceway::correction {
 namespace {
 
 constexpr double ten_minutes = 600.0;
-constexpr std::size_t fewest = 3, most = 20;
+constexpr std::size_t fewest_readings = 3, most_readings = 20;
 constexpr double of_median = 1.4826;  // standard deviation of what is normally distributed
 constexpr double unusual = 5.0;
 
@@ -39,9 +39,9 @@ struct Gap {
 void look(std::span<const double> time, std::span<const double> read, std::vector<Gap>& gaps) {
   std::vector<double> steps;
   for (std::size_t k = 1; k < time.size(); ++k) steps.push_back(time[k] - time[k - 1]);
-  if (steps.size() < 2 * fewest) return;
-  const auto side = static_cast<std::size_t>(
-      std::clamp(ten_minutes / record::median(steps), double{fewest}, double{most}));
+  if (steps.size() < 2 * fewest_readings) return;
+  const auto side = static_cast<std::size_t>(std::clamp(
+      ten_minutes / record::median(steps), double{fewest_readings}, double{most_readings}));
   for (std::size_t k = side; k + side <= time.size(); ++k) {
     const double middle = 0.5 * (time[k - 1] + time[k]);
     const double gap = at(time, read, k, k + side, middle) - at(time, read, k - side, k, middle);

@@ -12,15 +12,15 @@ constexpr double far_off = 1.5;       // times the rms: an interval that is show
 constexpr double near_the_top = 0.9;  // of the largest, as a swing is nowhere 1.5 times its rms
 constexpr double as_good = 0.85;      // of the best correlation: the period is the shortest such
 constexpr double comes_back = 0.3;    // correlation after a period that is one
-constexpr int grid = 512;
+constexpr int grid_points = 512;
 
 /// On an even grid over the record; straight between means.
 std::vector<double> evenly(const Means& means, const Eigen::VectorXd& left, double& step) {
   const double begin = means.list.front().time, end = means.list.back().time;
-  step = (end - begin) / (grid - 1);
+  step = (end - begin) / (grid_points - 1);
   std::vector<double> result;
   std::size_t k = 0;
-  for (int i = 0; i < grid; ++i) {
+  for (int i = 0; i < grid_points; ++i) {
     const double t = begin + i * step;
     while (k + 2 < means.list.size() && means.list[k + 1].time < t) ++k;
     const double t0 = means.list[k].time, t1 = means.list[k + 1].time;

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "io/csv.h"
+#include "io/data_directories.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/names.h"
@@ -104,8 +105,8 @@ std::string own_data_directory() {
 }
 
 std::string data_directory() {
-  const std::array candidates{own_prefix() / "share/raceway", fs::path(RACEWAY_DATA_DIR),
-                              fs::path(RACEWAY_INSTALLED_DATA_DIR)};
+  const std::array candidates{own_prefix() / "share/raceway", fs::path(built_data_directory),
+                              fs::path(installed_data_directory)};
   for (const fs::path& candidate : candidates)
     if (is_folder(candidate / "bearings")) return candidate.string();
   return {};

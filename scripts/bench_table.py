@@ -15,8 +15,10 @@ for path in sys.argv[1:]:
             if name not in fastest or run["each"] < fastest[name]["each"]:
                 fastest[name] = run
 
+
 def number(run, key, form):
     return format(run[key], form) if key in run else ""
+
 
 width = max(len(name) for name in fastest)
 print(f"{'':{width}}  {'us each':>10}  {'iterations':>10}  {'residual':>8}")
@@ -25,10 +27,12 @@ for name, run in sorted(fastest.items()):
     iterations = number(run, "iterations", ".2f") if "residual" in run else ""
     print(f"{name:{width}}  {run['each']:10.3f}  {iterations:>10}  {number(run, 'residual', '.0e'):>8}")
 
+
 def ratio(text, above, below, bar):
     if above in fastest and below in fastest:
         value = fastest[above]["each"] / fastest[below]["each"]
         print(f"{text:{width}}  {value:10.2f}  {bar}")
+
 
 print("\nratios")
 ball = "solve/5dof_20_balls"
@@ -38,20 +42,17 @@ ratio("scalar to batch, SSE2", f"{ball}/scalar_cold", f"{ball}/batch_cold_sse2",
 ratio("batch to limit", f"{ball}/batch_cold", "limit/5dof_20_balls", "at most 2.5")
 ratio("batch to limit, AVX2", f"{ball}/batch_cold_avx2", "limit/5dof_20_balls_avx2", "at most 2.5")
 ratio("batch to limit, thrust", "solve/thrust/batch", "limit/thrust", "")
-ratio("sweep: cold to neighbour", "sweep/100_speeds/scalar_cold",
-      "sweep/100_speeds/scalar_neighbour", "")
-ratio("sweep: cold to extrapolated", "sweep/100_speeds/scalar_cold",
-      "sweep/100_speeds/scalar_predicted", "")
-ratio("one thread to two, solves", f"{ball}/batch_cold", f"{ball}/batch_cold_2_threads",
-      "at least 1.8 on two free cores")
-ratio("one thread to two, table", "table/1e6", "table/1e6_2_threads",
-      "at least 1.8 on two free cores")
-ratio("one thread to two, calibration", "calibrate/10000_rows_moved",
-      "calibrate/10000_rows_moved_2_threads", "")
+ratio("sweep: cold to neighbour", "sweep/100_speeds/scalar_cold", "sweep/100_speeds/scalar_neighbour", "")
+ratio("sweep: cold to extrapolated", "sweep/100_speeds/scalar_cold", "sweep/100_speeds/scalar_predicted", "")
+ratio("one thread to two, solves", f"{ball}/batch_cold", f"{ball}/batch_cold_2_threads", "at least 1.8 on two free cores")
+ratio("one thread to two, table", "table/1e6", "table/1e6_2_threads", "at least 1.8 on two free cores")
+ratio("one thread to two, calibration", "calibrate/10000_rows_moved", "calibrate/10000_rows_moved_2_threads", "")
+
 
 def bar(text, name, times, limit):
     if name in fastest:
         print(f"{text:{width}}  {times * fastest[name]['each']:10.3f}  {limit}")
+
 
 print("\ntimes")
 bar("cold solve in a batch [us]", f"{ball}/batch_cold", 1, "at most 2")

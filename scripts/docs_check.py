@@ -101,11 +101,11 @@ def dead_links(folder, pages):
 
 def main():
     folder = Path(sys.argv[1]).resolve()
-    pages = {p.relative_to(folder).as_posix(): Anchors(p.read_text(encoding="utf-8")) for p in sorted(folder.rglob("*.html"))
-             if "_static" not in p.parts}
+    pages = {
+        p.relative_to(folder).as_posix(): Anchors(p.read_text(encoding="utf-8")) for p in sorted(folder.rglob("*.html")) if "_static" not in p.parts
+    }
     wrong, outside = dead_links(folder, pages)
-    wrong += [f"{path}: a page without an example" for path, page in pages.items()
-              if path not in NO_EXAMPLE and not page.example]
+    wrong += [f"{path}: a page without an example" for path, page in pages.items() if path not in NO_EXAMPLE and not page.example]
     search = Search(read_index(folder / "searchindex.js"))
     expected = json.loads((folder.parent / "expected.json").read_text(encoding="utf-8"))
     for one in expected:
@@ -116,8 +116,10 @@ def main():
         if page not in search.pages(name) | search.objects.get(last, set()):
             wrong.append(f"search: {one['kind']} {name} is not found on {page}")
     kinds = {kind: len({(e["name"], e["page"]) for e in expected if e["kind"] == kind}) for kind in dict.fromkeys(e["kind"] for e in expected)}
-    print(f"{len(pages)} pages, {sum(len(p.links) for p in pages.values())} links; the search finds "
-          + ", ".join(f"{count} of {kind}" for kind, count in kinds.items()))
+    print(
+        f"{len(pages)} pages, {sum(len(p.links) for p in pages.values())} links; the search finds "
+        + ", ".join(f"{count} of {kind}" for kind, count in kinds.items())
+    )
     print(f"{len(outside)} links out of the site, well formed and not followed:", *sorted(outside))
     if wrong:
         sys.exit("\n".join(wrong[:60]) + f"\n{len(wrong)} in all")

@@ -80,9 +80,7 @@ def run_doxygen(root, headers, work):
 def escaped(text):
     """Plain words for reStructuredText; `code` in backticks stays code."""
     parts = re.split(r"`+([^`]+)`+", text)
-    return "".join(
-        f"\\ ``{part}``\\ " if i % 2 else re.sub(r"([*|_\\`<>@])", r"\\\1", part) for i, part in enumerate(parts)
-    )
+    return "".join(f"\\ ``{part}``\\ " if i % 2 else re.sub(r"([*|_\\`<>@])", r"\\\1", part) for i, part in enumerate(parts))
 
 
 def comment(element):
@@ -138,9 +136,13 @@ def signature(member):
     template = member.find("templateparamlist")
     front = ""
     if template is not None:
-        front = "template<" + ", ".join(
-            words(p.find("type")) + (" " + words(p.find("declname")) if p.find("declname") is not None else "")
-            for p in template.findall("param")) + "> "
+        front = (
+            "template<"
+            + ", ".join(
+                words(p.find("type")) + (" " + words(p.find("declname")) if p.find("declname") is not None else "") for p in template.findall("param")
+            )
+            + "> "
+        )
     if kind == "typedef":
         using = words(member.find("definition"))
         return "type", f"{front}{name} = {kept}" if using.startswith("using") or "=" in using else f"{kept} {name}{arguments}"
@@ -185,8 +187,7 @@ class Page:
             self.lines += [f"{pad}.. {self.language}:{kind}:: {text}", ""]
         else:
             self.unparsed.append(f"{scope}::{text}")
-            self.lines += [f"{pad}.. code-block:: {self.language}", "", f"{pad}   {text}", "", f"{pad}.. container::", "",
-                           f"{pad}   *{name}*", ""]
+            self.lines += [f"{pad}.. code-block:: {self.language}", "", f"{pad}   {text}", "", f"{pad}.. container::", "", f"{pad}   *{name}*", ""]
         self.names.append((scope, name))
         inside = indent + 3
         self.lines += [" " * inside + line if line else "" for line in comment(element)]
@@ -214,11 +215,17 @@ class Page:
     def compound(self, element, indent, outer):
         full = words(element.find("compoundname"))
         scope = full.rpartition("::")[0]
-        name = full[len(outer) + 2:] if outer and full.startswith(outer + "::") else full
+        name = full[len(outer) + 2 :] if outer and full.startswith(outer + "::") else full
         template = element.find("templateparamlist")
-        front = "" if template is None else "template<" + ", ".join(
-            words(p.find("type")) + (" " + words(p.find("declname")) if p.find("declname") is not None else "")
-            for p in template.findall("param")) + "> "
+        front = (
+            ""
+            if template is None
+            else "template<"
+            + ", ".join(
+                words(p.find("type")) + (" " + words(p.find("declname")) if p.find("declname") is not None else "") for p in template.findall("param")
+            )
+            + "> "
+        )
         kind = element.get("kind") if element.get("kind") in ("struct", "class") else "struct"
         bases = [words(b) for b in element.findall("basecompoundref") if b.get("prot") == "public"]
         text = front + name + (" : public " + ", public ".join(bases) if bases else "")
@@ -295,8 +302,16 @@ def folder_page(folder, says, headers, xml_of, example):
     classes, files, inner = xml_of
     page = Page("cpp", classes)
     page.lines += heading(f"C++: {folder}", "=")
-    page.lines += [escaped(says["what"][0].upper() + says["what"][1:] + "."), "", escaped(says["threads"]), "",
-                   ".. code-block:: cpp", "", *("   " + line for line in example.split("\n")), ""]
+    page.lines += [
+        escaped(says["what"][0].upper() + says["what"][1:] + "."),
+        "",
+        escaped(says["threads"]),
+        "",
+        ".. code-block:: cpp",
+        "",
+        *("   " + line for line in example.split("\n")),
+        "",
+    ]
     for header in headers:
         page.lines += heading(header, "-")
         header_part(page, header, files, inner)
@@ -310,8 +325,7 @@ def c_page(header, raw, xml_of, example):
     page.lines += heading("C API", "=")
     head = re.match(r"((?:///.*\n)+)", raw)[1]
     element = ET.Element("member")
-    ET.SubElement(ET.SubElement(element, "detaileddescription"), "verbatim").text = "\n".join(
-        " " + line[4:] for line in head.split("\n"))
+    ET.SubElement(ET.SubElement(element, "detaileddescription"), "verbatim").text = "\n".join(" " + line[4:] for line in head.split("\n"))
     page.lines += comment(element)
     page.lines += [".. code-block:: c", "", *("   " + line if line else "" for line in example.split("\n")), ""]
     page.lines += heading("raceway/raceway.h", "-")

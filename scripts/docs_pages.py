@@ -20,14 +20,19 @@ WORK = ROOT / "build/docs"
 SOURCE = WORK / "source"
 PROGRAM = ROOT / "build/release/raceway"
 UMBRELLA = ROOT / "build/release/umbrella"
-FOLDERS = ["record", "fit", "bearing", "friction", "life", "effects", "model", "rig", "shaft", "spindle", "correction",
-           "io", "session"]
+FOLDERS = ["record", "fit", "bearing", "friction", "life", "effects", "model", "rig", "shaft", "spindle", "correction", "io", "session"]
 # Pages outside docs/ that pages link to.
 OTHER_PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "bench/README.md"]
 # What a link to a folder means here.
-FOLDER_PAGES = {**{f: f"reference/cpp/{f}.rst" for f in FOLDERS}, "friction/contact": "reference/cpp/friction.rst",
-                "docs": "index.md", "examples": "tutorials.md", "cli": "reference/commands/index.md",
-                "python": "reference/python/index.rst", "c": "reference/c.rst"}
+FOLDER_PAGES = {
+    **{f: f"reference/cpp/{f}.rst" for f in FOLDERS},
+    "friction/contact": "reference/cpp/friction.rst",
+    "docs": "index.md",
+    "examples": "tutorials.md",
+    "cli": "reference/commands/index.md",
+    "python": "reference/python/index.rst",
+    "c": "reference/c.rst",
+}
 
 expected = []
 
@@ -195,14 +200,22 @@ def effect_pages():
                 facts.append(("in a model of", ", ".join(where[one] for one in form["acts_in"])))
             if over_time:
                 facts.append(("in a model of", "a displacement over time, `[correction]`"))
-            for key, label in (("kind", "kind"), ("acts_at", "acts at"), ("needs", "needs"), ("supplies", "with the supply"),
-                               ("within_contact_law", "the law contact has it as"), ("confused_with", "looks like"),
-                               ("source", "source")):
+            for key, label in (
+                ("kind", "kind"),
+                ("acts_at", "acts at"),
+                ("needs", "needs"),
+                ("supplies", "with the supply"),
+                ("within_contact_law", "the law contact has it as"),
+                ("confused_with", "looks like"),
+                ("source", "source"),
+            ):
                 if form.get(key):
                     value = for_table(joined(form[key]))
                     if key == "confused_with":
-                        value = ", ".join(f"[{one}]({one}.md)" if one in pages else for_table(one)
-                                          for one in (form[key] if isinstance(form[key], list) else [form[key]]))
+                        value = ", ".join(
+                            f"[{one}]({one}.md)" if one in pages else for_table(one)
+                            for one in (form[key] if isinstance(form[key], list) else [form[key]])
+                        )
                     facts.append((label, value))
             text += code(form["formula"], "text") + "\n| | |\n| --- | --- |\n"
             text += "".join(f"| {label} | {value} |\n" for label, value in facts) + "\n"
@@ -210,10 +223,11 @@ def effect_pages():
                 text += "| parameter | unit | start | range | usual | no effect at |\n| --- | --- | --- | --- | --- | --- |\n"
                 for key, p in form["parameters"].items():
                     usual = f"{number(p.get('usual_lower'))} to {number(p.get('usual_upper'))}" if p.get("usual_upper") is not None else ""
-                    limits = (f"{number(p['lower'])} to {number(p['upper'])}" if p.get("lower") is not None and p.get("upper") is not None
-                              else "")
-                    text += (f"| `{key}` | {for_table(p['unit'])} | {number(p.get('initial'))} | {limits} | {usual} | "
-                             f"{number(p.get('no_effect_at'))} |\n")
+                    limits = f"{number(p['lower'])} to {number(p['upper'])}" if p.get("lower") is not None and p.get("upper") is not None else ""
+                    text += (
+                        f"| `{key}` | {for_table(p['unit'])} | {number(p.get('initial'))} | {limits} | {usual} | "
+                        f"{number(p.get('no_effect_at'))} |\n"
+                    )
                     expect(key, f"reference/effects/{name}", "number of an effect")
                 text += "\n"
         for block in blocks:
@@ -269,9 +283,16 @@ def key_pages():
 LAWS = {
     "palmgren": ["friction/palmgren.h"],
     "skf": ["friction/skf.h"],
-    "contact": ["friction/contact/rolling.h", "friction/contact/film.h", "friction/contact/traction.h",
-                "friction/contact/hysteresis.h", "friction/contact/shear.h", "friction/contact/oil.h", "friction/contact/roelands.h",
-                "friction/contact/contact_law.h"],
+    "contact": [
+        "friction/contact/rolling.h",
+        "friction/contact/film.h",
+        "friction/contact/traction.h",
+        "friction/contact/hysteresis.h",
+        "friction/contact/shear.h",
+        "friction/contact/oil.h",
+        "friction/contact/roelands.h",
+        "friction/contact/contact_law.h",
+    ],
     "spin-friction": ["friction/spin.h"],
     "lubricant, heat": ["friction/lubricant.h", "friction/heat.h"],
 }
@@ -281,7 +302,7 @@ def law_page():
     """The formulas of the laws, from the comments above the code that evaluates them."""
     text = "Laws\n====\n\nThe formulas with source, domain and accuracy, as they stand above the code that evaluates them. Which law when, and "
     text += "what each ignores of a bearing: :doc:`/docs/laws`. References: :download:`references.bib </files/data/references.bib>`.\n\n"
-    text += ".. code-block:: toml\n\n   [friction]\n   law = \"palmgren\"   # or \"skf\" or \"contact\"\n\n"
+    text += '.. code-block:: toml\n\n   [friction]\n   law = "palmgren"   # or "skf" or "contact"\n\n'
     copy = SOURCE / "files/data/references.bib"
     copy.parent.mkdir(parents=True, exist_ok=True)
     shutil.copy(ROOT / "data/references.bib", copy)
@@ -305,10 +326,11 @@ def python_pages():
 
     groups = {
         "models": ("Models and records", ["Model", "Record", "read"]),
-        "results": ("Results", ["Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition",
-                                "Sensitivity", "KinematicLaw", "fit_law"]),
-        "correction": ("Corrections of machines", ["Correction", "Identification", "CorrectionRun", "CorrectionComparison", "Check",
-                                                   "Program"]),
+        "results": (
+            "Results",
+            ["Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition", "Sensitivity", "KinematicLaw", "fit_law"],
+        ),
+        "correction": ("Corrections of machines", ["Correction", "Identification", "CorrectionRun", "CorrectionComparison", "Check", "Program"]),
         "spindle": ("Spindles", ["SteadyStates", "SpindleRun", "Modes", "Deflection", "StepResponses"]),
         "effect": ("Effects of your own, errors", ["Effect", "Number", "State", "InputError", "NotConverged", "Doubt"]),
     }
@@ -409,8 +431,7 @@ def cpp_pages():
     write("reference/c.rst", text)
     for _, name in names:
         expect(name, "reference/c", "C")
-    print(f"{sum(e['kind'] == 'C++' for e in expected)} declarations of C++, "
-          f"{len(unparsed)} of them as code that Sphinx does not parse")
+    print(f"{sum(e['kind'] == 'C++' for e in expected)} declarations of C++, " f"{len(unparsed)} of them as code that Sphinx does not parse")
     return unparsed + left
 
 

@@ -28,29 +28,39 @@ def states(control, balls):
         file.write(text.replace('ball_material = "steel"', f'ball_material = "{balls}"'))
         file.flush()
         for speed in SPEEDS:
-            run = subprocess.run([PROGRAM, "solve", file.name, "--json", "--axial-load", "500",
-                                  "--speed", str(speed)], check=True, capture_output=True, text=True)
+            run = subprocess.run(
+                [PROGRAM, "solve", file.name, "--json", "--axial-load", "500", "--speed", str(speed)], check=True, capture_output=True, text=True
+            )
             found.append(json.loads(run.stdout))
     return found
 
 
 def main():
-    runs = [(states(control, balls), colour, dash)
-            for control, colour in CONTROLS for balls, dash in BALLS]
+    runs = [(states(control, balls), colour, dash) for control, colour in CONTROLS for balls, dash in BALLS]
 
     def lines(number):
-        return [([(s["speed_rpm"], number(s)) for s in found], colour, dash)
-                for found, colour, dash in runs]
+        return [([(s["speed_rpm"], number(s)) for s in found], colour, dash) for found, colour, dash in runs]
 
-    panels = [panel(0, "outer contact angle [deg] against speed [rpm]", TICKS, range(0, 31, 5),
-                    lines(lambda s: s["balls"][0]["outer_contact_angle_deg"]), width=NARROW),
-              panel(1, "axial displacement [um]", TICKS, range(-40, 11, 10),
-                    lines(lambda s: s["axial_displacement_um"]), width=NARROW),
-              panel(2, "friction torque [N mm]", TICKS, range(0, 501, 100),
-                    lines(lambda s: s["friction_torque_Nmm"]), width=NARROW)]
-    print(picture(panels, [(f"{control} control" if control != "balanced" else control, colour, "")
-                           for control, colour in CONTROLS] +
-                  [(f"{name} balls", "#222", dash) for name, dash in BALLS], width=NARROW))
+    panels = [
+        panel(
+            0,
+            "outer contact angle [deg] against speed [rpm]",
+            TICKS,
+            range(0, 31, 5),
+            lines(lambda s: s["balls"][0]["outer_contact_angle_deg"]),
+            width=NARROW,
+        ),
+        panel(1, "axial displacement [um]", TICKS, range(-40, 11, 10), lines(lambda s: s["axial_displacement_um"]), width=NARROW),
+        panel(2, "friction torque [N mm]", TICKS, range(0, 501, 100), lines(lambda s: s["friction_torque_Nmm"]), width=NARROW),
+    ]
+    print(
+        picture(
+            panels,
+            [(f"{control} control" if control != "balanced" else control, colour, "") for control, colour in CONTROLS]
+            + [(f"{name} balls", "#222", dash) for name, dash in BALLS],
+            width=NARROW,
+        )
+    )
 
 
 main()

@@ -47,8 +47,7 @@ def executed(path, folder):
     """Runs one; returns what is wrong."""
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
-    client = NotebookClient(notebook, timeout=CELL_LIMIT, kernel_name="python3",
-                            resources={"metadata": {"path": str(path.parent)}})
+    client = NotebookClient(notebook, timeout=CELL_LIMIT, kernel_name="python3", resources={"metadata": {"path": str(path.parent)}})
     wrong = []
     begin = time.perf_counter()
     try:

@@ -103,16 +103,8 @@ def single_items() -> None:
 
     cost("sample of a model: other numbers, one state", len(factors), samples)
     machines = [fleet.machine(k) for k in range(100)]
-    cost(
-        "machine re-identified: two lags, 600 rows of a night",
-        len(machines),
-        lambda: [fleet.identify(made) for made in machines],
-    )
-    cost(
-        "the same with the number of lags sought, one to three each",
-        10,
-        lambda: [fleet.START.identify(made.record) for made in machines[:10]],
-    )
+    cost("machine re-identified: two lags, 600 rows of a night", len(machines), lambda: [fleet.identify(made) for made in machines])
+    cost("the same with the number of lags sought, one to three each", 10, lambda: [fleet.START.identify(made.record) for made in machines[:10]])
     correction = raceway.Correction.read("data/corrections/ambient/correction.toml")
     record = raceway.Record.read("data/corrections/ambient/train.csv")
     cost("diagnosis of a machine, 3360 rows, single effects", 1, lambda: correction.diagnose(record, pairs=False))

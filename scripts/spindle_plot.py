@@ -20,8 +20,7 @@ def run_day(*flags):
     """Columns of a run by name."""
     with tempfile.TemporaryDirectory() as folder:
         out = folder + "/run.csv"
-        subprocess.run([PROGRAM, "spindle", MODEL, "--speed-profile", DAY, "-o", out, "--quiet",
-                        *flags], check=True, capture_output=True)
+        subprocess.run([PROGRAM, "spindle", MODEL, "--speed-profile", DAY, "-o", out, "--quiet", *flags], check=True, capture_output=True)
         with open(out, encoding="utf-8") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     return {key: [float(row[key]) for row in rows] for key in rows[0]}
@@ -39,8 +38,7 @@ def panel(index, title, lines, top, step):
         x = LEFT + WIDTH * hour / 8
         out.append(f'<text x="{x:.1f}" y="{y_end + 16}" text-anchor="middle">{hour} h</text>')
     for colour, times, values, dash in lines:
-        points = " ".join(f"{LEFT + WIDTH * t / 28800:.1f} {y_end - HEIGHT * v / top:.1f}"
-                          for t, v in zip(times, values))
+        points = " ".join(f"{LEFT + WIDTH * t / 28800:.1f} {y_end - HEIGHT * v / top:.1f}" for t, v in zip(times, values))
         out.append(f'<path fill="none" stroke="{colour}" stroke-width="1.6"{dash} d="M {points}"/>')
     return out
 
@@ -48,18 +46,19 @@ def panel(index, title, lines, top, step):
 def main():
     runs = [(COOLED, run_day()), (UNCOOLED, run_day("--coolant", "off"))]
     total = TOP + 4 * (HEIGHT + GAP) + 24
-    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {LEFT + WIDTH + 30} {total}" '
-             f'font-family="sans-serif" font-size="12">',
-             f'<rect width="{LEFT + WIDTH + 30}" height="{total}" fill="white"/>']
+    lines = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {LEFT + WIDTH + 30} {total}" ' f'font-family="sans-serif" font-size="12">',
+        f'<rect width="{LEFT + WIDTH + 30}" height="{total}" fill="white"/>',
+    ]
     day = runs[0][1]
     lines += panel(0, "speed [rpm]", [("#222", day["time_s"], day["speed_rpm"], "")], 12000, 4000)
-    charts = [("nose against flange [um]", ["axial_displacement_um"], 80, 20),
-              ("force of the front set [N]", ["front_force_N"], 2000, 500),
-              ("first bearing: inner ring, outer ring dashed [C]",
-               ["front_1_inner_ring_temperature_C", "front_1_outer_ring_temperature_C"], 80, 20)]
+    charts = [
+        ("nose against flange [um]", ["axial_displacement_um"], 80, 20),
+        ("force of the front set [N]", ["front_force_N"], 2000, 500),
+        ("first bearing: inner ring, outer ring dashed [C]", ["front_1_inner_ring_temperature_C", "front_1_outer_ring_temperature_C"], 80, 20),
+    ]
     for index, (title, keys, top, step) in enumerate(charts, 1):
-        curves = [(colour, run["time_s"], run[key], ' stroke-dasharray="5 3"' if k else "")
-                  for colour, run in runs for k, key in enumerate(keys)]
+        curves = [(colour, run["time_s"], run[key], ' stroke-dasharray="5 3"' if k else "") for colour, run in runs for k, key in enumerate(keys)]
         lines += panel(index, title, curves, top, step)
     y = total - 12
     for x, colour, words in [(LEFT, COOLED, "cooled"), (LEFT + 120, UNCOOLED, "coolant off")]:

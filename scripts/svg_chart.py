@@ -9,8 +9,7 @@ def panel(number, title, x_ticks, y_ticks, lines, x_text="{:g}", width=WIDTH):
     low, high = y_ticks[0], y_ticks[-1]
 
     def place(x, y):
-        return (left + width * (x - x_ticks[0]) / (x_ticks[-1] - x_ticks[0]),
-                TOP + HEIGHT * (high - y) / (high - low))
+        return (left + width * (x - x_ticks[0]) / (x_ticks[-1] - x_ticks[0]), TOP + HEIGHT * (high - y) / (high - low))
 
     out = [f'<text x="{left}" y="{TOP - 16}">{title}</text>']
     for value in y_ticks:
@@ -19,8 +18,7 @@ def panel(number, title, x_ticks, y_ticks, lines, x_text="{:g}", width=WIDTH):
         out.append(f'<text x="{left - 6}" y="{y + 4:.1f}" text-anchor="end">{value:g}</text>')
     for value in x_ticks:
         x = place(value, low)[0]
-        out.append(f'<text x="{x:.1f}" y="{TOP + HEIGHT + 18}" text-anchor="middle">'
-                   f'{x_text.format(value)}</text>')
+        out.append(f'<text x="{x:.1f}" y="{TOP + HEIGHT + 18}" text-anchor="middle">' f"{x_text.format(value)}</text>")
     for points, colour, dash in lines:
         path = " ".join("{:.1f} {:.1f}".format(*place(x, y)) for x, y in points if y is not None)
         out.append(f'<path fill="none" stroke="{colour}" stroke-width="2"{dash} d="M {path}"/>')
@@ -30,9 +28,10 @@ def panel(number, title, x_ticks, y_ticks, lines, x_text="{:g}", width=WIDTH):
 def picture(panels, legend, width=WIDTH):
     """The whole picture; `legend`: (name, colour, dash)."""
     right, bottom = LEFT + len(panels) * (width + GAP) - GAP + 30, TOP + HEIGHT + 70
-    lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {right} {bottom}" '
-             'font-family="sans-serif" font-size="13">',
-             f'<rect width="{right}" height="{bottom}" fill="white"/>']
+    lines = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {right} {bottom}" ' 'font-family="sans-serif" font-size="13">',
+        f'<rect width="{right}" height="{bottom}" fill="white"/>',
+    ]
     for one in panels:
         lines += one
     x, y = LEFT, TOP + HEIGHT + 48

@@ -10,9 +10,9 @@ namespace {
 
 /// On s, in K and um: what is missed, or the step that is left. Of rings that hardly anything cools
 /// the rounding of their heat alone misses more.
-constexpr double tolerance = 1e-8;
+constexpr double newton_tolerance = 1e-8;
 /// What s may move by in one step: a bearing that warms by 20 K, or the like in um, is another one.
-constexpr double longest_step = 25.0;
+constexpr double longest_newton_step = 25.0;
 constexpr int most_iterations = 60, most_halvings = 12;
 /// Errors that shrink by less than this per step ask for new derivatives.
 constexpr double slow = 0.2;
@@ -51,7 +51,7 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
   if (!coupling_->evaluate(s, y)) return NewtonStatus::no_balance;
   Vector miss = free + response_ * y - s;
   double error = miss.lpNorm<Eigen::Infinity>();
-  bool fresh = false, arrived = error <= tolerance;
+  bool fresh = false, arrived = error <= newton_tolerance;
   for (int k = 0; k < most_iterations && !arrived; ++k) {
     if (!known_) {
       if (!renew(s, y)) return NewtonStatus::no_balance;
@@ -61,11 +61,11 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
     Vector step = slope.partialPivLu().solve(miss);
     if (!step.allFinite()) return NewtonStatus::diverged;
     const double length = step.lpNorm<Eigen::Infinity>();
-    if (length <= tolerance) {
+    if (length <= newton_tolerance) {
       arrived = true;
       break;
     }
-    if (length > longest_step) step *= longest_step / length;
+    if (length > longest_newton_step) step *= longest_newton_step / length;
     double error_after = error;
     bool better = false;
     for (int half = 0; half < most_halvings; ++half, step *= 0.5) {
@@ -89,7 +89,7 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
     if (error_after > slow * error) known_ = false;
     fresh = false;
     error = error_after;
-    arrived = error <= tolerance;
+    arrived = error <= newton_tolerance;
   }
   if (!arrived) return NewtonStatus::diverged;
   temperatures = base + reach_ * y;

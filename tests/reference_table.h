@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/places.h"
+
 namespace raceway::tests {
 
 /// One row of a file in data/reference; cells by column name.
@@ -41,7 +43,7 @@ class ReferenceRow {
 /// Reads data/<name>: `#` lines, a header, comma-separated cells; blanks around cells are ignored.
 /// Throws where the file is missing, empty or ragged.
 inline std::vector<ReferenceRow> data_table(const std::string& name) {
-  std::ifstream file(std::string(RACEWAY_SOURCE_DIR) + "/data/" + name);
+  std::ifstream file(tests::source_dir() + "/data/" + name);
   if (!file) throw std::runtime_error("cannot read data/" + name);
   const auto split = [](const std::string& line) {
     std::vector<std::string> cells;

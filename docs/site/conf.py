@@ -37,6 +37,7 @@ autodoc_default_options = {"members": True, "inherited-members": "Mapping,BaseEx
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False
 
+
 def setup(app):
     """nbsphinx asks for MathJax, from a network, where no page has an equation."""
 

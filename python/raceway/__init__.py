@@ -22,18 +22,9 @@ from ._errors import Doubt, InputError, NotConverged
 from ._law import KinematicLaw, fit_law
 from ._model import Model
 from ._record import Record
-from ._results import (
-    Addition,
-    Calibration,
-    Comparison,
-    Diagnosis,
-    Displacement,
-    Solution,
-    Table,
-)
+from ._results import Addition, Calibration, Comparison, Diagnosis, Displacement, Solution, Table
 from ._sensitivity import Sensitivity
 from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses
-
 
 
 def __getattr__(name: str) -> _Any:

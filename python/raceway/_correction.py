@@ -83,9 +83,7 @@ class Correction(FromFile):
         several = len(self.displacements) > 1
         hidden = ("name", "displacement")
         return {
-            f"{p['displacement']}.{p['name']}" if several else p["name"]: {
-                k: v for k, v in p.items() if k not in hidden
-            }
+            f"{p['displacement']}.{p['name']}" if several else p["name"]: {k: v for k, v in p.items() if k not in hidden}
             for p in self._engine.parameters()
         }
 
@@ -232,14 +230,7 @@ class Correction(FromFile):
         _warn(answer.warnings)
         return CorrectionComparison(answer, (), record)
 
-    def calibrate(
-        self,
-        record: Record,
-        *,
-        displacement: str | None = None,
-        from_s: float | None = None,
-        until_s: float | None = None,
-    ) -> Calibration:
+    def calibrate(self, record: Record, *, displacement: str | None = None, from_s: float | None = None, until_s: float | None = None) -> Calibration:
         """Re-fit the free numbers (``[calibration] free``; by default gains, time constants, offset).
 
         Raises
@@ -297,9 +288,7 @@ class Correction(FromFile):
         options = reading(record, from_s, until_s, displacement, tolerance)
         limit = float("inf") if time_limit_s is None else float(time_limit_s)
         texts = [(record.name, record.text)]
-        answer = _engine.diagnose(
-            self._engine, texts, bool(pairs), int(tried_before), limit, progress, **options
-        )
+        answer = _engine.diagnose(self._engine, texts, bool(pairs), int(tried_before), limit, progress, **options)
         _warn(answer.warnings)
         return Diagnosis(answer)
 
@@ -329,26 +318,14 @@ class Correction(FromFile):
         _warn(answer.warnings)
         return Addition(answer, self._fitted(answer, "".join(f" + {name}" for name in ids)))
 
-    def check(
-        self,
-        record: Record,
-        *,
-        displacement: str | None = None,
-    ) -> Check:
+    def check(self, record: Record, *, displacement: str | None = None) -> Check:
         """Say what a record can tell: time constants, the last digit of each sensor, effects."""
         options = reading(record, None, None, displacement)
         answer = _engine.check_correction(self._engine, [(record.name, record.text)], **options)
         _warn(answer.warnings)
         return Check(answer)
 
-    def export(
-        self,
-        format: str,
-        path: str | os.PathLike[str] | None = None,
-        *,
-        record: Record | None = None,
-        overwrite: bool = False,
-    ) -> Program:
+    def export(self, format: str, path: str | os.PathLike[str] | None = None, *, record: Record | None = None, overwrite: bool = False) -> Program:
         """Return it as a program that runs on a control without this package, and write that to `path`.
 
         Parameters

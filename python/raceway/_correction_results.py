@@ -32,9 +32,7 @@ class Identification(_Answer):
             Of an ARX model, which is fitted one step ahead and is not used.
         """
         if self._found is None:
-            raise ValueError(
-                "an ARX model is fitted one step ahead and is no correction; sections are, without baseline"
-            )
+            raise ValueError("an ARX model is fitted one step ahead and is no correction; sections are, without baseline")
         return self._found
 
     @property

@@ -11,15 +11,46 @@ import os
 from dataclasses import dataclass, field
 from typing import Any
 
-KINDS = ("Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition",
-         "SteadyStates", "SpindleRun", "Modes", "Deflection", "StepResponses")
+KINDS = (
+    "Solution",
+    "Table",
+    "Displacement",
+    "Comparison",
+    "Calibration",
+    "Diagnosis",
+    "Addition",
+    "SteadyStates",
+    "SpindleRun",
+    "Modes",
+    "Deflection",
+    "StepResponses",
+)
 
 # Endings of column names, longest first where one ends in another; N_um before um.
 UNITS = {
-    "N_um": "N/µm", "Nm_rad": "N m/rad", "N_rad": "N/rad", "rad_s": "rad/s", "mm2_s": "mm²/s",
-    "kgm2": "kg m²", "Nmm": "N mm", "Nm": "N m", "MPa": "MPa", "GPa": "GPa", "rpm": "rpm",
-    "mrad": "mrad", "deg": "°", "um": "µm", "mm": "mm", "Hz": "Hz", "C": "°C", "K": "K", "N": "N",
-    "W": "W", "V": "V", "s": "s", "percent": "%",
+    "N_um": "N/µm",
+    "Nm_rad": "N m/rad",
+    "N_rad": "N/rad",
+    "rad_s": "rad/s",
+    "mm2_s": "mm²/s",
+    "kgm2": "kg m²",
+    "Nmm": "N mm",
+    "Nm": "N m",
+    "MPa": "MPa",
+    "GPa": "GPa",
+    "rpm": "rpm",
+    "mrad": "mrad",
+    "deg": "°",
+    "um": "µm",
+    "mm": "mm",
+    "Hz": "Hz",
+    "C": "°C",
+    "K": "K",
+    "N": "N",
+    "W": "W",
+    "V": "V",
+    "s": "s",
+    "percent": "%",
 }
 
 
@@ -44,8 +75,7 @@ def document_of(result: object, kinds: tuple[str, ...], caller: str) -> dict[str
         return result.data  # type: ignore[attr-defined]
     wanted = " or ".join(kinds)
     if isinstance(result, (list, tuple)):
-        raise TypeError(f"{caller} takes a {wanted}, not a {type(result).__name__}: give its "
-                        "elements one by one")
+        raise TypeError(f"{caller} takes a {wanted}, not a {type(result).__name__}: give its " "elements one by one")
     raise TypeError(f"{caller} takes a {wanted}, not {kind or type(result).__name__!r}")
 
 
@@ -186,10 +216,8 @@ def _of_fit(part: dict[str, Any], noise: dict[str, Any] | None, after: str) -> L
     size, words = noise_of(noise)
     # A document without noise leaves open whether it is known.
     words = words if noise is not None else ""
-    ladder = Ladder(part["unit"], part.get("quantity", ""), noise=size, noise_words=words,
-                    tolerance=_tolerance(part))
-    ladder.steps = [Step("before", part["rmse_before"], "before"),
-                    Step("after", part[after], "after")]
+    ladder = Ladder(part["unit"], part.get("quantity", ""), noise=size, noise_words=words, tolerance=_tolerance(part))
+    ladder.steps = [Step("before", part["rmse_before"], "before"), Step("after", part[after], "after")]
     for word in ("before", "after"):
         held_out = part.get(f"rmse_held_out_{word}")
         if held_out is not None:
@@ -213,12 +241,14 @@ def ladders_of(result: object, caller: str = "ladder()") -> list[Ladder]:
         return [_of_fit(part, None, "rmse") for part in data.get("channels", [data])]
     if kind == "Diagnosis":
         whole = {**data, "quantity": data.get("baseline", {}).get("quantity", "")}
-        return [_of_fit(part, part.get("noise"), "rmse_after")
-                for part in data.get("channels", [whole])]
+        return [_of_fit(part, part.get("noise"), "rmse_after") for part in data.get("channels", [whole])]
     before = data["before"]
-    whole = {**data, "quantity": before.get("quantity", ""), "rmse_before": before["rmse"],
-             "rmse_after": data["after"]["rmse"],
-             f"tolerance_{data['unit']}": before.get(f"tolerance_{data['unit']}")}
+    whole = {
+        **data,
+        "quantity": before.get("quantity", ""),
+        "rmse_before": before["rmse"],
+        "rmse_after": data["after"]["rmse"],
+        f"tolerance_{data['unit']}": before.get(f"tolerance_{data['unit']}"),
+    }
     noises = [part.get("noise") for part in before.get("channels", [before])]
-    return [_of_fit(part, noise, "rmse_after")
-            for part, noise in zip(data.get("channels", [whole]), noises)]
+    return [_of_fit(part, noise, "rmse_after") for part, noise in zip(data.get("channels", [whole]), noises)]

@@ -21,8 +21,7 @@ MOST_MARKERS = 10  # on a curve: more hide the line style
 
 def style(i: int) -> dict[str, Any]:
     """Colour, line and marker of the i-th curve; of cycles of 6, 7 and 9: the first 126 differ."""
-    return {"color": COLOURS[i % len(COLOURS)], "linestyle": LINES[i % len(LINES)],
-            "marker": MARKERS[i % len(MARKERS)]}
+    return {"color": COLOURS[i % len(COLOURS)], "linestyle": LINES[i % len(LINES)], "marker": MARKERS[i % len(MARKERS)]}
 
 
 def markevery(points: int, curve: int) -> tuple[int, int] | None:
@@ -56,17 +55,22 @@ def has_room(ax: Axes, own: bool) -> bool:
     return own or engine is not None
 
 
-def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = None,
-                 spacing: float = 0.5) -> None:
+def place_legend(ax: Axes, own: bool, title: str | None = None, handles: Any = None, spacing: float = 0.5) -> None:
     """Beside the axes where the layout makes room for it; else where it hides least."""
     entries = handles if handles is not None else ax.get_legend_handles_labels()[0]
     beside = has_room(ax, own)
-    where: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0),
-                             "borderaxespad": 0.0} if beside else {"loc": "best"}
+    where: dict[str, Any] = {"loc": "upper left", "bbox_to_anchor": (1.01, 1.0), "borderaxespad": 0.0} if beside else {"loc": "best"}
     # Wide enough for a dash pattern to show at least once.
-    ax.legend(handles=entries, title=title, handlelength=3.2, frameon=not beside,
-              labelspacing=spacing, ncols=1 + (len(entries) - 1) // 9,
-              fontsize="small" if len(entries) > 6 else None, **where)
+    ax.legend(
+        handles=entries,
+        title=title,
+        handlelength=3.2,
+        frameon=not beside,
+        labelspacing=spacing,
+        ncols=1 + (len(entries) - 1) // 9,
+        fontsize="small" if len(entries) > 6 else None,
+        **where,
+    )
 
 
 def speed_axis(ax: Axes, own: bool) -> None:
@@ -89,13 +93,11 @@ def frame_of(source: object, caller: str, wanted: str) -> pd.DataFrame:
     if isinstance(source, pd.DataFrame):
         frame = source
     elif isinstance(source, (list, tuple, dict)):
-        raise TypeError(f"{caller} takes a {wanted} or its DataFrame, not a "
-                        f"{type(source).__name__}: call it for each, with the same ax")
+        raise TypeError(f"{caller} takes a {wanted} or its DataFrame, not a " f"{type(source).__name__}: call it for each, with the same ax")
     elif callable(getattr(source, "to_frame", None)):
         frame = source.to_frame()  # type: ignore[attr-defined]
     else:
-        raise TypeError(f"{caller} takes a {wanted} or its DataFrame, not a "
-                        f"{type(source).__name__!r}")
+        raise TypeError(f"{caller} takes a {wanted} or its DataFrame, not a " f"{type(source).__name__!r}")
     if len(frame) == 0:
         raise ValueError(f"{caller}: no rows: give a {wanted} with at least one")
     return frame
@@ -125,8 +127,7 @@ def numbers(frame: pd.DataFrame, column: str, caller: str) -> np.ndarray:
 
 def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
     """A curve has one value of all settings but speed; raises ValueError otherwise."""
-    settings = ("axial_load_N", "radial_load_N", "moment_Nmm", "temperature_C", "preload_N",
-                "external_load_N")
+    settings = ("axial_load_N", "radial_load_N", "moment_Nmm", "temperature_C", "preload_N", "external_load_N")
     for column in settings:
         if column in by or column not in frame.columns:
             continue
@@ -137,7 +138,8 @@ def require_one_value(frame: pd.DataFrame, by: list[str], caller: str) -> None:
             raise ValueError(
                 f"{caller}: {column} varies too ({some}), and a curve needs one value: give "
                 f"by=[{more}], or the rows of one value, "
-                f"table.to_frame().query(\"{column} == {values[0]:g}\")")
+                f'table.to_frame().query("{column} == {values[0]:g}")'
+            )
 
 
 def groups_by(frame: pd.DataFrame, by: list[str]) -> list[tuple[tuple[Any, ...], pd.DataFrame]]:
@@ -151,8 +153,7 @@ def groups_by(frame: pd.DataFrame, by: list[str]) -> list[tuple[tuple[Any, ...],
 
 def value_text(columns: list[str], values: tuple[Any, ...]) -> str:
     """Values of a curve as its legend has them: "300", or "300, 40" of two columns."""
-    return ", ".join(f"{v:g}" if isinstance(v, (int, float, np.number)) else str(v)
-                     for _, v in zip(columns, values))
+    return ", ".join(f"{v:g}" if isinstance(v, (int, float, np.number)) else str(v) for _, v in zip(columns, values))
 
 
 def unit_of(column: str) -> str:

@@ -80,18 +80,10 @@ class Effect:
     """
 
     def __init__(
-        self,
-        id: str,
-        torque: Callable[..., ArrayLike],
-        numbers: Mapping[str, Number | Mapping[str, Any] | float],
-        *,
-        title: str = "",
+        self, id: str, torque: Callable[..., ArrayLike], numbers: Mapping[str, Number | Mapping[str, Any] | float], *, title: str = ""
     ) -> None:
         if not id or any(c in " .\t\n,;\"'" for c in id) or id[0] in "=+-@":
-            raise InputError(
-                f"id = {id!r}: must be a name without blanks, dots, commas, semicolons and quotes, "
-                "and not begin with =, +, - or @"
-            )
+            raise InputError(f"id = {id!r}: must be a name without blanks, dots, commas, semicolons and quotes, " "and not begin with =, +, - or @")
         if not callable(torque):
             raise TypeError(f"torque: a function of state and numbers is wanted, not {type(torque).__name__}")
         if not numbers:
@@ -103,10 +95,7 @@ class Effect:
 
     def with_values(self, values: Sequence[float]) -> Effect:
         """Return the effect with other numbers, in their order."""
-        numbers = {
-            name: Number(float(value), n.unit, n.lower, n.upper)
-            for (name, n), value in zip(self.numbers.items(), values, strict=True)
-        }
+        numbers = {name: Number(float(value), n.unit, n.lower, n.upper) for (name, n), value in zip(self.numbers.items(), values, strict=True)}
         return Effect(self.id, self.torque, numbers, title=self.title)
 
     def _call(self, columns: Mapping[str, Any], values: Sequence[float], rows: int) -> list[float]:

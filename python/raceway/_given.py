@@ -55,9 +55,7 @@ def value_of(name: str, value: float) -> float:
 
 
 def _kind(array: numpy.ndarray) -> str:
-    return {"U": "text", "S": "text", "b": "truth values", "c": "complex numbers"}.get(
-        array.dtype.kind, f"objects ({array.dtype})"
-    )
+    return {"U": "text", "S": "text", "b": "truth values", "c": "complex numbers"}.get(array.dtype.kind, f"objects ({array.dtype})")
 
 
 def axis(name: str, values: ArrayLike | None) -> list[float]:

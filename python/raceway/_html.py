@@ -10,16 +10,14 @@ from __future__ import annotations
 from html import escape
 from typing import Any
 
-from ._documents import (Ladder, effect_name, error_unit, files_text, kind_of, label_of, ladders_of,
-                         number, quantity_text, split_column, unit_text)
+from ._documents import Ladder, effect_name, error_unit, files_text, kind_of, label_of, ladders_of, number, quantity_text, split_column, unit_text
 
 FIRST_ROWS = 6  # of a table
 RANKED = 6  # effects, beside those of the verdict
 WORST = 5  # ranges in which a model errs
 BAR = 220  # width of the longest bar [px]
 
-_CELL = ("padding:.15em .8em .15em 0;border:0;background:none;vertical-align:baseline;"
-         "white-space:normal;")
+_CELL = "padding:.15em .8em .15em 0;border:0;background:none;vertical-align:baseline;" "white-space:normal;"
 _LEFT = f'style="{_CELL}text-align:left"'
 _RIGHT = f'style="{_CELL}text-align:right;font-variant-numeric:tabular-nums"'
 _FAINT = "opacity:.7"
@@ -40,33 +38,35 @@ def heading(words: str) -> str:
 
 def table(head: list[str], rows: list[list[str]], left: int = 1, units: int | None = None) -> str:
     """Rows of cells that are escaped already; the first `left` columns hold words, as does that of units."""
+
     def cells(tag: str, row: list[str]) -> str:
-        return "".join(f"<{tag} {_LEFT if i < left or i == units else _RIGHT}>{cell}</{tag}>"
-                       for i, cell in enumerate(row))
+        return "".join(f"<{tag} {_LEFT if i < left or i == units else _RIGHT}>{cell}</{tag}>" for i, cell in enumerate(row))
+
     top = f'<tr style="background:none">{cells("th", [text(h) for h in head])}</tr>' if head else ""
     body = "".join(f'<tr style="background:none">{cells("td", row)}</tr>' for row in rows)
     # A wide one scrolls by itself, and leaves the words around it in sight.
-    return ('<div style="overflow-x:auto">'
-            '<table style="border-collapse:collapse;border:0;margin:.2em 0;'
-            'color:inherit;font-size:inherit">'
-            f"{'<thead>' + top + '</thead>' if top else ''}<tbody>{body}</tbody></table></div>")
+    return (
+        '<div style="overflow-x:auto">'
+        '<table style="border-collapse:collapse;border:0;margin:.2em 0;'
+        'color:inherit;font-size:inherit">'
+        f"{'<thead>' + top + '</thead>' if top else ''}<tbody>{body}</tbody></table></div>"
+    )
 
 
 def bar(value: float, full: float, mark: float | None, kind: str) -> str:
     """A bar of a ladder, with a stroke where the noise is."""
     width = 0.0 if not full > 0.0 else BAR * max(0.0, min(value / full, 1.0))
     # Hollow where rows were held out, as in the picture of plot.ladder().
-    body = (f'<rect x="0.5" y="2.5" width="{width:.1f}" height="9" fill="none" '
-            'stroke="currentColor" stroke-opacity=".6"/>' if kind == "held out" else
-            f'<rect x="0" y="2" width="{width:.1f}" height="10" fill="currentColor" '
-            f'fill-opacity="{".75" if kind == "after" else ".4"}"/>')
+    body = (
+        f'<rect x="0.5" y="2.5" width="{width:.1f}" height="9" fill="none" ' 'stroke="currentColor" stroke-opacity=".6"/>'
+        if kind == "held out"
+        else f'<rect x="0" y="2" width="{width:.1f}" height="10" fill="currentColor" ' f'fill-opacity="{".75" if kind == "after" else ".4"}"/>'
+    )
     line = ""
     if mark is not None and full > 0.0 and mark <= full:
         at = BAR * mark / full
-        line = (f'<line x1="{at:.1f}" y1="0" x2="{at:.1f}" y2="14" stroke="currentColor" '
-                'stroke-width="1.5" stroke-dasharray="2 1.5"/>')
-    return (f'<svg width="{BAR + 2}" height="14" role="img" aria-label="{number(value)}" '
-            f'style="vertical-align:middle">{body}{line}</svg>')
+        line = f'<line x1="{at:.1f}" y1="0" x2="{at:.1f}" y2="14" stroke="currentColor" ' 'stroke-width="1.5" stroke-dasharray="2 1.5"/>'
+    return f'<svg width="{BAR + 2}" height="14" role="img" aria-label="{number(value)}" ' f'style="vertical-align:middle">{body}{line}</svg>'
 
 
 def ladder_html(ladders: list[Ladder]) -> str:
@@ -74,17 +74,14 @@ def ladder_html(ladders: list[Ladder]) -> str:
     first = ladders[0]
     steps = [step for one in ladders for step in one.steps if step.rmse is not None]
     full = max([step.rmse for step in steps] + [first.noise or 0.0], default=0.0)
-    rows = [[text(step.label), number(step.rmse), bar(step.rmse, full, first.noise, step.kind)]
-            for step in steps]
+    rows = [[text(step.label), number(step.rmse), bar(step.rmse, full, first.noise, step.kind)] for step in steps]
     known = first.noise is not None
     if first.noise_words:
-        rows.append([text(first.noise_words + (" (dashed)" if known else "")),
-                     number(first.noise) if known else "not known", ""])
+        rows.append([text(first.noise_words + (" (dashed)" if known else "")), number(first.noise) if known else "not known", ""])
     if first.tolerance is not None:
         rows.append(["tolerance", number(first.tolerance), ""])
     words = quantity_text(first.quantity).lower()
-    return heading(f"RMS error{' of ' + words if words else ''} in {error_unit(first.unit)}") + \
-        table([], rows)
+    return heading(f"RMS error{' of ' + words if words else ''} in {error_unit(first.unit)}") + table([], rows)
 
 
 def ladders_html(result: object) -> str:
@@ -124,21 +121,28 @@ def _ranking(data: dict[str, Any]) -> str:
     named = sum(bool(e.get("in_verdict")) for e in effects)
     rows = []
     for e in effects[: named + RANKED]:
-        sizes = "; ".join(f"{name} = {size_text(p)}" if len(e["parameters"]) > 1
-                          else size_text(p) for name, p in e.get("parameters", {}).items())
+        sizes = "; ".join(f"{name} = {size_text(p)}" if len(e["parameters"]) > 1 else size_text(p) for name, p in e.get("parameters", {}).items())
         name = text(effect_name(e))
-        rows.append([f"<b>{name}</b>" if e.get("in_verdict") else name,
-                     "yes" if e.get("in_verdict") else "", text(sizes), _gain(e.get("gain")),
-                     number(e.get("rmse")), number(e.get("rmse_cross_validated"))])
+        rows.append(
+            [
+                f"<b>{name}</b>" if e.get("in_verdict") else name,
+                "yes" if e.get("in_verdict") else "",
+                text(sizes),
+                _gain(e.get("gain")),
+                number(e.get("rmse")),
+                number(e.get("rmse_cross_validated")),
+            ]
+        )
     head = ["effect", "in verdict", "size", "gain", f"RMS, {error_unit(unit)}", "held out"]
     if all(e.get("gain") is None for e in effects):  # records over time are judged held out
         head, rows = head[:3] + head[4:], [row[:3] + row[4:] for row in rows]
     more = len(effects) - len(rows)
-    return (heading("Effects, best first")
-            + table(head, rows, left=3)
-            + (paragraph("gain, RMS and held out: of the set that is named", _FAINT)
-               if data["verdict"] == "several-effects" else "")
-            + (paragraph(f"and {more} others, less likely", _FAINT) if more > 0 else ""))
+    return (
+        heading("Effects, best first")
+        + table(head, rows, left=3)
+        + (paragraph("gain, RMS and held out: of the set that is named", _FAINT) if data["verdict"] == "several-effects" else "")
+        + (paragraph(f"and {more} others, less likely", _FAINT) if more > 0 else "")
+    )
 
 
 def _next(data: dict[str, Any]) -> str:
@@ -150,14 +154,15 @@ def _next(data: dict[str, Any]) -> str:
     if points:
         fixed = ("repeats", "separates", "difference_in_sigma")
         settings = [key for key in points[0] if key not in fixed]
-        rows = [[text(p.get("separates"))] + [number(p.get(key), 5) for key in settings]
-                + [text(p.get("repeats"))] for p in points]
+        rows = [[text(p.get("separates"))] + [number(p.get(key), 5) for key in settings] + [text(p.get("repeats"))] for p in points]
         out += table(["tells apart", *map(label_of, settings), "times"], rows)
         separation = data.get("predicted_separation")
         if separation is not None:
-            out += paragraph(f"difference to be expected {number(separation)}, by repeating what "
-                             f"exists {number(data.get('separation_by_repetition'))}; 6 are needed",
-                             _FAINT)
+            out += paragraph(
+                f"difference to be expected {number(separation)}, by repeating what "
+                f"exists {number(data.get('separation_by_repetition'))}; 6 are needed",
+                _FAINT,
+            )
     if records:
         items = "".join(f"<li>{text(r)}</li>" for r in records)
         out += f'<ul style="margin:.2em 0;padding-left:1.4em">{items}</ul>'
@@ -166,14 +171,12 @@ def _next(data: dict[str, Any]) -> str:
 
 def _against(part: dict[str, Any]) -> str:
     """Which data stand against which model."""
-    return f'{text(part["rows"])} rows of {text(files_text(part.get("data")))} against ' \
-        f'{text(part.get("model"))}'
+    return f'{text(part["rows"])} rows of {text(files_text(part.get("data")))} against ' f'{text(part.get("model"))}'
 
 
 def _diagnosis(result: Any) -> str:
     data = result.data
-    out = '<div style="font-weight:600;font-size:1.1em;max-width:55em">' + \
-        f'{text(data["headline"])}</div>'
+    out = '<div style="font-weight:600;font-size:1.1em;max-width:55em">' + f'{text(data["headline"])}</div>'
     out += paragraph(text(data["sentence"]))
     out += paragraph(f'verdict: <b>{text(data["verdict"])}</b>; {_against(data)}', _FAINT)
     out += ladders_html(result)
@@ -197,13 +200,11 @@ def _range(where: dict[str, Any]) -> str:
 
 def _where_html(part: dict[str, Any]) -> str:
     where = part.get("where", [])
-    rows = [[text(_range(w)), text(w["rows"]), number(w["rmse"]),
-             ("+" if w["bias"] > 0 else "") + number(w["bias"])] for w in where[:WORST]]
+    rows = [[text(_range(w)), text(w["rows"]), number(w["rmse"]), ("+" if w["bias"] > 0 else "") + number(w["bias"])] for w in where[:WORST]]
     out = paragraph(text(part.get("statement", "")))
     if rows:
         unit = error_unit(part["unit"])
-        out += heading("Where it errs most") + \
-            table(["range", "rows", f"RMS, {unit}", f"mean error, {unit}"], rows)
+        out += heading("Where it errs most") + table(["range", "rows", f"RMS, {unit}", f"mean error, {unit}"], rows)
     return out
 
 
@@ -224,8 +225,7 @@ def _ends(p: dict[str, Any]) -> list[str]:
     """Of the interval by profile likelihood, where there is one."""
     if "profile" not in p:
         return []
-    return [number(p["profile"][end], 5) + (" (open)" if p["profile"][f"open_{end}"] else "")
-            for end in ("from", "to")]
+    return [number(p["profile"][end], 5) + (" (open)" if p["profile"][f"open_{end}"] else "") for end in ("from", "to")]
 
 
 def parameters_html(calibration: dict[str, Any]) -> str:
@@ -233,31 +233,46 @@ def parameters_html(calibration: dict[str, Any]) -> str:
     parameters = calibration.get("parameters", {})
     rows = []
     for name, p in parameters.items():
-        doubt = "held by the fit" if p.get("held") else "at its bound" if p.get("at_bound") else \
-            "" if p.get("identifiable", True) else "not told by these data"
-        rows.append([text(name), text(unit_text(p.get("unit"))), number(p.get("start"), 5),
-                     number(p.get("value"), 5), number(p.get("std"), 2), *_ends(p), text(doubt)])
+        doubt = (
+            "held by the fit"
+            if p.get("held")
+            else "at its bound"
+            if p.get("at_bound")
+            else ""
+            if p.get("identifiable", True)
+            else "not told by these data"
+        )
+        rows.append(
+            [
+                text(name),
+                text(unit_text(p.get("unit"))),
+                number(p.get("start"), 5),
+                number(p.get("value"), 5),
+                number(p.get("std"), 2),
+                *_ends(p),
+                text(doubt),
+            ]
+        )
     profile = ["95 % from", "to"] if "profile" in calibration else []
-    out = heading("Parameters") + \
-        table(["parameter", "unit", "start", "value", "std error", *profile, ""], rows, left=2)
+    out = heading("Parameters") + table(["parameter", "unit", "start", "value", "std error", *profile, ""], rows, left=2)
     matrix = calibration.get("correlation") or []
     if len(matrix) > 1:
         names = list(parameters)
         # By number: names of effects' parameters are too long for a column.
-        rows = [[str(i + 1), text(name)] + [number(r, 2) for r in matrix[i][: i + 1]]
-                + [""] * (len(names) - i - 1) for i, name in enumerate(names)]
-        out += heading("Correlation") + \
-            table(["", "", *(str(i + 1) for i in range(len(names)))], rows, left=2)
+        rows = [[str(i + 1), text(name)] + [number(r, 2) for r in matrix[i][: i + 1]] + [""] * (len(names) - i - 1) for i, name in enumerate(names)]
+        out += heading("Correlation") + table(["", "", *(str(i + 1) for i in range(len(names)))], rows, left=2)
     return out
 
 
 def _conformity(data: dict[str, Any]) -> str:
     """Of catalogue rigidities instead of readings: one number and the classes it is from."""
-    rows = [[text(c.get("class")), number(c.get("preload_N")), number(c.get("printed_N_um")),
-             number(c.get("computed_N_um"))] for c in data.get("classes", [])]
-    return paragraph(f'<b>{text(data.get("bearing"))}</b>, groove conformity '
-                     f'{text(size_text(data.get("conformity", {})))}') + \
-        table(["class", "preload in N", "printed in N/µm", "computed in N/µm"], rows)
+    rows = [
+        [text(c.get("class")), number(c.get("preload_N")), number(c.get("printed_N_um")), number(c.get("computed_N_um"))]
+        for c in data.get("classes", [])
+    ]
+    return paragraph(f'<b>{text(data.get("bearing"))}</b>, groove conformity ' f'{text(size_text(data.get("conformity", {})))}') + table(
+        ["class", "preload in N", "printed in N/µm", "computed in N/µm"], rows
+    )
 
 
 def _calibration(result: Any) -> str:
@@ -267,12 +282,12 @@ def _calibration(result: Any) -> str:
     status = data.get("report", {}).get("status", "")
     chi = data.get("reduced_chi_square")
     freedom = text(data.get("degrees_of_freedom"))
-    facts = f'{text(data["rows"])} rows, {freedom} degrees of freedom, {text(status)}' + \
-        (f", chi²/dof = {number(chi)}" if chi is not None else "") + \
-        (f', AIC {number(data["aic"], 5)}, BIC {number(data["bic"], 5)}'
-         if data.get("aic") is not None else "")
-    return ladders_html(result) + paragraph(facts, _FAINT) + parameters_html(data) + \
-        messages_html(data)
+    facts = (
+        f'{text(data["rows"])} rows, {freedom} degrees of freedom, {text(status)}'
+        + (f", chi²/dof = {number(chi)}" if chi is not None else "")
+        + (f', AIC {number(data["aic"], 5)}, BIC {number(data["bic"], 5)}' if data.get("aic") is not None else "")
+    )
+    return ladders_html(result) + paragraph(facts, _FAINT) + parameters_html(data) + messages_html(data)
 
 
 def _addition(result: Any) -> str:
@@ -289,17 +304,19 @@ def _rows_html(result: Any) -> str:
     frame = result.to_frame()
     columns = list(frame.columns)
     shown = columns[:8]
-    rows = [[number(v, 5) if isinstance(v, (int, float)) and not isinstance(v, bool)
-             else text(getattr(v, "item", lambda v=v: v)()) for v in row]
-            for row in frame[shown].head(FIRST_ROWS).itertuples(index=False, name=None)]
+    rows = [
+        [number(v, 5) if isinstance(v, (int, float)) and not isinstance(v, bool) else text(getattr(v, "item", lambda v=v: v)()) for v in row]
+        for row in frame[shown].head(FIRST_ROWS).itertuples(index=False, name=None)
+    ]
     count = f"{len(frame)} rows, {len(columns)} columns"
     if len(columns) > len(shown):
         count += f"; also {', '.join(map(str, columns[len(shown):len(shown) + 6]))}"
         count += ", ..." if len(columns) > len(shown) + 6 else ""
     data = result.data or {}
     name = data.get("bearing") or data.get("model") or ""
-    return (paragraph(f"<b>{text(name)}</b>") if name else "") + \
-        table([label_of(str(c)) for c in shown], rows, left=0) + paragraph(text(count), _FAINT)
+    return (
+        (paragraph(f"<b>{text(name)}</b>") if name else "") + table([label_of(str(c)) for c in shown], rows, left=0) + paragraph(text(count), _FAINT)
+    )
 
 
 def _solution(result: Any) -> str:
@@ -320,9 +337,15 @@ def _solution(result: Any) -> str:
     return paragraph(f"<b>{text(name)}</b> {text(status)}") + table([], rows, units=2)
 
 
-_WRITERS = {"Solution": _solution, "Table": _rows_html, "Displacement": _rows_html,
-            "Comparison": _comparison, "Calibration": _calibration, "Diagnosis": _diagnosis,
-            "Addition": _addition}
+_WRITERS = {
+    "Solution": _solution,
+    "Table": _rows_html,
+    "Displacement": _rows_html,
+    "Comparison": _comparison,
+    "Calibration": _calibration,
+    "Diagnosis": _diagnosis,
+    "Addition": _addition,
+}
 
 
 def html_of(result: Any) -> str:
@@ -358,5 +381,4 @@ def html_of(result: Any) -> str:
     if writer is None:
         raise TypeError(f"html_of() takes a {', '.join(writers)}, not {type(result).__name__!r}")
     # Of a table of one column, which is as wide as its place and not as its widest line.
-    return ('<div style="display:grid;grid-template-columns:minmax(0,1fr);line-height:1.4;color:inherit">'
-            f"{writer(result)}</div>")
+    return '<div style="display:grid;grid-template-columns:minmax(0,1fr);line-height:1.4;color:inherit">' f"{writer(result)}</div>"

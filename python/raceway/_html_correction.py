@@ -24,26 +24,27 @@ def _said(data: dict[str, Any]) -> str:
 
 
 def _of(data: dict[str, Any]) -> str:
-    return paragraph(f'{text(data.get("rows", ""))} rows of {text(files_text(data["data"]))} against '
-                     f'{text(data["model"])}', _FAINT)
+    return paragraph(f'{text(data.get("rows", ""))} rows of {text(files_text(data["data"]))} against ' f'{text(data["model"])}', _FAINT)
 
 
 def parameters_table(parameters: dict[str, dict[str, Any]]) -> str:
     """Numbers with their errors; of many the first."""
-    rows = [[text(name), number(p["value"], 5)] + ([number(p["std"], 2)] if "std" in p else [])
-            + [text(unit_text(p["unit"]).replace("um/", "µm/"))]
-            for name, p in list(parameters.items())[:FEW]]
+    rows = [
+        [text(name), number(p["value"], 5)] + ([number(p["std"], 2)] if "std" in p else []) + [text(unit_text(p["unit"]).replace("um/", "µm/"))]
+        for name, p in list(parameters.items())[:FEW]
+    ]
     more = len(parameters) - len(rows)
     errors = ["std error"] if rows and len(rows[0]) == 4 else []
-    return table(["parameter", "value", *errors, "unit"], rows) + \
-        (paragraph(f"and {more} more, in parameters", _FAINT) if more > 0 else "")
+    return table(["parameter", "value", *errors, "unit"], rows) + (paragraph(f"and {more} more, in parameters", _FAINT) if more > 0 else "")
 
 
 def correction_html(correction: Any) -> str:
     """A correction: what it predicts, from what, with which numbers."""
-    return _page(paragraph(f'<b>{text(", ".join(correction.displacements))}</b> of '
-                           f'{text(", ".join(correction.inputs) or "no input")}')
-                 + parameters_table(correction.parameters) + paragraph(text(correction.source), _FAINT))
+    return _page(
+        paragraph(f'<b>{text(", ".join(correction.displacements))}</b> of ' f'{text(", ".join(correction.inputs) or "no input")}')
+        + parameters_table(correction.parameters)
+        + paragraph(text(correction.source), _FAINT)
+    )
 
 
 def identification_html(found: Any) -> str:
@@ -51,21 +52,29 @@ def identification_html(found: Any) -> str:
     data, rows = found.data, []
     for axis in _axes(data):
         if "fits" in axis:
-            rows += [[text(axis["displacement"]), f'ARX {text(f["order"])}',
-                      number(f["simulated"]["rmse_um"]), number(f["one_step"]["rmse_um"]), ""]
-                     for f in axis["fits"]]
+            rows += [
+                [text(axis["displacement"]), f'ARX {text(f["order"])}', number(f["simulated"]["rmse_um"]), number(f["one_step"]["rmse_um"]), ""]
+                for f in axis["fits"]
+            ]
         else:
-            rows.append([text(axis["displacement"]), text(", ".join(c["name"] for c in axis["channels"][:6])),
-                         number(axis["rmse_held_out_um"]), number(axis["metrics"]["rmse_um"]),
-                         number(axis["noise"]["rms"])])
+            rows.append(
+                [
+                    text(axis["displacement"]),
+                    text(", ".join(c["name"] for c in axis["channels"][:6])),
+                    number(axis["rmse_held_out_um"]),
+                    number(axis["metrics"]["rmse_um"]),
+                    number(axis["noise"]["rms"]),
+                ]
+            )
     arx = any("fits" in axis for axis in _axes(data))
-    head = ["displacement", "of", "simulated, µm" if arx else "held out, µm",
-            "one step, µm" if arx else "RMS, µm", "" if arx else "noise, µm"]
+    head = ["displacement", "of", "simulated, µm" if arx else "held out, µm", "one step, µm" if arx else "RMS, µm", "" if arx else "noise, µm"]
     out = table(head, rows, left=2)
     for axis in _axes(data):
         if (other := axis.get("validation")) is not None:
-            out += paragraph(f'on {text(other["data"])}: {text(axis["displacement"])} RMS '
-                             f'{number(other["rmse_um"])} µm, largest {number(other["max_abs_um"])} µm')
+            out += paragraph(
+                f'on {text(other["data"])}: {text(axis["displacement"])} RMS '
+                f'{number(other["rmse_um"])} µm, largest {number(other["max_abs_um"])} µm'
+            )
     if found.parameters:
         out += heading("Parameters") + parameters_table(found.parameters)
     warnings = [w for axis in _axes(data) for w in axis.get("warnings", [])]
@@ -79,18 +88,31 @@ def run_html(run: Any) -> str:
     for axis in _axes(data):
         if learnt:
             b = axis["between_readings"]
-            rows.append([text(axis["displacement"]), text(axis["readings_learnt"]),
-                         number(b["rmse_first_zero_um"]), number(b["rmse_last_zero_um"]),
-                         number(b["rmse_learnt_um"])])
+            rows.append(
+                [
+                    text(axis["displacement"]),
+                    text(axis["readings_learnt"]),
+                    number(b["rmse_first_zero_um"]),
+                    number(b["rmse_last_zero_um"]),
+                    number(b["rmse_learnt_um"]),
+                ]
+            )
         else:
             low, high = axis["predicted_range_um"]
             m = axis["metrics"]
-            rows.append([text(axis["displacement"]), f"{number(low)} to {number(high)}", text(m["readings"]),
-                         number(m["rmse_um"]), number(m["max_abs_um"])])
-    head = ["displacement", "learnt", "first zero, µm", "last zero, µm", "learning, µm"] if learnt else \
-        ["displacement", "predicted, µm", "readings", "RMS, µm", "largest, µm"]
-    words = "RMS of the readings that nothing was learnt from" if learnt else \
-        "RMS and largest: what is left of the readings when one constant is taken off"
+            rows.append(
+                [text(axis["displacement"]), f"{number(low)} to {number(high)}", text(m["readings"]), number(m["rmse_um"]), number(m["max_abs_um"])]
+            )
+    head = (
+        ["displacement", "learnt", "first zero, µm", "last zero, µm", "learning, µm"]
+        if learnt
+        else ["displacement", "predicted, µm", "readings", "RMS, µm", "largest, µm"]
+    )
+    words = (
+        "RMS of the readings that nothing was learnt from"
+        if learnt
+        else "RMS and largest: what is left of the readings when one constant is taken off"
+    )
     return _page(table(head, rows) + paragraph(words, _FAINT) + _of(data) + _said(data))
 
 
@@ -106,16 +128,21 @@ def _testable(effect: dict[str, Any]) -> str:
 def check_html(check: Any) -> str:
     """Columns, and which effects can be told."""
     data = check.data
-    columns = [[text(c["name"]), number(c["from"], 5), number(c["to"], 5), text(c["levels"])]
-               for c in data["columns"][:FEW]]
+    columns = [[text(c["name"]), number(c["from"], 5), number(c["to"], 5), text(c["levels"])] for c in data["columns"][:FEW]]
     effects = [[text(e["id"]), text(_testable(e))] for e in data["effects"]]
-    return _page(paragraph(f'{text(data["rows"])} rows') + table(["column", "from", "to", "levels"], columns)
-                 + heading("Effects") + table([], effects, left=2) + _said(data))
+    return _page(
+        paragraph(f'{text(data["rows"])} rows')
+        + table(["column", "from", "to", "levels"], columns)
+        + heading("Effects")
+        + table([], effects, left=2)
+        + _said(data)
+    )
 
 
 def law_html(law: Any) -> str:
     """The numbers of the law and how well it follows its curve."""
     data = law.data
-    return _page(parameters_table(law.parameters)
-                 + paragraph(f'mean absolute error {number(data["mae_um"])} µm, largest '
-                             f'{number(data["max_abs_um"])} µm, {text(data["rows"])} rows'))
+    return _page(
+        parameters_table(law.parameters)
+        + paragraph(f'mean absolute error {number(data["mae_um"])} µm, largest ' f'{number(data["max_abs_um"])} µm, {text(data["rows"])} rows')
+    )

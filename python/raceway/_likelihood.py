@@ -25,10 +25,8 @@ def ranked(data: dict[str, Any]) -> list[Explanation]:
     rows: list[Explanation] = []
     if data["verdict"] == "several-effects":
         # An effect in a set has the numbers of the first set that it is in.
-        rows = [Explanation(" + ".join(ids), fit, True)
-                for ids, fit in zip(data["explanations"], data["explanation_fits"])]
+        rows = [Explanation(" + ".join(ids), fit, True) for ids, fit in zip(data["explanations"], data["explanation_fits"])]
         named = {one for ids in data["explanations"] for one in ids}
         effects = [e for e in effects if e["id"] not in named]
     first = sum(bool(e.get("in_verdict")) for e in effects)
-    return rows + [Explanation(effect_name(e), e, bool(e.get("in_verdict")))
-                   for e in effects[: first + RANKED]]
+    return rows + [Explanation(effect_name(e), e, bool(e.get("in_verdict"))) for e in effects[: first + RANKED]]

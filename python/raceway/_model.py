@@ -20,15 +20,7 @@ from ._given import axis as _axis
 from ._given import text_of, tolerance_text, value_of
 from ._given import warn as _warn
 from ._record import Record
-from ._results import (
-    Addition,
-    Calibration,
-    Comparison,
-    Diagnosis,
-    Displacement,
-    Solution,
-    Table,
-)
+from ._results import Addition, Calibration, Comparison, Diagnosis, Displacement, Solution, Table
 from ._sensitivity import SensitivityQuestion
 from ._spindle_questions import SpindleQuestions
 
@@ -114,9 +106,7 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
             raise ValueError(f"ball_material = {ball_material!r}: must be steel or silicon-nitride")
         if ball_count is not None and operator.index(ball_count) < 3:
             raise ValueError(f"ball_count = {ball_count}: must be 3 or more")
-        bore, outer, angle = (
-            float("nan") if size is None else float(size) for size in (bore_mm, outer_diameter_mm, contact_angle_deg)
-        )
+        bore, outer, angle = (float("nan") if size is None else float(size) for size in (bore_mm, outer_diameter_mm, contact_angle_deg))
         text, notes = _engine.new_model(bearing, law, ball_material, bore, outer, angle, ball_count or 0)
         model = cls(bearing, text)
         model._said = notes
@@ -272,17 +262,14 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
         4     6000.0         300.0                293.7
         5    12000.0         300.0                384.7
         """
-        axes = [_axis(n, v) for n, v in (("speed_rpm", speed_rpm), ("axial_load_N", axial_load_N),
-                                         ("radial_load_N", radial_load_N), ("temperature_C", temperature_C))]
+        axes = [
+            _axis(n, v)
+            for n, v in (("speed_rpm", speed_rpm), ("axial_load_N", axial_load_N), ("radial_load_N", radial_load_N), ("temperature_C", temperature_C))
+        ]
         return Table(_engine.Table(self._engine, bool(band), *axes))
 
     def displacement(
-        self,
-        speed_rpm: ArrayLike,
-        axial_load_N: float | None = None,
-        temperature_C: float | None = None,
-        *,
-        band: bool = False,
+        self, speed_rpm: ArrayLike, axial_load_N: float | None = None, temperature_C: float | None = None, *, band: bool = False
     ) -> Displacement:
         """Position of a shaft in its arrangement over its speed, against standstill [um].
 
@@ -330,12 +317,7 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
         return pandas.DataFrame(_engine.predict(self._engine, texts, bool(band), **options))
 
     def compare(
-        self,
-        record: Records,
-        *others: Model,
-        refit: Iterable[str] = (),
-        per_record: Iterable[str] = (),
-        tolerance: str | None = None,
+        self, record: Records, *others: Model, refit: Iterable[str] = (), per_record: Iterable[str] = (), tolerance: str | None = None
     ) -> Comparison:
         """Say how far the model is from a record, and where; with other models: the ladder.
 
@@ -359,9 +341,7 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
         _warn(answer.warnings)
         return Comparison(answer, (self, *others), record)
 
-    def calibrate(
-        self, record: Records, *, profile: bool = False, per_record: Iterable[str] = ()
-    ) -> Calibration:
+    def calibrate(self, record: Records, *, profile: bool = False, per_record: Iterable[str] = ()) -> Calibration:
         """Re-fit the free factors of the model (``[calibration] free``; by default f0 and z).
 
         Parameters
@@ -425,14 +405,7 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
         _warn(answer.warnings)
         return Diagnosis(answer)
 
-    def add(
-        self,
-        effects: str | Iterable[str],
-        record: Records,
-        *,
-        per_record: Iterable[str] = (),
-        tolerance: str | None = None,
-    ) -> Addition:
+    def add(self, effects: str | Iterable[str], record: Records, *, per_record: Iterable[str] = (), tolerance: str | None = None) -> Addition:
         """Switch effects on, calibrated, and judge them on rows that the fit did not see.
 
         Returns
@@ -487,17 +460,12 @@ def _names(argument: str, names: str | Iterable[str]) -> list[str]:
     return listed
 
 
-def _asked(
-    record: Records, tolerance: str | None, per_record: Iterable[str]
-) -> tuple[list[tuple[str, str]], dict[str, Any]]:
+def _asked(record: Records, tolerance: str | None, per_record: Iterable[str]) -> tuple[list[tuple[str, str]], dict[str, Any]]:
     """What the engine takes of records and options."""
     records = list(record) if isinstance(record, (list, tuple)) else [record]
     for one in records:
         if not isinstance(one, Record):
-            raise TypeError(
-                f"a raceway.Record is wanted, not {type(one).__name__}: "
-                "Record.read(path) or Record.from_pandas(frame)"
-            )
+            raise TypeError(f"a raceway.Record is wanted, not {type(one).__name__}: " "Record.read(path) or Record.from_pandas(frame)")
     if not records:
         raise ValueError("no record is given")
     maps = {r._columns for r in records}

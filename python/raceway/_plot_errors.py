@@ -11,8 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from . import _draw as draw
-from ._documents import (Ladder, error_unit, kind_of, label_of, ladders_of, number,
-                         quantity_text)
+from ._documents import Ladder, error_unit, kind_of, label_of, ladders_of, number, quantity_text
 
 LARGEST_MARK = 260.0  # area of the mark of the largest error [points²]
 
@@ -67,8 +66,7 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
     unit, quantity = ladders[0].unit, ladders[0].quantity
     for one in ladders:
         if one.unit != unit:
-            raise ValueError(f"{caller}: errors in {error_unit(unit)} and in "
-                             f"{error_unit(one.unit)} have no common axis: draw them one by one")
+            raise ValueError(f"{caller}: errors in {error_unit(unit)} and in " f"{error_unit(one.unit)} have no common axis: draw them one by one")
     bars = [(step.label, step.rmse, step.kind) for one in ladders for step in one.steps]
     if labels is not None:
         if isinstance(labels, str) or len(labels) != len(bars):
@@ -80,8 +78,9 @@ def ladder(*results: Any, labels: Sequence[str] | None = None, ax: Axes | None =
     tolerances = {one.tolerance for one in ladders if one.tolerance is not None}
     for allowed in tolerances:
         ax.axvline(allowed, color=mpl.rcParams["text.color"], linestyle=":")
-        ax.annotate(f"tolerance {number(allowed)}", (allowed, 1.0), xytext=(0, 2), ha="center",
-                    xycoords=("data", "axes fraction"), textcoords="offset points")
+        ax.annotate(
+            f"tolerance {number(allowed)}", (allowed, 1.0), xytext=(0, 2), ha="center", xycoords=("data", "axes fraction"), textcoords="offset points"
+        )
     words = f" of {quantity_text(quantity).lower()}" if quantity else ""
     ax.set_xlabel(f"RMS error{words} in {error_unit(unit)}")
     return ax
@@ -95,21 +94,25 @@ def _noise_bars(ladders: list[Ladder]) -> list[tuple[str, float, str]]:
     sizes = [size for _, size in known]
     if max(sizes) <= 1.01 * min(sizes):
         return [(known[-1][0], known[-1][1], "noise")]
-    return [(f"{words}, {one.steps[0].label}", one.noise, "noise")
-            for one in ladders if one.noise is not None for words in [one.noise_words]]
+    return [(f"{words}, {one.steps[0].label}", one.noise, "noise") for one in ladders if one.noise is not None for words in [one.noise_words]]
 
 
 def _bars(ax: Axes, bars: list[tuple[str, float, str]], own: bool) -> None:
     # Apart without colour: light, dark, and two hatches.
-    looks = {"before": {"color": "0.72"}, "model": {"color": "0.72"}, "after": {"color": "#0072B2"},
-             "held out": {"facecolor": "none", "edgecolor": "#0072B2", "hatch": "////"},
-             "noise": {"facecolor": "none", "edgecolor": "0.45", "hatch": "...."}}
+    looks = {
+        "before": {"color": "0.72"},
+        "model": {"color": "0.72"},
+        "after": {"color": "#0072B2"},
+        "held out": {"facecolor": "none", "edgecolor": "#0072B2", "hatch": "////"},
+        "noise": {"facecolor": "none", "edgecolor": "0.45", "hatch": "...."},
+    }
     largest = max([rmse for _, rmse, _ in bars if rmse is not None] + [0.0])
     for place, (_, rmse, kind) in enumerate(bars):
         width = float("nan") if rmse is None else rmse
         ax.barh(place, width, height=0.62, linewidth=0.8, **looks[kind])
-        ax.annotate(number(rmse), (width if rmse is not None else 0.0, place), xytext=(4, 0),
-                    textcoords="offset points", va="center", annotation_clip=False)
+        ax.annotate(
+            number(rmse), (width if rmse is not None else 0.0, place), xytext=(4, 0), textcoords="offset points", va="center", annotation_clip=False
+        )
     ax.set_yticks(range(len(bars)), [label for label, _, _ in bars])
     ax.set_ylim(len(bars) - 0.4, -0.6)
     ax.set_xlim(0.0, 1.16 * largest if largest > 0.0 else 1.0)  # room for the numbers
@@ -119,8 +122,7 @@ def _bars(ax: Axes, bars: list[tuple[str, float, str]], own: bool) -> None:
         ax.figure.set_figheight(max(1.6, 0.9 + 0.38 * len(bars)))
 
 
-def residuals(comparison: Any, x: str = "speed_rpm", y: str | None = "axial_load_N", *,
-              ax: Axes | None = None) -> Axes:
+def residuals(comparison: Any, x: str = "speed_rpm", y: str | None = "axial_load_N", *, ax: Axes | None = None) -> Axes:
     """Errors over one setting, or as a map over two.
 
     Parameters
@@ -163,8 +165,7 @@ def residuals(comparison: Any, x: str = "speed_rpm", y: str | None = "axial_load
     used = [draw.numbers(frame, column, caller) for column in ("error", x, *([y] if y else []))]
     here = np.all(np.isfinite(used), axis=0)
     if not here.any():
-        raise ValueError(f"{caller}: no row has a prediction and values of {x}"
-                         f"{' and ' + y if y else ''}")
+        raise ValueError(f"{caller}: no row has a prediction and values of {x}" f"{' and ' + y if y else ''}")
     error, across, *up = [values[here] for values in used]
     data = getattr(comparison, "data", None) or {}
     unit = error_unit(getattr(comparison, "unit", None) or data.get("unit"))
@@ -183,37 +184,46 @@ def _marks(error: np.ndarray) -> tuple[tuple[np.ndarray, str, str, str], ...]:
     return ((error > 0.0, "^", "#D55E00", "too much"), (error <= 0.0, "v", "none", "too little"))
 
 
-def _error_map(ax: Axes, own: bool, x: np.ndarray, y: np.ndarray, error: np.ndarray,
-               unit: str) -> None:
+def _error_map(ax: Axes, own: bool, x: np.ndarray, y: np.ndarray, error: np.ndarray, unit: str) -> None:
     largest = float(np.max(np.abs(error))) or 1.0
     area = LARGEST_MARK * np.abs(error) / largest
     for order, place in enumerate(np.argsort(-area, kind="stable")):
         up = error[place] > 0.0
         # Large ones first, each with a rim, so that small ones on the same point stay in sight.
-        ax.scatter(x[place], y[place], s=max(area[place], 4.0), marker="^" if up else "v",
-                   facecolor="#D55E00" if up else "none",
-                   edgecolor=ax.get_facecolor() if up else "#0072B2", linewidth=0.6 if up else 1.1,
-                   zorder=3 + order / len(area))
+        ax.scatter(
+            x[place],
+            y[place],
+            s=max(area[place], 4.0),
+            marker="^" if up else "v",
+            facecolor="#D55E00" if up else "none",
+            edgecolor=ax.get_facecolor() if up else "#0072B2",
+            linewidth=0.6 if up else 1.1,
+            zorder=3 + order / len(area),
+        )
     sizes = [largest, 0.5 * largest, 0.1 * largest]
     handles = []
     for up in (True, False):
         for size in sizes:
-            handles.append(Line2D(
-                [], [], linestyle="none", marker="^" if up else "v",
-                markersize=np.sqrt(LARGEST_MARK * size / largest),
-                markerfacecolor="#D55E00" if up else "none",
-                markeredgecolor="none" if up else "#0072B2",
-                label=f"{'+' if up else '−'}{number(size, 2)}"))
+            handles.append(
+                Line2D(
+                    [],
+                    [],
+                    linestyle="none",
+                    marker="^" if up else "v",
+                    markersize=np.sqrt(LARGEST_MARK * size / largest),
+                    markerfacecolor="#D55E00" if up else "none",
+                    markeredgecolor="none" if up else "#0072B2",
+                    label=f"{'+' if up else '−'}{number(size, 2)}",
+                )
+            )
     ax.margins(0.08)
     if not draw.has_room(ax, own):
         left, right = ax.get_xlim()  # a strip for the legend, which must not hide marks
         ax.set_xlim(left, right + 0.5 * (right - left))
-    draw.place_legend(ax, own, "Prediction\nminus reading" + (f"\nin {unit}" if unit else ""),
-                      handles, spacing=0.9)
+    draw.place_legend(ax, own, "Prediction\nminus reading" + (f"\nin {unit}" if unit else ""), handles, spacing=0.9)
 
 
-def _errors_upright(ax: Axes, own: bool, x: np.ndarray, error: np.ndarray,
-                    data: dict[str, Any]) -> None:
+def _errors_upright(ax: Axes, own: bool, x: np.ndarray, error: np.ndarray, data: dict[str, Any]) -> None:
     ax.axhline(0.0, color=mpl.rcParams["axes.edgecolor"], linewidth=0.8)
     noise = data.get("noise", {}).get("rms")
     if noise is not None:
@@ -221,6 +231,5 @@ def _errors_upright(ax: Axes, own: bool, x: np.ndarray, error: np.ndarray,
     for here, marker, face, words in _marks(error):
         if here.any():
             edge = "#D55E00" if marker == "^" else "#0072B2"
-            ax.plot(x[here], error[here], linestyle="none", marker=marker, markerfacecolor=face,
-                    markeredgecolor=edge, markersize=5, label=words)
+            ax.plot(x[here], error[here], linestyle="none", marker=marker, markerfacecolor=face, markeredgecolor=edge, markersize=5, label=words)
     draw.place_legend(ax, own)

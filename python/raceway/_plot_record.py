@@ -13,8 +13,7 @@ from . import _draw as draw
 from ._documents import label_of, quantity_text, split_column, unit_text
 
 
-def record(source: Any, columns: Sequence[str] | None = None, *,
-           ax: Axes | Sequence[Axes] | None = None) -> list[Axes]:
+def record(source: Any, columns: Sequence[str] | None = None, *, ax: Axes | Sequence[Axes] | None = None) -> list[Axes]:
     """A record over time, or over speed where it has no time: one axes for each unit.
 
     Parameters
@@ -54,17 +53,14 @@ def record(source: Any, columns: Sequence[str] | None = None, *,
     course = getattr(source, "course", None)
     frame = draw.frame_of(course() if callable(course) else source, caller, "record")
     if callable(course) and columns is None:
-        columns = [c for c in frame.columns if f"predicted_{c}" in frame.columns
-                   or c.startswith(("predicted_", "residual_"))]
+        columns = [c for c in frame.columns if f"predicted_{c}" in frame.columns or c.startswith(("predicted_", "residual_"))]
     x = next((c for c in ("time_s", "speed_rpm") if c in frame.columns), None)
     if x is None:
-        raise ValueError(f"{caller}: neither time_s nor speed_rpm in this record: "
-                         "there is nothing to draw it over")
+        raise ValueError(f"{caller}: neither time_s nor speed_rpm in this record: " "there is nothing to draw it over")
     if isinstance(columns, str):
         raise TypeError(f"{caller}: columns must be a sequence: [{columns!r}]")
     if columns is None:
-        columns = [c for c in frame.columns if c not in (x, "run_id") and "std_" not in c
-                   and pd.api.types.is_numeric_dtype(frame[c])]
+        columns = [c for c in frame.columns if c not in (x, "run_id") and "std_" not in c and pd.api.types.is_numeric_dtype(frame[c])]
     draw.require_columns(frame, columns, caller)
     if not columns:
         raise ValueError(f"{caller}: no column of numbers beside {x}")
@@ -107,12 +103,12 @@ def _panels(ax: Axes | Sequence[Axes] | None, units: list[str]) -> tuple[list[Ax
         raise ValueError(
             f"record(): {count} units ({', '.join(unit_text(u) or 'none' for u in units)}) need "
             f"{count} axes, not {len(given)}: leave ax out, or fig, axes = plt.subplots({count}, "
-            "1, sharex=True, layout=\"constrained\") and ax=axes")
+            '1, sharex=True, layout="constrained") and ax=axes'
+        )
     return [draw.axes_for(one, "record()")[0] for one in given], False
 
 
-def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns: list[str],
-           joined: bool) -> None:
+def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns: list[str], joined: bool) -> None:
     runs = frame["run_id"].to_numpy() if "run_id" in frame.columns else np.zeros(len(frame))
     starts = [0, *(np.flatnonzero(runs[1:] != runs[:-1]) + 1), len(frame)]
     for i, column in enumerate(columns):
@@ -129,8 +125,7 @@ def _panel(ax: Axes, own: bool, frame: pd.DataFrame, across: np.ndarray, columns
         else:
             look["linestyle"] = "none"  # rows of a plan stand in no order
         for k, (begin, end) in enumerate(zip(starts[:-1], starts[1:])):
-            ax.plot(across[begin:end], values[begin:end], markersize=4, **look,
-                    label=quantity_text(split_column(column)[0]) if k == 0 else None)
+            ax.plot(across[begin:end], values[begin:end], markersize=4, **look, label=quantity_text(split_column(column)[0]) if k == 0 else None)
     quantity, unit = _common_words(columns), unit_text(draw.unit_of(columns[0]))
     break_ = "\n" if ax.get_subplotspec() and ax.get_subplotspec().get_gridspec().nrows > 1 else " "
     ax.set_ylabel(f"{quantity}{break_}in {unit}" if unit else quantity)  # a panel is low

@@ -19,9 +19,11 @@ Row = dict[str, Any]
 
 def _largest(*endings: str) -> Callable[[Row], float]:
     """The largest value of the columns that end so; NaN where a row has none."""
+
     def of(row: Row) -> float:
         values = [v for key, v in row.items() if key.endswith(endings) and v is not None]
         return max(values, default=np.nan)
+
     return of
 
 
@@ -70,8 +72,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
     data = document_of(run, ("SpindleRun",), CALLER)
     rows = data["rows"]
     if not rows:
-        raise ValueError(f"{CALLER}: no row was reached: the run ended with "
-                         f"{data['report']['status']}")
+        raise ValueError(f"{CALLER}: no row was reached: the run ended with " f"{data['report']['status']}")
     curves = [np.array([of(row) for row in rows], dtype=float) for _, of in PANELS]
     if not np.isfinite(curves[2]).any():
         raise ValueError(f"{CALLER}: the run of a network has no sets: record(run) draws its nodes")
@@ -81,8 +82,7 @@ def spindle_run(run: Any, *, ax: Sequence[Axes] | None = None) -> list[Axes]:
     marker = "o" if len(rows) <= draw.MOST_MARKERS else None
     for k, (one, (words, _), values) in enumerate(zip(axes, PANELS, curves)):
         # A row's speed holds from the row before it.
-        one.plot(time, values, color=draw.COLOURS[0], marker=marker, markersize=4,
-                 drawstyle="steps-pre" if k == 0 else "default")
+        one.plot(time, values, color=draw.COLOURS[0], marker=marker, markersize=4, drawstyle="steps-pre" if k == 0 else "default")
         one.set_ylabel(words)
         one.yaxis.set_major_locator(MaxNLocator(nbins=4))
         if data["report"]["status"] != "converged":
@@ -104,8 +104,7 @@ def _name(ax: Axes, at: float, force_N: float) -> None:
     low, high = ax.get_xlim()
     share = (at - low) / (high - low)
     side = "left" if share < 0.2 else "right" if share > 0.8 else "center"
-    ax.annotate(f"highest {number(force_N)} N", (at, force_N), xytext=(0, 6),
-                textcoords="offset points", ha=side, va="bottom", fontsize="small")
+    ax.annotate(f"highest {number(force_N)} N", (at, force_N), xytext=(0, 6), textcoords="offset points", ha=side, va="bottom", fontsize="small")
 
 
 def _at(time_s: float, seconds: np.ndarray, time: np.ndarray) -> float:
@@ -120,6 +119,7 @@ def _axes(ax: Sequence[Axes] | None) -> tuple[list[Axes], bool]:
         figure.set_size_inches(7.0, 7.0)
         return list(figure.subplots(len(PANELS), 1, sharex=True)), True
     if isinstance(ax, Axes) or len(list(ax)) != len(PANELS):
-        raise ValueError(f"{CALLER}: needs {len(PANELS)} axes: leave ax out, or fig, axes = "
-                         f"plt.subplots({len(PANELS)}, 1, sharex=True) and ax=axes")
+        raise ValueError(
+            f"{CALLER}: needs {len(PANELS)} axes: leave ax out, or fig, axes = " f"plt.subplots({len(PANELS)}, 1, sharex=True) and ax=axes"
+        )
     return [draw.axes_for(one, CALLER)[0] for one in ax], False

@@ -46,14 +46,7 @@ class Record:
     <BLANKLINE>
     """
 
-    def __init__(
-        self,
-        name: str,
-        text: str,
-        *,
-        columns: Mapping[str, str] | str | None = None,
-        drop_nan: bool = False,
-    ) -> None:
+    def __init__(self, name: str, text: str, *, columns: Mapping[str, str] | str | None = None, drop_nan: bool = False) -> None:
         if not isinstance(text, str):
             raise TypeError(f"text: a str with the content of a CSV is wanted, not {type(text).__name__}")
         self._name = str(name)
@@ -62,13 +55,7 @@ class Record:
         self._drop_nan = bool(drop_nan)
 
     @classmethod
-    def read(
-        cls,
-        path: str | os.PathLike[str],
-        *,
-        columns: Mapping[str, str] | str | None = None,
-        drop_nan: bool = False,
-    ) -> Record:
+    def read(cls, path: str | os.PathLike[str], *, columns: Mapping[str, str] | str | None = None, drop_nan: bool = False) -> Record:
         """Read a CSV file.
 
         Raises
@@ -82,12 +69,7 @@ class Record:
 
     @classmethod
     def from_pandas(
-        cls,
-        frame: pandas.DataFrame,
-        *,
-        columns: Mapping[str, str] | str | None = None,
-        name: str = "DataFrame",
-        drop_nan: bool = False,
+        cls, frame: pandas.DataFrame, *, columns: Mapping[str, str] | str | None = None, name: str = "DataFrame", drop_nan: bool = False
     ) -> Record:
         """Take the columns of a DataFrame; its index is not read.
 
@@ -110,10 +92,7 @@ class Record:
         import pandas
 
         if not isinstance(frame, pandas.DataFrame):
-            raise TypeError(
-                f"a pandas.DataFrame is wanted, not {type(frame).__name__}; "
-                "Record.read() takes the path of a CSV"
-            )
+            raise TypeError(f"a pandas.DataFrame is wanted, not {type(frame).__name__}; " "Record.read() takes the path of a CSV")
         if frame.empty:
             raise InputError(f"{name}: the DataFrame has no rows")
         twice = frame.columns[frame.columns.duplicated()]
@@ -172,15 +151,13 @@ def _column_map(columns: Mapping[str, str] | str | None) -> str | None:
         return columns
     if not isinstance(columns, Mapping):
         raise TypeError(
-            "columns: a dict of our names to theirs is wanted, such as "
-            f'{{"friction_torque_Nm": "Moment"}}, not {type(columns).__name__}'
+            "columns: a dict of our names to theirs is wanted, such as " f'{{"friction_torque_Nm": "Moment"}}, not {type(columns).__name__}'
         )
     lines = ["[columns]"]
     for ours, theirs in columns.items():
         if isinstance(theirs, bool) or not isinstance(theirs, (str, Real)):
             raise TypeError(
-                f"columns: {ours} is the name of one of their columns, or a number that holds in all rows, "
-                f"not {type(theirs).__name__}"
+                f"columns: {ours} is the name of one of their columns, or a number that holds in all rows, " f"not {type(theirs).__name__}"
             )
         # JSON strings are TOML strings.
         value = json.dumps(theirs) if isinstance(theirs, str) else repr(float(theirs))

@@ -223,10 +223,7 @@ class Page:
         from html import escape
 
         # A frame keeps its styles and scripts away from the notebook's.
-        return (
-            f'<iframe srcdoc="{escape(self.html, quote=True)}" sandbox="allow-scripts" '
-            'style="width:100%;height:40em;border:0"></iframe>'
-        )
+        return f'<iframe srcdoc="{escape(self.html, quote=True)}" sandbox="allow-scripts" ' 'style="width:100%;height:40em;border:0"></iframe>'
 
     def __repr__(self) -> str:
         return f"<raceway report, {len(self.html) // 1000} kB>"
@@ -293,9 +290,7 @@ class _Fitted(_Report):
     def model(self) -> Model | Correction:
         """The one model with what was fitted."""
         if len(self.models) > 1:
-            raise ValueError(
-                f"each record has a model of its own: .models has those of {', '.join(self.models)}"
-            )
+            raise ValueError(f"each record has a model of its own: .models has those of {', '.join(self.models)}")
         return next(iter(self.models.values()))
 
 

@@ -36,8 +36,12 @@ class Sensitivity(_Answer):
         for p in self.data["predictions"]:
             state = {k: v for k, v in p.items() if k not in _NO_STATE}
             for datum in p["data"]:
-                row = {"prediction": p["name"], **state, "predicted": p["value"],
-                       **{"datum" if k == "name" else k: v for k, v in datum.items() if k != "global"}}
+                row = {
+                    "prediction": p["name"],
+                    **state,
+                    "predicted": p["value"],
+                    **{"datum" if k == "name" else k: v for k, v in datum.items() if k != "global"},
+                }
                 rows.append(row | (datum.get("global") or {}))
         return pandas.DataFrame(rows)
 
@@ -91,9 +95,15 @@ def _rows(p: dict[str, Any]) -> tuple[list[str], list[list[str]]]:
         head += ["first order", "total"]
     rows = []
     for d in p["data"][:_FIRST]:
-        row = [d["name"], _number(d["value"], 6), _number(d["spread"], 3), _number(d["derivative"]),
-               _number(d["elasticity"], 3), _number(d["change"], 3),
-               "-" if d["share"] is None else f"{100 * d['share']:.1f}"]
+        row = [
+            d["name"],
+            _number(d["value"], 6),
+            _number(d["spread"], 3),
+            _number(d["derivative"]),
+            _number(d["elasticity"], 3),
+            _number(d["change"], 3),
+            "-" if d["share"] is None else f"{100 * d['share']:.1f}",
+        ]
         if sampled:
             row += [_index(d.get("global"), "first"), _index(d.get("global"), "total")]
         rows.append(row)
@@ -111,8 +121,7 @@ def _block(p: dict[str, Any]) -> str:
     widths = [max(len(row[k]) for row in [head, *rows]) for k in range(len(head))]
     lines = [_title(p), ""]
     for row in [head, *rows]:
-        cells = [cell.ljust(w) if k == 0 else cell.rjust(w)
-                 for k, (cell, w) in enumerate(zip(row, widths))]
+        cells = [cell.ljust(w) if k == 0 else cell.rjust(w) for k, (cell, w) in enumerate(zip(row, widths))]
         lines.append("  ".join(cells).rstrip())
     if len(p["data"]) > _FIRST:
         lines.append(f"{len(p['data']) - _FIRST} more in data")
@@ -187,13 +196,16 @@ class SensitivityQuestion:
         1          rig.temperature_C         NaN
         2                friction.f0       0.980
         """
-        spreads = [(str(n), v if isinstance(v, str) else repr(value_of(f"spread of {n}", v)))
-                   for n, v in (spread or {}).items()]
+        spreads = [(str(n), v if isinstance(v, str) else repr(value_of(f"spread of {n}", v))) for n, v in (spread or {}).items()]
         answer = _engine.sensitivity(
             self._engine,
             _names(of),
-            [axis("speed_rpm", speed_rpm), axis("axial_load_N", axial_load_N),
-             axis("radial_load_N", radial_load_N), axis("temperature_C", temperature_C)],
+            [
+                axis("speed_rpm", speed_rpm),
+                axis("axial_load_N", axial_load_N),
+                axis("radial_load_N", radial_load_N),
+                axis("temperature_C", temperature_C),
+            ],
             bool(steady),
             bool(coolant),
             spreads,

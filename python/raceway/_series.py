@@ -20,11 +20,7 @@ def one_record(record: Any) -> Record:
 
 
 def reading(
-    record: Record,
-    from_s: float | None,
-    until_s: float | None,
-    displacement: str | None = None,
-    tolerance: str | None = None,
+    record: Record, from_s: float | None, until_s: float | None, displacement: str | None = None, tolerance: str | None = None
 ) -> dict[str, Any]:
     """What the engine takes of a record and of what of it counts."""
     one_record(record)
@@ -67,5 +63,5 @@ def lag_texts(lags_s: str | Iterable[float] | None) -> list[str]:
         raise TypeError(f"lags_s: time constants such as [0, 600, 3600] are wanted, not {lags_s!r}")
     lags = [_number("lags_s", lag) for lag in lags_s]
     if not lags:
-        raise ValueError("lags_s: no lag is given; \"auto\" takes them from the length of the record")
+        raise ValueError('lags_s: no lag is given; "auto" takes them from the length of the record')
     return lags

@@ -173,14 +173,7 @@ class StepResponses(_OfSpindle):
         """How each step ended."""
         return [row["status"] for row in self.data["rows"]]
 
-    def save_correction(
-        self,
-        path: str | os.PathLike[str],
-        *,
-        law: str = "curve",
-        lags: str = "auto",
-        overwrite: bool = False,
-    ) -> list[str]:
+    def save_correction(self, path: str | os.PathLike[str], *, law: str = "curve", lags: str = "auto", overwrite: bool = False) -> list[str]:
         """Write the correction that these steps make, with its tables beside it.
 
         Parameters
@@ -256,7 +249,7 @@ def _rows(csv: str) -> pandas.DataFrame:
 
 
 def _ended(status: list[str], what: str) -> str:
-    """"3 speeds", or "3 speeds, 1 of them without result"."""
+    """ "3 speeds", or "3 speeds, 1 of them without result"."""
     failed = sum(s != "converged" for s in status)
     words = f"{len(status)} {what}" + ("" if len(status) == 1 else "s")
     return words if failed == 0 else f"{words}, {failed} of them without result"

@@ -22,12 +22,7 @@ class SpindleQuestions:
     _engine: _engine.Model
 
     def steady(
-        self,
-        speed_rpm: ArrayLike,
-        *,
-        coolant: bool = True,
-        ambient_temperature_C: float | None = None,
-        time_limit_s: float | None = None,
+        self, speed_rpm: ArrayLike, *, coolant: bool = True, ambient_temperature_C: float | None = None, time_limit_s: float | None = None
     ) -> SteadyStates:
         """Find where a spindle comes to rest: temperatures, preload, displacement, heat at each speed.
 
@@ -127,10 +122,7 @@ class SpindleQuestions:
         {'force_N': 1194, 'time_s': 269}
         """
         if not isinstance(profile, Record):
-            raise TypeError(
-                f"profile: a raceway.Record is wanted, not {type(profile).__name__}: "
-                "Record.read(path) or Record.from_pandas(frame)"
-            )
+            raise TypeError(f"profile: a raceway.Record is wanted, not {type(profile).__name__}: " "Record.read(path) or Record.from_pandas(frame)")
         answer = _engine.simulate(
             self._engine,
             (profile.name, profile.text),
@@ -144,9 +136,7 @@ class SpindleQuestions:
         warn(answer.warnings)
         return SpindleRun(answer)
 
-    def modes(
-        self, speed_rpm: ArrayLike, *, warm: bool = False, coolant: bool = True, count: int = 6
-    ) -> Modes:
+    def modes(self, speed_rpm: ArrayLike, *, warm: bool = False, coolant: bool = True, count: int = 6) -> Modes:
         """Find the lowest natural frequencies of the shaft on its bearings, with gyroscopic effect.
 
         Parameters
@@ -183,11 +173,7 @@ class SpindleQuestions:
         3      10000         856.3   forward
         """
         answer = _engine.modes(
-            self._engine,
-            axis("speed_rpm", speed_rpm),
-            _yes_or_no("warm", warm),
-            _yes_or_no("coolant", coolant),
-            _count("count", count),
+            self._engine, axis("speed_rpm", speed_rpm), _yes_or_no("warm", warm), _yes_or_no("coolant", coolant), _count("count", count)
         )
         warn(answer.warnings)
         return Modes(answer)
@@ -301,11 +287,7 @@ class SpindleQuestions:
             if temperature_C is not None:
                 raise TypeError("temperature_C: belongs to load_cases; of steps it is simulated")
             answer = _engine.step_response(
-                self._engine,
-                axis("speed_rpm", speed_rpm),
-                _number("duration_h", duration_h),
-                _yes_or_no("coolant", coolant),
-                _limit(time_limit_s),
+                self._engine, axis("speed_rpm", speed_rpm), _number("duration_h", duration_h), _yes_or_no("coolant", coolant), _limit(time_limit_s)
             )
         else:
             if not isinstance(load_cases, Record):

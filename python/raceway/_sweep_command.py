@@ -95,12 +95,7 @@ def _run(asked: argparse.Namespace) -> str:
         with contextlib.ExitStack() as stack:
             client = asked.client if asked.workers is None else stack.enter_context(sweep.workers(asked.workers))
             found = sweep.run(
-                job.work,
-                dict(zip(names, items, strict=True)),
-                client=client,
-                folder=asked.folder,
-                slabs=asked.slabs,
-                threads=asked.threads,
+                job.work, dict(zip(names, items, strict=True)), client=client, folder=asked.folder, slabs=asked.slabs, threads=asked.threads
             )
         return f"{asked.folder}: {len(found)} items"
     for flag in ("client", "workers", "slabs"):

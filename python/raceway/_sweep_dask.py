@@ -30,8 +30,7 @@ def _dask() -> Any:
         import distributed
     except ImportError:
         raise ImportError(
-            "a sweep over several processes needs Dask, which is not installed: "
-            "apt install python3-dask python3-distributed"
+            "a sweep over several processes needs Dask, which is not installed: " "apt install python3-dask python3-distributed"
         ) from None
     return distributed
 
@@ -65,8 +64,7 @@ def client_of(given: Any) -> Iterator[Any]:
         return
     if not isinstance(given, str):
         raise TypeError(
-            "client: a distributed.Client or the address of a scheduler, such as tcp://10.0.0.1:8786, "
-            f"is wanted, not {type(given).__name__}"
+            "client: a distributed.Client or the address of a scheduler, such as tcp://10.0.0.1:8786, " f"is wanted, not {type(given).__name__}"
         )
     try:
         client = distributed.Client(given, timeout=PATIENCE_S)
@@ -114,9 +112,7 @@ def run_on(
     def submit(slab: Slab, at: int | None) -> None:
         part = items[slab.first : slab.last] if at is None else [items[at]]
         key = f"raceway-sweep-{mark}-{slab.number}" + ("" if at is None else f"-{at}")
-        future = client.submit(
-            _work, packed, _packed(function, items, part), threads, key=key, pure=False, retries=0
-        )
+        future = client.submit(_work, packed, _packed(function, items, part), threads, key=key, pure=False, retries=0)
         flying[future] = (slab, at)
 
     def finish_suspect(slab: Slab, at: int, outcome: Outcome) -> None:
@@ -154,8 +150,7 @@ def run_on(
                     continue
                 if future.status != "error":
                     raise ConnectionError(
-                        f"{slab}: the scheduler was lost or has dropped it ({future.status}); "
-                        "with folder= a sweep goes on where it was"
+                        f"{slab}: the scheduler was lost or has dropped it ({future.status}); " "with folder= a sweep goes on where it was"
                     )
                 error = future.exception()
                 if not isinstance(error, distributed.scheduler.KilledWorker):

@@ -76,10 +76,7 @@ def _limited(threads: int | None) -> Iterator[None]:
 
 
 def work_on(
-    function: Callable[[Any], Any],
-    items: Sequence[Any],
-    threads: int | None,
-    after_each: Callable[[int], None] | None = None,
+    function: Callable[[Any], Any], items: Sequence[Any], threads: int | None, after_each: Callable[[int], None] | None = None
 ) -> list[Outcome]:
     """Ask `function` of each item; what one of them raises is that item's. Items of a process wait for each other."""
     outcomes: list[Outcome] = []
@@ -220,14 +217,7 @@ def path_of(folder: str | os.PathLike[str], slab: Slab) -> pathlib.Path:
     return pathlib.Path(folder) / f"slab-{slab.number}-of-{slab.of}{ENDING}"
 
 
-def write_slab(
-    folder: str | os.PathLike[str],
-    slab: Slab,
-    made_from: str,
-    names: Sequence[str],
-    outcomes: Sequence[Outcome],
-    items: int,
-) -> None:
+def write_slab(folder: str | os.PathLike[str], slab: Slab, made_from: str, names: Sequence[str], outcomes: Sequence[Outcome], items: int) -> None:
     """All of the file at once or nothing: it is written beside its place and then moved there."""
     parts = [(o.value, o.error, o.doubts) for o in outcomes]
     content = pickle.dumps((list(names), parts), 5)
@@ -309,10 +299,7 @@ def refuse_other_input(path: pathlib.Path, header: Mapping[str, Any], made_from:
 
 def refuse_other_cut(path: pathlib.Path, header: Mapping[str, Any], of: int) -> None:
     if header["slabs"] != of:
-        raise InputError(
-            f"{path}: is one of {header['slabs']} slabs, and {of} are wanted: ask for {header['slabs']}, "
-            "or take another folder"
-        )
+        raise InputError(f"{path}: is one of {header['slabs']} slabs, and {of} are wanted: ask for {header['slabs']}, " "or take another folder")
 
 
 def slabs_there(folder: str | os.PathLike[str], made_from: str, items: int) -> dict[int, SlabFile]:
@@ -348,9 +335,7 @@ def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
             if slab.header["input"] != before.header["input"] or slab.header["items"] != before.header["items"]:
                 raise InputError(f"{path}: was made from other input than {before.path}")
             if slab.header["slabs"] != before.header["slabs"]:
-                raise InputError(
-                    f"{path}: is one of {slab.header['slabs']} slabs, {before.path} one of {before.header['slabs']}"
-                )
+                raise InputError(f"{path}: is one of {slab.header['slabs']} slabs, {before.path} one of {before.header['slabs']}")
         number = slab.header["slab"]
         if number in found:
             raise InputError(f"{path}: is slab {number}, as {found[number].path} is")
@@ -374,8 +359,5 @@ def read_all(folder: str | os.PathLike[str]) -> list[SlabFile]:
 
 def mixed_sets(sets: Sequence[str]) -> str:
     return (
-        f"machines with different instruction sets worked on this ({', '.join(sets)}): the last digits of a value "
-        "depend on which of them made it"
+        f"machines with different instruction sets worked on this ({', '.join(sets)}): the last digits of a value " "depend on which of them made it"
     )
-
-

@@ -32,9 +32,9 @@ def _error(value: float | None, unit: str | None) -> str:
 
 def wrapped(words: str, indent: str = "    ", hanging: str | None = None) -> list[str]:
     """Lines of 80 columns at most."""
-    return textwrap.wrap(plain(words), WIDTH, initial_indent=indent,
-                         subsequent_indent=indent if hanging is None else hanging,
-                         break_on_hyphens=False) or [indent.rstrip()]
+    return textwrap.wrap(
+        plain(words), WIDTH, initial_indent=indent, subsequent_indent=indent if hanging is None else hanging, break_on_hyphens=False
+    ) or [indent.rstrip()]
 
 
 def _fact(name: str, value: object) -> list[str]:
@@ -66,8 +66,11 @@ def _criteria(data: dict[str, Any]) -> list[str]:
     """AIC and BIC of a calibration, and from what they are."""
     n, chi = data["readings"], data["chi_square"]
     if data["aic"] is None:
-        why = "scatter beside the declared deviations was fitted to what this model leaves" if \
-            chi is not None else "the noise of the readings is not known, or they follow each other"
+        why = (
+            "scatter beside the declared deviations was fitted to what this model leaves"
+            if chi is not None
+            else "the noise of the readings is not known, or they follow each other"
+        )
         return _fact("AIC, BIC", "-") + wrapped(f"not to be had: {why}.")
     k = _moved(data, n)
     lines = _fact("AIC, BIC", _pair(data))
@@ -75,19 +78,19 @@ def _criteria(data: dict[str, Any]) -> list[str]:
         return lines + wrapped(
             "AIC = -2 ln L + 2 k and BIC = -2 ln L + k ln N, with -2 ln L = N (1 + ln(2 pi RMS^2)) "
             f"of N = {n} readings that weigh alike and k = {k} parameters that the fit moved: the "
-            "size of the noise is not known, and its most likely one is taken.")
+            "size of the noise is not known, and its most likely one is taken."
+        )
     log_determinant = data["noise"]["log_determinant"]
     lines += wrapped(
         "AIC = -2 ln L + 2 k and BIC = -2 ln L + k ln N, with -2 ln L = chi2 + ln det(2 pi S) = "
         f"{chi:.6g} {'+' if log_determinant >= 0 else '-'} {abs(log_determinant):.6g}, S the "
         f"covariance of the noise of N = {n} readings and k = {k} parameters that the fit moved, "
-        "those at a bound among them. Compare them between models of the same rows and the same S.")
+        "those at a bound among them. Compare them between models of the same rows and the same S."
+    )
     if chi > 0.0:
         scaled = n * math.log(chi / n)
-        lines += _fact("AIC, BIC as in lmfit",
-                       _pair({"aic": scaled + 2 * k, "bic": scaled + k * math.log(n)}))
-        lines += wrapped("lmfit's are N ln(chi2/N) + 2 k and N ln(chi2/N) + k ln N: there the size "
-                         "of the noise is fitted too.")
+        lines += _fact("AIC, BIC as in lmfit", _pair({"aic": scaled + 2 * k, "bic": scaled + k * math.log(n)}))
+        lines += wrapped("lmfit's are N ln(chi2/N) + 2 k and N ln(chi2/N) + k ln N: there the size " "of the noise is fitted too.")
     return lines
 
 
@@ -96,10 +99,8 @@ def _statistics(data: dict[str, Any]) -> list[str]:
     lines = _fact("chi-square", "-" if chi is None else f"{chi:.6g}")
     lines += _fact("reduced chi-square", number(data.get("reduced_chi_square"), 5))
     for part in data.get("channels", [data]):
-        error = f"{_error(part['rmse'], part['unit'])}, before " \
-            f"{_error(part['rmse_before'], part['unit'])}"
-        quantity = f" ({part['quantity']}, {part['readings']} readings)" \
-            if "channels" in data else ""
+        error = f"{_error(part['rmse'], part['unit'])}, before " f"{_error(part['rmse_before'], part['unit'])}"
+        quantity = f" ({part['quantity']}, {part['readings']} readings)" if "channels" in data else ""
         lines += _fact("RMS error", error + quantity)
     return lines + _criteria(data)
 
@@ -122,6 +123,7 @@ def _interval(p: dict[str, Any]) -> str:
     def end(side: str) -> str:
         words = number(profile[side], 5)
         return f"{words} (open)" if profile.get(f"open_{side}") else words
+
     return f"95%: {end('from')} to {end('to')}"
 
 
@@ -138,15 +140,17 @@ def _parameter(name: str, p: dict[str, Any], start: float | None) -> list[str]:
         more.append(f"bounds {number(p['lower'], 6)} to {number(p['upper'], 6)}")
     if interval := _interval(p):
         more.append(interval)
-    doubt = ", held by the fit" if p.get("held") else \
-        "" if p.get("identifiable", True) else ", not told by these data"
-    return wrapped(words + (f" ({', '.join(more)})" if more else "") + _bound(p) + doubt,
-                   hanging=" " * 8)
+    doubt = ", held by the fit" if p.get("held") else "" if p.get("identifiable", True) else ", not told by these data"
+    return wrapped(words + (f" ({', '.join(more)})" if more else "") + _bound(p) + doubt, hanging=" " * 8)
 
 
 def _correlations(names: list[str], matrix: list[list[float | None]]) -> list[str]:
-    pairs = [(abs(r), names[j], names[i], r) for i, row in enumerate(matrix)
-             for j, r in enumerate(row[:i]) if r is not None and abs(r) >= LEAST_CORRELATION]
+    pairs = [
+        (abs(r), names[j], names[i], r)
+        for i, row in enumerate(matrix)
+        for j, r in enumerate(row[:i])
+        if r is not None and abs(r) >= LEAST_CORRELATION
+    ]
     if not pairs:
         return []
     lines = [f"[[Correlations]] (below {LEAST_CORRELATION:g} not shown)"]
@@ -160,8 +164,9 @@ def _calibrated(data: dict[str, Any]) -> list[str]:
     for name, p in data["parameters"].items():
         lines += _parameter(name, p, p.get("start"))
     if profile := data.get("profile"):
-        lines += wrapped(f"95%: by profile likelihood, where chi2 of the others refitted is "
-                         f"{profile['rise']:.4g} above its least; open: not before the bound.")
+        lines += wrapped(
+            f"95%: by profile likelihood, where chi2 of the others refitted is " f"{profile['rise']:.4g} above its least; open: not before the bound."
+        )
     return lines + _correlations(list(data["parameters"]), data.get("correlation") or [])
 
 
@@ -176,17 +181,21 @@ def _said(data: dict[str, Any]) -> list[str]:
 def _fit_facts(data: dict[str, Any]) -> list[str]:
     report = data.get("report", {})
     lines = _fact("readings", data["readings"])
-    lines += _fact("parameters",
-                   f"{len(data['parameters'])} free, {_moved(data, data['readings'])} moved")
+    lines += _fact("parameters", f"{len(data['parameters'])} free, {_moved(data, data['readings'])} moved")
     lines += _fact("degrees of freedom", data["degrees_of_freedom"])
-    return lines + _fact("fit", f"{report.get('status', '-')}, iterations "
-                                f"{report.get('iterations', '-')}")
+    return lines + _fact("fit", f"{report.get('status', '-')}, iterations " f"{report.get('iterations', '-')}")
 
 
 def _calibration(data: dict[str, Any]) -> list[str]:
-    return [f"[[Calibration of {plain(data['quantity'])}]]", *_header(data, data),
-            *_fit_facts(data), "[[Fit Statistics]]", *_statistics(data), *_calibrated(data),
-            *_said(data)]
+    return [
+        f"[[Calibration of {plain(data['quantity'])}]]",
+        *_header(data, data),
+        *_fit_facts(data),
+        "[[Fit Statistics]]",
+        *_statistics(data),
+        *_calibrated(data),
+        *_said(data),
+    ]
 
 
 def _addition(data: dict[str, Any]) -> list[str]:
@@ -199,15 +208,13 @@ def _addition(data: dict[str, Any]) -> list[str]:
     if data["gain"] is not None:
         lines += _fact("chi-square before", f"{before['chi_square']:.6g}")
         lines += _fact("gain", number(data["gain"], 5))
-        lines += _fact("dAIC, dBIC", _pair({key: calibration[key] - before[key]
-                                            for key in ("aic", "bic")}))
-        lines += wrapped("after less before, under the same noise. gain: fall of -2 ln L less ln N "
-                         "for each free shape of an effect.")
+        lines += _fact("dAIC, dBIC", _pair({key: calibration[key] - before[key] for key in ("aic", "bic")}))
+        lines += wrapped("after less before, under the same noise. gain: fall of -2 ln L less ln N " "for each free shape of an effect.")
     lines += ["[[Rows held out]]"]
     for part in data.get("hold_out", []):
-        lines += wrapped(f"by {part['left_out']}: RMS error "
-                         f"{_error(part['rmse_before'], data['unit'])} -> "
-                         f"{_error(part['rmse_after'], data['unit'])}")
+        lines += wrapped(
+            f"by {part['left_out']}: RMS error " f"{_error(part['rmse_before'], data['unit'])} -> " f"{_error(part['rmse_after'], data['unit'])}"
+        )
     return lines + _calibrated(calibration) + _said(data)
 
 
@@ -215,35 +222,41 @@ def _ranking(data: dict[str, Any]) -> list[str]:
     base, readings = data["baseline"], data["readings"]
     lines = ["[[Explanations against the model without them]]"]
     lines.append(f"    {'':<30}{'k':>3}{'RMS':>9}{'gain':>9}{'dAIC':>10}{'dBIC':>10}")
-    lines.append(f"    {'without':<30}{_moved(base, readings):>3}"
-                 f"{number(data['rmse_before'], 4):>9}{'0':>9}{'0':>10}{'0':>10}")
+    lines.append(f"    {'without':<30}{_moved(base, readings):>3}" f"{number(data['rmse_before'], 4):>9}{'0':>9}{'0':>10}{'0':>10}")
     for one in ranked(data):
         words, fit = plain(("<- " if one.in_verdict else "") + one.name), one.fit
         if len(words) > 29:
             lines, words = lines + wrapped(words), ""
-        lines.append(f"    {words:<30}{_moved(fit, readings):>3}{number(fit['rmse'], 4):>9}"
-                     f"{number(fit['gain'], 4):>9}{fit['aic'] - base['aic']:>10.1f}"
-                     f"{fit['bic'] - base['bic']:>10.1f}")
+        lines.append(
+            f"    {words:<30}{_moved(fit, readings):>3}{number(fit['rmse'], 4):>9}"
+            f"{number(fit['gain'], 4):>9}{fit['aic'] - base['aic']:>10.1f}"
+            f"{fit['bic'] - base['bic']:>10.1f}"
+        )
     return lines + wrapped(
         f"k parameters that the fit moved, RMS in {_unit(data['unit'])}. gain: fall of -2 ln L "
         "under the noise found, less ln N for each free shape of an effect; needed "
-        f"{number(data.get('needed_gain'), 4)}. dAIC, dBIC: against the model without.")
+        f"{number(data.get('needed_gain'), 4)}. dAIC, dBIC: against the model without."
+    )
 
 
 def _held_out(data: dict[str, Any]) -> list[str]:
     """Of models of records over time, which have no likelihood: errors alone."""
-    lines = ["[[Explanations by their errors]]", f"    {'':<50}{'RMS':>12}{'held out':>12}",
-             f"    {'without':<50}{number(data['rmse_before'], 4):>12}{'':>12}".rstrip()]
+    lines = [
+        "[[Explanations by their errors]]",
+        f"    {'':<50}{'RMS':>12}{'held out':>12}",
+        f"    {'without':<50}{number(data['rmse_before'], 4):>12}{'':>12}".rstrip(),
+    ]
     named = sum(bool(e.get("in_verdict")) for e in data["effects"])
     for e in data["effects"][: named + RANKED]:
         words = plain(("<- " if e.get("in_verdict") else "") + effect_name(e))
         if len(words) > 49:
             lines, words = lines + wrapped(words), ""
-        lines.append(f"    {words:<50}{number(e.get('rmse'), 4):>12}"
-                     f"{number(e.get('rmse_cross_validated'), 4):>12}")
-    return lines + wrapped("These have no likelihood (effects.gain is null), hence no AIC and BIC: what "
-                           "is left follows itself, and effects are judged on parts of the record "
-                           "that no fit saw.")
+        lines.append(f"    {words:<50}{number(e.get('rmse'), 4):>12}" f"{number(e.get('rmse_cross_validated'), 4):>12}")
+    return lines + wrapped(
+        "These have no likelihood (effects.gain is null), hence no AIC and BIC: what "
+        "is left follows itself, and effects are judged on parts of the record "
+        "that no fit saw."
+    )
 
 
 def _diagnosis(data: dict[str, Any]) -> list[str]:
@@ -256,12 +269,10 @@ def _diagnosis(data: dict[str, Any]) -> list[str]:
         lines += _fact("degrees of freedom", f"{base['degrees_of_freedom']} without effects")
     lines += _fact("candidates tried", data.get("candidates_tried", "-"))
     lines += _fact("verdict", data["verdict"]) + ["[[Fit Statistics]]"]
-    lines += _fact("RMS error", f"{_error(data['rmse_after'], unit)}, before "
-                                f"{_error(data['rmse_before'], unit)}")
+    lines += _fact("RMS error", f"{_error(data['rmse_after'], unit)}, before " f"{_error(data['rmse_before'], unit)}")
     lines += _fact("noise found", _error((data.get("noise") or {}).get("rms"), unit))
     if data.get("p_value") is not None:
-        lines += _fact("p of the misfit", f"{number(data['p_value'], 2)}, of what remains "
-                                          f"{number(data.get('remaining_p_value'), 2)}")
+        lines += _fact("p of the misfit", f"{number(data['p_value'], 2)}, of what remains " f"{number(data.get('remaining_p_value'), 2)}")
     if base["chi_square"] is not None:
         lines += _fact("chi-square", f"{base['chi_square']:.6g} without effects")
         lines += _fact("AIC, BIC", f"{_pair(base)} without effects") + _ranking(data)
@@ -295,13 +306,18 @@ def conf_interval(result: Any) -> pandas.DataFrame:
 
     data = document_of(result, ("Calibration",), "conf_interval()")
     if "profile" not in data:
-        raise ValueError("conf_interval(): this Calibration has no profile intervals; ask for them "
-                         "with calibrate(record, profile=True)")
+        raise ValueError("conf_interval(): this Calibration has no profile intervals; ask for them " "with calibrate(record, profile=True)")
     rows = {}
     for name, p in data["parameters"].items():
         of = p["profile"]
-        rows[name] = {"value": p["value"], "lower": of["from"], "upper": of["to"],
-                      "unit": p["unit"], "open_lower": of["open_from"], "open_upper": of["open_to"]}
+        rows[name] = {
+            "value": p["value"],
+            "lower": of["from"],
+            "upper": of["to"],
+            "unit": p["unit"],
+            "open_lower": of["open_from"],
+            "open_upper": of["open_to"],
+        }
     frame = pandas.DataFrame.from_dict(rows, orient="index")
     return frame.astype({"lower": float, "upper": float})
 

@@ -35,8 +35,7 @@ def _legend_title(by: list[str]) -> str:
     return ",\n".join(label_of(column) for column in by)
 
 
-def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", measured: Any = None,
-             ax: Axes | None = None) -> Axes:
+def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", measured: Any = None, ax: Axes | None = None) -> Axes:
     """Friction torque over speed, a curve for each load.
 
     Parameters
@@ -93,12 +92,10 @@ def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", mea
             look["marker"] = None  # marks are the readings
         speed = draw.numbers(rows, "speed_rpm", caller)
         torque = draw.numbers(rows, "friction_torque_Nmm", caller)
-        ax.plot(speed, torque, label=draw.value_text(columns, values) or "computed",
-                markevery=draw.markevery(len(rows), i), **look)
+        ax.plot(speed, torque, label=draw.value_text(columns, values) or "computed", markevery=draw.markevery(len(rows), i), **look)
         if "friction_torque_band_Nmm" in rows:
             half = draw.numbers(rows, "friction_torque_band_Nmm", caller)
-            ax.fill_between(speed, torque - half, torque + half, color=look["color"], alpha=0.2,
-                            linewidth=0)
+            ax.fill_between(speed, torque - half, torque + half, color=look["color"], alpha=0.2, linewidth=0)
     if readings is not None:
         _readings(ax, readings, columns, [values for values, _ in groups])
     draw.speed_axis(ax, own)
@@ -108,17 +105,16 @@ def stribeck(table: Any, *, by: str | Sequence[str] | None = "axial_load_N", mea
     return ax
 
 
-def _readings(ax: Axes, readings: pd.DataFrame, by: list[str],
-              curves: list[tuple[Any, ...]]) -> None:
+def _readings(ax: Axes, readings: pd.DataFrame, by: list[str], curves: list[tuple[Any, ...]]) -> None:
     """Marks of readings, each with that of the curve it belongs to."""
     speed = draw.numbers(readings, "speed_rpm", "stribeck() measured")
     torque = draw.numbers(readings, "friction_torque_Nmm", "stribeck() measured")
     near = np.full(len(readings), -1)
     if by and all(column in readings.columns for column in by):
         settings = readings[by].to_numpy(dtype=float)
-        distance = np.array([np.max(np.abs(settings - np.array(c, dtype=float)) /
-                                    np.maximum(np.abs(np.array(c, dtype=float)), 1e-9), axis=1)
-                             for c in curves])
+        distance = np.array(
+            [np.max(np.abs(settings - np.array(c, dtype=float)) / np.maximum(np.abs(np.array(c, dtype=float)), 1e-9), axis=1) for c in curves]
+        )
         closest = np.argmin(distance, axis=0)
         near = np.where(distance[closest, np.arange(len(readings))] <= NEAR, closest, -1)
     elif len(curves) == 1:
@@ -127,16 +123,29 @@ def _readings(ax: Axes, readings: pd.DataFrame, by: list[str],
         here = near == i
         if here.any():
             text = draw.value_text(by, values)
-            ax.plot(speed[here], torque[here], linestyle="none", marker=draw.style(i)["marker"],
-                    markersize=5, markerfacecolor="none", markeredgecolor=draw.style(i)["color"],
-                    label=f"{text}, measured" if text else "measured")
+            ax.plot(
+                speed[here],
+                torque[here],
+                linestyle="none",
+                marker=draw.style(i)["marker"],
+                markersize=5,
+                markerfacecolor="none",
+                markeredgecolor=draw.style(i)["color"],
+                label=f"{text}, measured" if text else "measured",
+            )
     if (near == -1).any():
-        ax.plot(speed[near == -1], torque[near == -1], linestyle="none", marker="x", markersize=5,
-                color="0.5", label="measured, other" if (near >= 0).any() else "measured")
+        ax.plot(
+            speed[near == -1],
+            torque[near == -1],
+            linestyle="none",
+            marker="x",
+            markersize=5,
+            color="0.5",
+            label="measured, other" if (near >= 0).any() else "measured",
+        )
 
 
-def contact_angles(table: Any, *, by: str | Sequence[str] | None = None,
-                   ax: Axes | None = None) -> Axes:
+def contact_angles(table: Any, *, by: str | Sequence[str] | None = None, ax: Axes | None = None) -> Axes:
     """Contact angles at the inner and the outer race over speed.
 
     Parameters
@@ -182,9 +191,7 @@ def contact_angles(table: Any, *, by: str | Sequence[str] | None = None,
         raise ValueError(f"{caller}: by is of a Table: of a shaft the curves are its bearings")
     columns = _columns(by)
     if not places:
-        draw.require_columns(frame, [f"{race}_contact_angle_{end}_deg"
-                                     for race in ("inner", "outer") for end in ("min", "max")],
-                             caller)
+        draw.require_columns(frame, [f"{race}_contact_angle_{end}_deg" for race in ("inner", "outer") for end in ("min", "max")], caller)
         if by is None and frame.get("axial_load_N", pd.Series(dtype=float)).nunique() > 1:
             columns = ["axial_load_N"]
         draw.require_columns(frame, columns, caller)
@@ -202,14 +209,19 @@ def contact_angles(table: Any, *, by: str | Sequence[str] | None = None,
     return ax
 
 
-def _race_lines(ax: Axes, speed: np.ndarray, inner: np.ndarray, outer: np.ndarray, i: int,
-                name: str) -> None:
+def _race_lines(ax: Axes, speed: np.ndarray, inner: np.ndarray, outer: np.ndarray, i: int, name: str) -> None:
     look = draw.style(i)
     for race, angle, line in (("inner", inner, "-"), ("outer", outer, "--")):
-        ax.plot(speed, angle, color=look["color"], linestyle=line, marker=look["marker"],
-                markerfacecolor=look["color"] if race == "inner" else "none",
-                markevery=draw.markevery(len(speed), i),
-                label=f"{name}, {race} race" if name else f"{race} race")
+        ax.plot(
+            speed,
+            angle,
+            color=look["color"],
+            linestyle=line,
+            marker=look["marker"],
+            markerfacecolor=look["color"] if race == "inner" else "none",
+            markevery=draw.markevery(len(speed), i),
+            label=f"{name}, {race} race" if name else f"{race} race",
+        )
 
 
 def _bearing_curves(ax: Axes, frame: pd.DataFrame, places: list[str]) -> list[str]:
@@ -218,8 +230,7 @@ def _bearing_curves(ax: Axes, frame: pd.DataFrame, places: list[str]) -> list[st
     speed = draw.numbers(frame, "speed_rpm", caller)
     alike: list[tuple[list[str], np.ndarray]] = []
     for place in places:
-        both = np.array([draw.numbers(frame, f"{place}_{race}_contact_angle_deg", caller)
-                         for race in ("inner", "outer")])
+        both = np.array([draw.numbers(frame, f"{place}_{race}_contact_angle_deg", caller) for race in ("inner", "outer")])
         for shared, angles in alike:
             if np.allclose(angles, both, rtol=0.0, atol=1e-6, equal_nan=True):
                 shared.append(place.replace("_", " "))
@@ -240,25 +251,24 @@ def _table_curves(ax: Axes, frame: pd.DataFrame, by: list[str]) -> list[str]:
         rows = rows.sort_values("speed_rpm")
         speed = draw.numbers(rows, "speed_rpm", caller)
         names.append(draw.value_text(by, values))
-        ends = {race: [draw.numbers(rows, f"{race}_contact_angle_{end}_deg", caller)
-                       for end in ("min", "max")] for race in ("inner", "outer")}
+        ends = {race: [draw.numbers(rows, f"{race}_contact_angle_{end}_deg", caller) for end in ("min", "max")] for race in ("inner", "outer")}
         _race_lines(ax, speed, ends["inner"][0], ends["outer"][0], i, names[-1])
         if any(np.nanmax(np.append(high - low, 0.0)) > 0.0 for low, high in ends.values()):
             _race_lines(ax, speed, ends["inner"][1], ends["outer"][1], i, "")
             for low, high in ends.values():
-                ax.fill_between(speed, low, high, color=draw.style(i)["color"], linewidth=0,
-                                alpha=0.15)
+                ax.fill_between(speed, low, high, color=draw.style(i)["color"], linewidth=0, alpha=0.15)
     return names
 
 
 def _race_legend(ax: Axes, own: bool, names: list[str], title: str | None) -> None:
     """Races by line style, the rest by marker: half the entries of a legend of all curves."""
     ink = mpl.rcParams["text.color"]
-    races = [Line2D([], [], color=ink, linestyle="-", label="inner race"),
-             Line2D([], [], color=ink, linestyle="--", label="outer race")]
-    marks = [Line2D([], [], linestyle="none", marker=draw.style(i)["marker"],
-                    color=draw.style(i)["color"], label=name)
-             for i, name in enumerate(names) if name]
+    races = [Line2D([], [], color=ink, linestyle="-", label="inner race"), Line2D([], [], color=ink, linestyle="--", label="outer race")]
+    marks = [
+        Line2D([], [], linestyle="none", marker=draw.style(i)["marker"], color=draw.style(i)["color"], label=name)
+        for i, name in enumerate(names)
+        if name
+    ]
     if title and marks:
         marks.insert(0, Line2D([], [], linestyle="none", label=title))
     draw.place_legend(ax, own, None, races + marks)
@@ -302,26 +312,30 @@ def campbell(modes: Any, *, ax: Axes | None = None) -> Axes:
     """
     caller = "campbell()"
     data = document_of(modes, ("Modes",), caller)
-    rows = sorted((row for row in data.get("rows", []) if row.get("modes")),
-                  key=lambda row: row["speed_rpm"])
+    rows = sorted((row for row in data.get("rows", []) if row.get("modes")), key=lambda row: row["speed_rpm"])
     if not rows:
         raise ValueError(f"{caller}: no speed has modes: see the report of its rows")
     ax, own = draw.axes_for(ax, caller)
     speeds = np.array([row["speed_rpm"] for row in rows])
     # Backward last, its dashes on the line of the forward mode where the two are close.
-    looks = {"forward": ("-", "#0072B2", "forward whirl"),
-             "backward": ("--", "#D55E00", "backward whirl"),
-             "standing": (":", "#009E73", "standing")}
+    looks = {"forward": ("-", "#0072B2", "forward whirl"), "backward": ("--", "#D55E00", "backward whirl"), "standing": (":", "#009E73", "standing")}
     for whirl, (line, colour, words) in looks.items():
         for i, branch in enumerate(_branches(rows, whirl)):
-            ax.plot(speeds, branch, linestyle=line, color=colour, marker=draw.MARKERS[i % 9],
-                    markersize=4, markerfacecolor=colour if whirl == "forward" else "none",
-                    markevery=draw.markevery(len(speeds), i), label=words if i == 0 else None)
+            ax.plot(
+                speeds,
+                branch,
+                linestyle=line,
+                color=colour,
+                marker=draw.MARKERS[i % 9],
+                markersize=4,
+                markerfacecolor=colour if whirl == "forward" else "none",
+                markevery=draw.markevery(len(speeds), i),
+                label=words if i == 0 else None,
+            )
     top = ax.get_ylim()[1]
     # A speed of its own to draw to, where there is only one.
     end = speeds[-1] if speeds[-1] > 0.0 else 1000.0
-    ax.plot([0.0, end], [0.0, end / 60.0], color=mpl.rcParams["text.color"], linewidth=0.9,
-            label="1×")
+    ax.plot([0.0, end], [0.0, end / 60.0], color=mpl.rcParams["text.color"], linewidth=0.9, label="1×")
     ax.set_ylim(0.0, max(top, 1.05 * end / 60.0))
     ax.set_xlim(0.0, 1.02 * end)
     draw.speed_axis(ax, own)
@@ -337,8 +351,7 @@ def _branches(rows: list[dict[str, Any]], whirl: str) -> list[np.ndarray]:
     """
     found = []
     for row in rows:
-        by_whirl = {w: sorted(m["frequency_Hz"] for m in row["modes"] if m["whirl"] == w)
-                    for w in ("backward", "forward", "standing")}
+        by_whirl = {w: sorted(m["frequency_Hz"] for m in row["modes"] if m["whirl"] == w) for w in ("backward", "forward", "standing")}
         if row["speed_rpm"] == 0.0 and len(rows) > 1:
             pairs = by_whirl.pop("standing")
             by_whirl = {"backward": pairs[0::2], "forward": pairs[1::2], "standing": []}

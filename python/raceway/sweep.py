@@ -144,9 +144,7 @@ class Sweep(Mapping[str, Any]):
             cells = value if isinstance(value, Mapping) else {} if failure else {"value": value}
             for key, cell in cells.items():
                 if not isinstance(cell, (bool, int, float, str, numpy.bool_, numpy.number, type(None))):
-                    raise InputError(
-                        f"{name}: {key} is a {type(cell).__name__}; a table takes numbers and text, values() has all"
-                    )
+                    raise InputError(f"{name}: {key} is a {type(cell).__name__}; a table takes numbers and text, values() has all")
             rows.append({"name": name, **cells, "error": failure and f"{failure.kind}: {failure.message}"})
         return rows
 
@@ -407,9 +405,7 @@ def load(folder: str | os.PathLike[str]) -> Sweep:
     return Sweep([n for slab in slabs for n in slab.names], [o for slab in slabs for o in slab.outcomes])
 
 
-def _named(
-    names: Iterable[str] | None, items: Iterable[Any] | Mapping[str, Any]
-) -> tuple[list[str], list[Any]]:
+def _named(names: Iterable[str] | None, items: Iterable[Any] | Mapping[str, Any]) -> tuple[list[str], list[Any]]:
     if isinstance(items, Mapping):
         if names is not None:
             raise ValueError("names: the items are a mapping and have theirs")
@@ -438,16 +434,11 @@ def _number_of_slabs(slabs: int, items: int) -> int:
 
 def _said(found: Sweep) -> Sweep:
     """What a sweep of many items says once for all of them."""
-    lists: list[tuple[str, str, Sequence[Failure | ItemDoubt]]] = [
-        ("failed", "failures", found.failures),
-        ("made warnings", "doubts", found.doubts),
-    ]
+    lists: list[tuple[str, str, Sequence[Failure | ItemDoubt]]] = [("failed", "failures", found.failures), ("made warnings", "doubts", found.doubts)]
     for kind, where, which in lists:
         if which:
             count = len({one.name for one in which})
-            warnings.warn(
-                f"{count} of {len(found)} items {kind} (.{where} has all), the first {which[0]}", Doubt, stacklevel=3
-            )
+            warnings.warn(f"{count} of {len(found)} items {kind} (.{where} has all), the first {which[0]}", Doubt, stacklevel=3)
     return found
 
 

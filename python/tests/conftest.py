@@ -19,8 +19,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
 RIG = "tests/hidden_effect/rigs/dev-03"
-KINDS = ("Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition",
-         "Modes")
+KINDS = ("Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition", "Modes")
 
 
 class Plain:
@@ -103,8 +102,7 @@ def train() -> pd.DataFrame:
 
 @pytest.fixture
 def table(make, document, csv):
-    arguments = ("table", "data/examples/7014.toml", "--speed", "0:12000:2000", "--axial-load",
-                 "100,300,900")
+    arguments = ("table", "data/examples/7014.toml", "--speed", "0:12000:2000", "--axial-load", "100,300,900")
     return make("Table", document(*arguments), csv(*arguments, "--format", "plain"))
 
 
@@ -115,8 +113,7 @@ def comparison(make, document, train):
     worst = pd.DataFrame(data["worst_rows"])
     # Line 1 of the file is the header.
     rows = train.iloc[worst["line"] - 2].reset_index(drop=True)
-    rows = rows.assign(measured=worst["measured"], predicted=worst["predicted"],
-                       error=worst["residual"])
+    rows = rows.assign(measured=worst["measured"], predicted=worst["predicted"], error=worst["residual"])
     return make("Comparison", data, rows)
 
 
@@ -138,8 +135,7 @@ def ambiguous(make, document):
 
 @pytest.fixture
 def addition(make, document):
-    return make("Addition", document("add", f"{RIG}/model.toml", "lubricant-drag", "--data",
-                                     f"{RIG}/train.csv"))
+    return make("Addition", document("add", f"{RIG}/model.toml", "lubricant-drag", "--data", f"{RIG}/train.csv"))
 
 
 @pytest.fixture

@@ -45,9 +45,7 @@ def test_values_of_one_state_are_those_of_its_document():
     assert {"friction_torque_Nmm", "power_loss_W", "axial_displacement_um", "kappa"} <= set(same)
     assert all(float(state[name]) == state.data[name] for name in same)
     assert float(state.axial_stiffness_N_um) == pytest.approx(state.data["stiffness"]["axial_N_um"], rel=1e-12)
-    assert float(state.inner_load_max_N) == pytest.approx(
-        max(ball["inner_load_N"] for ball in state.data["balls"]), rel=1e-12
-    )
+    assert float(state.inner_load_max_N) == pytest.approx(max(ball["inner_load_N"] for ball in state.data["balls"]), rel=1e-12)
 
 
 def test_many_states_are_the_single_ones():
@@ -139,12 +137,7 @@ def test_a_page_is_that_of_the_command(program, root, tmp_path):
     model = raceway.Model.read(f"{RIG}/model.toml")
     record = raceway.Record.read(f"{RIG}/train.csv")
     file = tmp_path / "page.html"
-    subprocess.run(
-        [program, "diagnose", model.source, record.name, "--quiet", "--report", str(file)],
-        cwd=root,
-        capture_output=True,
-        check=True,
-    )
+    subprocess.run([program, "diagnose", model.source, record.name, "--quiet", "--report", str(file)], cwd=root, capture_output=True, check=True)
     assert model.diagnose(record).report().html == file.read_text()
 
 

@@ -57,8 +57,7 @@ def test_many_states_and_a_table_have_the_band_of_each(fitted):
     expected = half_width(fitted, lambda m: m.solve(speeds, numpy.array(loads)[:, None]).friction_torque_Nmm)
     states = fitted.solve(speeds, numpy.array(loads)[:, None], band=True)
     assert states.friction_torque_band_Nmm == pytest.approx(expected, rel=1e-6)
-    assert list(fitted.solve(speeds, 100, columns=["power_loss_W"], band=True)) == [
-        "power_loss_W", "friction_torque_band_Nmm", "power_loss_band_W"]
+    assert list(fitted.solve(speeds, 100, columns=["power_loss_W"], band=True)) == ["power_loss_W", "friction_torque_band_Nmm", "power_loss_band_W"]
     table = fitted.table(speeds, loads, band=True)
     assert table.to_frame().friction_torque_band_Nmm.to_numpy().reshape(3, 2) == pytest.approx(expected, rel=1e-6)
     assert table.data["band"] == {"level": 0.95, "parameters": ["f0", "z"]}
@@ -73,14 +72,17 @@ def test_a_record_has_the_band_of_its_readings(fitted, record):
 
 def test_a_shaft_has_the_band_of_its_displacement():
     text = raceway.Model.read("data/spindles/published_curve.toml").text
-    model = raceway.Model.from_text(text + """
+    model = raceway.Model.from_text(
+        text
+        + """
 [calibration.covariance]
 parameters = ["preload_N"]
 units = ["N"]
 values = [300.0]
 std = [10.0]
 correlation = [[1.0]]
-""")
+"""
+    )
     preload = model.parameters["preload_N"]["value"]
     model = raceway.Model.from_text(model.text.replace("values = [300.0]", f"values = [{preload!r}]"))
     speeds = [4000.0, 12000.0]
@@ -92,7 +94,10 @@ correlation = [[1.0]]
 
 def test_a_model_that_nobody_fitted_has_none(record):
     model = raceway.Model.new("S 6014 C")
-    for ask in (lambda: model.solve(1000, 100, band=True), lambda: model.solve([1000, 2000], 100, band=True),
-                lambda: model.table([0, 1000], 100, band=True)):
+    for ask in (
+        lambda: model.solve(1000, 100, band=True),
+        lambda: model.solve([1000, 2000], 100, band=True),
+        lambda: model.table([0, 1000], 100, band=True),
+    ):
         with pytest.raises(raceway.InputError, match=r"band: S 6014 C has no \[calibration.covariance\]"):
             ask()

@@ -93,14 +93,10 @@ def test_what_was_identified_is_the_file_of_the_command(command, tmp_path):
     other = raceway.Record.read(f"{EXACT}/test.csv")
     found = correction.identify(record, validate=other)
     file = tmp_path / "found.toml"
-    expected = json.loads(
-        command("identify", correction.source, record.name, "--validate", other.name, "-o", str(file), "--json")
-    )
+    expected = json.loads(command("identify", correction.source, record.name, "--validate", other.name, "-o", str(file), "--json"))
     assert found.correction.text == file.read_text()
     assert found.data == expected
-    assert found.correction.parameters["spindle.gain_1"]["value"] == pytest.approx(
-        found.parameters["spindle.gain_1"]["value"], rel=1e-9
-    )
+    assert found.correction.parameters["spindle.gain_1"]["value"] == pytest.approx(found.parameters["spindle.gain_1"]["value"], rel=1e-9)
     assert correction.parameters["spindle.gain_1"]["value"] == 7.0  # as it was
     # Made with these numbers.
     made = {"spindle.gain_1": 5.0, "spindle.gain_2": 3.0, "ambient.gain_1": -2.5, "ambient.time_constant_1": 14000.0}
@@ -135,9 +131,7 @@ def test_correct(command, document, tmp_path):
     pandas.testing.assert_frame_equal(run.to_frame(), rows)
     course = run.course()
     numpy.testing.assert_allclose(course["predicted_displacement_z_um"], rows["predicted_um"], atol=1e-6)
-    numpy.testing.assert_array_equal(
-        course["displacement_z_um"] - course["predicted_displacement_z_um"], course["residual_displacement_z_um"]
-    )
+    numpy.testing.assert_array_equal(course["displacement_z_um"] - course["predicted_displacement_z_um"], course["residual_displacement_z_um"])
     with pytest.raises(ValueError, match="nothing was learnt"):
         _ = run.correction
 
@@ -167,10 +161,7 @@ def test_learning(command, document, tmp_path):
 def test_the_page_of_a_run_is_that_of_the_command(program, root, tmp_path):
     correction, record = read(EXACT, "test")
     file = tmp_path / "page.html"
-    subprocess.run(
-        [program, "correct", correction.source, record.name, "--quiet", "--report", str(file)], cwd=root, check=True,
-        capture_output=True,
-    )
+    subprocess.run([program, "correct", correction.source, record.name, "--quiet", "--report", str(file)], cwd=root, check=True, capture_output=True)
     assert correction.correct(record).report().html == file.read_text()
 
 
@@ -208,9 +199,7 @@ def test_diagnose_and_add(command, document, tmp_path):
     assert found.effects == ["ambient-drift"]
     added = correction.add(found.effects, record)
     file = tmp_path / "better.toml"
-    expected = json.loads(
-        command("add", correction.source, "ambient-drift", "--data", record.name, "-o", str(file), "--json")
-    )
+    expected = json.loads(command("add", correction.source, "ambient-drift", "--data", record.name, "-o", str(file), "--json"))
     assert added.data == expected and added.refused == ""
     assert added.model.text == file.read_text()
     other = raceway.Record.read(f"{AMBIENT}/test.csv")
@@ -241,8 +230,7 @@ def test_export(command, tmp_path, format):
 def test_export_with_a_record(tmp_path):
     correction, record = read(EXACT)
     program = correction.export("python", tmp_path / "z.py", record=record)
-    assert "check: 1000 rows" in subprocess.run(
-        [sys.executable, tmp_path / "z.py", "--check"], capture_output=True, text=True, check=True).stdout
+    assert "check: 1000 rows" in subprocess.run([sys.executable, tmp_path / "z.py", "--check"], capture_output=True, text=True, check=True).stdout
     assert str(correction.export("python")) != str(program)
 
 
@@ -281,13 +269,9 @@ def test_fit_law(program, root, tmp_path):
     shaft = raceway.Model.read("data/spindles/two_against_one.toml")
     shaft.displacement(numpy.arange(0.0, 10001.0, 500.0)).save(file)
     law = raceway.fit_law(raceway.Record.read(file), at_rpm=5000)
-    done = subprocess.run(
-        [program, "fit-law", str(file), "--at", "5000", "--json"], cwd=root, capture_output=True, text=True, check=True
-    )
+    done = subprocess.run([program, "fit-law", str(file), "--at", "5000", "--json"], cwd=root, capture_output=True, text=True, check=True)
     assert law.data == json.loads(done.stdout)
-    assert law.table == subprocess.run(
-        [program, "fit-law", str(file), "-o", "-"], cwd=root, capture_output=True, text=True, check=True
-    ).stdout
+    assert law.table == subprocess.run([program, "fit-law", str(file), "-o", "-"], cwd=root, capture_output=True, text=True, check=True).stdout
     with pytest.raises(raceway.InputError, match="not extrapolated"):
         raceway.fit_law(raceway.Record.read(file), at_rpm=20000)
 
@@ -375,9 +359,7 @@ except KeyboardInterrupt:
 """
 
 
-@pytest.mark.parametrize(
-    ("file", "ask"), [("bare3.toml", 'identify(record, inputs="all"'), ("ch3.toml", "diagnose(record")]
-)
+@pytest.mark.parametrize(("file", "ask"), [("bare3.toml", 'identify(record, inputs="all"'), ("ch3.toml", "diagnose(record")])
 def test_an_interrupt_ends_long_work(root, file, ask):
     code = INTERRUPTED.format(folder=SPINDLE, file=file, ask=ask)
     done = subprocess.run([sys.executable, "-c", code], cwd=root, capture_output=True, text=True, timeout=60)
@@ -420,8 +402,7 @@ def test_notebooks_and_pictures(spindle):
     found = correction.identify(raceway.Record.read(f"{EXACT}/train.csv"), validate=record)
     run = found.correction.correct(record)
     learnt = correction.correct(record, learn=True, every_s=7200)
-    for result in (correction, found, run, learnt, correction.check(record), correction.compare(record),
-                   correction.calibrate(record)):
+    for result in (correction, found, run, learnt, correction.check(record), correction.compare(record), correction.calibrate(record)):
         html = result._repr_html_()
         assert html.startswith("<div") and "None" not in html and "nan" not in html, result
     assert "spindle.gain_2" in found._repr_html_()

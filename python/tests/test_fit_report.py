@@ -55,23 +55,20 @@ def few_rows(train, path, **columns):
 def test_the_likelihood_is_that_of_the_readings_in_their_unit(document, tmp_path, train):
     # Six rows are weighed by their declared deviations alone; these are far larger than the misfit.
     std = 200.0
-    data = document("calibrate", f"{RIG}/model.toml",
-                    few_rows(train, tmp_path / "few.csv", std_Nmm=std))
+    data = document("calibrate", f"{RIG}/model.toml", few_rows(train, tmp_path / "few.csv", std_Nmm=std))
     assert data["noise"]["log_determinant"] == pytest.approx(6 * math.log(2 * math.pi * std**2))
     assert data["chi_square"] == pytest.approx(6 * data["rmse"] ** 2 / std**2)
 
 
 def test_scatter_fitted_to_the_misfit_has_no_criteria(make, document, tmp_path, train):
-    data = document("calibrate", f"{RIG}/model.toml",
-                    few_rows(train, tmp_path / "few.csv", std_Nmm=0.01))
+    data = document("calibrate", f"{RIG}/model.toml", few_rows(train, tmp_path / "few.csv", std_Nmm=0.01))
     assert data["aic"] is None and data["chi_square"] is not None
     report = fit_report(make("Calibration", data))
     assert fact(report, "AIC, BIC") == "-"
     assert "was fitted to what this model leaves" in " ".join(report.split())
 
 
-def test_calibrate_add_and_diagnose_agree_on_how_much_better_the_effect_is(
-        calibration, addition, diagnosis):
+def test_calibrate_add_and_diagnose_agree_on_how_much_better_the_effect_is(calibration, addition, diagnosis):
     # The same rows under the same noise, from three documents.
     before, after = calibration.data, addition.data["calibration"]
     effect, base = diagnosis.data["effects"][0], diagnosis.data["baseline"]
@@ -119,8 +116,7 @@ def test_a_set_of_effects_is_one_explanation(make, document):
         assert " + ".join(names) in report
         parameters = sum(len(e["parameters"]) for e in data["effects"] if e["id"] in names)
         line = next(i for i, one in enumerate(report.splitlines()) if " + ".join(names) in one)
-        numbers = report.splitlines()[line].split(names[-1])[-1].split() or \
-            report.splitlines()[line + 1].split()
+        numbers = report.splitlines()[line].split(names[-1])[-1].split() or report.splitlines()[line + 1].split()
         assert int(numbers[0]) == 2 + parameters
     # Of the first set each of its effects has the gain of all.
     first, fit = data["explanations"][0], data["explanation_fits"][0]
@@ -146,8 +142,7 @@ def test_parameters_have_errors_starts_and_bounds(calibration, make, document):
     report = fit_report(calibration)
     assert "f0: 1.678519 +- 0.01693 (1.01%) (start 2, bounds 0.01 to 30)" in report
     assert "C(f0, z) = -0.5220" in report
-    dyno = fit_report(make("Calibration", document(
-        "calibrate", "data/measurements/spindle_dyno.toml", "data/measurements/spindle_dyno.csv")))
+    dyno = fit_report(make("Calibration", document("calibrate", "data/measurements/spindle_dyno.toml", "data/measurements/spindle_dyno.csv")))
     assert "f0: 0.01 no stderr (start 1.5, bounds 0.01 to 30), at its lower bound" in dyno
     assert "C(" not in dyno  # one of the two has no error
 
@@ -168,8 +163,7 @@ def test_a_diagnosis_has_the_95_percent_interval_of_its_document(diagnosis):
     assert diagnosis.data["headline"] in report
 
 
-def test_no_report_says_that_a_document_lacks_something(
-        calibration, addition, diagnosis, ambiguous):
+def test_no_report_says_that_a_document_lacks_something(calibration, addition, diagnosis, ambiguous):
     for result in (calibration, addition, diagnosis, ambiguous):
         report = " ".join(fit_report(result).split())
         assert "lacks" not in report and "not in the document" not in report
@@ -215,8 +209,7 @@ def test_profiles_stand_in_reports_and_notebooks_as_the_command_has_them(profile
 
 
 def test_a_parameter_at_its_bound_has_an_interval_that_is_open_there(make, document):
-    data = document("calibrate", "data/measurements/spindle_dyno.toml",
-                    "data/measurements/spindle_dyno.csv", "--profile")
+    data = document("calibrate", "data/measurements/spindle_dyno.toml", "data/measurements/spindle_dyno.csv", "--profile")
     assert data["parameters"]["f0"]["at_bound"]
     row = conf_interval(make("Calibration", data)).loc["f0"]
     assert row["open_lower"] and row["lower"] == data["parameters"]["f0"]["lower"]
@@ -229,22 +222,18 @@ def test_intervals_that_were_not_asked_for_are_refused(calibration, root):
         conf_interval(calibration)
     spindle = root / "data/spindles/seats"
     with pytest.raises(raceway.InputError, match="profile likelihood"):
-        raceway.Model.read(spindle / "model.toml").calibrate(
-            raceway.Record.read(spindle / "train.csv"), profile=True)
+        raceway.Model.read(spindle / "model.toml").calibrate(raceway.Record.read(spindle / "train.csv"), profile=True)
 
 
-def test_of_several_measured_columns_nothing_is_computed_that_the_document_cannot_tell(
-        make, document):
+def test_of_several_measured_columns_nothing_is_computed_that_the_document_cannot_tell(make, document):
     spindle = "data/spindles/seats"
     data = document("calibrate", f"{spindle}/model.toml", f"{spindle}/train.csv")
     assert data["readings"] == sum(c["readings"] for c in data["channels"])
     report = fit_report(make("Calibration", data))
     assert fact(report, "AIC, BIC") == "-" and "follow each other" in " ".join(report.split())
     errors = re.findall(r"RMS error += ([0-9.]+) (um|K), before ([0-9.]+)", report)
-    assert [float(after) for after, _, _ in errors] == pytest.approx(
-        [c["rmse"] for c in data["channels"]], rel=1e-3)
-    assert [float(before) for _, _, before in errors] == pytest.approx(
-        [c["rmse_before"] for c in data["channels"]], rel=1e-3)
+    assert [float(after) for after, _, _ in errors] == pytest.approx([c["rmse"] for c in data["channels"]], rel=1e-3)
+    assert [float(before) for _, _, before in errors] == pytest.approx([c["rmse_before"] for c in data["channels"]], rel=1e-3)
     # Errors of temperatures are differences.
     assert [unit for _, unit, _ in errors] == ["um"] + ["K"] * (len(data["channels"]) - 1)
 

@@ -57,19 +57,18 @@ def with_hostile_texts(value):
     if isinstance(value, list):
         return [with_hostile_texts(one) for one in value]
     if isinstance(value, dict):
-        return {key: {HOSTILE: one for one in part.values()} if key == "parameters" else
-                with_hostile_texts(part) if key != "unit" else part for key, part in value.items()}
+        return {
+            key: {HOSTILE: one for one in part.values()} if key == "parameters" else with_hostile_texts(part) if key != "unit" else part
+            for key, part in value.items()
+        }
     return value
 
 
 @pytest.fixture
-def results(table, displacement, modes, comparison, calibration, diagnosis, ambiguous, addition,
-            csv, make, document):
+def results(table, displacement, modes, comparison, calibration, diagnosis, ambiguous, addition, csv, make, document):
     modes._frame = csv("modes", "data/spindles/small.toml", "--speed", "0:20000:5000")
-    solution = make("Solution", document("solve", "data/examples/7014.toml", "--speed", "6000",
-                                         "--axial-load", "300"))
-    return [table, displacement, modes, comparison, calibration, diagnosis, ambiguous, addition,
-            solution]
+    solution = make("Solution", document("solve", "data/examples/7014.toml", "--speed", "6000", "--axial-load", "300"))
+    return [table, displacement, modes, comparison, calibration, diagnosis, ambiguous, addition, solution]
 
 
 def test_pages_are_whole_and_ask_for_nothing(results):
@@ -102,8 +101,7 @@ def test_hostile_names_stay_text(results, make):
 
 def test_a_diagnosis_says_what_and_what_next(diagnosis, ambiguous):
     page = Tags(html_of(diagnosis)).text
-    for words in (diagnosis.data["headline"], diagnosis.data["sentence"], "lubricant-drag", "44.9",
-                  "10.7", "65.12 ± 1.5 N mm", "1914", "10.1"):
+    for words in (diagnosis.data["headline"], diagnosis.data["sentence"], "lubricant-drag", "44.9", "10.7", "65.12 ± 1.5 N mm", "1914", "10.1"):
         assert words in page
     assert "What to measure next" not in page
     page = Tags(html_of(ambiguous)).text
@@ -130,9 +128,12 @@ def test_a_comparison_says_where_it_errs(comparison):
 
 
 def test_several_models_and_several_columns_have_their_pages(make, document):
-    data = document("compare", "tests/hidden_effect/rigs/dev-03/model.toml",
-                    "tests/hidden_effect/rigs/dev-01/model.toml",
-                    "tests/hidden_effect/rigs/dev-03/train.csv")
+    data = document(
+        "compare",
+        "tests/hidden_effect/rigs/dev-03/model.toml",
+        "tests/hidden_effect/rigs/dev-01/model.toml",
+        "tests/hidden_effect/rigs/dev-03/train.csv",
+    )
     page = Tags(html_of(make("Comparison", data))).text
     for model in data["models"]:
         assert model["model"] in page and f"{model['rmse']:.3g}" in page
@@ -145,8 +146,9 @@ def test_a_calibration_has_errors_and_correlation(calibration):
 
 
 def test_a_refused_addition_says_why(make, document, addition):
-    data = document("add", "tests/hidden_effect/rigs/dev-03/model.toml", "seal-friction", "--data",
-                    "tests/hidden_effect/rigs/dev-03/train.csv", "--force")
+    data = document(
+        "add", "tests/hidden_effect/rigs/dev-03/model.toml", "seal-friction", "--data", "tests/hidden_effect/rigs/dev-03/train.csv", "--force"
+    )
     data.update(refused=True, reason="of no use")
     assert "refused:" in Tags(html_of(make("Addition", data))).text
     assert "refused" not in Tags(html_of(addition)).text

@@ -26,9 +26,7 @@ def labels(ax) -> list[str]:
     return [one.get_text() for one in ax.get_yticklabels()]
 
 
-@pytest.mark.parametrize("module", ["_documents", "_draw", "plot", "_plot_errors", "_plot_record",
-                                    "_html", "_likelihood",
-                                    "fit_report"])
+@pytest.mark.parametrize("module", ["_documents", "_draw", "plot", "_plot_errors", "_plot_record", "_html", "_likelihood", "fit_report"])
 def test_examples_of_the_docstrings_run(module):
     __import__(f"raceway.{module}")
     result = doctest.testmod(sys.modules[f"raceway.{module}"])
@@ -63,8 +61,9 @@ def test_curves_differ_in_line_and_marker(table):
 
 
 def test_stribeck_refuses_to_join_what_differs_in_another_setting(make, csv):
-    frame = csv("table", "data/examples/7014.toml", "--speed", "0:8000:4000", "--axial-load",
-                "100,300", "--temperature", "20,60", "--format", "plain")
+    frame = csv(
+        "table", "data/examples/7014.toml", "--speed", "0:8000:4000", "--axial-load", "100,300", "--temperature", "20,60", "--format", "plain"
+    )
     with pytest.raises(ValueError, match="temperature_C varies too .20, 60."):
         plot.stribeck(frame)
     ax = plot.stribeck(frame, by=["axial_load_N", "temperature_C"])
@@ -73,8 +72,7 @@ def test_stribeck_refuses_to_join_what_differs_in_another_setting(make, csv):
 
 
 def test_readings_have_the_mark_of_their_curve_and_no_line(csv, train):
-    frame = csv("table", f"{RIG}/model.toml", "--speed", "0:16000:4000", "--axial-load", "250,600",
-                "--temperature", "45", "--format", "plain")
+    frame = csv("table", f"{RIG}/model.toml", "--speed", "0:16000:4000", "--axial-load", "250,600", "--temperature", "45", "--format", "plain")
     warm = train[(train.temperature_C - 45).abs() < 2]
     ax = plot.stribeck(frame, measured=warm)
     by_label = {line.get_label(): line for line in ax.lines}
@@ -108,16 +106,18 @@ def test_contact_angles_of_a_shaft_share_the_curve_of_equal_bearings(displacemen
     ax = plot.contact_angles(displacement)
     frame = displacement.to_frame()
     assert [line.get_label() for line in ax.lines] == [
-        "front 1 and front 2, inner race", "front 1 and front 2, outer race",
-        "rear 1, inner race", "rear 1, outer race"]
+        "front 1 and front 2, inner race",
+        "front 1 and front 2, outer race",
+        "rear 1, inner race",
+        "rear 1, outer race",
+    ]
     assert list(ax.lines[3].get_ydata()) == list(frame.rear_1_outer_contact_angle_deg)
     assert [line.get_linestyle() for line in ax.lines] == ["-", "--", "-", "--"]
 
 
 def test_contact_angles_have_a_band_where_balls_differ(csv, table):
     assert len(plot.contact_angles(table).collections) == 0  # thrust alone: all balls alike
-    frame = csv("table", "data/examples/7014.toml", "--speed", "2000,6000", "--axial-load", "900",
-                "--radial-load", "400", "--format", "plain")
+    frame = csv("table", "data/examples/7014.toml", "--speed", "2000,6000", "--axial-load", "900", "--radial-load", "400", "--format", "plain")
     ax = plot.contact_angles(frame)
     assert len(ax.collections) == 2
     inner = ax.collections[0].get_paths()[0].vertices[:, 1]
@@ -136,19 +136,15 @@ def test_bars_of_the_ladder_are_the_errors_of_the_document(diagnosis):
 
 def test_the_ladder_of_an_addition_has_rows_held_out(addition):
     data = addition.data
-    assert widths(plot.ladder(addition)) == [
-        data["before"]["rmse"], data["after"]["rmse"], data["rmse_held_out_before"],
-        data["rmse_held_out_after"]]
+    assert widths(plot.ladder(addition)) == [data["before"]["rmse"], data["after"]["rmse"], data["rmse_held_out_before"], data["rmse_held_out_after"]]
 
 
 def test_before_and_after_say_whose_they_are_where_several_stand(diagnosis, comparison):
-    assert labels(plot.ladder(comparison, diagnosis))[:3] == [
-        "model.toml", "before (diagnosis)", "after (diagnosis)"]
+    assert labels(plot.ladder(comparison, diagnosis))[:3] == ["model.toml", "before (diagnosis)", "after (diagnosis)"]
 
 
 def test_models_stand_in_one_ladder_over_one_noise(make, document, comparison):
-    refit = make("Comparison", document("compare", f"{RIG}/model.toml", f"{RIG}/train.csv",
-                                        "--refit", "f0,z"))
+    refit = make("Comparison", document("compare", f"{RIG}/model.toml", f"{RIG}/train.csv", "--refit", "f0,z"))
     ax = plot.ladder(comparison, refit, labels=["as it is", "refitted"])
     assert labels(ax) == ["as it is", "refitted", "noise, estimated"]
     assert widths(ax)[:2] == [comparison.data["rmse"], refit.data["rmse"]]
@@ -156,8 +152,7 @@ def test_models_stand_in_one_ladder_over_one_noise(make, document, comparison):
 
 
 def test_several_models_in_one_document_are_steps_of_one_ladder(make, document):
-    data = document("compare", f"{RIG}/model.toml", "tests/hidden_effect/rigs/dev-01/model.toml",
-                    f"{RIG}/train.csv")
+    data = document("compare", f"{RIG}/model.toml", "tests/hidden_effect/rigs/dev-01/model.toml", f"{RIG}/train.csv")
     ax = plot.ladder(make("Comparison", data))
     assert widths(ax)[:2] == [model["rmse"] for model in data["models"]]
 
@@ -169,8 +164,7 @@ def test_the_tolerance_is_a_line_across_the_ladder(make, document):
 
 
 def test_errors_of_different_units_have_no_common_ladder(make, document, comparison):
-    shaft = make("Comparison", document("compare", "data/spindles/two_against_one.toml",
-                                        "data/spindles/other_grooves.csv"))
+    shaft = make("Comparison", document("compare", "data/spindles/two_against_one.toml", "data/spindles/other_grooves.csv"))
     with pytest.raises(ValueError, match="N mm and in µm"):
         plot.ladder(comparison, shaft)
     assert plot.ladder(shaft).get_xlabel() == "RMS error of axial displacement in µm"
@@ -206,22 +200,18 @@ def test_opposite_errors_have_different_shapes_and_fillings():
 
 
 def test_errors_over_one_setting_stand_around_the_known_noise(make, document):
-    data = document("compare", "data/measurements/flywheel.toml",
-                    "data/measurements/flywheel_unloaded.csv")
+    data = document("compare", "data/measurements/flywheel.toml", "data/measurements/flywheel_unloaded.csv")
     worst = pd.DataFrame(data["worst_rows"]).assign(speed_rpm=[5.0, 4.0, 3.0, 2.0, 1.0])
-    ax = plot.residuals(make("Comparison", data, worst.rename(columns={"residual": "error"})),
-                        y=None)
+    ax = plot.residuals(make("Comparison", data, worst.rename(columns={"residual": "error"})), y=None)
     band = ax.patches[0].get_xy()[:, 1]
     assert band.max() == -band.min() == data["noise"]["rms"]
-    assert sorted(v for line in ax.lines[1:] for v in line.get_ydata()) == \
-        sorted(r["residual"] for r in data["worst_rows"])
+    assert sorted(v for line in ax.lines[1:] for v in line.get_ydata()) == sorted(r["residual"] for r in data["worst_rows"])
     assert ax.get_ylabel() == "Prediction minus reading in N mm"
 
 
 def test_a_record_has_one_axes_for_each_unit(train):
     axes = plot.record(train)
-    assert [ax.get_ylabel().replace("\n", " ") for ax in axes] == [
-        "Speed in rpm", "Load in N", "Temperature in °C", "Friction torque in N mm"]
+    assert [ax.get_ylabel().replace("\n", " ") for ax in axes] == ["Speed in rpm", "Load in N", "Temperature in °C", "Friction torque in N mm"]
     assert axes[-1].get_xlabel() == "Time in h"
     drawn = np.concatenate([line.get_ydata() for line in axes[3].lines])
     assert list(drawn) == list(train.friction_torque_Nmm)
@@ -252,8 +242,7 @@ def test_a_record_takes_as_many_axes_as_it_has_units(train):
 def test_campbell_joins_the_modes_of_each_whirl(modes):
     ax = plot.campbell(modes)
     rows = modes.data["rows"]
-    lowest = {whirl: [min(m["frequency_Hz"] for m in row["modes"] if m["whirl"] == whirl)
-                      for row in rows[1:]] for whirl in ("forward", "backward")}
+    lowest = {whirl: [min(m["frequency_Hz"] for m in row["modes"] if m["whirl"] == whirl) for row in rows[1:]] for whirl in ("forward", "backward")}
     by_label = {line.get_label(): line for line in ax.lines}
     forward, backward = by_label["forward whirl"], by_label["backward whirl"]
     assert list(forward.get_ydata()[1:]) == lowest["forward"]
@@ -265,20 +254,23 @@ def test_campbell_joins_the_modes_of_each_whirl(modes):
     assert once.get_ydata()[1] == once.get_xdata()[1] / 60.0
 
 
-@pytest.mark.parametrize("draw, wrong, error, words", [
-    (plot.stribeck, [1, 2], TypeError, "call it for each"),
-    (plot.stribeck, 3.0, TypeError, "takes a Table"),
-    (plot.stribeck, pd.DataFrame({"speed_rpm": []}), ValueError, "no rows"),
-    (plot.stribeck, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'friction_torq"),
-    (plot.contact_angles, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'inner_contact"),
-    (plot.residuals, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'error'"),
-    (plot.residuals, [], TypeError, "takes a Comparison"),
-    (plot.record, pd.DataFrame({"speed": [1]}), ValueError, "neither time_s nor speed_rpm"),
-    (plot.record, {"time_s": [1]}, TypeError, "takes a record"),
-    (plot.campbell, pd.DataFrame(), TypeError, "takes a Modes"),
-    (plot.ladder, [], TypeError, "one by one"),
-    (plot.ladder, None, TypeError, "takes a Comparison"),
-])
+@pytest.mark.parametrize(
+    "draw, wrong, error, words",
+    [
+        (plot.stribeck, [1, 2], TypeError, "call it for each"),
+        (plot.stribeck, 3.0, TypeError, "takes a Table"),
+        (plot.stribeck, pd.DataFrame({"speed_rpm": []}), ValueError, "no rows"),
+        (plot.stribeck, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'friction_torq"),
+        (plot.contact_angles, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'inner_contact"),
+        (plot.residuals, pd.DataFrame({"speed_rpm": [1]}), ValueError, "no column 'error'"),
+        (plot.residuals, [], TypeError, "takes a Comparison"),
+        (plot.record, pd.DataFrame({"speed": [1]}), ValueError, "neither time_s nor speed_rpm"),
+        (plot.record, {"time_s": [1]}, TypeError, "takes a record"),
+        (plot.campbell, pd.DataFrame(), TypeError, "takes a Modes"),
+        (plot.ladder, [], TypeError, "one by one"),
+        (plot.ladder, None, TypeError, "takes a Comparison"),
+    ],
+)
 def test_wrong_use_is_told(draw, wrong, error, words):
     with pytest.raises(error, match=words):
         draw(wrong)
@@ -306,10 +298,16 @@ def test_more_wrong_use_is_told(table, diagnosis, displacement, modes, make, tra
 
 
 def every_picture(table, displacement, diagnosis, comparison, modes, train, ax=None):
-    return [plot.stribeck(table, ax=ax), plot.contact_angles(table, ax=ax),
-            plot.contact_angles(displacement, ax=ax), plot.ladder(diagnosis, ax=ax),
-            plot.residuals(comparison, ax=ax), plot.residuals(comparison, y=None, ax=ax),
-            plot.record(train, ["speed_rpm"], ax=ax)[0], plot.campbell(modes, ax=ax)]
+    return [
+        plot.stribeck(table, ax=ax),
+        plot.contact_angles(table, ax=ax),
+        plot.contact_angles(displacement, ax=ax),
+        plot.ladder(diagnosis, ax=ax),
+        plot.residuals(comparison, ax=ax),
+        plot.residuals(comparison, y=None, ax=ax),
+        plot.record(train, ["speed_rpm"], ax=ax)[0],
+        plot.campbell(modes, ax=ax),
+    ]
 
 
 def test_new_figures_are_pyplots_and_given_ones_are_left_alone(table, displacement, diagnosis, comparison, modes, train):
@@ -330,8 +328,7 @@ def test_new_figures_are_pyplots_and_given_ones_are_left_alone(table, displaceme
         plt.close(figure)
 
 
-def test_labels_and_legends_lie_inside_the_figure_and_off_the_axes(
-        table, displacement, diagnosis, comparison, modes, train):
+def test_labels_and_legends_lie_inside_the_figure_and_off_the_axes(table, displacement, diagnosis, comparison, modes, train):
     pictures = every_picture(table, displacement, diagnosis, comparison, modes, train)
     for ax in [*pictures, *plot.record(train)]:
         figure = ax.figure

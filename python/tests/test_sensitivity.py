@@ -21,17 +21,26 @@ def model():
 
 
 def test_the_document_is_that_of_the_command(model, document):
-    found = model.sensitivity([4000, 8000], 300, of=["torque", "stiffness"],
-                              spread={"ball_diameter_mm": 0.01, "viscosity_40C_mm2_s": "10%"})
+    found = model.sensitivity([4000, 8000], 300, of=["torque", "stiffness"], spread={"ball_diameter_mm": 0.01, "viscosity_40C_mm2_s": "10%"})
     assert found.data == document(
-        "sensitivity", RIG, "--speed", "4000,8000", "--axial-load", "300", "--of", "torque,stiffness",
-        "--spread", "ball_diameter_mm=0.01,viscosity_40C_mm2_s=10%")
+        "sensitivity",
+        RIG,
+        "--speed",
+        "4000,8000",
+        "--axial-load",
+        "300",
+        "--of",
+        "torque,stiffness",
+        "--spread",
+        "ball_diameter_mm=0.01,viscosity_40C_mm2_s=10%",
+    )
 
 
 def test_indices_are_those_of_the_command(model, document):
     found = model.sensitivity(8000, 300, data="friction,lubricant", samples=256, seed=3)
-    assert found.data == document("sensitivity", RIG, "--speed", "8000", "--axial-load", "300", "--data",
-                                  "friction,lubricant", "--global", "256", "--seed", "3")
+    assert found.data == document(
+        "sensitivity", RIG, "--speed", "8000", "--axial-load", "300", "--data", "friction,lubricant", "--global", "256", "--seed", "3"
+    )
     frame = found.to_frame().set_index("datum")
     assert frame["total"].idxmax() == frame["share"].idxmax()
     # Nearly linear over 1 %: the shares of the derivatives are those of the variance.
@@ -47,15 +56,19 @@ def test_derivatives_are_differences_of_models(model):
 
 
 def test_numbers_of_the_catalogue_are_data_too():
-    model = raceway.Model.from_text('''[bearing]
+    model = raceway.Model.from_text(
+        """[bearing]
 catalogue = "S 6014 C"
 [lubricant]
 viscosity_40C_mm2_s = 20.0
 viscosity_100C_mm2_s = 4.4
-''')
+"""
+    )
     found = model.sensitivity(8000, 300, of="stiffness,torque").to_frame()
-    for column, names in (("axial_stiffness_N_um", ["ball_diameter_mm", "contact_angle_deg", "inner_conformity"]),
-                          ("friction_torque_Nmm", ["pitch_diameter_mm", "static_load_rating_N"])):
+    for column, names in (
+        ("axial_stiffness_N_um", ["ball_diameter_mm", "contact_angle_deg", "inner_conformity"]),
+        ("friction_torque_Nmm", ["pitch_diameter_mm", "static_load_rating_N"]),
+    ):
         frame = found[found.prediction == column].set_index("datum")
         assert frame["predicted"].iloc[0] == pytest.approx(float(model.solve(8000, 300)[column]), rel=1e-12)
         for name in names:
@@ -78,8 +91,7 @@ def test_a_report_names_the_first_and_what_does_not_enter(model):
 
 def test_a_spindle_is_asked_for_its_steady_state():
     spindle = raceway.Model.read("data/spindles/small.toml")
-    frame = spindle.sensitivity(6000, steady=True, of="displacement,temperature",
-                                data=["ambient", "f0"]).to_frame()
+    frame = spindle.sensitivity(6000, steady=True, of="displacement,temperature", data=["ambient", "f0"]).to_frame()
     assert set(frame["prediction"]) == {"axial_displacement_um", "hottest_ring_temperature_C"}
     rise = frame[(frame.prediction == "hottest_ring_temperature_C") & (frame.datum == "ambient.temperature_C")]
     # A warmer room makes a warmer spindle; thinner oil takes a part of it back.

@@ -77,8 +77,12 @@ def test_a_run_is_that_of_the_command(run_of_jump, driven, jump, document, csv):
 
 def test_end_state_and_field_are_those_of_the_command(run_of_jump, program, jump, root, tmp_path):
     files = [str(tmp_path / name) for name in ("end.json", "field.csv", "run.csv")]
-    subprocess.run([program, "spindle", DRIVEN, "--speed-profile", jump, "--end-state", files[0], "--field",
-                    files[1], "-o", files[2]], cwd=root, check=True, capture_output=True)
+    subprocess.run(
+        [program, "spindle", DRIVEN, "--speed-profile", jump, "--end-state", files[0], "--field", files[1], "-o", files[2]],
+        cwd=root,
+        check=True,
+        capture_output=True,
+    )
     with open(files[0], encoding="utf-8") as end:
         assert run_of_jump.end_state == end.read()
     pd.testing.assert_frame_equal(run_of_jump.field(), pd.read_csv(files[1], comment="#"), check_exact=True)
@@ -139,20 +143,24 @@ def test_modes_and_shapes_are_those_of_the_command(small, driven, document, csv,
     of_warm = driven.modes([4000, 8000], warm=True, coolant=False, count=3)
     assert of_warm.data == document(*warm)
     pd.testing.assert_frame_equal(of_warm.shapes(), frame_of(run(*warm, "--shapes", "-")), check_exact=True)
-    assert found.notes == [
-        "damping, and what gives way in the housing, are not modelled: damping_ratio is empty"]
+    assert found.notes == ["damping, and what gives way in the housing, are not modelled: damping_ratio is empty"]
     ax = plot.campbell(found)
     assert list(ax.lines[0].get_xdata()) == [0, 5000, 10000]
     with pytest.warns(raceway.Doubt, match="200000 rpm: no_equilibrium"):
         small.modes([5000, 200000])
 
 
-@pytest.mark.parametrize("flags, arguments", [
-    (["--force", "1000", "--speed", "8000", "--warm"], {"force_N": 1000, "speed_rpm": 8000, "warm": True}),
-    (["--force", "1000", "--axial-force", "-300", "--moment", "100", "--at", "40", "--coolant", "off"],
-     {"force_N": 1000, "axial_force_N": -300, "moment_Nm": 100, "at_mm": 40, "coolant": False}),
-    (["--force", "500", "--direction", "axial"], {"force_N": 500, "direction": "axial"}),
-])
+@pytest.mark.parametrize(
+    "flags, arguments",
+    [
+        (["--force", "1000", "--speed", "8000", "--warm"], {"force_N": 1000, "speed_rpm": 8000, "warm": True}),
+        (
+            ["--force", "1000", "--axial-force", "-300", "--moment", "100", "--at", "40", "--coolant", "off"],
+            {"force_N": 1000, "axial_force_N": -300, "moment_Nm": 100, "at_mm": 40, "coolant": False},
+        ),
+        (["--force", "500", "--direction", "axial"], {"force_N": 500, "direction": "axial"}),
+    ],
+)
 def test_deflections_are_those_of_the_command(driven, document, csv, flags, arguments):
     bent = driven.deflection(**arguments)
     assert bent.data == document("deflection", DRIVEN, *flags)
@@ -160,16 +168,14 @@ def test_deflections_are_those_of_the_command(driven, document, csv, flags, argu
     assert bent.displacement_um == bent.data["displacement_um"] and bent.status == "converged"
 
 
-def test_step_responses_and_their_correction_are_those_of_the_command(
-        driven, document, csv, program, root, tmp_path):
+def test_step_responses_and_their_correction_are_those_of_the_command(driven, document, csv, program, root, tmp_path):
     asked = ("step-response", DRIVEN, "--speed", "2000:6000:2000", "--hours", "2")
     steps = driven.step_response([2000, 4000, 6000], duration_h=2)
     assert steps.data == document(*asked)
     pd.testing.assert_frame_equal(steps.to_frame(), csv(*asked), check_exact=True)
     (tmp_path / "cli").mkdir()
     (tmp_path / "own").mkdir()
-    subprocess.run([program, *asked, "--correction", str(tmp_path / "cli" / "k.toml"), "--json"], cwd=root,
-                   check=True, capture_output=True)
+    subprocess.run([program, *asked, "--correction", str(tmp_path / "cli" / "k.toml"), "--json"], cwd=root, check=True, capture_output=True)
     steps.save_correction(tmp_path / "own" / "k.toml")
     theirs = {p.name: p.read_text() for p in (tmp_path / "cli").iterdir()}
     assert {p.name: p.read_text() for p in (tmp_path / "own").iterdir()} == theirs and len(theirs) > 1
@@ -185,23 +191,31 @@ def test_step_responses_and_their_correction_are_those_of_the_command(
 
 def test_load_cases_of_another_program_are_fitted(small, document, tmp_path):
     hours = np.linspace(0.0, 3.0, 31)
-    frame = pd.concat([pd.DataFrame({"load_case": name, "time_s": 3600 * hours, "speed_rpm": speed,
-                                     "axial_displacement_um": gain * (1 - np.exp(-hours / 0.5))})
-                       for name, speed, gain in (("slow", 3000.0, 12.0), ("fast", 6000.0, 30.0))])
+    frame = pd.concat(
+        [
+            pd.DataFrame({"load_case": name, "time_s": 3600 * hours, "speed_rpm": speed, "axial_displacement_um": gain * (1 - np.exp(-hours / 0.5))})
+            for name, speed, gain in (("slow", 3000.0, 12.0), ("fast", 6000.0, 30.0))
+        ]
+    )
     path = tmp_path / "cases.csv"
     frame.to_csv(path, index=False)
     steps = small.step_response(load_cases=raceway.Record.read(path), temperature_C=35)
     assert steps.data == document("step-response", SMALL, "--import", str(path), "--temperature", "35")
-    assert [(r["K_um"], r["T_min"]) for r in steps.data["rows"]] == [pytest.approx((12.0, 30.0), rel=1e-4),
-                                                                     pytest.approx((30.0, 30.0), rel=1e-4)]
+    assert [(r["K_um"], r["T_min"]) for r in steps.data["rows"]] == [pytest.approx((12.0, 30.0), rel=1e-4), pytest.approx((30.0, 30.0), rel=1e-4)]
     with pytest.raises(TypeError, match="give one of them"):
         small.step_response([3000], load_cases=raceway.Record.read(path))
 
 
 @pytest.fixture(scope="module")
 def results(small, driven, run_of_jump):
-    return [driven.steady(6000), small.steady([0, 3000, 6000]), run_of_jump, small.modes([0, 5000]),
-            driven.deflection(1000, moment_Nm=50), driven.step_response([2000, 4000], duration_h=2)]
+    return [
+        driven.steady(6000),
+        small.steady([0, 3000, 6000]),
+        run_of_jump,
+        small.modes([0, 5000]),
+        driven.deflection(1000, moment_Nm=50),
+        driven.step_response([2000, 4000], duration_h=2),
+    ]
 
 
 def test_results_show_themselves(results, tmp_path):
@@ -214,8 +228,12 @@ def test_results_show_themselves(results, tmp_path):
         assert repr(result).startswith(f"<raceway.{type(result).__name__}")
     one, several, of_run = (r._repr_html_() for r in results[:3])
     state = results[0].data["steady"][0]
-    for shown in (f"{state['front_force_N']:.0f} N in front", f"{state['axial_displacement_um']:.4g} µm",
-                  f"{state['rear_1_inner_ring_temperature_C']:.3g}", "coolant outlet"):
+    for shown in (
+        f"{state['front_force_N']:.0f} N in front",
+        f"{state['axial_displacement_um']:.4g} µm",
+        f"{state['rear_1_inner_ring_temperature_C']:.3g}",
+        "coolant outlet",
+    ):
         assert shown in one
     # Rounding leaves a trace at standstill, which nobody wants to read.
     assert not re.search(r"\de-\d", several)
@@ -224,8 +242,7 @@ def test_results_show_themselves(results, tmp_path):
 
 def test_a_run_is_drawn_over_time(run_of_jump, driven):
     axes = plot.spindle_run(run_of_jump)
-    assert [one.get_ylabel().replace("\n", " ") for one in axes] == [
-        "Speed in rpm", "Nose in µm", "Front force in N", "Hottest ring in °C"]
+    assert [one.get_ylabel().replace("\n", " ") for one in axes] == ["Speed in rpm", "Nose in µm", "Front force in N", "Hottest ring in °C"]
     rows = run_of_jump.data["rows"]
     assert axes[-1].get_xlabel() == "Time in min"
     assert list(axes[1].lines[0].get_xdata()) == [row["time_s"] / 60 for row in rows]
@@ -244,41 +261,46 @@ def test_a_run_is_drawn_over_time(run_of_jump, driven):
         plot.spindle_run(driven.steady(3000))
 
 
-@pytest.mark.parametrize("frame, words", [
-    (pd.DataFrame({"speed_rpm": [0, 6000]}), "column time_s is missing"),
-    (pd.DataFrame({"time_s": [0, 600]}), "column speed_rpm is missing"),
-    (pd.DataFrame({"time_s": [-5, 600], "speed_rpm": [0, 6000]}), "a programme begins at 0 s"),
-    (pd.DataFrame({"time_s": [0, 600], "speed_rpm": [0, 2e7]}), "speed_rpm = 20000000.0: must be from"),
-    (pd.DataFrame({"time_s": [0, 600], "speed_rpm": [0, 1], "run_id": [1, 2]}), "2 runs"),
-])
+@pytest.mark.parametrize(
+    "frame, words",
+    [
+        (pd.DataFrame({"speed_rpm": [0, 6000]}), "column time_s is missing"),
+        (pd.DataFrame({"time_s": [0, 600]}), "column speed_rpm is missing"),
+        (pd.DataFrame({"time_s": [-5, 600], "speed_rpm": [0, 6000]}), "a programme begins at 0 s"),
+        (pd.DataFrame({"time_s": [0, 600], "speed_rpm": [0, 2e7]}), "speed_rpm = 20000000.0: must be from"),
+        (pd.DataFrame({"time_s": [0, 600], "speed_rpm": [0, 1], "run_id": [1, 2]}), "2 runs"),
+    ],
+)
 def test_profiles_that_are_none_are_refused(small, frame, words):
     with pytest.raises(raceway.InputError, match=words):
         small.simulate(record(frame))
 
 
-@pytest.mark.parametrize("ask, error, words", [
-    (lambda m: m.steady(-3), raceway.InputError, "speed_rpm = -3 rpm: must be from 0 to 1000000 rpm"),
-    (lambda m: m.steady([5000, 3000]), raceway.InputError, "speed_rpm: the values must grow"),
-    (lambda m: m.steady([]), raceway.InputError, "speed_rpm is missing"),
-    (lambda m: m.steady(float("nan")), raceway.InputError, "speed_rpm = nan rpm"),
-    (lambda m: m.steady("fast"), TypeError, "speed_rpm: numbers are wanted, not text"),
-    (lambda m: m.steady(6000, ambient_temperature_C=500), raceway.InputError, "must be from -100 to 400 C"),
-    (lambda m: m.steady(6000, ambient_temperature_C="20"), TypeError, "ambient_temperature_C: a number"),
-    (lambda m: m.steady(6000, coolant="off"), TypeError, "coolant: True or False is wanted, not 'off'"),
-    (lambda m: m.simulate("day.csv"), TypeError, "a raceway.Record is wanted, not str"),
-    (lambda m: m.simulate(record(JUMP), start="{warm"), raceway.InputError, "start: is no JSON"),
-    (lambda m: m.simulate(record(JUMP), start="warm.json"), raceway.InputError, "warm.json: "),
-    (lambda m: m.simulate(record(JUMP), start=20.0), TypeError, "start: the end_state of a result"),
-    (lambda m: m.modes(0, count=41), raceway.InputError, "count = 41 modes: must be from 1 to 40"),
-    (lambda m: m.modes(0, count=2.5), TypeError, "count: a whole number"),
-    (lambda m: m.deflection(), raceway.InputError, "force_N = 0 N: a force or a moment_Nm is needed"),
-    (lambda m: m.deflection(1, direction="up"), ValueError, "direction = 'up': must be radial or axial"),
-    (lambda m: m.deflection(1, direction="axial", moment_Nm=3), raceway.InputError,
-     "moment_Nm goes with a radial force_N"),
-    (lambda m: m.deflection(1, at_mm=-1), raceway.InputError, "at_mm = -1 mm: must be from 0"),
-    (lambda m: m.step_response(0), raceway.InputError, "0 speeds above 0 rpm"),
-    (lambda m: m.step_response(2000, duration_h=0.01), raceway.InputError, "duration_h = 0.01 h: must"),
-])
+@pytest.mark.parametrize(
+    "ask, error, words",
+    [
+        (lambda m: m.steady(-3), raceway.InputError, "speed_rpm = -3 rpm: must be from 0 to 1000000 rpm"),
+        (lambda m: m.steady([5000, 3000]), raceway.InputError, "speed_rpm: the values must grow"),
+        (lambda m: m.steady([]), raceway.InputError, "speed_rpm is missing"),
+        (lambda m: m.steady(float("nan")), raceway.InputError, "speed_rpm = nan rpm"),
+        (lambda m: m.steady("fast"), TypeError, "speed_rpm: numbers are wanted, not text"),
+        (lambda m: m.steady(6000, ambient_temperature_C=500), raceway.InputError, "must be from -100 to 400 C"),
+        (lambda m: m.steady(6000, ambient_temperature_C="20"), TypeError, "ambient_temperature_C: a number"),
+        (lambda m: m.steady(6000, coolant="off"), TypeError, "coolant: True or False is wanted, not 'off'"),
+        (lambda m: m.simulate("day.csv"), TypeError, "a raceway.Record is wanted, not str"),
+        (lambda m: m.simulate(record(JUMP), start="{warm"), raceway.InputError, "start: is no JSON"),
+        (lambda m: m.simulate(record(JUMP), start="warm.json"), raceway.InputError, "warm.json: "),
+        (lambda m: m.simulate(record(JUMP), start=20.0), TypeError, "start: the end_state of a result"),
+        (lambda m: m.modes(0, count=41), raceway.InputError, "count = 41 modes: must be from 1 to 40"),
+        (lambda m: m.modes(0, count=2.5), TypeError, "count: a whole number"),
+        (lambda m: m.deflection(), raceway.InputError, "force_N = 0 N: a force or a moment_Nm is needed"),
+        (lambda m: m.deflection(1, direction="up"), ValueError, "direction = 'up': must be radial or axial"),
+        (lambda m: m.deflection(1, direction="axial", moment_Nm=3), raceway.InputError, "moment_Nm goes with a radial force_N"),
+        (lambda m: m.deflection(1, at_mm=-1), raceway.InputError, "at_mm = -1 mm: must be from 0"),
+        (lambda m: m.step_response(0), raceway.InputError, "0 speeds above 0 rpm"),
+        (lambda m: m.step_response(2000, duration_h=0.01), raceway.InputError, "duration_h = 0.01 h: must"),
+    ],
+)
 def test_wrong_use_is_told(small, ask, error, words):
     with pytest.raises(error, match=words):
         ask(small)
@@ -287,10 +309,8 @@ def test_wrong_use_is_told(small, ask, error, words):
 def test_models_that_are_no_spindle_are_refused_as_the_command_does(root, program):
     for path in ("data/examples/7014.toml", "data/spindles/published_curve.toml"):
         model = raceway.Model.from_text((root / path).read_text(), path)
-        done = subprocess.run([program, "spindle", path, "--steady", "--speed", "6000"], cwd=root,
-                              capture_output=True, text=True)
-        for ask in (lambda: model.steady(6000), lambda: model.simulate(record(JUMP)),
-                    lambda: model.step_response(6000)):
+        done = subprocess.run([program, "spindle", path, "--steady", "--speed", "6000"], cwd=root, capture_output=True, text=True)
+        for ask in (lambda: model.steady(6000), lambda: model.simulate(record(JUMP)), lambda: model.step_response(6000)):
             with pytest.raises(raceway.InputError) as told:
                 ask()
             assert str(told.value) in done.stderr

@@ -263,9 +263,7 @@ def test_two_workers_find_what_one_process_finds(workers):
     serial = sweep.run(fleet.identify, items)
     for slabs in (None, 5, 24):
         assert bits(sweep.run(fleet.identify, items, client=workers, slabs=slabs)) == bits(serial)
-    by_address = sweep.run(
-        fleet.identify, items, client=workers.scheduler.address, progress=lambda share, words: said.append((share, words))
-    )
+    by_address = sweep.run(fleet.identify, items, client=workers.scheduler.address, progress=lambda share, words: said.append((share, words)))
     assert bits(by_address) == bits(serial)
     assert said[0] == (0.0, "0 of 24 items") and said[-1] == (1.0, "24 of 24 items")
     assert [share for share, _ in said] == sorted(share for share, _ in said)
@@ -389,7 +387,7 @@ def test_a_fleet_of_1000_machines_is_identified_by_two_workers(workers):
 # --- the command
 
 
-JOB = '''
+JOB = """
 def items():
     return {f"bearing-{k}": 0.9 + 0.02 * k for k in range(10)}
 
@@ -401,7 +399,7 @@ def work(factor):
         raise ValueError("too stiff, too far")
     model = raceway.Model.new("S 6014 C").with_values({"rolling_factor": factor})
     return {"factor": factor, "torque_Nmm": float(model.solve(6000.0, 300.0).friction_torque_Nmm)}
-'''
+"""
 
 
 @pytest.fixture
@@ -434,7 +432,7 @@ def test_slabs_of_an_array_are_merged(job, tmp_path):
     merged = job("merge", "slabs", "-o", "all.csv")
     assert merged.returncode == 0, merged.stderr
     rows = (tmp_path / "all.csv").read_text().splitlines()
-    assert rows[0] == "name,factor,torque_Nmm,error" and rows[10] == "bearing-9,,,\"ValueError: too stiff, too far\""
+    assert rows[0] == "name,factor,torque_Nmm,error" and rows[10] == 'bearing-9,,,"ValueError: too stiff, too far"'
     names = {"__name__": "job"}
     exec(JOB, names)
     for row, (name, factor) in list(zip(rows[1:], names["items"]().items()))[:9]:

@@ -54,8 +54,7 @@ class Samples:
                 if len(cells) == 12:  # the last may be cut
                     rows.append([float(cell) for cell in cells])
         demand(len(rows) > 1000, f"{part}: {len(rows)} samples")
-        (tags, self.counts, eoffset, request, joint, self.axis, self.time, self.displacement, self.wanted, late,
-         status, on) = map(list, zip(*rows))
+        (tags, self.counts, eoffset, request, joint, self.axis, self.time, self.displacement, self.wanted, late, status, on) = map(list, zip(*rows))
         demand(all(b == a + 1 for a, b in zip(tags, tags[1:])), f"{part}: samples are missing")
         self.eoffset, self.request = [1000.0 * x for x in eoffset], [1000.0 * x for x in request]
         # A count that came between motion and the sampler is of the next period, as the request says.
@@ -91,7 +90,7 @@ class Samples:
         for i in range(AFTER_LATE, len(self.counts) - 1):
             if self.counts[i] != self.counts[i - 1] and self.since_on[i] > 2 * SPLINE and self.on[i + 1]:
                 steps = [abs(self.counts[k] - self.counts[k - 1]) for k in range(i - AFTER_LATE + 1, i + 2)]
-                if sum(steps[-SPLINE - 1:]) > 1:
+                if sum(steps[-SPLINE - 1 :]) > 1:
                     late = i
                 yield i, 1 if i - late >= AFTER_LATE else sum(steps)
 
@@ -120,9 +119,11 @@ def follows(s, part):
         if s.since_on[i] > 2 * SPLINE and i >= last + after[last]:
             settled += 1
             rest = max(rest, abs(s.followed[i] - s.asked[i]))
-    print(f"{part}: {ticks} counts; one servo period later the joint is {max(most, most_moving):.4f} um from them at most "
-          f"(Z at rest {most:.4f}), {SPLINE} later {rest:.4f} um in {settled} samples; "
-          f"{late} more counts while the servo thread was late (at most {s.late_ms:.1f} ms)")
+    print(
+        f"{part}: {ticks} counts; one servo period later the joint is {max(most, most_moving):.4f} um from them at most "
+        f"(Z at rest {most:.4f}), {SPLINE} later {rest:.4f} um in {settled} samples; "
+        f"{late} more counts while the servo thread was late (at most {s.late_ms:.1f} ms)"
+    )
     demand(max(most, most_moving) <= EXACT_UM + COUNT_UM, f"{part}: one servo period after a count the joint is not there")
     demand(rest <= EXACT_UM, f"{part}: {SPLINE} servo periods after a count the joint is not there")
     demand(most_late <= EXACT_UM, f"{part}: the joint did not follow several counts")
@@ -144,20 +145,27 @@ def replays(s):
     missed = 0  # calls that no sample shows, as the servo thread stood meanwhile
     for value in said:
         k = bisect.bisect_left(pins, value)
-        missed += min(abs(pin - value) for pin in pins[max(k - 1, 0):k + 1]) > 1e-5
+        missed += min(abs(pin - value) for pin in pins[max(k - 1, 0) : k + 1]) > 1e-5
     kept = 0.0
     for i in range(100, len(s.time)):
-        if not s.status[i] and min(s.since_on[i], i) > 100 and 0 <= s.time[i] < 2090 and \
-                s.displacement[i] == s.displacement[i - 5] and s.wanted[i] == s.wanted[i - 5]:
+        if (
+            not s.status[i]
+            and min(s.since_on[i], i) > 100
+            and 0 <= s.time[i] < 2090
+            and s.displacement[i] == s.displacement[i - 5]
+            and s.wanted[i] == s.wanted[i - 5]
+        ):
             kept = max(kept, abs(s.wanted[i] + s.displacement[i]))
     behind, moved = 0.0, 0
     for i in range(40, len(s.time)):
         if s.status[i] & MOVING:
             moved = i
-        if min(s.since_on[i], i - moved) > 2000 and 0 <= s.time[i] < 2400 and len(set(s.wanted[i - 40:i + 1])) == 1:
+        if min(s.since_on[i], i - moved) > 2000 and 0 <= s.time[i] < 2400 and len(set(s.wanted[i - 40 : i + 1])) == 1:
             behind = max(behind, abs(s.asked[i] - s.wanted[i]))
-    print(f"day: {len(said)} calls; displacement is within {apart:.1e} um of `raceway correct`, its pin shows all but {missed} of "
-          f"them, the wanted offset within {kept:.4f} um (half a count is {COUNT_UM / 2:g}), counts where they are wanted")
+    print(
+        f"day: {len(said)} calls; displacement is within {apart:.1e} um of `raceway correct`, its pin shows all but {missed} of "
+        f"them, the wanted offset within {kept:.4f} um (half a count is {COUNT_UM / 2:g}), counts where they are wanted"
+    )
     demand(apart <= 0.02 and missed <= 0.1 * len(said), "day: the displacement is not that of `raceway correct`")
     demand(kept <= COUNT_UM / 2 + 1e-5, "day: the offset is not that of the displacement")
     demand(behind <= 1e-3, f"day: counts stay {behind:.3f} um from what is wanted")
@@ -169,10 +177,13 @@ def page():
         seen = json.load(source)
     demand(seen.get("done"), "page: the operator did not come to the end")
     law = 1.28e-3 * 3000.0 ** (1.0 - 0.697 * math.exp(-5.3e-4 * 3000.0))
-    demand(abs(seen["joint_um"] + law) <= COUNT_UM / 2 + EXACT_UM and not seen["alarm"],
-           f"page: the joint is {seen['joint_um']:.3f} um away, should be {-law:.3f} um")
-    print(f"page: the five commands of docs/control.md end in a joint that M3 S3000 moves by {seen['joint_um']:.2f} um; the law "
-          f"says {law:.2f} um")
+    demand(
+        abs(seen["joint_um"] + law) <= COUNT_UM / 2 + EXACT_UM and not seen["alarm"],
+        f"page: the joint is {seen['joint_um']:.3f} um away, should be {-law:.3f} um",
+    )
+    print(
+        f"page: the five commands of docs/control.md end in a joint that M3 S3000 moves by {seen['joint_um']:.2f} um; the law " f"says {law:.2f} um"
+    )
 
 
 def day():
@@ -187,10 +198,14 @@ def day():
     last = max(i for i in range(len(s.time)) if s.since_on[i] and abs(s.followed[i]) > COUNT_UM)
     before = max(range(last - 5000, last), key=lambda i: (abs(s.eoffset[i]), i))
     end = last + 2 * SPLINE
-    demand(end < len(s.on) and s.on[end] and abs(s.eoffset[end]) < EXACT_UM and abs(s.followed[end]) < EXACT_UM,
-           "day: the offset was not back at 0 when motion ended")
-    print(f"day: {largest:.1f} um at most; at the end back from {abs(s.eoffset[before]):.1f} um to 0 in "
-          f"{(last - before) * 0.001:.2f} s, {(len(s.on) - end) * 0.001:.2f} s before motion ended")
+    demand(
+        end < len(s.on) and s.on[end] and abs(s.eoffset[end]) < EXACT_UM and abs(s.followed[end]) < EXACT_UM,
+        "day: the offset was not back at 0 when motion ended",
+    )
+    print(
+        f"day: {largest:.1f} um at most; at the end back from {abs(s.eoffset[before]):.1f} um to 0 in "
+        f"{(last - before) * 0.001:.2f} s, {(len(s.on) - end) * 0.001:.2f} s before motion ended"
+    )
     print("day: halcmd show pin thermal")
     print(s.seen["pins"].rstrip())
 
@@ -200,8 +215,7 @@ def unmoved():
     with open("unmoved.log", encoding="utf-8") as log:
         text = log.read()
     demand(s.seen["status"] & NOT_FOLLOWED, f"unmoved: status {s.seen['status']}")
-    demand("OFFSET_AV_RATIO is missing" in text and "were asked for: OFFSET_AV_RATIO" in text,
-           "unmoved: stderr does not say what is missing")
+    demand("OFFSET_AV_RATIO is missing" in text and "were asked for: OFFSET_AV_RATIO" in text, "unmoved: stderr does not say what is missing")
     demand(max(map(abs, s.request)) > COUNT_UM, "unmoved: nothing was asked for")
     demand(max(map(abs, s.eoffset)) == 0.0 and max(map(abs, s.followed)) < 1e-3, "unmoved: the joint moved")
     print(f"unmoved: without OFFSET_AV_RATIO alarm after {s.seen['alarm_s']:.1f} s, the joint stands, stderr says why")
@@ -210,7 +224,7 @@ def unmoved():
 def kept_state(path):
     with open(path, encoding="utf-8") as lines:
         check, _, text = lines.read().partition(" ")
-    demand(int(check, 16) == zlib.crc32(text.rstrip("\n").encode()) & 0xffffffff, f"{path} is damaged")
+    demand(int(check, 16) == zlib.crc32(text.rstrip("\n").encode()) & 0xFFFFFFFF, f"{path} is damaged")
     return json.loads(text)
 
 
@@ -222,8 +236,10 @@ def again():
     s = Samples("again")
     follows(s, "again")
     kept = s.seen["displacement"] - state["absolute"][0]
-    demand(abs(state["absolute"][0]) > 1.0 and abs(kept) < 0.2,
-           f"again: the state was {state['absolute'][0]:.3f} um, it began with {s.seen['displacement']:.3f} um")
+    demand(
+        abs(state["absolute"][0]) > 1.0 and abs(kept) < 0.2,
+        f"again: the state was {state['absolute'][0]:.3f} um, it began with {s.seen['displacement']:.3f} um",
+    )
     demand(s.seen["at_first"] == 0.0 and s.seen["off_and_on"] == 0.0, "again: an offset before there was a count")
     demand(not s.seen["status"] & NOT_FOLLOWED, "again: alarm after off and on between two calls")
     jump = max(abs(b - a) for a, b, n in zip(s.followed, s.followed[1:], s.since_on[1:]) if n > 2 * SPLINE)
@@ -232,21 +248,24 @@ def again():
     slew = max(abs(s.asked[i] - s.asked[i - 1000]) for i in range(1000, end) if s.since_on[i] > 1000)
     demand(jump <= 2 * COUNT_UM, f"again: the joint jumped by {jump:.3f} um")
     demand(slew <= SLEW_UM_S * (1.0 + 1.0) + COUNT_UM, f"again: {slew:.2f} um in 1 s")
-    print(f"again: killed at {abs(state['absolute'][0]):.2f} um; its state is loaded by a new LinuxCNC ({kept:+.3f} um from it), "
-          f"the offset begins at 0 and goes by {slew:.2f} um in 1 s at most, {jump:.3f} um in a servo period; "
-          "the same after off and on again between two calls")
+    print(
+        f"again: killed at {abs(state['absolute'][0]):.2f} um; its state is loaded by a new LinuxCNC ({kept:+.3f} um from it), "
+        f"the offset begins at 0 and goes by {slew:.2f} um in 1 s at most, {jump:.3f} um in a servo period; "
+        "the same after off and on again between two calls"
+    )
 
 
 def plot():
     sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
     from svg_chart import panel, picture
+
     s = Samples("day")
     late = {k for i, counts in s.ticks() if counts > 1 for k in range(i, i + AFTER_LATE)}
     rows = [i for i in range(len(s.time)) if s.time[i] >= 0.0 and s.since_on[i] > 2 * SPLINE and i not in late]
     chunk = max(1, len(rows) // 800)
     asked, followed, apart = [], [], []
     for k in range(0, len(rows), chunk):
-        part = rows[k:k + chunk]
+        part = rows[k : k + chunk]
         minutes = s.time[part[0]] / 60.0
         asked.append((minutes, s.asked[part[0]]))
         followed.append((minutes, s.followed[part[0]]))
@@ -254,12 +273,30 @@ def plot():
         apart += [(minutes, min(differences)), (minutes, max(differences))]
     blue, light, dashes = "#1f5fa8", "#e8a33d", ' stroke-dasharray="5 5"'
     ticks = range(0, 43, 6)
-    print(picture([
-        panel(0, "offset of Z [um] over time of the record [min]", ticks, range(-25, 1, 5),
-              [(asked, blue, ""), (followed, light, dashes)], width=480),
-        panel(1, "joint less what was asked for [um] over time of the record [min]", ticks,
-              [-0.15, -0.1, -0.05, 0, 0.05, 0.1, 0.15], [(apart, blue, "")], width=480)],
-        [("asked for by the component", blue, ""), ("command of the joint less that of its axis", light, dashes)], width=480))
+    print(
+        picture(
+            [
+                panel(
+                    0,
+                    "offset of Z [um] over time of the record [min]",
+                    ticks,
+                    range(-25, 1, 5),
+                    [(asked, blue, ""), (followed, light, dashes)],
+                    width=480,
+                ),
+                panel(
+                    1,
+                    "joint less what was asked for [um] over time of the record [min]",
+                    ticks,
+                    [-0.15, -0.1, -0.05, 0, 0.05, 0.1, 0.15],
+                    [(apart, blue, "")],
+                    width=480,
+                ),
+            ],
+            [("asked for by the component", blue, ""), ("command of the joint less that of its axis", light, dashes)],
+            width=480,
+        )
+    )
     left_out = sum(counts > 1 for _, counts in s.ticks())
     print(f"plot: {left_out} counts while the servo thread was late are not in the picture", file=sys.stderr)
 

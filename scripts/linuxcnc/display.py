@@ -43,6 +43,7 @@ class Machine:
         def polled():
             self.stat.poll()
             return true(self.stat)
+
         wait(what, polled)
 
     def on(self):
@@ -148,8 +149,7 @@ def day():
         put("sensors." + name, 0)
         wait("the alarm to end", lambda: not get("thermal.alarm"))
     until(2400)
-    seen["pins"] = subprocess.run(["halcmd", "show", "pin", "thermal"], check=True, capture_output=True,
-                                  text=True).stdout
+    seen["pins"] = subprocess.run(["halcmd", "show", "pin", "thermal"], check=True, capture_output=True, text=True).stdout
 
 
 def unmoved():

@@ -35,8 +35,7 @@ def main():
         share = min(max((at - times[k - 1]) / (times[k] - times[k - 1]), 0.0), 1.0)
         for name in columns:
             # A speed is what it is until the next row, a temperature goes straight.
-            value = low[name] if name == "speed_rpm" and share < 1.0 else \
-                low[name] + share * (high[name] - low[name])
+            value = low[name] if name == "speed_rpm" and share < 1.0 else low[name] + share * (high[name] - low[name])
             if name == "front_bearing_temperature_C":
                 value = float("nan") if component["broken"] else 200.0 if component["far"] else value
             component[name] = value

@@ -5,13 +5,14 @@
 #include <string>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
 
 using testing::HasSubstr;
 
-const std::string root = RACEWAY_SOURCE_DIR;
+const std::string root = tests::source_dir();
 const std::string shaft = root + "/data/spindles/two_against_one.toml";
 const std::string sweep = root + "/data/spindles/ring_growth_sweep.csv";
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -13,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-const std::string measurements = std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/";
+const std::string measurements = tests::source_dir() + "/data/measurements/";
 const std::string weights = measurements + "torque_weights.csv";
 const std::string signals = measurements + "torque_signals.csv";
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -12,7 +13,7 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-const std::string measurements = RACEWAY_SOURCE_DIR "/data/measurements/";
+const std::string measurements = tests::source_dir() + "/data/measurements/";
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;
@@ -119,7 +120,7 @@ TEST(Calibrate, ProfilesNeedReadingsAndALikelihood) {
   const Result none = run("calibrate \"S 6014 C\" --profile");
   EXPECT_EQ(none.status, 1);
   EXPECT_THAT(none.err, HasSubstr("--profile needs measurements"));
-  const std::string folder = RACEWAY_SOURCE_DIR "/data/corrections/ambient/";
+  const std::string folder = tests::source_dir() + "/data/corrections/ambient/";
   const Result over_time =
       run("calibrate " + folder + "correction.toml " + folder + "train.csv --profile");
   EXPECT_EQ(over_time.status, 1);

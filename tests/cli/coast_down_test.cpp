@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
 
-const std::string shipped = RACEWAY_SOURCE_DIR "/data/measurements/";
+const std::string shipped = tests::source_dir() + "/data/measurements/";
 const std::string flywheel = shipped + "flywheel.toml ";
 
 /// A shipped record with four seconds at its first speed before it.

@@ -1,5 +1,6 @@
 // Files of other programs, from their columns to a verdict.
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -8,8 +9,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string german_export =
-    std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/german_export.csv";
+const std::string german_export = tests::source_dir() + "/data/measurements/german_export.csv";
 
 TEST(Columns, AGermanExcelExportGoesInWithoutAScript) {
   const ScratchFolder folder;

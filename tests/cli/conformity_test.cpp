@@ -1,6 +1,7 @@
 #include <string>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -54,14 +55,13 @@ TEST(Conformity, SaysWhatIsMissing) {
 TEST(Conformity, IsNotWrittenWhereNoneIsPlausible) {
   const ScratchFolder scratch;
   const std::string folder = scratch.file("data");
-  const Result r = run_shell(
-      "mkdir -p " + folder +
-      "/bearings; sed 's/85.0,700.0,140.0,1400.0,200.0/285,700,440,1400,600/' '" RACEWAY_SOURCE_DIR
-      "/data/bearings/gmn_spindle.csv' > " +
-      folder +
-      "/bearings/gmn.csv\n"
-      "RACEWAY_DATA=" +
-      folder + " $raceway calibrate \"S 6014 C\" -o " + scratch.file("a.toml"));
+  const Result r =
+      run_shell("mkdir -p " + folder +
+                "/bearings; sed 's/85.0,700.0,140.0,1400.0,200.0/285,700,440,1400,600/' '" +
+                tests::source_dir() + "/data/bearings/gmn_spindle.csv' > " + folder +
+                "/bearings/gmn.csv\n"
+                "RACEWAY_DATA=" +
+                folder + " $raceway calibrate \"S 6014 C\" -o " + scratch.file("a.toml"));
   EXPECT_EQ(r.status, 2);
   EXPECT_THAT(r.err, HasSubstr("no conformity from 0.505 to 0.56 has the printed rigidities"));
   EXPECT_EQ(file_text(scratch.file("a.toml")), "");

@@ -3,15 +3,16 @@
 #include <string>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
 
-const std::string data = std::string(RACEWAY_SOURCE_DIR) + "/data/corrections/";
+const std::string data = tests::source_dir() + "/data/corrections/";
 
 json reference(const std::string& row) {
   return json::parse(
-      file_text(RACEWAY_SOURCE_DIR "/data/reference/correction_reference.json"))[row];
+      file_text(tests::source_dir() + "/data/reference/correction_reference.json"))[row];
 }
 
 json found_on(const std::string& record) {

@@ -4,6 +4,7 @@
 
 #include "tests/cli/correction_record.h"
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 using testing::Contains;
 using testing::IsSupersetOf;
 
-const std::string data = std::string(RACEWAY_SOURCE_DIR) + "/data/corrections/";
+const std::string data = tests::source_dir() + "/data/corrections/";
 const std::string exact = data + "exact/correction.toml " + data + "exact/train.csv";
 
 const std::set<std::string> metric_keys{

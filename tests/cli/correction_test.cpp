@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string data = std::string(RACEWAY_SOURCE_DIR) + "/data/corrections/";
+const std::string data = tests::source_dir() + "/data/corrections/";
 
 /// Records of machines whose hidden effect is known, made by a program of its own.
 class Correction : public testing::Test {
@@ -214,8 +215,7 @@ TEST_F(Correction, AHeatUpAloneCannotValidate) {
 
 /// Five channels of a real spindle: found in 26 h, run over the next 8 h without a new zero.
 TEST_F(Correction, ABankOfLagsPredictsHoursThatItDidNotSee) {
-  const std::string spindle =
-      std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/spindle_thermal/";
+  const std::string spindle = tests::source_dir() + "/data/measurements/spindle_thermal/";
   const std::string record = " " + spindle + "record.csv ";
   double sum = 0.0, sum_of_nothing = 0.0;
   for (int channel = 1; channel <= 5; ++channel) {
@@ -250,9 +250,8 @@ TEST_F(Correction, ReadingsCountFromAndUntil) {
   expect_refused(run("correct " + model + " " + record + " --from 5x"), "as 22h, 90min or 3600s");
   expect_refused(run("correct " + model + " " + record + " --from 5000h"), "no reading from 5000h");
   expect_refused(
-      run("compare " + std::string(RACEWAY_SOURCE_DIR) +
-          "/tests/hidden_effect/rigs/dev-03/model.toml " + std::string(RACEWAY_SOURCE_DIR) +
-          "/tests/hidden_effect/rigs/dev-03/train.csv --from 1h"),
+      run("compare " + tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/model.toml " +
+          tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/train.csv --from 1h"),
       "belong to records over time");
 }
 

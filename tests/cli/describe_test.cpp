@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -68,7 +69,7 @@ std::set<std::string> offered(const std::vector<std::string>& words) {
 std::vector<std::set<std::string>> offered_by_zsh(const std::vector<std::string>& begun) {
   const ScratchFolder scratch;
   scratch.write("_raceway", run("describe zsh").out);
-  std::string command = "timeout 120 zsh -f " RACEWAY_SOURCE_DIR "/tests/cli/offered.zsh '" +
+  std::string command = "timeout 120 zsh -f " + tests::source_dir() + "/tests/cli/offered.zsh '" +
                         scratch.path().string() + "'";
   for (const std::string& line : begun) command += " '" + line + "'";
   const Result r = run_shell(command);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 #include "tests/reference_table.h"
 
 namespace raceway::tests {
@@ -30,7 +31,7 @@ class Displacement : public testing::Test {
     return run(command + " " + scratch_.write("my.toml", model) + " " + flags);
   }
   [[nodiscard]] static std::string spindle(const std::string& name) {
-    return std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/" + name;
+    return tests::source_dir() + "/data/spindles/" + name;
   }
   ScratchFolder scratch_;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/cli/run_program.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -102,13 +103,13 @@ std::string with_time(std::string command) {
 class Page : public testing::TestWithParam<const char*> {};
 
 TEST_P(Page, PrintsWhatItShows) {
-  const fs::path root = RACEWAY_SOURCE_DIR;
+  const fs::path root = tests::source_dir();
   const auto sessions = sessions_of(file_text(root / GetParam()));
   ASSERT_GE(sessions.size(), 1u);
   // The page's commands run in a folder with the data, one after the other.
   const ScratchFolder scratch;
   fs::create_directories(scratch.path() / "build/release");
-  fs::create_symlink(RACEWAY_PROGRAM, scratch.path() / "build/release/raceway");
+  fs::create_symlink(tests::program(), scratch.path() / "build/release/raceway");
   fs::create_directory_symlink(root / "data", scratch.path() / "data");
   fs::create_directory_symlink(root / "tests", scratch.path() / "tests");
   fs::create_directory_symlink(root / "tests/hidden_effect/rigs/dev-03", scratch.path() / "rig");

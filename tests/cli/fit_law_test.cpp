@@ -2,6 +2,7 @@
 #include <string>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -70,8 +71,8 @@ TEST(FitLaw, ReadsAPipe) {
 // The independent fits of data/reference/kinematic_law.csv, as a user gets them.
 TEST(FitLaw, OfComputedSpindlesReturnsTheIndependentNumbers) {
   const auto fit = [](const std::string& model, const std::string& speeds) {
-    return parsed(run_shell("$raceway displacement '" RACEWAY_SOURCE_DIR "/data/spindles/" + model +
-                            "' --speed " + speeds + " -o - | $raceway fit-law --json"));
+    return parsed(run_shell("$raceway displacement '" + tests::source_dir() + "/data/spindles/" +
+                            model + "' --speed " + speeds + " -o - | $raceway fit-law --json"));
   };
   const json small = fit("two_against_one.toml", "0:10000:500");
   EXPECT_NEAR(small["parameters"]["A"]["value"].get<double>(), 5.56e-4, 0.5e-6);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -144,7 +145,7 @@ TEST_F(HostileInput, ANameOfMegabytesIsNoSearch) {
 }
 
 TEST_F(HostileInput, ADiagnosisInTheWrongUnitEndsWithAQuestion) {
-  const std::string rig = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/dev-03/";
+  const std::string rig = tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/";
   const std::string model = scratch_.write(
       "rig.toml", file_text(rig + "model.toml") + "\n[[effect]]\nid = \"spin-friction\"\n");
   // As if the speeds stood in krpm: far below where the laws hold.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -37,11 +38,11 @@ class Kill : public testing::TestWithParam<Writer> {
  protected:
   /// Files of all writers, made once in a folder of their own.
   void SetUp() override {
-    const std::string rig = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/dev-03/";
+    const std::string rig = tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/";
     scratch_.write("rig.toml", file_text(rig + "model.toml"));
     scratch_.write("rig.csv", file_text(rig + "train.csv"));
     scratch_.write("shaft.toml",
-                   file_text(RACEWAY_SOURCE_DIR "/data/spindles/two_against_one.toml"));
+                   file_text(tests::source_dir() + "/data/spindles/two_against_one.toml"));
     const std::string part = " table rig.toml --speed 0:12000:3 --axial-load 100,300 --slab ";
     ASSERT_EQ(run_shell("cd " + scratch_.path().string() + " && $raceway" + part +
                         "1/2 -o 1.csv && $raceway" + part +
@@ -73,8 +74,8 @@ class Kill : public testing::TestWithParam<Writer> {
 
   /// Starts the writer, sends it the signal after a while, and gives its status.
   [[nodiscard]] int run_and_stop(int signal, std::chrono::duration<double> after) const {
-    const std::string line = std::string("exec '" RACEWAY_PROGRAM "' ") + GetParam().arguments +
-                             " --force >/dev/null 2>&1";
+    const std::string line = std::string("exec '" + tests::program() + "' ") +
+                             GetParam().arguments + " --force >/dev/null 2>&1";
     const pid_t child = fork();
     if (child == 0) {
       if (chdir(scratch_.path().c_str()) == 0)

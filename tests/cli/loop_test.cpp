@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run_program.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -16,7 +17,7 @@ using testing::Not;
 using testing::StartsWith;
 
 /// A rig with a known hidden effect: drag of 62.5 N mm at 10 000 rpm.
-const std::string rig = std::string(RACEWAY_SOURCE_DIR) + "/tests/hidden_effect/rigs/dev-03/";
+const std::string rig = tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/";
 
 TEST(Loop, NamesTheMissingEffectAndAddsIt) {
   const ScratchFolder scratch;

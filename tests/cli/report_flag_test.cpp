@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -20,8 +21,8 @@ class Report : public testing::Test {
   ScratchFolder scratch_;
   std::string model_ = scratch_.write("my.toml", model_text);
   std::string data_ = scratch_.write("rig.csv", data_text);
-  std::string shaft_ = std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/two_against_one.toml";
-  std::string spindle_ = std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/small.toml";
+  std::string shaft_ = tests::source_dir() + "/data/spindles/two_against_one.toml";
+  std::string spindle_ = tests::source_dir() + "/data/spindles/small.toml";
   std::string page_ = scratch_.file("page.html");
 };
 
@@ -61,7 +62,7 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
 }
 
 TEST_F(Report, OfARecordOverTimeIsWrittenByEveryCommandThatTakesACorrection) {
-  const std::string folder = std::string(RACEWAY_SOURCE_DIR) + "/data/corrections/ambient/";
+  const std::string folder = tests::source_dir() + "/data/corrections/ambient/";
   const std::string model = folder + "correction.toml ", record = folder + "train.csv ";
   for (const std::string& command :
        {"compare " + model + record, "diagnose --no-pairs " + model + record,
@@ -110,7 +111,7 @@ TEST_F(Report, OfASpindleIsWrittenBesideWhatTheCommandPrints) {
 }
 
 TEST_F(Report, OfARecordOfASpindleIsThatOfARecordOverTime) {
-  const std::string folder = std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/seats/";
+  const std::string folder = tests::source_dir() + "/data/spindles/seats/";
   const std::string command = "compare " + folder + "model.toml " + folder + "test.csv --report ";
   const Result r = run(command + page_);
   EXPECT_EQ(r.status, 0) << r.err;
@@ -123,7 +124,7 @@ TEST_F(Report, OfARecordOfASpindleIsThatOfARecordOverTime) {
 }
 
 TEST_F(Report, OfARefusedEffectShowsWhy) {
-  const std::string rig = std::string(RACEWAY_SOURCE_DIR) + "/tests/hidden_effect/rigs/dev-08/";
+  const std::string rig = tests::source_dir() + "/tests/hidden_effect/rigs/dev-08/";
   const Result r = run("add " + rig + "model.toml torque-time-drift --data " + rig +
                        "train.csv --json --report " + page_);
   const json d = parsed(r);

@@ -1,6 +1,7 @@
 #include <string>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -35,7 +36,7 @@ TEST_F(RunFiles, NoCommandWritesOverItsModel) {
   expect_kept(model_, "diagnose " + model_ + " " + data_ + " --report " + model_);
   expect_kept(model_, "add " + model_ + " windage --data " + data_ + " --report " + model_);
   const std::string spindle = scratch_.write(
-      "spindle.toml", file_text(RACEWAY_SOURCE_DIR "/data/spindles/two_against_one.toml"));
+      "spindle.toml", file_text(tests::source_dir() + "/data/spindles/two_against_one.toml"));
   expect_kept(spindle, "displacement " + spindle + " --speed 0,1000 -o " + spindle);
   expect_kept(spindle, "displacement " + spindle + " --speed 0,1000 --report " + spindle);
 }
@@ -87,7 +88,7 @@ TEST_F(RunFiles, CalibrateAndAddImproveTheirOwnModel) {
 }
 
 TEST_F(RunFiles, AddImprovesItsOwnModelToo) {
-  const std::string rig = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/dev-03/";
+  const std::string rig = tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/";
   const std::string model = scratch_.write("rig.toml", file_text(rig + "model.toml"));
   const Result added =
       run("add " + model + " lubricant-drag --data " + rig + "train.csv --force -o " + model);

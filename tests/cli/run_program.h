@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/places.h"
+
 namespace raceway::tests {
 
 struct Result {
@@ -51,7 +53,7 @@ inline Result run_shell(const std::string& line) {
   const ScratchFolder scratch;
   const std::string out = scratch.file("out"), err = scratch.file("err");
   const int code = std::system(
-      ("raceway='" RACEWAY_PROGRAM "'; { " + line + "\n} >" + out + " 2>" + err).c_str());
+      ("raceway='" + tests::program() + "'; { " + line + "\n} >" + out + " 2>" + err).c_str());
   return {WIFEXITED(code) ? WEXITSTATUS(code) : -1, file_text(out), file_text(err)};
 }
 

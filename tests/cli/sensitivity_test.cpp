@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 // raceway sensitivity: which datum matters, against laws whose powers are known.
 namespace raceway::tests {
@@ -171,7 +172,7 @@ TEST(Sensitivity, NamesAndCountsSamplesWithoutAValue) {
 }
 
 TEST(Sensitivity, OfASpindleIsThatOfItsSteadyStates) {
-  const std::string spindle = std::string(RACEWAY_SOURCE_DIR) + "/data/spindles/small.toml";
+  const std::string spindle = tests::source_dir() + "/data/spindles/small.toml";
   const json found = answer(spindle + " --steady --speed 6000 --data ambient,f0,speed_rpm");
   const json& moved = found["predictions"][0];
   EXPECT_EQ(moved["name"], "axial_displacement_um");

@@ -5,6 +5,7 @@
 
 #include "tests/cli/sample.h"
 #include "tests/io/spindle_text.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -128,7 +129,7 @@ TEST(StepResponseCommand, WritesACorrectionThatCorrectRuns) {
 
 // The power is then that of the model's friction, as `displacement` says it.
 TEST(StepResponseCommand, TakesThePowerOfImportedSpeedsFromTheModel) {
-  const std::string model = RACEWAY_SOURCE_DIR "/data/spindles/two_against_one.toml";
+  const std::string model = tests::source_dir() + "/data/spindles/two_against_one.toml";
   const ScratchFolder scratch;
   std::string rows = "time_s,axial_displacement_um,speed_rpm\n";
   for (int minutes = 5; minutes <= 240; minutes += 5)

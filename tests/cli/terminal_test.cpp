@@ -5,6 +5,7 @@
 #include "cli/progress.h"
 #include "cli/text_table.h"
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -158,7 +159,7 @@ TEST(StandardInput, StandsForEveryFileThatIsRead) {
   same("-", files.model, "compare ", " " + files.data);
   same("-", files.data, "compare " + files.model + " ", "");
   same("-", files.data, "calibrate " + files.model + " ", "");
-  const std::string rig = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/dev-03/";
+  const std::string rig = tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/";
   same("-", rig + "train.csv", "diagnose " + rig + "model.toml ", " --no-pairs");
   same("-", rig + "train.csv", "add " + rig + "model.toml windage --force --data ", "");
 }

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "tests/cli/sample.h"
+#include "tests/places.h"
 
 namespace raceway::tests {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string root = RACEWAY_SOURCE_DIR;
+const std::string root = tests::source_dir();
 const std::string wheel = root + "/data/measurements/flywheel.toml";
 const std::string spin_down = root + "/data/measurements/flywheel_unloaded.csv";
 /// A rig whose model lacks a drag of 62.5 N mm at 10 000 rpm.

@@ -8,6 +8,7 @@
 #include "correction/series.h"
 #include "tests/correction/made_record.h"
 #include "tests/correction/reference.h"
+#include "tests/places.h"
 
 namespace raceway::correction {
 namespace {
@@ -47,7 +48,7 @@ TEST(Golden, EveryRowIsHeldByATest) {
       "S0_power", "identify_exact-01", "identify_exact-02"};
   std::set<std::string> rows;
   const nlohmann::json all = nlohmann::json::parse(
-      std::ifstream(RACEWAY_SOURCE_DIR "/data/reference/correction_reference.json"));
+      std::ifstream(tests::source_dir() + "/data/reference/correction_reference.json"));
   for (const auto& [name, _] : all.items()) rows.insert(name);
   EXPECT_EQ(rows, held);
 }

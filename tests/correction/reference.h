@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.h"
+
 namespace raceway::correction {
 
 /// A case of data/reference/correction_reference.json. Throws where there is none.
 inline nlohmann::json reference(const std::string& name) {
   static const nlohmann::json all = nlohmann::json::parse(
-      std::ifstream(RACEWAY_SOURCE_DIR "/data/reference/correction_reference.json"));
+      std::ifstream(tests::source_dir() + "/data/reference/correction_reference.json"));
   return all.at(name);
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "tests/places.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
 
@@ -151,7 +152,7 @@ TEST(Formula, HasAPowerSignOfItsOwn) {
 }
 
 TEST(Formula, HasItsVariablesInTheDocuments) {
-  std::ifstream in(RACEWAY_SOURCE_DIR "/docs/effects.md");
+  std::ifstream in(tests::source_dir() + "/docs/effects.md");
   std::set<std::string> shown, known;
   bool inside = false;
   for (std::string line; std::getline(in, line);) {

@@ -10,13 +10,15 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/places.h"
+
 namespace raceway::friction::contact {
 
 /// Cases of data/reference/contact_reference.json whose ids begin so: all of one kind, whatever
 /// their number. Throws where there is none.
 inline std::vector<nlohmann::json> contact_cases(std::string_view beginning) {
   static const nlohmann::json file = [] {
-    std::ifstream in(RACEWAY_SOURCE_DIR "/data/reference/contact_reference.json");
+    std::ifstream in(tests::source_dir() + "/data/reference/contact_reference.json");
     return nlohmann::json::parse(in);
   }();
   std::vector<nlohmann::json> found;

@@ -6,6 +6,7 @@
 
 #include "tests/cli/run_program.h"
 #include "tests/fuzz/readers.h"
+#include "tests/places.h"
 
 namespace raceway::fuzz {
 namespace {
@@ -18,7 +19,7 @@ class Corpus : public testing::TestWithParam<Reader> {};
 TEST_P(Corpus, IsReadOrRefused) {
   int inputs = 0;
   for (const auto& entry : fs::directory_iterator(
-           fs::path(RACEWAY_SOURCE_DIR "/tests/fuzz/corpus") / GetParam().name)) {
+           fs::path(tests::source_dir() + "/tests/fuzz/corpus") / GetParam().name)) {
     const auto before = std::chrono::steady_clock::now();
     EXPECT_NO_THROW(GetParam().read(tests::file_text(entry.path()))) << entry.path();
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - before;

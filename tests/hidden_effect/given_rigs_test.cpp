@@ -12,6 +12,7 @@
 #include "model/prediction.h"
 #include "tests/hidden_effect/generator.h"
 #include "tests/hidden_effect/judge.h"
+#include "tests/places.h"
 
 namespace hidden_effect {
 namespace {
@@ -48,7 +49,7 @@ std::vector<Point> points_of(const std::string& csv) {
 
 GivenRig given(int number) {
   const std::string name = "dev-0" + std::to_string(number);
-  const std::string folder = RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/" + name + "/";
+  const std::string folder = tests::source_dir() + "/tests/hidden_effect/rigs/" + name + "/";
   GivenRig rig{.name = name,
                .truth = nlohmann::json::parse(read_all(folder + "truth.json")),
                .model = read_all(folder + "model.toml"),
@@ -122,7 +123,7 @@ TEST(GivenRigs, GetTheirVerdictsAndNames) {
 TEST(GivenRigs, AreJudgedRightlyAsPeopleBuildThem) {
   for (int number = 1; number <= 9; ++number) {
     const std::string folder =
-        RACEWAY_SOURCE_DIR "/tests/hidden_effect/rigs/real-0" + std::to_string(number) + "/";
+        tests::source_dir() + "/tests/hidden_effect/rigs/real-0" + std::to_string(number) + "/";
     const auto truth = nlohmann::json::parse(read_all(folder + "truth.json"));
     const Answer answer = ask(read_all(folder + "model.toml"), read_all(folder + "train.csv"));
     EXPECT_THAT(truth["verdicts"].get<std::vector<std::string>>(),

@@ -7,6 +7,7 @@
 
 #include "record/units.h"
 #include "tests/io/message_of.h"
+#include "tests/places.h"
 
 namespace raceway::io {
 namespace {
@@ -105,7 +106,7 @@ TEST(CatalogueFile, TheDataDirectoryMayBeNamedByTheUser) {
   EXPECT_EQ(find_bearing(rows, "GMN S 6014 C").maker, "GMN");
   EXPECT_EQ(find_bearing(rows, "S 6010 C").maker, "GMN");
   ::unsetenv("RACEWAY_DATA");
-  EXPECT_EQ(data_directory(), std::string(RACEWAY_SOURCE_DIR) + "/data");
+  EXPECT_EQ(data_directory(), tests::source_dir() + "/data");
   EXPECT_EQ(own_data_directory(), "");
 }
 

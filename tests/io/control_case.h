@@ -22,6 +22,7 @@
 #include "io/series_file.h"
 #include "record/series_channel.h"
 #include "record/units.h"
+#include "tests/places.h"
 
 namespace raceway::io::control_test {
 
@@ -83,7 +84,7 @@ class Folder {
 
 /// A part of the models here.
 inline std::string part(const std::string& name) {
-  return text_of(fs::path(RACEWAY_SOURCE_DIR) / "tests/io/control/models" / name);
+  return text_of(fs::path(tests::source_dir()) / "tests/io/control/models" / name);
 }
 /// All that a model may have, over two displacements.
 inline const std::string everything = part("axis_z.toml") + part("axis_y.toml");
@@ -178,7 +179,7 @@ struct Answer {
 enum class Way { python, c, single };
 
 inline std::vector<Answer> answers(const Case& c, Way way, const std::string& script) {
-  const std::string sources = std::string(RACEWAY_SOURCE_DIR) + "/tests/io/control/";
+  const std::string sources = tests::source_dir() + "/tests/io/control/";
   const std::string strict =
       "cc -std=c99 -O2 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -I. ";
   (void)c.folder.write("script", script);

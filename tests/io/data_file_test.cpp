@@ -8,6 +8,7 @@
 #include "io/subject.h"
 #include "record/units.h"
 #include "tests/io/message_of.h"
+#include "tests/places.h"
 #include "tests/support/shafts.h"
 
 namespace raceway::io {
@@ -430,8 +431,7 @@ TEST(DataFile, ACoastDownBelowTheMinimumSpeedIsAnError) {
 }
 
 TEST(DataFile, TheFlywheelRecordIsRead) {
-  const std::string path =
-      std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/flywheel_unloaded.csv";
+  const std::string path = tests::source_dir() + "/data/measurements/flywheel_unloaded.csv";
   const Record r = read_record(path, *on(flywheel()));
   EXPECT_EQ(r.runs.size(), 1u);
   EXPECT_GT(r.rows(), 20u);

@@ -9,6 +9,7 @@
 #include "model/parameters.h"
 #include "record/units.h"
 #include "tests/io/message_of.h"
+#include "tests/places.h"
 
 namespace raceway::io {
 namespace {
@@ -452,8 +453,7 @@ TEST(ModelFile, ANewModelOfEachLawSaysWhatItTakes) {
 }
 
 TEST(ModelFile, TheFlywheelModelIsRead) {
-  const ModelFile file =
-      read_model(std::string(RACEWAY_SOURCE_DIR) + "/data/measurements/flywheel.toml");
+  const ModelFile file = read_model(tests::source_dir() + "/data/measurements/flywheel.toml");
   EXPECT_GT(file.model.rig.inertia, 0.0);
 }
 

@@ -25,8 +25,8 @@ double published(double power, double time) {
 }
 
 /// Rows of the two, one behind the other at each time.
-std::string mixed_rows(const std::string& header) {
-  std::string text = header + "\n";
+std::string mixed_rows(const std::string& columns) {
+  std::string text = columns + "\n";
   for (const double t : {0.0, 300.0, 900.0, 2400.0, 7200.0, 14400.0, 28800.0})
     for (const double power : {100.0, 50.0})
       text += fmt::format("{}W,{},{:.9f},{}\n", power, t, published(power, t), power);

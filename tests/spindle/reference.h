@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/places.h"
+
 namespace raceway::spindle {
 
 /// Cases of data/reference/spindle_reference.json whose ids begin alike, and the test that holds
@@ -70,7 +72,7 @@ inline const Kind* kind_of(std::string_view id) {
 /// All cases of data/reference/spindle_reference.json.
 inline const nlohmann::json& references() {
   static const nlohmann::json all = nlohmann::json::parse(
-      std::ifstream(RACEWAY_SOURCE_DIR "/data/reference/spindle_reference.json"));
+      std::ifstream(tests::source_dir() + "/data/reference/spindle_reference.json"));
   return all;
 }
 

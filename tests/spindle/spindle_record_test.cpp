@@ -10,6 +10,7 @@
 #include "fit/diagnose.h"
 #include "io/model_file.h"
 #include "io/subject.h"
+#include "tests/places.h"
 
 // Records of a spindle with a known hidden effect, made by a detailed model of another kind
 // (data/spindles/README.md), through the loop.
@@ -23,7 +24,7 @@ struct Case {
 
 Case read_case(const std::string& name) {
   const std::filesystem::path folder =
-      std::filesystem::path(RACEWAY_SOURCE_DIR) / "data" / "spindles" / name;
+      std::filesystem::path(tests::source_dir()) / "data" / "spindles" / name;
   const io::ModelFile file = io::read_model((folder / "model.toml").string());
   const model::Spindle& spindle = *file.model.spindle;
   return {io::make_subject(file.model),

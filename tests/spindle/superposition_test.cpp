@@ -11,6 +11,7 @@
 #include "io/series_file.h"
 #include "io/step_correction.h"
 #include "shaft/fit_kinematic_law.h"
+#include "tests/places.h"
 #include "tests/spindle/base_spindle.h"
 
 namespace raceway::spindle {
@@ -42,7 +43,7 @@ io::Superposition over_a_day(bool coolant_on, bool two_lags) {
                             true);
   const io::CorrectionFile written = io::read_correction(path);
   std::filesystem::remove_all(folder);
-  const record::Record day = io::read_series(RACEWAY_SOURCE_DIR "/data/spindles/day.csv", {},
+  const record::Record day = io::read_series(tests::source_dir() + "/data/spindles/day.csv", {},
                                              {&record::time, &record::speed});
   return io::superposition(model, written.models.front(), day, options.inputs);
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tests/places.h"
 #include "tests/spindle_study/base_spindle.h"
 #include "tests/spindle_study/simulator.h"
 
@@ -99,7 +100,7 @@ void cold_preload(const json& cases, std::vector<Compared>& all) {
 }
 
 json reference_cases() {
-  std::ifstream in(RACEWAY_SOURCE_DIR "/data/reference/spindle_reference.json");
+  std::ifstream in(raceway::tests::source_dir() + "/data/reference/spindle_reference.json");
   if (!in) throw std::runtime_error("cannot read data/reference/spindle_reference.json");
   return json::parse(in);
 }

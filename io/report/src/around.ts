@@ -14,7 +14,12 @@ export interface Ring {
 
 /// `column`: what the values are, with its unit.
 export function aroundOption(rings: Ring[], column: string, colours: string[], l: Look, width: number): Option {
-  const top = legend(rings.map((r) => r.name), width, l, rings.map((_, k) => symbols[k % symbols.length]));
+  const top = legend(
+    rings.map((r) => r.name),
+    width,
+    l,
+    rings.map((_, k) => symbols[k % symbols.length]),
+  );
   return {
     legend: top.option,
     tooltip: tooltip(l, (hit) => {

@@ -65,28 +65,14 @@ export function valueAxis(name: string, l: Look, place: 'x' | 'y', more: Option 
 }
 
 export function categoryAxis(names: string[], l: Look, more: Option = {}): Option {
-  return {
-    type: 'category',
-    data: names,
-    axisLabel: { color: l.ink, fontSize: 12 },
-    axisLine: { lineStyle: { color: l.muted } },
-    axisTick: { show: false },
-    splitLine: { show: false },
-    ...more,
-  };
+  return { type: 'category', data: names, axisLabel: { color: l.ink, fontSize: 12 }, axisLine: { lineStyle: { color: l.muted } }, axisTick: { show: false }, splitLine: { show: false }, ...more };
 }
 
 /// Names down the side of horizontal bars, cut where the page is narrow; the tooltip has them in full.
 export function sideAxis(names: string[], l: Look, width: number): { option: Option; left: number } {
   const longest = Math.max(...names.map(textWidth), 30);
   const room = Math.max(90, Math.min(longest + 8, width * 0.42));
-  return {
-    option: categoryAxis(names, l, {
-      inverse: true,
-      axisLabel: { color: l.ink, fontSize: 12, width: room, overflow: 'truncate', interval: 0 },
-    }),
-    left: room + 12,
-  };
+  return { option: categoryAxis(names, l, { inverse: true, axisLabel: { color: l.ink, fontSize: 12, width: room, overflow: 'truncate', interval: 0 } }), left: room + 12 };
 }
 
 interface CustomApi {
@@ -165,26 +151,12 @@ export function errorBars(name: string, points: [number, number, number][], colo
       const bottom = api.coord([x, api.value(1)]) as [number, number];
       const style = { stroke: colour, lineWidth: 1.6, fill: 'none' };
       const line = (x1: number, y1: number, x2: number, y2: number) => ({ type: 'line', shape: { x1, y1, x2, y2 }, style });
-      return {
-        type: 'group',
-        children: [
-          line(top[0], top[1], bottom[0], bottom[1]),
-          line(top[0] - 4, top[1], top[0] + 4, top[1]),
-          line(bottom[0] - 4, bottom[1], bottom[0] + 4, bottom[1]),
-        ],
-      };
+      return { type: 'group', children: [line(top[0], top[1], bottom[0], bottom[1]), line(top[0] - 4, top[1], top[0] + 4, top[1]), line(bottom[0] - 4, bottom[1], bottom[0] + 4, bottom[1])] };
     },
   };
 }
 
 /// A line across horizontal bars with its words.
 export function threshold(value: number, text: string, l: Look): Option {
-  return {
-    silent: true,
-    symbol: 'none',
-    animation: false,
-    label: { formatter: text, color: l.ink, fontSize: 11, position: 'start', distance: 6 },
-    lineStyle: { color: l.ink, type: 'dashed', width: 1.5 },
-    data: [{ xAxis: value }],
-  };
+  return { silent: true, symbol: 'none', animation: false, label: { formatter: text, color: l.ink, fontSize: 11, position: 'start', distance: 6 }, lineStyle: { color: l.ink, type: 'dashed', width: 1.5 }, data: [{ xAxis: value }] };
 }

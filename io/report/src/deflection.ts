@@ -26,7 +26,11 @@ function bendingLine(report: DeflectionReport): Figure {
     wide: true,
     height: 380,
     option: (l, width) => {
-      const top = legend(lines.map((line) => line.name), width, l);
+      const top = legend(
+        lines.map((line) => line.name),
+        width,
+        l,
+      );
       return {
         legend: top.option,
         grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
@@ -50,18 +54,22 @@ function bendingLine(report: DeflectionReport): Figure {
             // Points that answer the pointer and are not seen.
             data: nodes.map((x, n) => ({ value: [x, line.values[n]], itemStyle: { opacity: 0 } })),
           })),
-          ...(r.force_N === 0 ? [] : [{
-            type: 'scatter',
-            name: 'force',
-            silent: true,
-            z: 7,
-            symbol: 'path://M5 0L10 8H7V22H3V8H0Z',
-            symbolSize: [12, 26],
-            symbolRotate: r.force_N > 0 ? 0 : 180,
-            symbolOffset: [0, r.force_N > 0 ? 16 : -16],
-            itemStyle: { color: l.ink },
-            data: [[r.at_mm, r.displacement_um]],
-          }]),
+          ...(r.force_N === 0
+            ? []
+            : [
+                {
+                  type: 'scatter',
+                  name: 'force',
+                  silent: true,
+                  z: 7,
+                  symbol: 'path://M5 0L10 8H7V22H3V8H0Z',
+                  symbolSize: [12, 26],
+                  symbolRotate: r.force_N > 0 ? 0 : 180,
+                  symbolOffset: [0, r.force_N > 0 ? 16 : -16],
+                  itemStyle: { color: l.ink },
+                  data: [[r.at_mm, r.displacement_um]],
+                },
+              ]),
         ],
       };
     },
@@ -83,7 +91,14 @@ function balls(bearings: LoadedBearing[]): Figure {
     height: 420,
     onPaper: 1,
     controls: [choice('Show', ballColumns.map(axisTitle), 0, (k) => ((column = k), figure.draw()))],
-    option: (l, width) => aroundOption(bearings.map((b) => ({ name: words(b.place), azimuth: b.balls.map((ball) => ball.azimuth_deg), values: b.balls.map((ball) => ball[name()]) })), name(), l.kinds, l, width),
+    option: (l, width) =>
+      aroundOption(
+        bearings.map((b) => ({ name: words(b.place), azimuth: b.balls.map((ball) => ball.azimuth_deg), values: b.balls.map((ball) => ball[name()]) })),
+        name(),
+        l.kinds,
+        l,
+        width,
+      ),
     table: () => ({ columns: ['bearing', 'azimuth [°]', ...ballColumns.map(axisTitle)], rows: bearings.flatMap((b) => b.balls.map((ball): Cell[] => [words(b.place), ball.azimuth_deg, ...ballColumns.map((c) => ball[c])])) }),
   });
   return figure;
@@ -102,7 +117,12 @@ function stiffness(bearings: LoadedBearing[], before: number[]): Figure {
     height: 420,
     onPaper: 0.8,
     option: (l, width) => {
-      const top = legend(kinds.map((k) => k.name), width, l, kinds.map(() => 'rect'));
+      const top = legend(
+        kinds.map((k) => k.name),
+        width,
+        l,
+        kinds.map(() => 'rect'),
+      );
       return {
         legend: top.option,
         aria: { enabled: true, decal: { show: false } },
@@ -132,7 +152,20 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
       // Zero where rounding left it.
       const load = Math.abs(r.force_N) + Math.abs(r.axial_force_N ?? 0) + Math.abs(r.moment_Nm ?? 0);
       const across = (v: number) => number(Math.abs(v) < 1e-9 * load ? 0 : v);
-      return [words(b.place), number(b.axial_load_N), across(b.radial_load_N), across(b.moment_Nm), number(b.least_inner_load_N), number(b.largest_inner_load_N), number(b.least_inner_contact_angle_deg), number(b.largest_inner_contact_angle_deg), String(b.lost_balls), number(b.axial_stiffness_N_um), number(b.radial_stiffness_N_um), number(before[k])];
+      return [
+        words(b.place),
+        number(b.axial_load_N),
+        across(b.radial_load_N),
+        across(b.moment_Nm),
+        number(b.least_inner_load_N),
+        number(b.largest_inner_load_N),
+        number(b.least_inner_contact_angle_deg),
+        number(b.largest_inner_contact_angle_deg),
+        String(b.lost_balls),
+        number(b.axial_stiffness_N_um),
+        number(b.radial_stiffness_N_um),
+        number(before[k]),
+      ];
     }),
   );
   table.id = 'bearings';
@@ -150,7 +183,12 @@ export function deflection(report: DeflectionReport): (Node | undefined)[] {
             ['front set without the force', `${number(r.unloaded_front_force_N)} N`],
             ['rear set', `${number(r.unloaded_rear_force_N)} N`],
             ...(Number.isFinite(first) ? ([['first stiffness', `${number(first)} N/µm`]] as [string, string][]) : []),
-            ...(radial ? ([['nose', um(r.nose_displacement_um)], ['slope of the nose', `${number(r.nose_slope_urad)} µrad`]] as [string, string][]) : []),
+            ...(radial
+              ? ([
+                  ['nose', um(r.nose_displacement_um)],
+                  ['slope of the nose', `${number(r.nose_slope_urad)} µrad`],
+                ] as [string, string][])
+              : []),
           ]
         : [],
     ),

@@ -44,8 +44,16 @@ export function ranking(report: DiagnoseReport, { unit }: FitView): Figure {
     onPaper: 0.6,
     option: (l, width) => {
       const present = kinds.filter(([, is]) => shown.some(is));
-      const top = legend(present.map(([name]) => name), width, l);
-      const side = sideAxis(shown.map((e) => e.id), l, width);
+      const top = legend(
+        present.map(([name]) => name),
+        width,
+        l,
+      );
+      const side = sideAxis(
+        shown.map((e) => e.id),
+        l,
+        width,
+      );
       const colours: Record<string, string> = { 'in the verdict': l.kinds[1] as string, 'above the threshold': l.kinds[0] as string, 'below the threshold': l.muted };
       const behind = (e: RankedEffect) => (best - e.gain > 0.05 ? `${gainText(e.gain)}  (${gainText(best - e.gain)} behind)` : gainText(e.gain));
       return {
@@ -76,7 +84,16 @@ export function ranking(report: DiagnoseReport, { unit }: FitView): Figure {
             borderRadius: [0, 3, 3, 0],
             decal: name === 'in the verdict' ? undefined : { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: name === 'above the threshold' ? [2, 5] : [1, 3], rotation: -0.7, color: 'rgba(255,255,255,0.35)' },
           },
-          label: { show: true, position: 'right', color: l.ink, fontSize: 11, formatter: (hit: { dataIndex: number }) => { const e = shown[hit.dataIndex]; return e && is(e) ? (width < 480 ? gainText(e.gain) : behind(e)) : ''; } },
+          label: {
+            show: true,
+            position: 'right',
+            color: l.ink,
+            fontSize: 11,
+            formatter: (hit: { dataIndex: number }) => {
+              const e = shown[hit.dataIndex];
+              return e && is(e) ? (width < 480 ? gainText(e.gain) : behind(e)) : '';
+            },
+          },
           data: shown.map((e) => (is(e) ? e.gain : null)),
           ...(k === 0 ? { markLine: threshold(needed, `needed ${number(needed, 3)}`, l) } : {}),
         })),
@@ -126,7 +143,12 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
     option: (l, width) => {
       const parts = column ? groups(rows.get(column), column, 5) : [{ label: 'rows', rows: all, from: 0, to: 0 }];
       const colours = ordered(parts.length, l);
-      const top = legend(parts.map((g) => g.label), width, l, parts.map((_, k) => symbols[k % symbols.length]));
+      const top = legend(
+        parts.map((g) => g.label),
+        width,
+        l,
+        parts.map((_, k) => symbols[k % symbols.length]),
+      );
       return {
         legend: top.option,
         grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
@@ -146,10 +168,7 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
         })),
       };
     },
-    table: () => ({
-      columns: [...inputs.map(axisTitle), `${chosen.id} [${unit}]`, `${what} [${unit}]`, 'share [%]'],
-      rows: all.map((k) => [...inputs.map((name) => rows.at(name, k)), effect(k), total(k), share(k)]),
-    }),
+    table: () => ({ columns: [...inputs.map(axisTitle), `${chosen.id} [${unit}]`, `${what} [${unit}]`, 'share [%]'], rows: all.map((k) => [...inputs.map((name) => rows.at(name, k)), effect(k), total(k), share(k)]) }),
   });
   const everything = (k: number) => total(k) - rows.at(chosen.with.base, k);
   const hidden = (k: number) => (view.predicted(0)[k] as number) - rows.at(chosen.with.base, k);
@@ -164,9 +183,17 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
   const hiding = new Figure({
     id: 'hidden',
     title: 'What the base parameters had been hiding',
-    note: () => `Of ${others()}. Refitted without: ${shifts().map(([name, p]) => `${name} ${number(p.before)}, with ${number(p.after)}`).join('; ')}. What the wrong values took over did not show as misfit. Means over the rows of a speed.`,
+    note: () =>
+      `Of ${others()}. Refitted without: ${shifts()
+        .map(([name, p]) => `${name} ${number(p.before)}, with ${number(p.after)}`)
+        .join('; ')}. What the wrong values took over did not show as misfit. Means over the rows of a speed.`,
     option: (l, width) => {
-      const top = legend(lines.map(([name]) => name), width, l, symbols.slice(0, lines.length));
+      const top = legend(
+        lines.map(([name]) => name),
+        width,
+        l,
+        symbols.slice(0, lines.length),
+      );
       return {
         legend: top.option,
         grid: { left: 56, right: 18, top: top.height + 26, bottom: 46 },
@@ -184,15 +211,16 @@ export function effectNodes(report: DiagnoseReport, view: FitView): Node[] {
         })),
       };
     },
-    table: () => ({
-      columns: [axisTitle('speed_rpm'), 'rows', ...lines.map(([name]) => `${name} [${unit}]`)],
-      rows: parts().map((g): Cell[] => [g.label, g.rows.length, ...lines.map(([, value]) => mean(g.rows.map(value)))]),
-    }),
+    table: () => ({ columns: [axisTitle('speed_rpm'), 'rows', ...lines.map(([name]) => `${name} [${unit}]`)], rows: parts().map((g): Cell[] => [g.label, g.rows.length, ...lines.map(([, value]) => mean(g.rows.map(value)))]) }),
   });
   const base = el('div', { id: 'base-parameters' });
   const tellBase = () =>
     base.replaceChildren(
-      valueList(`Base parameters, without and with ${others()}`, ['parameter', 'without', 'with', 'std error', 'unit'], shifts().map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)])),
+      valueList(
+        `Base parameters, without and with ${others()}`,
+        ['parameter', 'without', 'with', 'std error', 'unit'],
+        shifts().map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)]),
+      ),
     );
   tellBase();
   const label = ({ id, of }: Chosen) => `${id} (${of?.in_verdict ? 'verdict, ' : ''}gain ${gainText(of?.gain ?? NaN)})`;
@@ -225,7 +253,11 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
     height: 76 + list.length * 22,
     onPaper: 0.8,
     option: (l, width) => {
-      const side = sideAxis(list.map((d) => d.id), l, width);
+      const side = sideAxis(
+        list.map((d) => d.id),
+        l,
+        width,
+      );
       return {
         grid: { left: side.left, right: 70, top: 12, bottom: 44 },
         tooltip: tooltip(l, (hit) => {
@@ -236,7 +268,12 @@ export function detectable(report: DiagnoseReport, { what }: FitView): Figure | 
             d.id,
             ['found from', `${d.parameter} = ${number(d.size, 2)}${unit ? ` ${unit}` : ''}`],
             [`share of the ${what}`, `${number(100 * d.share_of_reading, 2)} %`],
-            ...(d.most_alike ? ([['most alike', d.most_alike], ['told from it from', `${number(d.told_apart_from, 2)}${unit ? ` ${unit}` : ''}`]] as [string, string][]) : []),
+            ...(d.most_alike
+              ? ([
+                  ['most alike', d.most_alike],
+                  ['told from it from', `${number(d.told_apart_from, 2)}${unit ? ` ${unit}` : ''}`],
+                ] as [string, string][])
+              : []),
           ];
         }),
         xAxis: valueAxis(`share of the ${what} [%], logarithmic`, l, 'x', { type: 'log', scale: false, min: floor, startValue: floor }),
@@ -274,14 +311,12 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
   const preloads = next.some((m) => typeof m.preload_N === 'number');
   // Beside speed, the input that the new points move, else the one that was moved.
   const moved = (name: string) => name !== 'speed_rpm' && (rows.varies(name) || next.some((m) => at(m, name) !== at(first as Suggested, name)));
-  const up = preloads ? 'preload_N' : inputs.find(moved) ?? inputs.find((name) => name !== 'speed_rpm') ?? 'speed_rpm';
+  const up = preloads ? 'preload_N' : (inputs.find(moved) ?? inputs.find((name) => name !== 'speed_rpm') ?? 'speed_rpm');
   const colour = inputs.find((name) => name !== up && rows.varies(name) && moved(name));
   return new Figure({
     id: 'plan',
     title: next.length ? 'Where to measure next' : 'Where was measured',
-    note: next.length
-      ? `Diamonds: points that best tell apart what these data cannot (${next[0]?.separates ?? ''}).`
-      : 'No further points are proposed; this is the plan as measured.',
+    note: next.length ? `Diamonds: points that best tell apart what these data cannot (${next[0]?.separates ?? ''}).` : 'No further points are proposed; this is the plan as measured.',
     marks: view.marks,
     wide: next.length > 0,
     option: (l, width) => {
@@ -337,13 +372,7 @@ export function plan(report: DiagnoseReport, view: FitView): Figure {
     },
     table: () =>
       next.length
-        ? {
-            columns: [...asked.map(axisTitle), 'repeats', 'separates', 'difference [σ]'],
-            rows: next.map((m) => [...asked.map((name) => at(m, name)), m.repeats, m.separates, m.difference_in_sigma]),
-          }
-        : {
-            columns: ['line', ...inputs.map(axisTitle)],
-            rows: Array.from({ length: rows.count }, (_, k) => [rows.at('line', k), ...inputs.map((name) => rows.at(name, k))]),
-          },
+        ? { columns: [...asked.map(axisTitle), 'repeats', 'separates', 'difference [σ]'], rows: next.map((m) => [...asked.map((name) => at(m, name)), m.repeats, m.separates, m.difference_in_sigma]) }
+        : { columns: ['line', ...inputs.map(axisTitle)], rows: Array.from({ length: rows.count }, (_, k) => [rows.at('line', k), ...inputs.map((name) => rows.at(name, k))]) },
   });
 }

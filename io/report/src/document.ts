@@ -150,11 +150,7 @@ export interface Diagnosis {
   within_tolerance?: boolean;
   significant_but_immaterial?: string[];
   /// With the formula under the name of the reading, torque_Nmm.
-  shape?: {
-    coefficients: Record<string, Size>;
-    statement: string;
-    explained_share: number | null;
-  };
+  shape?: { coefficients: Record<string, Size>; statement: string; explained_share: number | null };
 }
 
 export interface Added {
@@ -285,14 +281,7 @@ export interface KinematicLaw {
 export interface DisplacementReport extends Common {
   kind: 'displacement';
   model: string;
-  results: {
-    bearing: string;
-    arrangement: {
-      preload_N: number;
-      front_lift_off_load_N: number | null;
-      rear_lift_off_load_N: number | null;
-    };
-  };
+  results: { bearing: string; arrangement: { preload_N: number; front_lift_off_load_N: number | null; rear_lift_off_load_N: number | null } };
   places: string[]; // front_1, front_2, rear_1: columns of bearings begin so
   warnings: string[];
   law_statement: string;
@@ -539,8 +528,7 @@ interface RecordPage extends Common {
   steps: Step[]; // between models of spindles
 }
 
-export type RecordReport = RecordPage &
-  ({ command: 'compare'; results: CompareReport['results'] } | { command: 'diagnose'; results: Diagnosis } | { command: 'add'; results: Added } | { command: 'correct'; results: Corrected });
+export type RecordReport = RecordPage & ({ command: 'compare'; results: CompareReport['results'] } | { command: 'diagnose'; results: Diagnosis } | { command: 'add'; results: Added } | { command: 'correct'; results: Corrected });
 
 export type Report = CompareReport | DiagnoseReport | AddReport | TableReport | DisplacementReport | RecordReport | SpindleRunReport | SpindleSteadyReport | ModesReport | DeflectionReport | StepsReport;
 export type ReportOfRows = CompareReport | DiagnoseReport | AddReport;

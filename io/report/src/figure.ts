@@ -1,15 +1,6 @@
 // One picture with what belongs to it: title, note, choices, chart, table, CSV.
 import { BarChart, CustomChart, HeatmapChart, LineChart, ScatterChart } from 'echarts/charts';
-import {
-  AriaComponent,
-  GridComponent,
-  LegendComponent,
-  MarkAreaComponent,
-  MarkLineComponent,
-  PolarComponent,
-  TooltipComponent,
-  VisualMapComponent,
-} from 'echarts/components';
+import { AriaComponent, GridComponent, LegendComponent, MarkAreaComponent, MarkLineComponent, PolarComponent, TooltipComponent, VisualMapComponent } from 'echarts/components';
 import * as echarts from 'echarts/core';
 import type { ECharts } from 'echarts/core';
 import { CanvasRenderer, SVGRenderer } from 'echarts/renderers';
@@ -115,12 +106,7 @@ export class Figure {
     const onScreen = typeof height === 'number' ? height : height(width);
     const tall = l.print ? Math.round(onScreen * onPaper) : onScreen;
     this.canvas.style.height = `${tall}px`;
-    if (!this.chart)
-      this.chart = echarts.init(this.canvas, null, {
-        renderer: (this.spec.marks ?? 0) > manyMarks ? 'canvas' : 'svg',
-        width,
-        height: tall,
-      });
+    if (!this.chart) this.chart = echarts.init(this.canvas, null, { renderer: (this.spec.marks ?? 0) > manyMarks ? 'canvas' : 'svg', width, height: tall });
     else this.chart.resize({ width, height: tall });
     this.chart.setOption({ ...common(l), ...this.spec.option(l, width) }, { notMerge: true });
     if (this.numbers.open) this.fillTable();
@@ -132,9 +118,7 @@ export class Figure {
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
     const vectors = kind === 'SVG';
-    const chart = vectors
-      ? echarts.init(null, null, { renderer: 'svg', ssr: true, width, height })
-      : echarts.init(el('div', {}), null, { renderer: 'canvas', devicePixelRatio: 2, width, height });
+    const chart = vectors ? echarts.init(null, null, { renderer: 'svg', ssr: true, width, height }) : echarts.init(el('div', {}), null, { renderer: 'canvas', devicePixelRatio: 2, width, height });
     chart.setOption({ ...common(l), ...this.spec.option(l, width), backgroundColor: l.surface });
     const name = `${this.spec.id}.${kind.toLowerCase()}`;
     if (vectors) saveBlob(name, new Blob([chart.renderToSVGString()], { type: 'image/svg+xml' }));
@@ -153,26 +137,11 @@ export class Figure {
     const shown = table.rows.slice(0, mostTableRows);
     const body = el('tbody', {});
     for (const row of shown)
-      body.append(
-        el(
-          'tr',
-          {},
-          ...row.map((cell) =>
-            typeof cell === 'string'
-              ? el('td', {}, cell)
-              : el('td', { class: 'number', 'data-value': cell === null ? '' : String(cell) }, cell === null ? dash : number(cell, 5)),
-          ),
-        ),
-      );
+      body.append(el('tr', {}, ...row.map((cell) => (typeof cell === 'string' ? el('td', {}, cell) : el('td', { class: 'number', 'data-value': cell === null ? '' : String(cell) }, cell === null ? dash : number(cell, 5))))));
     const first = table.rows[0] ?? [];
-    const head = el(
-      'tr',
-      {},
-      ...table.columns.map((name, k) => el('th', { class: typeof first[k] === 'string' ? '' : 'number', scope: 'col' }, name)),
-    );
+    const head = el('tr', {}, ...table.columns.map((name, k) => el('th', { class: typeof first[k] === 'string' ? '' : 'number', scope: 'col' }, name)));
     const scroll = el('div', { class: 'scroll', tabindex: '0' }, el('table', {}, el('thead', {}, head), body));
-    if (shown.length < table.rows.length)
-      scroll.append(el('p', { class: 'note' }, `${shown.length} of ${table.rows.length} rows; the CSV has all of them.`));
+    if (shown.length < table.rows.length) scroll.append(el('p', { class: 'note' }, `${shown.length} of ${table.rows.length} rows; the CSV has all of them.`));
     this.numbers.append(scroll);
   }
 }
@@ -180,12 +149,7 @@ export class Figure {
 const all: Figure[] = [];
 
 function common(l: Look): Option {
-  return {
-    animation: false,
-    backgroundColor: 'transparent',
-    color: l.kinds,
-    textStyle: { color: l.ink, fontFamily: fonts, fontSize: 12 },
-  };
+  return { animation: false, backgroundColor: 'transparent', color: l.kinds, textStyle: { color: l.ink, fontFamily: fonts, fontSize: 12 } };
 }
 
 /// A tooltip whose content is built of text nodes: `lines` gives label and value, or one text.

@@ -29,7 +29,10 @@ export class FitView {
   private readonly figures: Figure[] = [];
   private readonly parts = new Map<string, Group[]>(); // by colour column
 
-  constructor(readonly report: ReportOfRows, chosen: number) {
+  constructor(
+    readonly report: ReportOfRows,
+    chosen: number,
+  ) {
     this.rows = new Rows(report.rows);
     this.inputs = report.inputs;
     this.key = report.quantity.unit;
@@ -86,9 +89,7 @@ export class FitView {
     if (!this.colour) return [{ label: 'rows', rows: this.drawn(Array.from({ length: this.rows.count }, (_, k) => k)), from: 0, to: 0 }];
     if (this.colour === 'run') {
       const runs = this.rows.get('run');
-      return this.report.runs
-        .map((label, run) => ({ label: `run ${label}`, rows: this.drawn(Array.from(runs.keys()).filter((k) => runs[k] === run)), from: run, to: run }))
-        .filter((g) => g.rows.length > 0);
+      return this.report.runs.map((label, run) => ({ label: `run ${label}`, rows: this.drawn(Array.from(runs.keys()).filter((k) => runs[k] === run)), from: run, to: run })).filter((g) => g.rows.length > 0);
     }
     return groups(this.rows.get(this.colour), this.colour, 5).map((g) => ({ ...g, rows: this.drawn(g.rows) }));
   }
@@ -106,8 +107,7 @@ export class FitView {
   tell(row: number): (string | [string, string])[] {
     const lines: (string | [string, string])[] = [`line ${plain(this.rows.at('line', row))}`];
     if (this.rows.has('run')) lines.push(['run', this.report.runs[this.rows.at('run', row)] ?? '']);
-    for (const name of ['time_s', ...this.inputs])
-      if (this.rows.has(name)) lines.push([quantity(name).label, `${plain(this.rows.at(name, row), 5)} ${quantity(name).unit}`]);
+    for (const name of ['time_s', ...this.inputs]) if (this.rows.has(name)) lines.push([quantity(name).label, `${plain(this.rows.at(name, row), 5)} ${quantity(name).unit}`]);
     lines.push(['measured', `${number(this.measured()[row])} ${this.unit}`], ['predicted', `${number(this.predicted()[row])} ${this.unit}`]);
     const std = this.std()[row] as number;
     const residual = this.residual(row);
@@ -126,10 +126,7 @@ export class FitView {
         ...models.map((column) => finite(this.rows.at(column, k))),
         ...models.map((column) => finite(this.rows.at(column, k) - (this.measured()[k] as number))),
       ]);
-    return {
-      columns: [...names, ...this.report.models.map((m) => `predicted_${this.key}: ${m.name}`), ...this.report.models.map((m) => `residual_${this.key}: ${m.name}`)],
-      rows,
-    };
+    return { columns: [...names, ...this.report.models.map((m) => `predicted_${this.key}: ${m.name}`), ...this.report.models.map((m) => `residual_${this.key}: ${m.name}`)], rows };
   };
 }
 
@@ -142,17 +139,27 @@ export function choices(view: FitView): HTMLElement {
   const bar = el('div', { class: 'choices', id: 'of-rows' });
   if (view.report.models.length > 1)
     bar.append(
-      choice('Model', view.report.models.map((m) => m.name), view.model, (index) => {
-        view.model = index;
-        view.redraw();
-      }),
+      choice(
+        'Model',
+        view.report.models.map((m) => m.name),
+        view.model,
+        (index) => {
+          view.model = index;
+          view.redraw();
+        },
+      ),
     );
   if (view.colours.length > 1)
     bar.append(
-      choice('Colour by', view.colours.map((name) => quantity(name).label), view.colours.indexOf(view.colour), (index) => {
-        view.colour = view.colours[index] as string;
-        view.redraw();
-      }),
+      choice(
+        'Colour by',
+        view.colours.map((name) => quantity(name).label),
+        view.colours.indexOf(view.colour),
+        (index) => {
+          view.colour = view.colours[index] as string;
+          view.redraw();
+        },
+      ),
     );
   return bar;
 }
@@ -203,7 +210,12 @@ export function parity(view: FitView): HTMLElement {
       option: (l, width) => {
         const predicted = view.predicted();
         const [low, high] = niceRange([...measured, ...predicted].filter(Number.isFinite));
-        const points = scatter(view, (k) => predicted[k] as number, (k) => measured[k] as number, l);
+        const points = scatter(
+          view,
+          (k) => predicted[k] as number,
+          (k) => measured[k] as number,
+          l,
+        );
         const names = [...points.names];
         const icons: string[] = [...points.icons];
         const series = [...points.series];
@@ -211,9 +223,27 @@ export function parity(view: FitView): HTMLElement {
         if (noise.length) {
           names.push('±2σ noise');
           icons.push('rect');
-          series.push(band('±2σ noise', noise.map(([x, s]) => [x, x - 2 * s, x + 2 * s]), l.band, l.muted));
+          series.push(
+            band(
+              '±2σ noise',
+              noise.map(([x, s]) => [x, x - 2 * s, x + 2 * s]),
+              l.band,
+              l.muted,
+            ),
+          );
         }
-        series.push({ type: 'line', name: 'agreement', silent: true, symbol: 'none', z: 2, lineStyle: { color: l.ink, width: 1.2 }, data: [[low, low], [high, high]] });
+        series.push({
+          type: 'line',
+          name: 'agreement',
+          silent: true,
+          symbol: 'none',
+          z: 2,
+          lineStyle: { color: l.ink, width: 1.2 },
+          data: [
+            [low, low],
+            [high, high],
+          ],
+        });
         const top = legend(names, width, l, icons);
         return {
           legend: top.option,
@@ -317,7 +347,14 @@ export function residuals(view: FitView): HTMLElement[] {
           if (noise.length) {
             entries.push('±2σ noise');
             icons.push('rect');
-            series.push(band('±2σ noise', noise.map(([at, s]) => [at, -2 * s, 2 * s]), l.band, l.muted));
+            series.push(
+              band(
+                '±2σ noise',
+                noise.map(([at, s]) => [at, -2 * s, 2 * s]),
+                l.band,
+                l.muted,
+              ),
+            );
           }
           const steps = parts(view, name);
           const means = 'mean, ±2 standard errors';
@@ -325,7 +362,11 @@ export function residuals(view: FitView): HTMLElement[] {
           icons.push('diamond');
           series.push(
             { type: 'line', name: means, silent: true, symbol: 'diamond', symbolSize: 9, z: 7, itemStyle: { color: l.ink }, lineStyle: { color: l.ink, width: 1.6 }, data: steps.map((s) => [s.x, s.bias]) },
-            errorBars(means, steps.filter((s) => s.rows > 1).map((s) => [s.x, s.bias - 2 * s.error, s.bias + 2 * s.error]), l.ink),
+            errorBars(
+              means,
+              steps.filter((s) => s.rows > 1).map((s) => [s.x, s.bias - 2 * s.error, s.bias + 2 * s.error]),
+              l.ink,
+            ),
           );
           const top = legend(entries, width, l, icons);
           const unit = name === 'order' ? 'row, in the order of the file' : axisTitle(name);
@@ -359,7 +400,11 @@ function rangeText(range: AxisRange): string {
 /// where none would fit.
 function cellLabels(values: number[], most: number, width: number): { texts: string[]; size: number } | undefined {
   const decimals = 1 - Math.floor(Math.log10(most));
-  for (const [digits, size] of [[decimals, 12], [decimals, 10], [decimals - 1, 10]] as [number, number][]) {
+  for (const [digits, size] of [
+    [decimals, 12],
+    [decimals, 10],
+    [decimals - 1, 10],
+  ] as [number, number][]) {
     const texts = values.map((v) => fixed(v, Math.max(0, digits)));
     if (Math.max(...texts.map((t) => t.length)) * size * 0.56 < width - 2) return { texts, size };
   }
@@ -393,11 +438,17 @@ export function misfitMap(view: FitView): HTMLElement | undefined {
       option: (l, width) => {
         const { across, up: rows } = map();
         // Frames are drawn over their neighbours.
-        const cells = map().cells.slice().sort((a, b) => Number(a.significant) - Number(b.significant));
+        const cells = map()
+          .cells.slice()
+          .sort((a, b) => Number(a.significant) - Number(b.significant));
         const most = Math.max(...cells.map((c) => Math.abs(c.bias)), 1e-12);
         const left = Math.min(110, 20 + Math.max(...rows.map((r) => rangeText(r).length)) * 6.6);
         const cellWidth = (width - left - 18) / across.length;
-        const label = cellLabels(cells.map((c) => c.bias), most, cellWidth);
+        const label = cellLabels(
+          cells.map((c) => c.bias),
+          most,
+          cellWidth,
+        );
         const slanted = Math.max(...across.map((r) => rangeText(r).length)) * 6.6 > cellWidth;
         return {
           grid: { left, right: 18, top: 30, bottom: slanted ? 112 : 92 },
@@ -408,7 +459,12 @@ export function misfitMap(view: FitView): HTMLElement | undefined {
               `${place(across[c.across] as AxisRange, map().across_column)}, ${upTitle().replace(/ \[.*/, '')} ${place(rows[c.up] as AxisRange, map().up_column)}`,
               ['mean of predicted − measured', `${signed(c.bias)} ${view.unit}`],
               ['rows', String(c.rows)],
-              ...(c.sigmas === null ? [] : ([['in standard errors', signed(c.sigmas, 3)], ['needed', number(map().needed_sigmas, 3)]] as [string, string][])),
+              ...(c.sigmas === null
+                ? []
+                : ([
+                    ['in standard errors', signed(c.sigmas, 3)],
+                    ['needed', number(map().needed_sigmas, 3)],
+                  ] as [string, string][])),
             ];
           }),
           xAxis: categoryAxis(across.map(rangeText), l, {
@@ -418,12 +474,7 @@ export function misfitMap(view: FitView): HTMLElement | undefined {
             nameTextStyle: { color: l.muted },
             axisLabel: { color: l.muted, fontSize: 11, interval: 0, rotate: slanted ? 40 : 0 },
           }),
-          yAxis: categoryAxis(rows.map(rangeText), l, {
-            name: upTitle(),
-            nameTextStyle: { color: l.muted, align: 'left', padding: [0, 0, 0, -left + 8] },
-            nameGap: 10,
-            axisLabel: { color: l.muted, fontSize: 11, interval: 0 },
-          }),
+          yAxis: categoryAxis(rows.map(rangeText), l, { name: upTitle(), nameTextStyle: { color: l.muted, align: 'left', padding: [0, 0, 0, -left + 8] }, nameGap: 10, axisLabel: { color: l.muted, fontSize: 11, interval: 0 } }),
           visualMap: {
             type: 'continuous',
             min: -most,
@@ -449,11 +500,7 @@ export function misfitMap(view: FitView): HTMLElement | undefined {
                 itemStyle: c.significant ? { borderColor: l.ink, borderWidth: 2 } : { borderColor: l.surface, borderWidth: 2 },
                 label: { fontWeight: c.significant ? 'bold' : 'normal', color: inkOn(diverging(c.bias / most, l)) },
               })),
-              label: {
-                show: label !== undefined,
-                fontSize: label?.size ?? 10,
-                formatter: (hit: { dataIndex: number }) => label?.texts[hit.dataIndex] ?? '',
-              },
+              label: { show: label !== undefined, fontSize: label?.size ?? 10, formatter: (hit: { dataIndex: number }) => label?.texts[hit.dataIndex] ?? '' },
               emphasis: { itemStyle: { borderColor: l.ink, borderWidth: 3 } },
             },
           ],
@@ -461,14 +508,7 @@ export function misfitMap(view: FitView): HTMLElement | undefined {
       },
       table: () => ({
         columns: [acrossTitle(), upTitle(), 'rows', `mean of predicted − measured [${view.unit}]`, 'in standard errors', 'beyond chance'],
-        rows: map().cells.map((c) => [
-          rangeText(map().across[c.across] as AxisRange),
-          rangeText(map().up[c.up] as AxisRange),
-          c.rows,
-          c.bias,
-          c.sigmas,
-          c.significant ? 'yes' : c.sigmas === null ? 'not known' : 'no',
-        ]),
+        rows: map().cells.map((c) => [rangeText(map().across[c.across] as AxisRange), rangeText(map().up[c.up] as AxisRange), c.rows, c.bias, c.sigmas, c.significant ? 'yes' : c.sigmas === null ? 'not known' : 'no']),
       }),
     }),
   );

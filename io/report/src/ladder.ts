@@ -22,9 +22,7 @@ export interface Floor {
 }
 
 function noiseNote({ noise, source, unit, key }: Floor): string {
-  return noise === null
-    ? `The noise of these data is not known (no column std_${key}, no repeated rows): there is no floor to hold it against.`
-    : `Dashed: the noise of the data, ${number(noise, 3)} ${unit}, ${source}.`;
+  return noise === null ? `The noise of these data is not known (no column std_${key}, no repeated rows): there is no floor to hold it against.` : `Dashed: the noise of the data, ${number(noise, 3)} ${unit}, ${source}.`;
 }
 
 /// RMS error of models one after the other.
@@ -77,10 +75,7 @@ export function beforeAfter(before: number, after: number, held: HoldOut[], floo
     [before, ...held.map((h) => h.rmse_before)],
     [after, ...held.map((h) => h.rmse_after)],
   ];
-  const table = (): Table => ({
-    columns: [`RMS error [${unit}] on`, names[0], names[1]],
-    rows: rows.map((row, k) => [row, values[0]?.[k] ?? null, values[1]?.[k] ?? null]),
-  });
+  const table = (): Table => ({ columns: [`RMS error [${unit}] on`, names[0], names[1]], rows: rows.map((row, k) => [row, values[0]?.[k] ?? null, values[1]?.[k] ?? null]) });
   return new Figure({
     id: 'ladder',
     title: 'Error before and after, against the noise',

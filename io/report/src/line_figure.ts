@@ -42,10 +42,7 @@ export function lineFigure(rows: Rows, f: LineFigure): Figure {
   const points = Array.from({ length: rows.count }, (_, k) => k);
   const drawn = thinned(points, drawnSpeeds);
   const step = Math.ceil(drawn.length / mostSymbols);
-  const columns = (names: string[]) => () => ({
-    columns: [x, ...names].map(axisTitle),
-    rows: points.map((k) => [x, ...names].map((name) => (Number.isFinite(rows.at(name, k)) ? rows.at(name, k) : null))),
-  });
+  const columns = (names: string[]) => () => ({ columns: [x, ...names].map(axisTitle), rows: points.map((k) => [x, ...names].map((name) => (Number.isFinite(rows.at(name, k)) ? rows.at(name, k) : null))) });
   const names = [...new Set(f.lines.map((line) => line.name))];
   return new Figure({
     id: f.id,
@@ -67,11 +64,7 @@ export function lineFigure(rows: Rows, f: LineFigure): Figure {
         tooltip: tooltip(l, (hit) => {
           const [at, value] = hit.value as [number, number];
           const line = f.lines[hit.seriesIndex];
-          return [
-            line?.told ? `${hit.seriesName}, ${line.told}` : hit.seriesName,
-            [along.label, `${plain(at)} ${along.unit}`.trim()],
-            [quantity(f.axis).label, `${number(value, 5)} ${quantity(f.axis).unit}`.replace(' °', '°')],
-          ];
+          return [line?.told ? `${hit.seriesName}, ${line.told}` : hit.seriesName, [along.label, `${plain(at)} ${along.unit}`.trim()], [quantity(f.axis).label, `${number(value, 5)} ${quantity(f.axis).unit}`.replace(' °', '°')]];
         }),
         xAxis: valueAxis(axisTitle(x), l, 'x'),
         yAxis: valueAxis(axisTitle(f.axis), l, 'y', { scale: !f.fromZero }),
@@ -86,10 +79,7 @@ export function lineFigure(rows: Rows, f: LineFigure): Figure {
             lineStyle: { width: 2, type: dashes[(line.dash ?? 0) % dashes.length] },
             connectNulls: false,
             // A few symbols, between which dashes can be seen; the others answer the pointer.
-            data: drawn.map((k, n) => ({
-              value: [rows.at(x, k), Number.isFinite(rows.at(line.column, k)) ? rows.at(line.column, k) : null],
-              ...(n % step ? { itemStyle: { opacity: 0 } } : {}),
-            })),
+            data: drawn.map((k, n) => ({ value: [rows.at(x, k), Number.isFinite(rows.at(line.column, k)) ? rows.at(line.column, k) : null], ...(n % step ? { itemStyle: { opacity: 0 } } : {}) })),
           })),
           ...(f.more?.(l) ?? []),
         ],
@@ -99,4 +89,3 @@ export function lineFigure(rows: Rows, f: LineFigure): Figure {
     ...(f.csv ? { csv: columns(f.csv) } : {}),
   });
 }
-

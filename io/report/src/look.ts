@@ -72,7 +72,16 @@ function channels(colour: string): number[] {
 
 function mix(a: string, b: string, share: number): string {
   const [p, q] = [channels(a), channels(b)];
-  return '#' + p.map((v, k) => Math.round(v + ((q[k] as number) - v) * share).toString(16).padStart(2, '0')).join('');
+  return (
+    '#' +
+    p
+      .map((v, k) =>
+        Math.round(v + ((q[k] as number) - v) * share)
+          .toString(16)
+          .padStart(2, '0'),
+      )
+      .join('')
+  );
 }
 
 /// Colours of ordered levels that stand out from the page.
@@ -80,7 +89,7 @@ export function ordered(count: number, l: Look): string[] {
   // On paper nothing is as light as to get lost.
   const [from, to] = l.dark ? [0.34, 1.0] : [0.0, l.print ? 0.62 : 0.8];
   return Array.from({ length: count }, (_, k) => {
-    const at = (from + ((to - from) * (count === 1 ? 0.4 : k / (count - 1)))) * (viridis.length - 1);
+    const at = (from + (to - from) * (count === 1 ? 0.4 : k / (count - 1))) * (viridis.length - 1);
     return level(at / (viridis.length - 1));
   });
 }
@@ -100,6 +109,6 @@ export function diverging(value: number, l: Look): string {
 
 /// Black or white, whichever reads better on a colour.
 export function inkOn(colour: string): string {
-  const [r, g, b] = channels(colour).map((v) => ((v / 255) ** 2.2)) as [number, number, number];
+  const [r, g, b] = channels(colour).map((v) => (v / 255) ** 2.2) as [number, number, number];
   return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.19 ? '#10161d' : '#ffffff';
 }

@@ -25,13 +25,7 @@ const page = document.getElementById('page') as HTMLElement;
 /// The pictures of rows, with the choices that they share.
 function fitSection(view: FitView): HTMLElement {
   const thinning = drawnNote(view);
-  return section(
-    'Where it fits, and where not',
-    others(view),
-    choices(view),
-    thinning ? el('p', { class: 'note', id: 'thinned' }, thinning) : undefined,
-    grid(parity(view), ...residuals(view), misfitMap(view)),
-  );
+  return section('Where it fits, and where not', others(view), choices(view), thinning ? el('p', { class: 'note', id: 'thinned' }, thinning) : undefined, grid(parity(view), ...residuals(view), misfitMap(view)));
 }
 
 /// Says what else was measured: the pictures are of one channel.
@@ -77,12 +71,7 @@ function compare(report: CompareReport): (Node | undefined)[] {
   const noise = first.noise.rms ?? last.noise.estimated_rms ?? null;
   const source = estimated ? 'estimated' : first.noise.source;
   const floor = noise === null ? '' : `; noise ${number(noise, 3)} ${unit}${estimated ? ', estimated' : ''}`;
-  const steps = report.steps.map((step, k) => [
-    files[k + 1] as string,
-    number(comparisons[k + 1]?.rmse),
-    signed((comparisons[k + 1]?.rmse as number) - (comparisons[k]?.rmse as number)),
-    changes(step),
-  ]);
+  const steps = report.steps.map((step, k) => [files[k + 1] as string, number(comparisons[k + 1]?.rmse), signed((comparisons[k + 1]?.rmse as number) - (comparisons[k]?.rmse as number)), changes(step)]);
   return [
     header(
       {
@@ -102,10 +91,16 @@ function compare(report: CompareReport): (Node | undefined)[] {
     comparedOverSpeed ? section(`${capital(view.report.quantity.in_words)} over speed`, grid(comparedOverSpeed)) : undefined,
     section(
       several ? 'The ladder' : 'The error',
-      grid(ladder(files.slice(0, -1), comparisons.map((c) => c.rmse), comparisons.map((c) => c.bias), comparisons.map((c) => c.fit_percent), floorOf(view, noise, source))),
-      several
-        ? el('div', { id: 'steps' }, valueList('From model to model: effects and fitted numbers', ['model', `RMS error [${unit}]`, `change [${unit}]`, 'what changed'], steps))
-        : undefined,
+      grid(
+        ladder(
+          files.slice(0, -1),
+          comparisons.map((c) => c.rmse),
+          comparisons.map((c) => c.bias),
+          comparisons.map((c) => c.fit_percent),
+          floorOf(view, noise, source),
+        ),
+      ),
+      several ? el('div', { id: 'steps' }, valueList('From model to model: effects and fitted numbers', ['model', `RMS error [${unit}]`, `change [${unit}]`, 'what changed'], steps)) : undefined,
     ),
     fitSection(view),
     notes(report.results.notes),
@@ -143,7 +138,11 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
           'The shape of what is missing',
           el('p', {}, d.shape.statement),
           formula ? el('pre', {}, `${formula[0]} = "${formula[1]}"`) : undefined,
-          valueList('Coefficients', ['name', 'value', 'std error', 'unit'], Object.entries(d.shape.coefficients).map(([name, c]) => [name, number(c.value), number(c.std, 2), unitText(c.unit)])),
+          valueList(
+            'Coefficients',
+            ['name', 'value', 'std error', 'unit'],
+            Object.entries(d.shape.coefficients).map(([name, c]) => [name, number(c.value), number(c.std, 2), unitText(c.unit)]),
+          ),
         )
       : undefined,
     nodes.length ? section('What an effect does', ...nodes) : undefined,
@@ -151,7 +150,13 @@ function diagnose(report: DiagnoseReport): (Node | undefined)[] {
     section(
       'What these data can show',
       grid(plan(report, view), detectable(report, view)),
-      d.not_testable.length ? valueList('Could not have been found', ['effect', 'why'], d.not_testable.map((n) => [n.id, n.missing])) : undefined,
+      d.not_testable.length
+        ? valueList(
+            'Could not have been found',
+            ['effect', 'why'],
+            d.not_testable.map((n) => [n.id, n.missing]),
+          )
+        : undefined,
     ),
     notes([...d.messages, ...d.notes]),
   ];
@@ -166,24 +171,19 @@ function add(report: AddReport): (Node | undefined)[] {
   const held = r.rmse_held_out_after === null ? '' : `; on rows left out ${number(r.rmse_held_out_before, 3)} → ${number(r.rmse_held_out_after, 3)}`;
   const change = `error ${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} ${view.unit}${held}`;
   return [
-    header(
-      {
-        command: 'add',
-        files,
-        badge: r.refused ? ['refused', 'open'] : ['added', 'good'],
-        sentence: r.refused ? `${effects.join(' and ')} refused: ${r.reason}.` : `${effects.join(' and ')}: ${change}.`,
-        more: r.after.statement,
-      },
-      [
-        ['RMS error', `${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} ${view.unit}`],
-        [`noise, ${sourceIn(r.before)}`, report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} ${view.unit}`],
-        ['rows', String(r.after.rows)],
-      ],
-    ),
+    header({ command: 'add', files, badge: r.refused ? ['refused', 'open'] : ['added', 'good'], sentence: r.refused ? `${effects.join(' and ')} refused: ${r.reason}.` : `${effects.join(' and ')}: ${change}.`, more: r.after.statement }, [
+      ['RMS error', `${number(r.before.rmse, 3)} → ${number(r.after.rmse, 3)} ${view.unit}`],
+      [`noise, ${sourceIn(r.before)}`, report.noise_rms === null ? 'not known' : `${number(report.noise_rms, 3)} ${view.unit}`],
+      ['rows', String(r.after.rows)],
+    ]),
     section(
       'What it bought',
       grid(beforeAfter(r.before.rmse, r.after.rmse, r.hold_out, floorOf(view, report.noise_rms, sourceIn(r.before)), ['before, refitted', 'after'])),
-      valueList('Parameters', ['parameter', 'value', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)])),
+      valueList(
+        'Parameters',
+        ['parameter', 'value', 'std error', 'unit'],
+        parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)]),
+      ),
     ),
     fitSection(view),
     notes([...r.messages, ...r.notes]),
@@ -214,10 +214,7 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
       {
         command: 'displacement',
         files: shortPaths([report.model]),
-        sentence:
-          last < 0
-            ? `No position of the shaft on ${bearing}.`
-            : `Shaft on ${bearing}: ${signed(rows.at('axial_displacement_um', last), 4)} µm at ${plain(rows.at('speed_rpm', last))} rpm, positive towards the tool.`,
+        sentence: last < 0 ? `No position of the shaft on ${bearing}.` : `Shaft on ${bearing}: ${signed(rows.at('axial_displacement_um', last), 4)} µm at ${plain(rows.at('speed_rpm', last))} rpm, positive towards the tool.`,
         ...(report.warnings.length ? {} : { more: 'No bearing loses its inner contacts or falls below its minimum load at these speeds.' }),
       },
       [
@@ -236,7 +233,11 @@ function displacement(report: DisplacementReport): (Node | undefined)[] {
       grid(...lawFigures(report, rows)),
       el('p', { class: 'note', id: 'law-statement' }, report.law_statement),
       law
-        ? valueList('The law: u = A n^(1 − B exp(−C n)), u in µm, n in rpm', ['parameter', 'value', 'std error', 'unit'], Object.entries(law.parameters).map(([name, p]) => [name, number(p.value, 5), number(p.std, 2), unitText(p.unit)]))
+        ? valueList(
+            'The law: u = A n^(1 − B exp(−C n)), u in µm, n in rpm',
+            ['parameter', 'value', 'std error', 'unit'],
+            Object.entries(law.parameters).map(([name, p]) => [name, number(p.value, 5), number(p.std, 2), unitText(p.unit)]),
+          )
         : undefined,
     ),
     section('The bearings against speed', grid(...shaftFigures(report, rows))),
@@ -249,7 +250,9 @@ function thinning(data: ColumnData, what: string, drawn: number): HTMLElement | 
   const text = [
     data.rows < data.total ? `This page holds ${data.rows} of ${data.total} ${what}, evenly spread; the fit and the warnings are from all.` : '',
     data.rows > drawn ? `Pictures draw about ${drawn} of ${data.rows} ${what}; CSV has all of these.` : '',
-  ].join(' ').trim();
+  ]
+    .join(' ')
+    .trim();
   return text ? el('p', { class: 'note', id: 'thinned' }, text) : undefined;
 }
 

@@ -78,11 +78,7 @@ function campbell(report: ModesReport, list: Track[], crossed: Crossing[]): Figu
     lineStyle: { width: 1.8, type: t.sense === 'forward' ? 'solid' : 'dashed' },
     connectNulls: false,
     z: 4,
-    data: t.points.map((p, k) => ({
-      value: [p.speed, p.mode?.frequency_Hz ?? null],
-      symbol: p.mode?.whirl === 'standing' ? 'circle' : symbolOf(t),
-      ...(k % Math.ceil(t.points.length / 24) ? { itemStyle: { opacity: 0 } } : {}),
-    })),
+    data: t.points.map((p, k) => ({ value: [p.speed, p.mode?.frequency_Hz ?? null], symbol: p.mode?.whirl === 'standing' ? 'circle' : symbolOf(t), ...(k % Math.ceil(t.points.length / 24) ? { itemStyle: { opacity: 0 } } : {}) })),
   });
   const excitation = (order: number, l: Look): Option => {
     const end = Math.min(fastest, (60 * top) / order);
@@ -94,7 +90,11 @@ function campbell(report: ModesReport, list: Track[], crossed: Crossing[]): Figu
       z: 3,
       itemStyle: { color: l.muted },
       lineStyle: { color: l.muted, width: 1.4, type: dashes[order === 1 ? 3 : 2] },
-      data: [[0, 0], { value: [0.55 * end, (order * 0.55 * end) / 60], label: { show: (order * end) / 60 > 0.1 * top, position: 'bottom', distance: 6, formatter: `${order}×`, color: l.ink, fontSize: 12 }, symbol: 'circle', symbolSize: 0.1 }, [end, (order * end) / 60]],
+      data: [
+        [0, 0],
+        { value: [0.55 * end, (order * 0.55 * end) / 60], label: { show: (order * end) / 60 > 0.1 * top, position: 'bottom', distance: 6, formatter: `${order}×`, color: l.ink, fontSize: 12 }, symbol: 'circle', symbolSize: 0.1 },
+        [end, (order * end) / 60],
+      ],
       showSymbol: true,
       showAllSymbol: true,
     };
@@ -125,10 +125,7 @@ function campbell(report: ModesReport, list: Track[], crossed: Crossing[]): Figu
         ],
       };
     },
-    table: () => ({
-      columns: ['speed [rpm]', 'mode', 'frequency [Hz]', 'whirl'],
-      rows: rows.flatMap((r) => r.modes.map((m): Cell[] => [r.speed_rpm, m.mode, m.frequency_Hz, m.whirl])),
-    }),
+    table: () => ({ columns: ['speed [rpm]', 'mode', 'frequency [Hz]', 'whirl'], rows: rows.flatMap((r) => r.modes.map((m): Cell[] => [r.speed_rpm, m.mode, m.frequency_Hz, m.whirl])) }),
   });
 }
 
@@ -165,7 +162,17 @@ function shapes(report: ModesReport): Figure {
     note: () => `At ${label(report.shapes[at]?.speed_rpm ?? 0)}: how far the axis runs around along the shaft, the largest is 1. Behind it the shaft with its bearings, diameters to a scale of their own.`,
     wide: true,
     onPaper: 1,
-    controls: report.shapes.length > 1 ? [choice('Speed', report.shapes.map((s) => label(s.speed_rpm)), 0, (k) => ((at = k), figure.draw()))] : [],
+    controls:
+      report.shapes.length > 1
+        ? [
+            choice(
+              'Speed',
+              report.shapes.map((s) => label(s.speed_rpm)),
+              0,
+              (k) => ((at = k), figure.draw()),
+            ),
+          ]
+        : [],
     height: (width) => layout(width).height,
     option: (l, width) => {
       const { place, wide } = layout(width);
@@ -189,15 +196,33 @@ function shapes(report: ModesReport): Figure {
           const [x, v] = hit.value as [number, number];
           return [hit.seriesName, ['behind the nose face', `${plain(x, 4)} mm`], ['amplitude', number(v, 3)]];
         }),
-        xAxis: list.map((_, k) => valueAxis('behind the nose face [mm]', l, 'x', { gridIndex: k, scale: false, min: 0, max: nodes[nodes.length - 1], splitNumber: 4, splitLine: { show: false }, axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMaxLabel: false } })),
-        yAxis: list.map((m, k) => valueAxis(`mode ${k + 1}, ${m.whirl}: ${number(m.frequency_Hz, 4)} Hz`, l, 'y', { gridIndex: k, scale: false, min: -1, max: 1, interval: 1, nameTextStyle: { color: l.ink, fontSize: 12, align: 'left', padding: [0, 0, 0, -24] }, nameTruncate: { maxWidth: wide - 10 }, axisLabel: { color: l.muted, fontSize: 11, formatter: (v: number) => plain(v) } })),
+        xAxis: list.map((_, k) =>
+          valueAxis('behind the nose face [mm]', l, 'x', {
+            gridIndex: k,
+            scale: false,
+            min: 0,
+            max: nodes[nodes.length - 1],
+            splitNumber: 4,
+            splitLine: { show: false },
+            axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMaxLabel: false },
+          }),
+        ),
+        yAxis: list.map((m, k) =>
+          valueAxis(`mode ${k + 1}, ${m.whirl}: ${number(m.frequency_Hz, 4)} Hz`, l, 'y', {
+            gridIndex: k,
+            scale: false,
+            min: -1,
+            max: 1,
+            interval: 1,
+            nameTextStyle: { color: l.ink, fontSize: 12, align: 'left', padding: [0, 0, 0, -24] },
+            nameTruncate: { maxWidth: wide - 10 },
+            axisLabel: { color: l.muted, fontSize: 11, formatter: (v: number) => plain(v) },
+          }),
+        ),
         series: list.flatMap((m, k) => [shaftSeries(report.shaft, l, { xAxisIndex: k, yAxisIndex: k }, l.print ? 24 : 34), bend(m, 'y', k), ...(round(m) ? [] : [bend(m, 'z', k)])]),
       };
     },
-    table: () => ({
-      columns: ['behind the nose face [mm]', ...now().flatMap((m, k) => [`mode ${k + 1}, ${m.whirl}, y`, 'z'])],
-      rows: nodes.map((x, n): Cell[] => [x, ...now().flatMap((m) => [m.y[n] ?? null, m.z[n] ?? null])]),
-    }),
+    table: () => ({ columns: ['behind the nose face [mm]', ...now().flatMap((m, k) => [`mode ${k + 1}, ${m.whirl}, y`, 'z'])], rows: nodes.map((x, n): Cell[] => [x, ...now().flatMap((m) => [m.y[n] ?? null, m.z[n] ?? null])]) }),
   });
   return figure;
 }
@@ -209,10 +234,28 @@ function overSpeed(report: ModesReport, rows: Rows): Figure[] {
   const figures = [
     lineFigure(rows, { id: 'radial', title: 'Radial stiffness', note: 'Of the sets, solid, and of each bearing, dashed.', axis: 'radial_stiffness_N_um', fromZero: true, lines: [...sets('radial_N_um'), ...each('radial_N_um', 2)] }),
     lineFigure(rows, { id: 'axial', title: 'Axial stiffness', note: 'Of the sets, solid, and of each bearing, dashed.', axis: 'axial_stiffness_N_um', fromZero: true, lines: [...sets('axial_N_um'), ...each('axial_N_um', 2)] }),
-    lineFigure(rows, { id: 'forces', title: 'Axial forces', note: 'Of the sets, solid, and of each bearing, dashed.', axis: 'force_N', fromZero: true, lines: [...['front', 'rear'].filter((s) => rows.has(`${s}_force_N`)).map((side, kind) => ({ name: `${side} set`, column: `${side}_force_N`, kind })), ...each('force_N', 2)] }),
+    lineFigure(rows, {
+      id: 'forces',
+      title: 'Axial forces',
+      note: 'Of the sets, solid, and of each bearing, dashed.',
+      axis: 'force_N',
+      fromZero: true,
+      lines: [...['front', 'rear'].filter((s) => rows.has(`${s}_force_N`)).map((side, kind) => ({ name: `${side} set`, column: `${side}_force_N`, kind })), ...each('force_N', 2)],
+    }),
   ];
   if (report.bearings.every((b) => rows.has(`${b}_inner_ring_temperature_C`)))
-    figures.push(lineFigure(rows, { id: 'rings', title: 'Temperatures of the rings', note: 'Solid: inner ring, dashed: outer ring.', axis: 'temperature_C', lines: report.bearings.flatMap((b, kind) => [{ name: words(b), column: `${b}_inner_ring_temperature_C`, kind, told: 'inner ring' }, { name: words(b), column: `${b}_outer_ring_temperature_C`, kind, dash: 1, told: 'outer ring' }]) }));
+    figures.push(
+      lineFigure(rows, {
+        id: 'rings',
+        title: 'Temperatures of the rings',
+        note: 'Solid: inner ring, dashed: outer ring.',
+        axis: 'temperature_C',
+        lines: report.bearings.flatMap((b, kind) => [
+          { name: words(b), column: `${b}_inner_ring_temperature_C`, kind, told: 'inner ring' },
+          { name: words(b), column: `${b}_outer_ring_temperature_C`, kind, dash: 1, told: 'outer ring' },
+        ]),
+      }),
+    );
   return figures;
 }
 
@@ -255,7 +298,13 @@ export function modes(report: ModesReport): (Node | undefined)[] {
     section(
       'Frequencies against speed',
       grid(campbell(report, list, crossed)),
-      crossed.length ? valueList('Where a mode is met', ['excitation', 'mode', 'speed [rpm]', 'frequency [Hz]'], crossed.map((c) => [`${c.order}×`, nameOf(c.track), number(c.speed, 4), number(c.frequency, 4)])) : undefined,
+      crossed.length
+        ? valueList(
+            'Where a mode is met',
+            ['excitation', 'mode', 'speed [rpm]', 'frequency [Hz]'],
+            crossed.map((c) => [`${c.order}×`, nameOf(c.track), number(c.speed, 4), number(c.frequency, 4)]),
+          )
+        : undefined,
     ),
     section('Shapes', grid(shapes(report))),
     found.length > 1 ? section('The bearings against speed', grid(...overSpeed(report, rows))) : undefined,

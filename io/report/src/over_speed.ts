@@ -43,7 +43,8 @@ export function overSpeed(view: FitView): HTMLElement | undefined {
   return new Figure({
     id: 'over-speed',
     title: 'Measured and predicted',
-    note: () => `Points: measured. Lines: what ${models.length > 1 ? `each model predicts (${models.map((m, k) => `${m.name} ${strokes[k % strokes.length]}`).join(', ')})` : 'the model predicts'} for these rows, the mean in steps of speed.${drawn < view.rows.count ? ` ${drawn} of ${view.rows.count} rows are drawn.` : ''}`,
+    note: () =>
+      `Points: measured. Lines: what ${models.length > 1 ? `each model predicts (${models.map((m, k) => `${m.name} ${strokes[k % strokes.length]}`).join(', ')})` : 'the model predicts'} for these rows, the mean in steps of speed.${drawn < view.rows.count ? ` ${drawn} of ${view.rows.count} rows are drawn.` : ''}`,
     wide: true,
     height: 400,
     marks: drawn,

@@ -35,7 +35,10 @@ function dots(view: RecordView, values: Float64Array, width: number, l: Look, le
     symbolSize: view.rows.count > 800 ? 2.5 : 4,
     z: 4,
     itemStyle: { color: l.ink, opacity: 0.75 },
-    data: view.course(values, width).flat().map((k) => [view.hours[k], (values[k] as number) - less(k)]),
+    data: view
+      .course(values, width)
+      .flat()
+      .map((k) => [view.hours[k], (values[k] as number) - less(k)]),
   };
 }
 
@@ -94,14 +97,22 @@ export function overTime(view: RecordView): HTMLElement {
   const layout = (l: Look, width: number) => {
     const below = panels(view, l);
     // As they are ranked, the others last.
-    const names = (p: Panel) => p.lines.length === 1 ? [] : [...new Set([...p.lines.filter((line) => line.colour !== l.muted), ...p.lines].map((line) => line.label))];
-    return { below, ...places([{ ...mainNames(view), height: width < 480 ? 220 : 260 }, ...below.map((p) => ({ names: names(p), height: p.height }))].map((p) => ({ ...p, height: l.print ? paper * p.height : p.height })), width, l) };
+    const names = (p: Panel) => (p.lines.length === 1 ? [] : [...new Set([...p.lines.filter((line) => line.colour !== l.muted), ...p.lines].map((line) => line.label))]);
+    return {
+      below,
+      ...places(
+        [{ ...mainNames(view), height: width < 480 ? 220 : 260 }, ...below.map((p) => ({ names: names(p), height: p.height }))].map((p) => ({ ...p, height: l.print ? paper * p.height : p.height })),
+        width,
+        l,
+      ),
+    };
   };
   return view.add(
     new Figure({
       id: 'over-time',
       title: () => `${capital(view.chosen.in_words)}, measured and predicted, and what drives it`,
-      note: () => `Points: measured. Lines: predicted, broken where no row is. Below, on the same axis, the inputs${view.chosen.parts ? `: in colour those that drive ${view.together().length > 1 ? `“${view.chosen.name}”` : 'the model'}${view.drivers().length > mostColoured ? ' most' : ''}` : ''}.`,
+      note: () =>
+        `Points: measured. Lines: predicted, broken where no row is. Below, on the same axis, the inputs${view.chosen.parts ? `: in colour those that drive ${view.together().length > 1 ? `“${view.chosen.name}”` : 'the model'}${view.drivers().length > mostColoured ? ' most' : ''}` : ''}.`,
       wide: true,
       marks: 1e4,
       onPaper: 1,
@@ -136,7 +147,12 @@ export function overTime(view: RecordView): HTMLElement {
           series: [...main, ...inputs],
         };
       },
-      table: () => table(view, [...(view.chosen.measured ? ([[`measured [${view.unit}]`, view.measured()]] as [string, Float64Array][]) : []), ...view.together().map((m): [string, Float64Array] => [`${m.name} [${view.unit}]`, view.predicted(m)]), ...view.report.inputs.map((name): [string, Float64Array] => [name, view.rows.get(name)])]),
+      table: () =>
+        table(view, [
+          ...(view.chosen.measured ? ([[`measured [${view.unit}]`, view.measured()]] as [string, Float64Array][]) : []),
+          ...view.together().map((m): [string, Float64Array] => [`${m.name} [${view.unit}]`, view.predicted(m)]),
+          ...view.report.inputs.map((name): [string, Float64Array] => [name, view.rows.get(name)]),
+        ]),
     }),
   );
 }
@@ -147,7 +163,8 @@ export function contributions(view: RecordView): HTMLElement {
     new Figure({
       id: 'contributions',
       title: 'What adds up to it',
-      note: () => view.about(`what each channel and effect adds${(view.chosen.parts ?? []).length > view.shares().length ? ', the largest apart' : ''}. Line: their sum. Points: measured, both less what the model takes for the zero of the reading.`),
+      note: () =>
+        view.about(`what each channel and effect adds${(view.chosen.parts ?? []).length > view.shares().length ? ', the largest apart' : ''}. Line: their sum. Points: measured, both less what the model takes for the zero of the reading.`),
       wide: true,
       marks: 1e4,
       height: (width) => (width < 480 ? 320 : 360),
@@ -173,7 +190,11 @@ export function contributions(view: RecordView): HTMLElement {
           ],
         };
       },
-      table: () => table(view, (view.chosen.parts ?? []).map((p): [string, Float64Array] => [`${p.name} [µm]`, view.rows.get(p.column)])),
+      table: () =>
+        table(
+          view,
+          (view.chosen.parts ?? []).map((p): [string, Float64Array] => [`${p.name} [µm]`, view.rows.get(p.column)]),
+        ),
     }),
   );
 }
@@ -200,7 +221,9 @@ export function residualOverTime(view: RecordView): HTMLElement | undefined {
       id: 'residual',
       title: () => `What is left${view.chosen.parts ? '' : ` of the ${view.chosen.in_words}`}`,
       note: () =>
-        view.about(`predicted − measured. Shaded in turn: the eight parts of the record${held ? ', each predicted once more by a fit that did not see it, the simulation running through' : ' that a fit holds out; the table has the error on each'}.${view.chosen.tolerance === null ? '' : ` Band: the tolerance of ±${number(view.chosen.tolerance, 3)} ${view.errorUnit}, which is for the RMS.`}`),
+        view.about(
+          `predicted − measured. Shaded in turn: the eight parts of the record${held ? ', each predicted once more by a fit that did not see it, the simulation running through' : ' that a fit holds out; the table has the error on each'}.${view.chosen.tolerance === null ? '' : ` Band: the tolerance of ±${number(view.chosen.tolerance, 3)} ${view.errorUnit}, which is for the RMS.`}`,
+        ),
       wide: true,
       marks: 1e4,
       height: (width) => (width < 480 ? 320 : 340),
@@ -233,7 +256,15 @@ export function residualOverTime(view: RecordView): HTMLElement | undefined {
             data: own.flatMap((of): [number, number | null][] => [...of.map((k): [number, number] => [hours[k] as number, errors[k] as number]), [hours[of[of.length - 1] as number] as number, null]]),
           });
         }
-        if (tolerance !== null) series.push(band('tolerance', view.span.map((x): [number, number, number] => [x, -tolerance, tolerance]), l.dark ? 'rgba(0,158,115,0.25)' : 'rgba(0,158,115,0.14)', l.kinds[2] as string));
+        if (tolerance !== null)
+          series.push(
+            band(
+              'tolerance',
+              view.span.map((x): [number, number, number] => [x, -tolerance, tolerance]),
+              l.dark ? 'rgba(0,158,115,0.25)' : 'rgba(0,158,115,0.14)',
+              l.kinds[2] as string,
+            ),
+          );
         return {
           legend: top.option,
           grid: { left, right, top: top.height + 26, bottom: 46 },
@@ -247,7 +278,11 @@ export function residualOverTime(view: RecordView): HTMLElement | undefined {
         columns: ['part', 'from [h]', 'to [h]', ...['RMS', 'mean', 'largest', ...(held ? ['RMS, fit to the others'] : [])].map((name) => `${name} [${view.errorUnit}]`)],
         rows: partRows(view).map((p) => [p.part, p.from, p.to, p.rms, p.mean, p.most, ...(held ? [Number.isFinite(p.held) ? p.held : null] : [])]),
       }),
-      csv: () => table(view, view.report.models.filter((m) => m.measured && m.unit === view.chosen.unit).map((m): [string, Float64Array] => [`${m.name}${m.parts ? '' : `, ${m.in_words}`} [${view.errorUnit}]`, view.residual(m)])),
+      csv: () =>
+        table(
+          view,
+          view.report.models.filter((m) => m.measured && m.unit === view.chosen.unit).map((m): [string, Float64Array] => [`${m.name}${m.parts ? '' : `, ${m.in_words}`} [${view.errorUnit}]`, view.residual(m)]),
+        ),
     }),
   );
 }

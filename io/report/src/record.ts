@@ -54,7 +54,16 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
       [['RMS error', um(last.rmse)], ['largest', um(last.max_abs)], ['tolerance', um(limits.tolerance)], ['noise of the sensor', um(limits.noise)], ['readings', String(last.rows)], lengthOf(view)],
     ),
     overTimeSection(view),
-    section('The ladder', grid(ladder(comparisons.map((c, k) => ({ name: files[k] as string, rms: c.rmse, held: null })), limits)), where(last)),
+    section(
+      'The ladder',
+      grid(
+        ladder(
+          comparisons.map((c, k) => ({ name: files[k] as string, rms: c.rmse, held: null })),
+          limits,
+        ),
+      ),
+      where(last),
+    ),
     section('Step responses', grid(steps(view))),
     notes(report.results.notes),
   ];
@@ -78,8 +87,18 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
     section('Step responses', grid(steps(view))),
     section(
       'What this record can show',
-      valueList('Numbers of the model, without and with what is missing', ['number', 'without', 'with', 'std error', 'unit'], (d.explanations.length ? Object.entries(d.base_parameters) : []).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)])),
-      d.not_testable.length ? valueList('Could not have been found', ['effect', 'why'], d.not_testable.map((n) => [n.id, n.missing])) : undefined,
+      valueList(
+        'Numbers of the model, without and with what is missing',
+        ['number', 'without', 'with', 'std error', 'unit'],
+        (d.explanations.length ? Object.entries(d.base_parameters) : []).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)]),
+      ),
+      d.not_testable.length
+        ? valueList(
+            'Could not have been found',
+            ['effect', 'why'],
+            d.not_testable.map((n) => [n.id, n.missing]),
+          )
+        : undefined,
     ),
     notes([...d.messages, ...d.notes]),
   ];
@@ -103,8 +122,20 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
     ),
     section(
       'What it bought',
-      grid(ladder([{ name: 'before, refitted', rms: r.before.rmse, held: r.rmse_held_out_before }, { name: 'after', rms: r.after.rmse, held: r.rmse_held_out_after }], limits)),
-      valueList('Parameters', ['parameter', 'value', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)])),
+      grid(
+        ladder(
+          [
+            { name: 'before, refitted', rms: r.before.rmse, held: r.rmse_held_out_before },
+            { name: 'after', rms: r.after.rmse, held: r.rmse_held_out_after },
+          ],
+          limits,
+        ),
+      ),
+      valueList(
+        'Parameters',
+        ['parameter', 'value', 'std error', 'unit'],
+        parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)]),
+      ),
     ),
     overTimeSection(view),
     section('Step responses', grid(steps(view))),
@@ -128,12 +159,28 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
       },
       [
         ['rows', String(r.rows)],
-        ...(axes.length === 1 ? ([['readings', String(r.metrics.readings)], ['largest left', um(r.metrics.max_abs_um)], ['rows beyond the range', String(r.rows_beyond_range)]] as [string, string][]) : []),
+        ...(axes.length === 1
+          ? ([
+              ['readings', String(r.metrics.readings)],
+              ['largest left', um(r.metrics.max_abs_um)],
+              ['rows beyond the range', String(r.rows_beyond_range)],
+            ] as [string, string][])
+          : []),
         lengthOf(view),
       ],
     ),
     overTimeSection(view),
-    read.length ? section('The error', grid(ladder(axes.map((a, k) => ({ name: report.models[k]?.name ?? a.displacement, rms: a.metrics.rmse_um, held: null })), { tolerance: view.chosen.tolerance, noise: null }))) : undefined,
+    read.length
+      ? section(
+          'The error',
+          grid(
+            ladder(
+              axes.map((a, k) => ({ name: report.models[k]?.name ?? a.displacement, rms: a.metrics.rmse_um, held: null })),
+              { tolerance: view.chosen.tolerance, noise: null },
+            ),
+          ),
+        )
+      : undefined,
     section('Step responses', grid(steps(view))),
     notes(r.messages),
   ];

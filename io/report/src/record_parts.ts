@@ -51,7 +51,11 @@ export function ladder(rungs: Rung[], { tolerance, noise }: Limits, unit = 'µm'
     onPaper: 0.62,
     option: (l, width) => {
       const top = legend(held ? names : [], width, l);
-      const side = sideAxis(rungs.map((r) => r.name), l, width);
+      const side = sideAxis(
+        rungs.map((r) => r.name),
+        l,
+        width,
+      );
       // Two words beside each other would not be read.
       const apart = ((width - side.left - 56) * Math.abs((tolerance ?? 0) - (noise ?? 0))) / Math.max(most, tolerance ?? 0, noise ?? 0);
       const marks = [...(tolerance === null ? [] : [{ xAxis: tolerance, label: { formatter: 'tolerance' } }]), ...(noise === null ? [] : [{ xAxis: noise, label: { formatter: tolerance !== null && apart < 70 ? '' : 'noise' } }])];

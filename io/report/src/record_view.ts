@@ -17,7 +17,10 @@ export class RecordView extends TimeView {
   readonly spans: Stretch[];
   private readonly figures: Figure[] = [];
 
-  constructor(readonly report: RecordReport, public model: number) {
+  constructor(
+    readonly report: RecordReport,
+    public model: number,
+  ) {
     super(report.rows);
     this.spans = this.findSpans();
   }
@@ -139,15 +142,25 @@ export class RecordView extends TimeView {
     const channels = [...new Set(models.map((m) => m.displacement))];
     const names = [...new Set(models.map((m) => m.name))];
     if (models.length > Math.max(channels.length, names.length)) {
-      choose('Channel', channels.map((c) => models.find((m) => m.displacement === c)?.in_words ?? c), this.model % channels.length, (k) => this.model - (this.model % channels.length) + k);
+      choose(
+        'Channel',
+        channels.map((c) => models.find((m) => m.displacement === c)?.in_words ?? c),
+        this.model % channels.length,
+        (k) => this.model - (this.model % channels.length) + k,
+      );
       choose(label, names, Math.floor(this.model / channels.length), (k) => (this.model % channels.length) + k * channels.length);
     } else choose(models.some((m) => m.parts) ? label : 'Channel', channels.length > 1 && names.length === 1 ? models.map((m) => m.in_words) : models.map((m) => m.name), this.model, (k) => k);
     if (this.spans.length > 1)
       bar.append(
-        choice('Time', this.spans.map((s) => s.label), 0, (k) => {
-          this.span = (this.spans[k] as Stretch).span;
-          this.redraw();
-        }),
+        choice(
+          'Time',
+          this.spans.map((s) => s.label),
+          0,
+          (k) => {
+            this.span = (this.spans[k] as Stretch).span;
+            this.redraw();
+          },
+        ),
       );
     return bar;
   }

@@ -35,7 +35,12 @@ function outline({ cells }: Section): number[][] {
   const faces = new Map<string, { points: number[]; part: string; open: boolean }>();
   cells.part.forEach((part, k) => {
     const [a, b, p, q] = [cells.start_mm[k], cells.end_mm[k], cells.inner_radius_mm[k], cells.outer_radius_mm[k]] as [number, number, number, number];
-    for (const points of [[a, p, a, q], [b, p, b, q], [a, p, b, p], [a, q, b, q]]) {
+    for (const points of [
+      [a, p, a, q],
+      [b, p, b, q],
+      [a, p, b, p],
+      [a, q, b, q],
+    ]) {
       const key = points.join();
       const other = faces.get(key);
       if (other) other.open = other.part !== part;
@@ -47,14 +52,7 @@ function outline({ cells }: Section): number[][] {
 
 /// Shapes of one series: all drawn at its only item.
 function shapes(name: string, z: number, draw: (api: Api) => Shape[]): Option {
-  return {
-    type: 'custom',
-    name,
-    silent: true,
-    z,
-    data: [[0, 0]],
-    renderItem: (_: unknown, api: Api) => ({ type: 'group', children: draw(api) }),
-  };
+  return { type: 'custom', name, silent: true, z, data: [[0, 0]], renderItem: (_: unknown, api: Api) => ({ type: 'group', children: draw(api) }) };
 }
 
 const segment = ([x1, y1]: [number, number], [x2, y2]: [number, number], style: Option): Shape => ({ type: 'line', shape: { x1, y1, x2, y2 }, style });
@@ -72,8 +70,7 @@ function bearing(b: Section['bearings'][number], api: Api, scale: number, l: Loo
   const [cx, cy] = api.coord(centre);
   const angle = (b.contact_angle_deg * Math.PI) / 180;
   const reach = 0.85 * b.ball_diameter_mm;
-  const along = (sign: number): [number, number] =>
-    api.coord([centre[0] + sign * (b.pressed_rearwards ? 1 : -1) * reach * Math.sin(angle), centre[1] + sign * reach * Math.cos(angle)]);
+  const along = (sign: number): [number, number] => api.coord([centre[0] + sign * (b.pressed_rearwards ? 1 : -1) * reach * Math.sin(angle), centre[1] + sign * reach * Math.cos(angle)]);
   return [
     box(api, [from, b.bore_mm / 2], [to, b.inner_ring_shoulder_mm / 2], thin),
     box(api, [from, b.outer_ring_shoulder_mm / 2], [to, b.outer_diameter_mm / 2], thin),
@@ -143,7 +140,10 @@ export function sectionFigure(section: Section, what: string, labels: string[], 
   const { moments, cells: mesh } = section;
   const all = moments.flatMap((m) => m.temperature_C);
   const least = all.reduce((m, v) => Math.min(m, v), Infinity);
-  const most = Math.max(all.reduce((m, v) => Math.max(m, v), -Infinity), least + leastSpan);
+  const most = Math.max(
+    all.reduce((m, v) => Math.max(m, v), -Infinity),
+    least + leastSpan,
+  );
   const now = () => moments[chosen]?.temperature_C ?? [];
   const hottest = () => now().reduce((best, t, k) => (t > (now()[best] as number) ? k : best), 0);
   const figure: Figure = new Figure({
@@ -151,7 +151,10 @@ export function sectionFigure(section: Section, what: string, labels: string[], 
     title: 'Cross-section with temperatures',
     note: () =>
       [
-        `${labels[chosen]}: from ${number(now().reduce((m, v) => Math.min(m, v), Infinity), 4)} to ${number(now()[hottest()], 4)} °C, hottest in the ${mesh.part[hottest()]} ${plain(((mesh.start_mm[hottest()] as number) + (mesh.end_mm[hottest()] as number)) / 2, 3)} mm behind the nose face.`,
+        `${labels[chosen]}: from ${number(
+          now().reduce((m, v) => Math.min(m, v), Infinity),
+          4,
+        )} to ${number(now()[hottest()], 4)} °C, hottest in the ${mesh.part[hottest()]} ${plain(((mesh.start_mm[hottest()] as number) + (mesh.end_mm[hottest()] as number)) / 2, 3)} mm behind the nose face.`,
         `Half of it, cut along the axis, to scale: shaft below, housing above; thick on top: the flange${section.channel ? '; white: turns of the coolant' : ''}; dashed through the balls: the lines of contact.`,
         moments.length > 1 ? `Colours are the same for every ${what}.` : '',
         section.sensors.length ? `Sensors: ${section.sensors.map((s, k) => `${k + 1} ${s.name.replace(/_/g, ' ')}`).join(', ')}.` : '',

@@ -31,7 +31,13 @@ export function shaftSeries({ pieces, bearings, disks }: ShaftPieces, l: Look, p
         type: 'group',
         children: [
           ...pieces.map((p) => ({ type: 'rect', shape: { x: at(p.start_mm), width: at(p.end_mm) - at(p.start_mm), y: y0 - (p.diameter_mm / 2) * scale, height: p.diameter_mm * scale }, style: body })),
-          ...bearings.flatMap((b) => [1, -1].map((side) => ({ type: 'circle', shape: { cx: at(b.position_mm), cy: y0 + side * (b.pitch_diameter_mm / 2) * scale, r: Math.max(2.5, Math.min((b.ball_diameter_mm / 2) * scale, (b.ball_diameter_mm / 2) * perMm * 2)) }, style: { fill: l.surface, stroke: l.ink, lineWidth: 1.1 } }))),
+          ...bearings.flatMap((b) =>
+            [1, -1].map((side) => ({
+              type: 'circle',
+              shape: { cx: at(b.position_mm), cy: y0 + side * (b.pitch_diameter_mm / 2) * scale, r: Math.max(2.5, Math.min((b.ball_diameter_mm / 2) * scale, (b.ball_diameter_mm / 2) * perMm * 2)) },
+              style: { fill: l.surface, stroke: l.ink, lineWidth: 1.1 },
+            })),
+          ),
           ...disks.map((d) => ({ type: 'line', shape: { x1: at(d.position_mm), x2: at(d.position_mm), y1: y0 - 1.15 * tall, y2: y0 + 1.15 * tall }, style: { stroke: l.ink, lineWidth: 4 } })),
         ],
       };

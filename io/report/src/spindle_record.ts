@@ -49,8 +49,17 @@ function channelBars(rows: Row[], names: string[]): Figure {
     height: 96 + rows.length * (14 + 16 * names.length),
     onPaper: 0.7,
     option: (l, width) => {
-      const top = legend(names.length > 1 ? names : [], width, l, names.map(() => 'rect'));
-      const side = sideAxis(rows.map((r) => r.channel), l, width);
+      const top = legend(
+        names.length > 1 ? names : [],
+        width,
+        l,
+        names.map(() => 'rect'),
+      );
+      const side = sideAxis(
+        rows.map((r) => r.channel),
+        l,
+        width,
+      );
       const share = (r: Row, k: number) => (r.errors[k] === null || r.errors[k] === undefined || !r.tolerance ? null : (r.errors[k] as number) / r.tolerance);
       return {
         ...(names.length > 1 ? { legend: top.option } : {}),
@@ -65,17 +74,26 @@ function channelBars(rows: Row[], names: string[]): Figure {
           type: 'bar',
           name,
           barMaxWidth: 15,
-          itemStyle: { color: l.kinds[k % l.kinds.length], borderRadius: [0, 3, 3, 0], decal: k === names.length - 1 && names.length === 3 ? { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: [2, 5], rotation: -0.7, color: 'rgba(255,255,255,0.35)' } : undefined },
-          label: { show: true, position: 'right', color: l.ink, fontSize: 11, textBorderColor: l.surface, textBorderWidth: 3, formatter: (hit: { dataIndex: number }) => inUnit(rows[hit.dataIndex]?.errors[k], rows[hit.dataIndex]?.unit ?? '') },
+          itemStyle: {
+            color: l.kinds[k % l.kinds.length],
+            borderRadius: [0, 3, 3, 0],
+            decal: k === names.length - 1 && names.length === 3 ? { symbol: 'rect', dashArrayX: [1, 0], dashArrayY: [2, 5], rotation: -0.7, color: 'rgba(255,255,255,0.35)' } : undefined,
+          },
+          label: {
+            show: true,
+            position: 'right',
+            color: l.ink,
+            fontSize: 11,
+            textBorderColor: l.surface,
+            textBorderWidth: 3,
+            formatter: (hit: { dataIndex: number }) => inUnit(rows[hit.dataIndex]?.errors[k], rows[hit.dataIndex]?.unit ?? ''),
+          },
           data: rows.map((r) => share(r, k)),
           ...(k === 0 ? { markLine: threshold(1, 'tolerance', l) } : {}),
         })),
       };
     },
-    table: () => ({
-      columns: ['channel', 'unit', ...names.map((name) => `RMS, ${name}`), 'tolerance', 'noise'],
-      rows: rows.map((r): Cell[] => [r.channel, r.unit, ...names.map((_, k) => r.errors[k] ?? null), r.tolerance, r.noise]),
-    }),
+    table: () => ({ columns: ['channel', 'unit', ...names.map((name) => `RMS, ${name}`), 'tolerance', 'noise'], rows: rows.map((r): Cell[] => [r.channel, r.unit, ...names.map((_, k) => r.errors[k] ?? null), r.tolerance, r.noise]) }),
   });
 }
 
@@ -99,7 +117,12 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
   const view = new RecordView(report, (comparisons.length - 1) * count);
   const rows = channelsOf(last).map((c, k): Row => ({ channel: words(c.quantity), unit: unitOf(c.unit), tolerance: withAnyUnit(c, 'tolerance'), noise: c.noise.rms, errors: comparisons.map((m) => channelsOf(m)[k]?.rmse ?? null) }));
   const tolerances = rows.map((r) => r.tolerance);
-  const all = comparisons.map((_, k) => together(rows.map((r) => r.errors[k] ?? null), tolerances));
+  const all = comparisons.map((_, k) =>
+    together(
+      rows.map((r) => r.errors[k] ?? null),
+      tolerances,
+    ),
+  );
   const within = rows.filter((r) => r.tolerance !== null && (r.errors[comparisons.length - 1] ?? Infinity) <= r.tolerance).length;
   const names = files.slice(0, -1);
   const several = comparisons.length > 1;
@@ -115,8 +138,28 @@ function compare(report: RecordReport & { command: 'compare' }): (Node | undefin
     ),
     section(
       several ? 'The ladder' : 'The error',
-      grid(several ? ladder(names.map((name, k): Rung => ({ name, rms: all[k] ?? null, held: null })), { tolerance: 1, noise: null }, times, togetherNote) : undefined, channelBars(rows, names)),
-      several ? el('div', { id: 'steps' }, valueList('From model to model: effects and fitted numbers', ['model', 'all channels', 'what changed'], report.steps.map((step, k) => [names[k + 1] ?? '', `${number(all[k + 1], 3)} ${times}`, changes(step)]))) : undefined,
+      grid(
+        several
+          ? ladder(
+              names.map((name, k): Rung => ({ name, rms: all[k] ?? null, held: null })),
+              { tolerance: 1, noise: null },
+              times,
+              togetherNote,
+            )
+          : undefined,
+        channelBars(rows, names),
+      ),
+      several
+        ? el(
+            'div',
+            { id: 'steps' },
+            valueList(
+              'From model to model: effects and fitted numbers',
+              ['model', 'all channels', 'what changed'],
+              report.steps.map((step, k) => [names[k + 1] ?? '', `${number(all[k + 1], 3)} ${times}`, changes(step)]),
+            ),
+          )
+        : undefined,
     ),
     overTimeSection(view),
     section('Where it errs', where(channelsOf(last))),
@@ -140,13 +183,34 @@ function rungsOf(d: Diagnosis, tolerances: (number | null)[]): Rung[] {
   const of = (ids: string[], name: string): Rung => {
     const effects = d.effects.filter((e) => ids.includes(e.id));
     const channels = effects[0]?.channels ?? [];
-    return { name, rms: together(channels.map((c) => c.rmse), tolerances), held: together(channels.map((c) => c.rmse_cross_validated), tolerances), note: effects.map((e) => sizes(e.parameters)).join(', ') };
+    return {
+      name,
+      rms: together(
+        channels.map((c) => c.rmse),
+        tolerances,
+      ),
+      held: together(
+        channels.map((c) => c.rmse_cross_validated),
+        tolerances,
+      ),
+      note: effects.map((e) => sizes(e.parameters)).join(', '),
+    };
   };
   const sets = d.explanations.filter((ids) => d.effects.some((e) => ids.includes(e.id)));
   const told = sets.flat();
   const before = d.channels ?? [];
   return [
-    { name: 'refitted, nothing added', rms: together(before.map((c) => c.rmse_before), tolerances), held: together(before.map((c) => withAnyUnit(c, 'rmse_held_out')), tolerances) },
+    {
+      name: 'refitted, nothing added',
+      rms: together(
+        before.map((c) => c.rmse_before),
+        tolerances,
+      ),
+      held: together(
+        before.map((c) => withAnyUnit(c, 'rmse_held_out')),
+        tolerances,
+      ),
+    },
     ...sets.map((ids) => of(ids, `${ids.join(' and ')} (verdict)`)),
     ...d.effects.filter((e) => !told.includes(e.id)).map((e) => of([e.id], e.id)),
   ];
@@ -158,8 +222,14 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
   const view = new RecordView(report, report.models.length - count);
   const explained = d.explanations.length > 0;
   const rows = rowsOf(d, explained);
-  const rungs = rungsOf(d, rows.map((r) => r.tolerance));
-  const held = rungs.slice(0, explained ? 2 : 1).map((r) => number(r.held, 3)).join(' → ');
+  const rungs = rungsOf(
+    d,
+    rows.map((r) => r.tolerance),
+  );
+  const held = rungs
+    .slice(0, explained ? 2 : 1)
+    .map((r) => number(r.held, 3))
+    .join(' → ');
   return [
     header({ command: 'diagnose', files: shortPaths([d.model, d.data]), badge: verdicts[d.verdict] ?? [d.verdict, 'open'], sentence: d.headline, more: d.sentence }, [
       ['on parts that no fit saw', `${held} ${times}`],
@@ -169,13 +239,26 @@ function diagnose(report: RecordReport & { command: 'diagnose' }): (Node | undef
     ]),
     section(
       'The verdict',
-      grid(channelBars(rows, ['refitted, nothing added', ...(explained ? [`with ${(d.explanations[0] ?? []).join(' and ')}`] : []), 'nothing added, parts that no fit saw']), rungs.length > 1 ? ladder(rungs, { tolerance: 1, noise: null }, times, togetherNote) : undefined),
+      grid(
+        channelBars(rows, ['refitted, nothing added', ...(explained ? [`with ${(d.explanations[0] ?? []).join(' and ')}`] : []), 'nothing added, parts that no fit saw']),
+        rungs.length > 1 ? ladder(rungs, { tolerance: 1, noise: null }, times, togetherNote) : undefined,
+      ),
     ),
     overTimeSection(view),
     section(
       'What this record can show',
-      valueList('Numbers of the model, without and with what is missing', ['number', 'without', 'with', 'std error', 'unit'], (d.explanations.length ? Object.entries(d.base_parameters) : []).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)])),
-      d.not_testable.length ? valueList('Could not have been found', ['effect', 'why'], d.not_testable.map((n) => [n.id, n.missing])) : undefined,
+      valueList(
+        'Numbers of the model, without and with what is missing',
+        ['number', 'without', 'with', 'std error', 'unit'],
+        (d.explanations.length ? Object.entries(d.base_parameters) : []).map(([name, p]) => [name, number(p.before), number(p.after), number(p.std, 2), unitText(p.unit)]),
+      ),
+      d.not_testable.length
+        ? valueList(
+            'Could not have been found',
+            ['effect', 'why'],
+            d.not_testable.map((n) => [n.id, n.missing]),
+          )
+        : undefined,
     ),
     notes([...d.messages, ...d.notes]),
   ];
@@ -188,7 +271,15 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
   const parameters = Object.entries(r.calibration.parameters);
   const rows = before.map((c, k): Row => ({ channel: words(c.quantity), unit: unitOf(c.unit), tolerance: withAnyUnit(c, 'tolerance'), noise: c.noise.rms, errors: [c.rmse, after[k]?.rmse ?? null] }));
   const tolerances = rows.map((row) => row.tolerance);
-  const both = [0, 1].map((k) => number(together(rows.map((row) => row.errors[k] ?? null), tolerances), 3));
+  const both = [0, 1].map((k) =>
+    number(
+      together(
+        rows.map((row) => row.errors[k] ?? null),
+        tolerances,
+      ),
+      3,
+    ),
+  );
   return [
     header(
       {
@@ -203,7 +294,11 @@ function add(report: RecordReport & { command: 'add' }): (Node | undefined)[] {
     section(
       'What it bought',
       grid(channelBars(rows, ['before, refitted', 'after'])),
-      valueList('Parameters', ['parameter', 'value', 'std error', 'unit'], parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)])),
+      valueList(
+        'Parameters',
+        ['parameter', 'value', 'std error', 'unit'],
+        parameters.map(([name, p]) => [name, number(p.value), number(p.std, 2), unitText(p.unit)]),
+      ),
     ),
     overTimeSection(view),
     notes([...r.messages, ...r.notes]),

@@ -16,7 +16,12 @@ export const hoursOf = (seconds: number) => (seconds < 600 ? `${number(seconds, 
 
 /// Speed, and of the other inputs those that vary.
 function inputPanels(report: SpindleRunReport, view: TimeView): Panel[] {
-  const kinds: [string, string, number][] = [['rpm', 'speed [rpm]', 80], ['N', 'loads [N]', 80], ['W', 'motor heat [W]', 80], ['', 'on or off', 46]];
+  const kinds: [string, string, number][] = [
+    ['rpm', 'speed [rpm]', 80],
+    ['N', 'loads [N]', 80],
+    ['W', 'motor heat [W]', 80],
+    ['', 'on or off', 46],
+  ];
   return kinds.flatMap(([unit, title, height]): Panel[] => {
     const names = report.inputs.filter((n) => quantity(n).unit === unit && (n === 'speed_rpm' || (view.rows.varies(n) && (n !== 'coolant_on' || report.has_coolant))));
     if (names.length === 0) return [];
@@ -93,7 +98,8 @@ function temperatures(report: SpindleRunReport, view: TimeView): Figure {
         { label: `${words(b)} outer`, column: `${b}_outer_ring_temperature_C`, kind, dash: 1 },
       ]),
     });
-  if (report.sensors.length) panels.push({ title: report.network ? 'nodes [°C]' : 'sensors [°C]', unit: '°C', height: 170, lines: report.sensors.map((s, kind) => ({ label: words(s), column: `${s}_temperature_C`, kind, dash: Math.floor(kind / 7) })) });
+  if (report.sensors.length)
+    panels.push({ title: report.network ? 'nodes [°C]' : 'sensors [°C]', unit: '°C', height: 170, lines: report.sensors.map((s, kind) => ({ label: words(s), column: `${s}_temperature_C`, kind, dash: Math.floor(kind / 7) })) });
   if (fluids.length) panels.push({ title: 'around it [°C]', unit: '°C', height: 110, lines: fluids.map((column, kind) => ({ label: quantity(column).label.replace(' temperature', ''), column, kind, dash: kind })) });
   return panelFigure(view, { id: 'temperatures', title: 'Temperatures', note: report.bearings.length ? 'Means of the rings: inner solid, outer dashed.' : '' }, [...panels, ...inputPanels(report, view).slice(0, 1)]);
 }
@@ -137,7 +143,12 @@ function heat(view: TimeView): Figure {
     option: (l, width) => {
       const inner = width - left - right;
       const colours = (k: number) => (kinds[k] === 6 ? l.muted : (l.kinds[kinds[k] as number] as string));
-      const top = legend(shares.map((s) => s.name), width, l, shares.map(() => 'rect'));
+      const top = legend(
+        shares.map((s) => s.name),
+        width,
+        l,
+        shares.map(() => 'rect'),
+      );
       return {
         legend: top.option,
         grid: { left, right, top: top.height + 26, bottom: 46 },
@@ -147,7 +158,11 @@ function heat(view: TimeView): Figure {
         series: stacked(view, shares, view.rows.get('friction_power_W'), inner).flatMap((p, k) => [areas(p.name, p.up, colours(k)), areas(p.name, p.down, colours(k))]),
       };
     },
-    table: () => table(view, heatParts.map(({ name, column }): [string, Float64Array] => [`${name} [W]`, view.rows.get(column)])),
+    table: () =>
+      table(
+        view,
+        heatParts.map(({ name, column }): [string, Float64Array] => [`${name} [W]`, view.rows.get(column)]),
+      ),
   });
 }
 
@@ -179,17 +194,18 @@ export function spindleRun(report: SpindleRunReport): (Node | undefined)[] {
   const place = (row: number) => `${rounded(rows.at('axial_displacement_um', row))} µm at ${hoursOf(rows.at('time_s', row))}`;
   const reached = `${report.rows_reached} of ${report.rows_asked} rows`;
   const facts: [string, string][] = [
-    ...(report.network ? [] : ([['nose at the end', `${rounded(at('axial_displacement_um'))} µm`], ['highest front force', `${number(high.force_N)} N`]] as [string, string][])),
+    ...(report.network
+      ? []
+      : ([
+          ['nose at the end', `${rounded(at('axial_displacement_um'))} µm`],
+          ['highest front force', `${number(high.force_N)} N`],
+        ] as [string, string][])),
     ['friction at the end', `${number(at('friction_power_W'))} W`],
     ['energy kept within', end.energy_error === null ? dash : `${end.energy_error.toExponential(0)} of the turnover`],
     ['time steps', `${end.steps + end.rejected}, ${end.rejected} taken back`],
     ['rows', reached],
   ];
-  const head = {
-    command: 'spindle',
-    files: shortPaths([report.model, report.programme]),
-    badge: [converged ? 'ran through' : words(end.status), converged ? 'good' : 'open'] as [string, string],
-  };
+  const head = { command: 'spindle', files: shortPaths([report.model, report.programme]), badge: [converged ? 'ran through' : words(end.status), converged ? 'good' : 'open'] as [string, string] };
   if (last < 0) return [header({ ...head, sentence: `${report.results.spindle}: no row was reached.`, more: end.message }, facts)];
   return [
     header(

@@ -35,7 +35,11 @@ function heatBars(list: Source[], height: number): Figure {
     note: `${number(sum(true))} W come in, ${number(sum(false))} W go out.`,
     height,
     option: (l, width) => {
-      const side = sideAxis(list.map((s) => s.name), l, width);
+      const side = sideAxis(
+        list.map((s) => s.name),
+        l,
+        width,
+      );
       return {
         grid: { left: side.left, right: 60, top: 12, bottom: 44 },
         tooltip: tooltip(l, (hit) => [list[hit.dataIndex]?.name ?? '', ['heat flow', `${number(list[hit.dataIndex]?.watts)} W`], ['share', `${plain((100 * (list[hit.dataIndex]?.watts ?? NaN)) / sum(true), 3)} %`]]),
@@ -74,7 +78,11 @@ function ringBars(report: SpindleSteadyReport, all: Reading[], height: number): 
     title: report.network ? 'Temperatures of the nodes' : report.sensors.length ? 'Temperatures of rings and sensors' : 'Temperatures of the rings',
     height,
     option: (l, width) => {
-      const side = sideAxis(all.map((r) => r.name), l, width);
+      const side = sideAxis(
+        all.map((r) => r.name),
+        l,
+        width,
+      );
       const kinds = ['inner', 'outer', 'sensor'];
       return {
         grid: { left: side.left, right: 60, top: 12, bottom: 44 },
@@ -116,7 +124,11 @@ const ofBearing: [string, string, number][] = [
 ];
 
 function bearingTable(report: SpindleSteadyReport, rows: Rows): HTMLElement {
-  const table = valueList('Each bearing', ['bearing', ...ofBearing.map(([title]) => title)], report.bearings.map((b) => [words(b), ...ofBearing.map(([, column, digits]) => number(rows.at(`${b}_${column}`, 0), digits))]));
+  const table = valueList(
+    'Each bearing',
+    ['bearing', ...ofBearing.map(([title]) => title)],
+    report.bearings.map((b) => [words(b), ...ofBearing.map(([, column, digits]) => number(rows.at(`${b}_${column}`, 0), digits))]),
+  );
   table.id = 'bearings';
   return table;
 }
@@ -127,8 +139,24 @@ function overSpeed(report: SpindleSteadyReport, rows: Rows): Figure[] {
   const races = (id: string, title: string, axis: string, inner: string, outer: string, what: string, fromZero: boolean) =>
     lineFigure(rows, { id, title, axis, fromZero, note: `Solid: inner ${what}, dashed: outer ${what}.`, lines: [...each(inner, 0, `inner ${what}`), ...each(outer, 1, `outer ${what}`)] });
   const parts = heatParts.filter((p) => p.column !== 'heat_stored_W' && rows.get(p.column).some((v) => Number.isFinite(v) && v !== 0));
-  const heat = lineFigure(rows, { id: 'heat', title: 'Heat balance', note: 'Friction, motor, drive and seals come in; the others go out.', axis: 'heat_flow_W', fromZero: true, lines: parts.map((p, kind) => ({ name: p.name, column: p.column, kind, dash: p.sign > 0 ? 0 : 1 })) });
-  const sensors = report.sensors.length ? [lineFigure(rows, { id: 'sensors', title: report.network ? 'Temperatures of the nodes' : 'Temperatures of the sensors', axis: 'temperature_C', lines: report.sensors.map((s, kind) => ({ name: words(s), column: `${s}_temperature_C`, kind })) })] : [];
+  const heat = lineFigure(rows, {
+    id: 'heat',
+    title: 'Heat balance',
+    note: 'Friction, motor, drive and seals come in; the others go out.',
+    axis: 'heat_flow_W',
+    fromZero: true,
+    lines: parts.map((p, kind) => ({ name: p.name, column: p.column, kind, dash: p.sign > 0 ? 0 : 1 })),
+  });
+  const sensors = report.sensors.length
+    ? [
+        lineFigure(rows, {
+          id: 'sensors',
+          title: report.network ? 'Temperatures of the nodes' : 'Temperatures of the sensors',
+          axis: 'temperature_C',
+          lines: report.sensors.map((s, kind) => ({ name: words(s), column: `${s}_temperature_C`, kind })),
+        }),
+      ]
+    : [];
   if (report.network) return [heat, ...sensors];
   return [
     lineFigure(rows, {
@@ -153,7 +181,13 @@ function overSpeed(report: SpindleSteadyReport, rows: Rows): Figure[] {
       ],
     }),
     heat,
-    lineFigure(rows, { id: 'stiffness', title: 'Axial stiffness of shaft and bearings', axis: 'axial_stiffness_N_um', fromZero: true, lines: [{ name: 'shaft', column: 'axial_stiffness_N_um', kind: 6 }, ...each('axial_stiffness_N_um', 1)] }),
+    lineFigure(rows, {
+      id: 'stiffness',
+      title: 'Axial stiffness of shaft and bearings',
+      axis: 'axial_stiffness_N_um',
+      fromZero: true,
+      lines: [{ name: 'shaft', column: 'axial_stiffness_N_um', kind: 6 }, ...each('axial_stiffness_N_um', 1)],
+    }),
     races('rings', 'Temperatures of the rings', 'temperature_C', 'inner_ring_temperature_C', 'outer_ring_temperature_C', 'ring', false),
     ...sensors,
     lineFigure(rows, { id: 'bearing-forces', title: 'Axial force of each bearing', axis: 'force_N', fromZero: true, lines: each('force_N') }),
@@ -175,9 +209,7 @@ export function spindleSteady(report: SpindleSteadyReport): (Node | undefined)[]
   const rings = report.bearings.flatMap((b) => [at(`${b}_inner_ring_temperature_C`), at(`${b}_outer_ring_temperature_C`)]).filter(Number.isFinite);
   const speed = `${plain(at('speed_rpm'))} rpm`;
   const coolant = report.has_coolant ? `, coolant ${report.coolant_on ? 'on' : 'off'}` : '';
-  const words_of = report.network
-    ? `${number(at('friction_power_W') + at('drive_heat_W'))} W come in`
-    : `nose ${number(at('axial_displacement_um'))} µm against the flange, ${number(at('front_force_N'))} N in the front set`;
+  const words_of = report.network ? `${number(at('friction_power_W') + at('drive_heat_W'))} W come in` : `nose ${number(at('axial_displacement_um'))} µm against the flange, ${number(at('front_force_N'))} N in the front set`;
   const facts: [string, string][] = [
     ...(report.network
       ? []

@@ -35,7 +35,10 @@ function scaleOf(seconds: number): { unit: string; of: number } {
 }
 
 function courses(steps: Step[]): Figure {
-  const drawn = thinned(steps.map((_, k) => k), mostDrawn).map((k) => steps[k] as Step);
+  const drawn = thinned(
+    steps.map((_, k) => k),
+    mostDrawn,
+  ).map((k) => steps[k] as Step);
   const until = Math.max(...drawn.flatMap((s) => s.time));
   const { unit, of } = scaleOf(until);
   const both = drawn.some((s) => hasTwo(s.row));
@@ -50,7 +53,12 @@ function courses(steps: Step[]): Figure {
     option: (l, width) => {
       const names = drawn.map((s) => nameOf(s.row));
       const colours = ordered(drawn.length, l);
-      const top = legend(names, width, l, drawn.map((_, k) => symbols[k % symbols.length]));
+      const top = legend(
+        names,
+        width,
+        l,
+        drawn.map((_, k) => symbols[k % symbols.length]),
+      );
       const fit = (s: Step, k: number, value: (r: StepRow, t: number) => number, type: string): Option => ({
         type: 'line',
         name: names[k],
@@ -70,7 +78,18 @@ function courses(steps: Step[]): Figure {
         xAxis: valueAxis(`time since the step [${unit}]`, l, 'x', { scale: false, min: 0, max: until / of, axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMaxLabel: false } }),
         yAxis: valueAxis('displacement [µm]', l, 'y', { scale: false }),
         series: drawn.flatMap((s, k) => [
-          { type: 'scatter', name: names[k], symbol: symbols[k % symbols.length], symbolSize: 6, color: colours[k], itemStyle: { opacity: 0.7 }, data: thinned(s.time.map((_, n) => n), 80).map((n) => [(s.time[n] as number) / of, s.displacement[n]]) },
+          {
+            type: 'scatter',
+            name: names[k],
+            symbol: symbols[k % symbols.length],
+            symbolSize: 6,
+            color: colours[k],
+            itemStyle: { opacity: 0.7 },
+            data: thinned(
+              s.time.map((_, n) => n),
+              80,
+            ).map((n) => [(s.time[n] as number) / of, s.displacement[n]]),
+          },
           fit(s, k, one, 'dashed'),
           ...(hasTwo(s.row) ? [fit(s, k, two, 'solid')] : []),
         ]),
@@ -93,22 +112,47 @@ function left(steps: Step[]): Figure {
     note: () => `Fit − spindle: ${number(now().row.fit_rms_um, 2)} µm RMS by one time constant${hasTwo(now().row) ? `, ${number(now().row.fit_rms_two_um, 2)} µm by two` : ''}.`,
     wide: true,
     height: 260,
-    controls: steps.length > 1 ? [choice('Step', steps.map((s) => nameOf(s.row)), at, (k) => ((at = k), figure.draw()))] : [],
+    controls:
+      steps.length > 1
+        ? [
+            choice(
+              'Step',
+              steps.map((s) => nameOf(s.row)),
+              at,
+              (k) => ((at = k), figure.draw()),
+            ),
+          ]
+        : [],
     option: (l, width) => {
       const s = now();
       const { unit, of } = scaleOf(Math.max(...s.time));
       const kinds = [['one time constant', one], ...(hasTwo(s.row) ? [['two', two]] : [])] as [string, (r: StepRow, t: number) => number][];
-      const top = legend(kinds.map(([name]) => name), width, l);
+      const top = legend(
+        kinds.map(([name]) => name),
+        width,
+        l,
+      );
       return {
         legend: top.option,
         grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
         tooltip: tooltip(l, (hit) => [hit.seriesName, ['time', `${number((hit.value as number[])[0], 4)} ${unit}`], ['fit − spindle', `${signed((hit.value as [number, number])[1])} µm`]]),
         xAxis: valueAxis(`time since the step [${unit}]`, l, 'x', { scale: false, min: 0 }),
         yAxis: valueAxis('fit − spindle [µm]', l, 'y', { scale: false }),
-        series: kinds.map(([name, value], k) => ({ type: 'line', name, symbolSize: 4, showSymbol: false, color: l.kinds[k], lineStyle: { width: 1.8, type: dashes[1 - k] }, data: s.time.map((t, n) => [t / of, value(s.row, t) - (s.displacement[n] as number)]) })),
+        series: kinds.map(([name, value], k) => ({
+          type: 'line',
+          name,
+          symbolSize: 4,
+          showSymbol: false,
+          color: l.kinds[k],
+          lineStyle: { width: 1.8, type: dashes[1 - k] },
+          data: s.time.map((t, n) => [t / of, value(s.row, t) - (s.displacement[n] as number)]),
+        })),
       };
     },
-    table: () => ({ columns: ['time [s]', 'one time constant [µm]', 'two [µm]'], rows: now().time.map((t, n): Cell[] => [t, one(now().row, t) - (now().displacement[n] as number), hasTwo(now().row) ? two(now().row, t) - (now().displacement[n] as number) : null]) }),
+    table: () => ({
+      columns: ['time [s]', 'one time constant [µm]', 'two [µm]'],
+      rows: now().time.map((t, n): Cell[] => [t, one(now().row, t) - (now().displacement[n] as number), hasTwo(now().row) ? two(now().row, t) - (now().displacement[n] as number) : null]),
+    }),
   });
   return figure;
 }
@@ -153,7 +197,17 @@ function law(report: StepsReport, steps: Step[], of: 'K' | 'T'): Figure {
         yAxis: valueAxis(`${of} [${unit}]`, l, 'y', { scale: false }),
         series: [
           { type: 'scatter', name: 'steps', symbol: 'circle', symbolSize: 9, z: 6, itemStyle: { color: l.ink }, data: steps.map((s) => [s.row.power_end_W, value(s)]) },
-          ...known.map(([name, which], k) => ({ type: 'line', name, silent: true, symbol: 'none', connectNulls: false, z: 3, color: l.kinds[k], lineStyle: { width: 1.8, type: dashes[k] }, data: (laws?.power_W ?? []).map((p, n) => [p, course(which)[n]]) })),
+          ...known.map(([name, which], k) => ({
+            type: 'line',
+            name,
+            silent: true,
+            symbol: 'none',
+            connectNulls: false,
+            z: 3,
+            color: l.kinds[k],
+            lineStyle: { width: 1.8, type: dashes[k] },
+            data: (laws?.power_W ?? []).map((p, n) => [p, course(which)[n]]),
+          })),
         ],
       };
     },
@@ -183,19 +237,27 @@ function superposition(report: StepsReport): HTMLElement | undefined {
   return section(
     'The correction against the whole simulation',
     grid(
-      panelFigure(view, { id: 'superposition', title: 'Over a programme of speeds', note: `What the simplification costs: ${number(s.rms_um, 3)} µm RMS, ${number(s.largest_um, 3)} µm at most after ${number(s.time_of_largest_s / 3600, 3)} h, of a travel of ${number(s.highest_um - s.lowest_um, 3)} µm.` }, [
+      panelFigure(
+        view,
         {
-          title: 'displacement [µm]',
-          unit: 'µm',
-          height: 240,
-          lines: [
-            { label: 'whole simulation', column: 'simulated_um', kind: 6 },
-            { label: 'correction', column: 'corrected_um', kind: 1, dash: 1 },
-          ],
+          id: 'superposition',
+          title: 'Over a programme of speeds',
+          note: `What the simplification costs: ${number(s.rms_um, 3)} µm RMS, ${number(s.largest_um, 3)} µm at most after ${number(s.time_of_largest_s / 3600, 3)} h, of a travel of ${number(s.highest_um - s.lowest_um, 3)} µm.`,
         },
-        { title: 'correction − simulation [µm]', unit: 'µm', height: 130, lines: [{ label: 'correction − simulation', column: 'error_um', kind: 0 }] },
-        { title: 'speed [rpm]', unit: 'rpm', height: 80, stepped: true, lines: [{ label: 'speed', column: 'speed_rpm', kind: 6 }] },
-      ]),
+        [
+          {
+            title: 'displacement [µm]',
+            unit: 'µm',
+            height: 240,
+            lines: [
+              { label: 'whole simulation', column: 'simulated_um', kind: 6 },
+              { label: 'correction', column: 'corrected_um', kind: 1, dash: 1 },
+            ],
+          },
+          { title: 'correction − simulation [µm]', unit: 'µm', height: 130, lines: [{ label: 'correction − simulation', column: 'error_um', kind: 0 }] },
+          { title: 'speed [rpm]', unit: 'rpm', height: 80, stepped: true, lines: [{ label: 'speed', column: 'speed_rpm', kind: 6 }] },
+        ],
+      ),
     ),
   );
 }
@@ -235,7 +297,12 @@ export function stepResponses(report: StepsReport): (Node | undefined)[] {
       valueList(
         'Each step',
         ['step', 'P at once [W]', 'at the end [W]', 'kinematic [µm]', 'K [µm]', 'T [min]', 'left [µm]', 'K1 [µm]', 'T1 [min]', 'K2 [µm]', 'T2 [min]', 'left [µm]', 'front force [N]', 'at most [N]'],
-        r.rows.map((row) => [nameOf(row), ...[row.power_start_W, row.power_end_W, row.kinematic_um, row.K_um, row.T_min, row.fit_rms_um, row.K1_um, row.T1_min, row.K2_um, row.T2_min, row.fit_rms_two_um, row.front_force_N, row.highest_front_force_N].map((v, k) => (v === null ? dash : number(v, k === 5 || k === 10 ? 2 : 4)))]),
+        r.rows.map((row) => [
+          nameOf(row),
+          ...[row.power_start_W, row.power_end_W, row.kinematic_um, row.K_um, row.T_min, row.fit_rms_um, row.K1_um, row.T1_min, row.K2_um, row.T2_min, row.fit_rms_two_um, row.front_force_N, row.highest_front_force_N].map((v, k) =>
+            v === null ? dash : number(v, k === 5 || k === 10 ? 2 : 4),
+          ),
+        ]),
       ),
     ),
     notes(r.notes),

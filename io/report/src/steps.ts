@@ -29,11 +29,7 @@ interface Curve {
 function partCurve(r: StepResponse, part: StepResponse['parts'][number], until: number): Curve {
   const { gain_um: gain, time_constant_s: tau } = part;
   const y = (t: number) => gain * (1 - (1 - r.sensor_time_constant_s / tau) * Math.exp(-t / tau));
-  return {
-    name: `${r.parts.length > 1 ? `${part.name}: ` : ''}${signed(gain)} µm, ${duration(tau)}`,
-    at: Array.from({ length: points + 1 }, (_, k) => [(until * k) / points, y((until * k) / points)]),
-    bend: [tau, y(tau)],
-  };
+  return { name: `${r.parts.length > 1 ? `${part.name}: ` : ''}${signed(gain)} µm, ${duration(tau)}`, at: Array.from({ length: points + 1 }, (_, k) => [(until * k) / points, y((until * k) / points)]), bend: [tau, y(tau)] };
 }
 
 /// Its parts, then their sum where there is more than one.
@@ -74,7 +70,15 @@ function layout(list: StepResponse[], width: number, l: Look): { panels: Placed[
   for (let k = 0; k < list.length; k += columns) {
     const row = list.slice(k, k + columns).map((response) => {
       const own = curves(response);
-      return { response, curves: own, head: legend(own.map((c) => c.name), wide, l) };
+      return {
+        response,
+        curves: own,
+        head: legend(
+          own.map((c) => c.name),
+          wide,
+          l,
+        ),
+      };
     });
     const tallest = Math.max(...row.map((p) => p.head.height));
     row.forEach((p, c) => panels.push({ ...p, left: c * (wide + between), top: top + tallest + 28, width: wide, head: { ...p.head.option, left: c * (wide + between), top, width: wide } }));
@@ -85,7 +89,11 @@ function layout(list: StepResponse[], width: number, l: Look): { panels: Placed[
 
 export function steps(view: RecordView): HTMLElement | undefined {
   const all = () => view.chosen.responses ?? [];
-  const shown = () => all().slice().sort((a, b) => Math.abs(final(b)) - Math.abs(final(a))).slice(0, mostPanels);
+  const shown = () =>
+    all()
+      .slice()
+      .sort((a, b) => Math.abs(final(b)) - Math.abs(final(a)))
+      .slice(0, mostPanels);
   if (view.report.models.every((m) => !m.responses?.length)) return undefined;
   return view.add(
     new Figure({
@@ -93,7 +101,9 @@ export function steps(view: RecordView): HTMLElement | undefined {
       title: 'What a step of an input does',
       note: () => {
         const changed = [...new Set(all().flatMap((r) => r.changed_by))];
-        return view.about(`from rest, each lag with where it leads to and its time constant, at which the mark stands (63 %); where there are several they are dashed, and their sum is the line.${all().length > mostPanels ? ` The ${mostPanels} largest of ${all().length}; the table has all.` : ''}${changed.length ? ` As it answers while it warms up at low speed with the coolant on; otherwise ${changed.join(', ')} ${changed.length > 1 ? 'change' : 'changes'} it.` : ''}`);
+        return view.about(
+          `from rest, each lag with where it leads to and its time constant, at which the mark stands (63 %); where there are several they are dashed, and their sum is the line.${all().length > mostPanels ? ` The ${mostPanels} largest of ${all().length}; the table has all.` : ''}${changed.length ? ` As it answers while it warms up at low speed with the coolant on; otherwise ${changed.join(', ')} ${changed.length > 1 ? 'change' : 'changes'} it.` : ''}`,
+        );
       },
       wide: true,
       onPaper: 1,
@@ -120,7 +130,15 @@ export function steps(view: RecordView): HTMLElement | undefined {
           legend: panels.map((p) => p.head),
           grid: panels.map((p) => ({ left: p.left + 50, width: p.width - 62, top: p.top, height: tall })),
           tooltip: tooltip(l, (hit) => [hit.seriesName]),
-          xAxis: panels.map((p, k) => valueAxis(`time [${scale(p).unit}]`, l, 'x', { gridIndex: k, scale: false, axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMaxLabel: false }, min: 0, max: Math.max(...p.curves.flatMap((c) => c.at.map(([t]) => t))) / scale(p).of })),
+          xAxis: panels.map((p, k) =>
+            valueAxis(`time [${scale(p).unit}]`, l, 'x', {
+              gridIndex: k,
+              scale: false,
+              axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMaxLabel: false },
+              min: 0,
+              max: Math.max(...p.curves.flatMap((c) => c.at.map(([t]) => t))) / scale(p).of,
+            }),
+          ),
           yAxis: panels.map((p, k) => valueAxis(`${p.response.name}: ${stepText(p.response)} [µm]`, l, 'y', { gridIndex: k, scale: false, splitNumber: 4, nameTruncate: { maxWidth: p.width - 10 } })),
           series,
         };
@@ -133,10 +151,7 @@ export function steps(view: RecordView): HTMLElement | undefined {
           ...(r.sampled_um.length ? [[r.name, stepText(r), 'printed coefficients', final(r), null] as Cell[]] : []),
         ]),
       }),
-      csv: () => ({
-        columns: ['channel', 'step', 'curve', 'time [s]', 'displacement [µm]'],
-        rows: all().flatMap((r) => curves(r).flatMap((c) => c.at.map(([t, y]): Cell[] => [r.name, stepText(r), c.name, t, y]))),
-      }),
+      csv: () => ({ columns: ['channel', 'step', 'curve', 'time [s]', 'displacement [µm]'], rows: all().flatMap((r) => curves(r).flatMap((c) => c.at.map(([t, y]): Cell[] => [r.name, stepText(r), c.name, t, y]))) }),
     }),
   );
 }

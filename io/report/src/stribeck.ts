@@ -62,14 +62,32 @@ export function tableFigures(report: TableReport): Figure[] {
   const note = [
     axials.length > mostCurves ? `${mostCurves} of ${axials.length} axial loads are drawn, the table has all.` : '',
     measured && !torques && !positions ? `The table has no ${report.measured?.quantity.in_words}: what was measured is not drawn.` : '',
-  ].join(' ').trim();
+  ]
+    .join(' ')
+    .trim();
   const redraw = () => {
     for (const figure of figures) figure.draw();
   };
   const controls = () => {
     const list: HTMLElement[] = [];
-    if (radials.length > 1) list.push(choice('Radial load', radials.map((v) => withUnit(v, 'radial_load_N')), 0, (k) => ((chosen.radial = k), redraw())));
-    if (temperatures.length > 1) list.push(choice('Temperature', temperatures.map((v) => withUnit(v, 'temperature_C')), 0, (k) => ((chosen.temperature = k), redraw())));
+    if (radials.length > 1)
+      list.push(
+        choice(
+          'Radial load',
+          radials.map((v) => withUnit(v, 'radial_load_N')),
+          0,
+          (k) => ((chosen.radial = k), redraw()),
+        ),
+      );
+    if (temperatures.length > 1)
+      list.push(
+        choice(
+          'Temperature',
+          temperatures.map((v) => withUnit(v, 'temperature_C')),
+          0,
+          (k) => ((chosen.temperature = k), redraw()),
+        ),
+      );
     return list;
   };
   const slices = (): Slice[] => {
@@ -77,13 +95,15 @@ export function tableFigures(report: TableReport): Figure[] {
     const radial = rows.get('radial_load_N');
     const temperature = rows.get('temperature_C');
     const axial = rows.get('axial_load_N');
-    for (let k = 0; k < rows.count; ++k)
-      if (radial[k] === radials[chosen.radial] && temperature[k] === temperatures[chosen.temperature]) byLoad.get(axial[k] as number)?.push(k);
+    for (let k = 0; k < rows.count; ++k) if (radial[k] === radials[chosen.radial] && temperature[k] === temperatures[chosen.temperature]) byLoad.get(axial[k] as number)?.push(k);
     return [...byLoad].map(([a, list]) => ({ axial: a, rows: list }));
   };
   const shown = () => {
     const list = slices();
-    return thinned(list.map((_, k) => k), mostCurves).map((k) => list[k] as Slice);
+    return thinned(
+      list.map((_, k) => k),
+      mostCurves,
+    ).map((k) => list[k] as Slice);
   };
   const place = () => `radial load ${withUnit(radials[chosen.radial] as number, 'radial_load_N')}, ${withUnit(temperatures[chosen.temperature] as number, 'temperature_C')}`;
   const columns = (names: string[]) => () => ({
@@ -93,8 +113,7 @@ export function tableFigures(report: TableReport): Figure[] {
 
   /// Every measured point with the curve that it belongs to; what was not recorded is as there.
   const placed = (points: Rows, curves: Slice[]): Placed[] => {
-    const off = (name: string, value: number | undefined, k: number, width: number) =>
-      value !== undefined && points.has(name) && !(Math.abs(points.at(name, k) - value) <= width);
+    const off = (name: string, value: number | undefined, k: number, width: number) => value !== undefined && points.has(name) && !(Math.abs(points.at(name, k) - value) <= width);
     const radial = radials[chosen.radial] as number;
     return Array.from({ length: points.count }, (_, row) => {
       const others = off('radial_load_N', radial, row, nearLoad * radial + 1) || off('preload_N', report.preload_N, row, nearLoad * (report.preload_N ?? 0));
@@ -150,14 +169,14 @@ export function tableFigures(report: TableReport): Figure[] {
         };
         if (points) {
           const list = placed(points, curves);
-          for (const row of thinned(list.map((p) => p.row), mostPoints)) {
+          for (const row of thinned(
+            list.map((p) => p.row),
+            mostPoints,
+          )) {
             const p = list[row] as Placed;
             const [colour, opacity] = fill(p);
             const name = p.curve < 0 ? otherLoads : (names[p.curve] as string);
-            (readings[p.curve + 1] ??= { name, data: [] }).data.push({
-              value: [points.at('speed_rpm', p.row), points.at(reading, p.row), p.row, 'measured'],
-              itemStyle: { color: colour, opacity },
-            });
+            (readings[p.curve + 1] ??= { name, data: [] }).data.push({ value: [points.at('speed_rpm', p.row), points.at(reading, p.row), p.row, 'measured'], itemStyle: { color: colour, opacity } });
           }
         }
         readings.forEach((r, k) =>
@@ -172,7 +191,12 @@ export function tableFigures(report: TableReport): Figure[] {
           }),
         );
         const entries = [...names, ...(readings[0] ? [otherLoads] : [])];
-        const top = legend(entries, width, l, entries.map((_, k) => (k < names.length ? symbols[k % symbols.length] : 'circle')));
+        const top = legend(
+          entries,
+          width,
+          l,
+          entries.map((_, k) => (k < names.length ? symbols[k % symbols.length] : 'circle')),
+        );
         return {
           legend: top.option,
           grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
@@ -223,11 +247,23 @@ export function tableFigures(report: TableReport): Figure[] {
     new Figure({
       id: 'parts',
       title: 'What the torque is made of',
-      controls: [choice('Axial load', axials.map((v) => withUnit(v, 'axial_load_N')), chosen.axial, (k) => ((chosen.axial = k), redraw()))],
+      controls: [
+        choice(
+          'Axial load',
+          axials.map((v) => withUnit(v, 'axial_load_N')),
+          chosen.axial,
+          (k) => ((chosen.axial = k), redraw()),
+        ),
+      ],
       option: (l, width) => {
         const slice = slices()[chosen.axial] as Slice;
         const names = parts.map((name) => quantity(name).label);
-        const top = legend(names, width, l, parts.map((_, k) => symbols[k % symbols.length]));
+        const top = legend(
+          names,
+          width,
+          l,
+          parts.map((_, k) => symbols[k % symbols.length]),
+        );
         return {
           legend: top.option,
           grid: { left: 60, right: 20, top: top.height + 28, bottom: 46 },
@@ -262,7 +298,12 @@ export function tableFigures(report: TableReport): Figure[] {
           const curves = shown();
           const names = curves.map((c) => `${plain(c.axial)} N`);
           const colours = ordered(curves.length, l);
-          const top = legend(names, width, l, curves.map((_, k) => symbols[k % symbols.length]));
+          const top = legend(
+            names,
+            width,
+            l,
+            curves.map((_, k) => symbols[k % symbols.length]),
+          );
           return {
             legend: top.option,
             grid: { left: 56, right: 20, top: top.height + 28, bottom: 46 },
@@ -310,13 +351,32 @@ function balls(states: BearingState[]): Figure {
     height: 420,
     onPaper: 1,
     controls: [
-      choice('Show', shown.map((c) => axisTitle(c)), 0, (k) => ((name = shown[k] as BallColumn), figure.draw())),
-      ...(radials.length > 1 ? [choice('Radial load', radials.map((v) => withUnit(v, 'radial_load_N')), radial, (k) => ((radial = k), figure.draw()))] : []),
+      choice(
+        'Show',
+        shown.map((c) => axisTitle(c)),
+        0,
+        (k) => ((name = shown[k] as BallColumn), figure.draw()),
+      ),
+      ...(radials.length > 1
+        ? [
+            choice(
+              'Radial load',
+              radials.map((v) => withUnit(v, 'radial_load_N')),
+              radial,
+              (k) => ((radial = k), figure.draw()),
+            ),
+          ]
+        : []),
     ],
     option: (l, width) => {
       const names = axials.map((a) => `${plain(a)} N`);
       const colours = ordered(axials.length, l);
-      const top = legend(names, width, l, axials.map((_, k) => symbols[k % symbols.length]));
+      const top = legend(
+        names,
+        width,
+        l,
+        axials.map((_, k) => symbols[k % symbols.length]),
+      );
       const of = (axial: number) => states.filter((s) => s.axial_load_N === axial && s.radial_load_N === radials[radial]);
       return {
         legend: top.option,
@@ -369,14 +429,25 @@ function around(states: BearingState[]): Figure {
     height: 420,
     onPaper: 1,
     controls: [
-      choice('Show', ballColumns.map((c) => axisTitle(c)), 0, (k) => ((column = k), figure.draw())),
+      choice(
+        'Show',
+        ballColumns.map((c) => axisTitle(c)),
+        0,
+        (k) => ((column = k), figure.draw()),
+      ),
       choice('Load', loads, load, (k) => ((load = k), figure.draw())),
     ],
     option: (l, width) => {
       const list = drawn();
       const names = list.map((s) => `${plain(s.speed_rpm)} rpm`);
       const colours = ordered(list.length, l);
-      return aroundOption(list.map((r, k) => ({ name: names[k] as string, azimuth: r.azimuth_deg, values: r[name()] })), name(), colours, l, width);
+      return aroundOption(
+        list.map((r, k) => ({ name: names[k] as string, azimuth: r.azimuth_deg, values: r[name()] })),
+        name(),
+        colours,
+        l,
+        width,
+      );
     },
     table: () => ({
       columns: ['speed [rpm]', 'axial load [N]', 'radial load [N]', 'azimuth [°]', ...ballColumns.map((c) => axisTitle(c))],

@@ -1,11 +1,7 @@
 // Words and numbers for people. All text that comes from files goes through here into text nodes.
 
 /// An element with text and children; strings become text nodes, never markup.
-export function el<K extends keyof HTMLElementTagNameMap>(
-  tag: K,
-  attributes: Record<string, string> = {},
-  ...children: (Node | string)[]
-): HTMLElementTagNameMap[K] {
+export function el<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Record<string, string> = {}, ...children: (Node | string)[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
   element.append(...children);
@@ -24,10 +20,7 @@ export function number(value: number | null | undefined, digits = 4): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
   if (value === 0) return '0';
   const magnitude = Math.floor(Math.log10(Math.abs(value)));
-  const text =
-    magnitude < -4 || magnitude > 7
-      ? value.toExponential(digits - 1)
-      : value.toFixed(Math.min(20, Math.max(0, digits - 1 - magnitude)));
+  const text = magnitude < -4 || magnitude > 7 ? value.toExponential(digits - 1) : value.toFixed(Math.min(20, Math.max(0, digits - 1 - magnitude)));
   return text.replace('-', '−');
 }
 
@@ -84,8 +77,7 @@ export function unitOfKey(key: string): string {
 
 /// "axial_load_N" -> { label: "axial load", unit: "N" }
 export function quantity(name: string): { label: string; unit: string } {
-  for (const [suffix, unit] of units)
-    if (name.endsWith(suffix)) return { label: name.slice(0, -suffix.length).replace(/_/g, ' '), unit };
+  for (const [suffix, unit] of units) if (name.endsWith(suffix)) return { label: name.slice(0, -suffix.length).replace(/_/g, ' '), unit };
   return { label: name.replace(/_/g, ' '), unit: '' };
 }
 
@@ -119,10 +111,5 @@ export function shortPaths(paths: string[]): string[] {
 /// A small table of text under a title.
 export function valueList(title: string, columns: string[], rows: string[][]): HTMLElement {
   const body = el('tbody', {}, ...rows.map((row) => el('tr', {}, ...row.map((cell) => el('td', {}, cell)))));
-  return el(
-    'div',
-    { class: rows.length > 8 ? 'list' : 'list short' },
-    el('h3', {}, title),
-    el('div', { class: 'scroll' }, el('table', {}, el('thead', {}, el('tr', {}, ...columns.map((c) => el('th', { scope: 'col' }, c)))), body)),
-  );
+  return el('div', { class: rows.length > 8 ? 'list' : 'list short' }, el('h3', {}, title), el('div', { class: 'scroll' }, el('table', {}, el('thead', {}, el('tr', {}, ...columns.map((c) => el('th', { scope: 'col' }, c)))), body)));
 }

@@ -27,7 +27,7 @@ export function thinnedCourse(list: Stretches, x: ArrayLike<number>, columns: Ar
   const stepOf = (row: number) => Math.floor(((x[row] as number) - from) / width);
   return list.map((rows) => {
     const kept: number[] = [];
-    for (let begin = 0; begin < rows.length; ) {
+    for (let begin = 0; begin < rows.length;) {
       const step = stepOf(rows[begin] as number);
       let end = begin + 1;
       while (end < rows.length && stepOf(rows[end] as number) === step) ++end;

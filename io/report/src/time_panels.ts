@@ -41,7 +41,14 @@ export function rowTooltip(view: TimeView, l: Look, lines: (row: number) => (str
 }
 
 export function timeAxis(view: TimeView, l: Look, more: Option = {}): Option {
-  return valueAxis(`${view.axisName} [${view.axisUnit}]`, l, 'x', { scale: true, min: view.span[0], max: view.span[1], splitLine: { show: false }, ...more, axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMinLabel: view.span[0] === 0, showMaxLabel: false, ...(more.axisLabel as object) } });
+  return valueAxis(`${view.axisName} [${view.axisUnit}]`, l, 'x', {
+    scale: true,
+    min: view.span[0],
+    max: view.span[1],
+    splitLine: { show: false },
+    ...more,
+    axisLabel: { color: l.muted, fontSize: 11, hideOverlap: true, showMinLabel: view.span[0] === 0, showMaxLabel: false, ...(more.axisLabel as object) },
+  });
 }
 
 /// The rows at which a held value changes, and the ends: a step between near points would be drawn askew.
@@ -103,7 +110,11 @@ export interface Panel {
 /// A picture of panels; the tooltip has all of them.
 export function panelFigure(view: TimeView, spec: { id: string; title: string; note?: string }, panels: Panel[]): Figure {
   const layout = (l: Look, width: number) =>
-    places(panels.map((p) => ({ names: p.lines.length > 1 ? p.lines.map((line) => line.label) : [], height: p.height * (l.print ? paper : 1) })), width, l);
+    places(
+      panels.map((p) => ({ names: p.lines.length > 1 ? p.lines.map((line) => line.label) : [], height: p.height * (l.print ? paper : 1) })),
+      width,
+      l,
+    );
   const columns = panels.flatMap((p) => p.lines.map((line): [string, Float64Array] => [`${p.title.replace(/ \[.*/, '')}${p.lines.length > 1 ? `, ${line.label}` : ''}${p.unit ? ` [${p.unit}]` : ''}`, view.rows.get(line.column)]));
   return new Figure({
     ...spec,
@@ -158,4 +169,3 @@ export function stacked(view: TimeView, shares: Share[], total: Float64Array, wi
   });
   return result;
 }
-

@@ -56,9 +56,10 @@ def speed(m):
     saving = (time.perf_counter() - began) / 200
     os.remove(state)
     os.rmdir(folder)
-    print("faults: %s: %.1f us a call, %.0f us a save(); %d inputs, %d axes, %d sections" % (
-        os.path.basename(m.__file__), best * 1e6, saving * 1e6, len(m.INPUTS), len(m.AXES),
-        sum(len(a["sections"]) for a in m.AXES)))
+    print(
+        "faults: %s: %.1f us a call, %.0f us a save(); %d inputs, %d axes, %d sections"
+        % (os.path.basename(m.__file__), best * 1e6, saving * 1e6, len(m.INPUTS), len(m.AXES), sum(len(a["sections"]) for a in m.AXES))
+    )
     return 0
 
 

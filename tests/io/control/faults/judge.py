@@ -20,21 +20,21 @@ class Judge(object):
 
     def begin(self):
         n = len(self.axes)
-        self.time = None            # last that was a number
+        self.time = None  # last that was a number
         self.restarted = self.waits = False
-        self.offset = [0.0] * n     # in units, as handed out last
-        self.slack = [0.0] * n      # [um] of the next call: what was applied may differ by a count
-        self.above = [0.0] * n      # [um] that the control has applied beyond the limit
+        self.offset = [0.0] * n  # in units, as handed out last
+        self.slack = [0.0] * n  # [um] of the next call: what was applied may differ by a count
+        self.above = [0.0] * n  # [um] that the control has applied beyond the limit
         self.believed = [None] * len(self.inputs)
         self.since = [(0.0, 0.0)] * len(self.inputs)  # since it was believed, by the clock and at most a gap each
         self.raw = [None] * len(self.inputs)
-        self.same = [(0.0, 0.0)] * len(self.inputs)   # for how long it has stood, at least and at most
+        self.same = [(0.0, 0.0)] * len(self.inputs)  # for how long it has stood, at least and at most
         self.started = False
         self.untrusted, self.doubt = [0.0] * n, [0.0] * n
         self.reference = [(0.0, 0.0, 0.0)] * n  # displacement, offset, in how far that is known [um]
-        self.safe = [None] * n      # offset [um] that good inputs gave last, None: not known
-        self.bad = [0.0] * n        # for how long inputs of the axis have been at fault [s]
-        self.poisoned = False       # a number without limits was believed
+        self.safe = [None] * n  # offset [um] that good inputs gave last, None: not known
+        self.bad = [0.0] * n  # for how long inputs of the axis have been at fault [s]
+        self.poisoned = False  # a number without limits was believed
 
     def fail(self, text, *values):
         raise Broken(text % values)
@@ -128,8 +128,7 @@ class Judge(object):
                     elif guard["fastest"] is not None:
                         may += (m.JUMPED,) if good is not None else ()
             if must and said != self.words[must]:
-                self.fail("%s = %r (believed %r, %.6g s ago) is %s; faults say %r", column, value, self.believed[k],
-                          since[0], self.words[must], said)
+                self.fail("%s = %r (believed %r, %.6g s ago) is %s; faults say %r", column, value, self.believed[k], since[0], self.words[must], said)
             if said and not must and said not in [self.words[b] for b in may]:
                 self.fail("%s = %r (believed %r) is called %s, and is well", column, value, self.believed[k], said)
             if said:
@@ -220,16 +219,13 @@ class Judge(object):
             limited |= abs(asked) > axis["limit"] - known - 1e-6
             tolerance = known + 1.5 * count + fine + self.slack[k]
             if not enable:
-                if m.DISABLED == "zero" and not was_above and \
-                        abs(um) > max(0.0, abs(was) - reach) + 1.5 * count + fine + self.slack[k]:
-                    self.fail("disabled: offset of %s goes from %.9g to %.9g um in %.9g s (status %d)", name, was, um,
-                              gap, status)
+                if m.DISABLED == "zero" and not was_above and abs(um) > max(0.0, abs(was) - reach) + 1.5 * count + fine + self.slack[k]:
+                    self.fail("disabled: offset of %s goes from %.9g to %.9g um in %.9g s (status %d)", name, was, um, gap, status)
                 if m.DISABLED == "freeze" and moved > fine + self.slack[k] and not was_above:
                     self.fail("frozen: offset of %s goes from %.9g to %.9g um", name, was, um)
             elif trusted and self.started and not self.poisoned:
                 if abs(um - target) > max(0.0, abs(was - target) - reach) + tolerance:
-                    self.fail("offset of %s is %.9g um, asked for %.9g um, was %.9g um, %.9g s (status %d)", name, um,
-                              target, was, gap, status)
+                    self.fail("offset of %s is %.9g um, asked for %.9g um, was %.9g um, %.9g s (status %d)", name, um, target, was, gap, status)
             if trusted and self.started:
                 self.safe[k] = None if self.poisoned else target
             elif self.safe[k] is not None and enable and not self.poisoned and self.started:
@@ -245,8 +241,7 @@ class Judge(object):
         if status & m.LIMITED and not limited and not self.poisoned and not may_doubt and not any_above:
             self.fail("status %d: LIMITED, and nothing is at its limit", status)
         self.counts["status: alarm" if correction.alarm else "status: no alarm"] += 1
-        if correction.alarm and not bits and not clock & (m.CLOCK | m.LATE) and not may_doubt and \
-                not status & (m.LIMITED | m.BEYOND_ELEMENT):
+        if correction.alarm and not bits and not clock & (m.CLOCK | m.LATE) and not may_doubt and not status & (m.LIMITED | m.BEYOND_ELEMENT):
             self.fail("alarm without cause: status %d %r", status, correction.status_words())
         if must_doubt:
             self.counts["untrusted"] += 1
@@ -259,8 +254,7 @@ class Judge(object):
         keep = self.m.TOUCH_OFF == "keep"
         axis = self.axes[k]
         um, self.bad[k] = self.offset[k] * axis["unit_um"], 0.0
-        self.reference[k] = (correction.absolute[k], um if keep else 0.0,
-                             (axis["unit_um"] if axis["counts"] else 0.0) if keep else 0.0)
+        self.reference[k] = (correction.absolute[k], um if keep else 0.0, (axis["unit_um"] if axis["counts"] else 0.0) if keep else 0.0)
         self.safe[k] = max(-axis["limit"], min(axis["limit"], um)) if keep else 0.0
 
     def applied(self, k, value):

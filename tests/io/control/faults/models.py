@@ -28,11 +28,13 @@ sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]
 
 
 def six_channels():
-    text = "[correction]\ndisplacement = \"displacement_z_um\"\n"
+    text = '[correction]\ndisplacement = "displacement_z_um"\n'
     for k, name in enumerate(["front", "rear", "motor", "head", "base", "room"]):
-        text += ("[[correction.channel]]\nname = \"%s\"\ninput = \"%s_temperature_C\"\n"
-                 "sections = [{ gain_um_K = %g, time_constant_s = %d }, { gain_um_K = %g, time_constant_s = %d }]\n" % (
-                     name, name, 1.5 - 0.4 * k, 5400 + 100 * k, 0.7 + 0.1 * k, 700 + 10 * k))
+        text += (
+            '[[correction.channel]]\nname = "%s"\ninput = "%s_temperature_C"\n'
+            "sections = [{ gain_um_K = %g, time_constant_s = %d }, { gain_um_K = %g, time_constant_s = %d }]\n"
+            % (name, name, 1.5 - 0.4 * k, 5400 + 100 * k, 0.7 + 0.1 * k, 700 + 10 * k)
+        )
     text += "[correction.range]\n"
     for name in ["front", "rear", "motor", "head", "base", "room"]:
         text += "%s_temperature_C = [15, 50]\n" % name
@@ -41,7 +43,8 @@ def six_channels():
 
 MODELS = {
     # All that there is, on two axes; a table in each way that [export] knows.
-    "full": BOTH_IN_RANGE + """[export]
+    "full": BOTH_IN_RANGE
+    + """[export]
 limit_um = { displacement_z_um = 60, displacement_y_um = 45.05 }
 slew_um_s = { displacement_z_um = 0.5, displacement_y_um = 0.2 }
 sign = { displacement_y_um = 1 }
@@ -53,8 +56,10 @@ smoothing_s = { front_temperature_C = 30, speed_rpm = 5 }
 hold_s = 20
 fade_s = 60
 clock_jump_s = 600
-""" + GUARDED,
-    "zero": BOTH_IN_RANGE + """[export]
+"""
+    + GUARDED,
+    "zero": BOTH_IN_RANGE
+    + """[export]
 limit_um = 30
 slew_um_s = 0.3
 unit = { displacement_z_um = "um", displacement_y_um = "counts" }
@@ -69,8 +74,10 @@ disabled = "freeze"
 beyond_range = "hold"
 longest_gap_s = 5
 clock_jump_s = 5
-""" + GUARDED,
-    "hold": BOTH_IN_RANGE + """[export]
+"""
+    + GUARDED,
+    "hold": BOTH_IN_RANGE
+    + """[export]
 limit_um = { displacement_z_um = 12.3, displacement_y_um = 0.7 }
 slew_um_s = 2
 unit = "counts"
@@ -83,9 +90,11 @@ hold_s = 15
 restart = "rest"
 longest_gap_s = 3
 clock_jump_s = 100
-""" + GUARDED,
+"""
+    + GUARDED,
     # Nothing is known of inputs, nothing is asked of them; together.
-    "bare": BOTH + """[export]
+    "bare": BOTH
+    + """[export]
 plausible = { front_temperature_C = [-40, 150] }
 fastest_per_s = 0
 stuck_s = 0

@@ -41,8 +41,7 @@ def odd_values(m):
                 problems.append("%s: offset of %s is %r afterwards" % (what, name, value))
         for k, y in enumerate(c.absolute):
             if not y - y == 0:
-                problems.append("%s: the displacement of %s is %r, %d s afterwards" % (
-                    what, m.AXES[k]["displacement"], y, again))
+                problems.append("%s: the displacement of %s is %r, %d s afterwards" % (what, m.AXES[k]["displacement"], y, again))
         alarm = c.status & (m.ALARMS & ~m.BEYOND_ELEMENT)
         plain = machine_alarm
         if alarm & ~plain:
@@ -53,7 +52,7 @@ def odd_values(m):
         c.update(2000.0 + k, some_inputs(m, rng, sensors))
     machine_alarm = c.status & m.ALARMS
     tried = 0
-    big = [1e308, -1e308, 1e200, 1e155, 1e100, 1e30, 10 ** 30]
+    big = [1e308, -1e308, 1e200, 1e155, 1e100, 1e30, 10**30]
     for value in NOTHING + NEVER + ODD + EITHER + big:
         for column in [i[0] for i in m.INPUTS]:
             c, rng, sensors = machine()
@@ -110,8 +109,9 @@ def odd_values(m):
     other.update(None, some_inputs(m, rng, sensors))
     other.update(1029.0 + 8 * 3600, some_inputs(m, rng, sensors))
     if other.status & m.CLOCK and 8 * 3600 > m.CLOCK_JUMP:
-        problems.append("restart: the clock has no value at the first call, and 8 h that the machine was off are "
-                        "then taken for a clock that was set")
+        problems.append(
+            "restart: the clock has no value at the first call, and 8 h that the machine was off are " "then taken for a clock that was set"
+        )
     c, rng, sensors = machine()
     other = m.Correction()
     other.restore(json.loads(json.dumps(c.state())))

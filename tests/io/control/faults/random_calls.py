@@ -35,9 +35,12 @@ class Script(object):
         self.out.write(" ".join(words) + "\n")
 
     def call(self, t, inputs, enable, offsets, status):
-        self.line("g", number_text(t), "1" if enable else "0",
-                  *([number_text(inputs.get(i[0])) for i in self.m.INPUTS] +
-                    ["%.17g" % offsets[a["displacement"]] for a in self.m.AXES] + [str(status)]))
+        self.line(
+            "g",
+            number_text(t),
+            "1" if enable else "0",
+            *([number_text(inputs.get(i[0])) for i in self.m.INPUTS] + ["%.17g" % offsets[a["displacement"]] for a in self.m.AXES] + [str(status)]),
+        )
 
 
 def random_run(m, ticks, seed, script=None):
@@ -95,9 +98,28 @@ def random_run(m, ticks, seed, script=None):
                     wall -= 10 ** rng.uniform(-3, 5)
                     t = wall
                 elif what == "nan":
-                    t = rng.choice([NAN, NAN, INF, -INF, None]) if script else rng.choice(
-                        [NAN, INF, -INF, None, "12", [], 1j, 10 ** 400, Hostile(), Array(), decimal.Decimal("sNaN"),
-                         decimal.Decimal(repr(wall)), fractions.Fraction(wall), Scalar(wall)])
+                    t = (
+                        rng.choice([NAN, NAN, INF, -INF, None])
+                        if script
+                        else rng.choice(
+                            [
+                                NAN,
+                                INF,
+                                -INF,
+                                None,
+                                "12",
+                                [],
+                                1j,
+                                10**400,
+                                Hostile(),
+                                Array(),
+                                decimal.Decimal("sNaN"),
+                                decimal.Decimal(repr(wall)),
+                                fractions.Fraction(wall),
+                                Scalar(wall),
+                            ]
+                        )
+                    )
                     if script and judge.time is None:
                         t = wall
                 elif what == "gap":
@@ -112,7 +134,7 @@ def random_run(m, ticks, seed, script=None):
                     t = wall = rng.choice([1e5, 1.7e9, -1e6, 1e12])
             # Inputs.
             if phase == "long" and victim.fault is None:
-                victim.begin(wanted, 10 ** 6)
+                victim.begin(wanted, 10**6)
             if phase != "long" and victim is not None:
                 victim.fault = victim.stuck_at = victim = None
             inputs = {}
@@ -190,9 +212,11 @@ def random_run(m, ticks, seed, script=None):
         return 1
     except Exception as error:
         at = traceback.extract_tb(sys.exc_info()[2])[-1]
-        print("faults: %s: tick %d, seed %d: %s: %s escapes, in %s (line %d) of %s" % (
-            os.path.basename(m.__file__), tick, seed, type(error).__name__, error, at.name, at.lineno,
-            os.path.basename(at.filename)), file=sys.stderr)
+        print(
+            "faults: %s: tick %d, seed %d: %s: %s escapes, in %s (line %d) of %s"
+            % (os.path.basename(m.__file__), tick, seed, type(error).__name__, error, at.name, at.lineno, os.path.basename(at.filename)),
+            file=sys.stderr,
+        )
         print("  t %r inputs %r" % (t, inputs), file=sys.stderr)
         return 1
     finally:
@@ -201,7 +225,9 @@ def random_run(m, ticks, seed, script=None):
         os.rmdir(folder)
     if out:
         out.out.flush()
-    print("faults: %s: %d ticks, seed %d, %.1f s; %s" % (
-        os.path.basename(m.__file__), ticks, seed, time.time() - began,
-        ", ".join("%s %d" % (k, counts[k]) for k in sorted(counts))), file=sys.stderr if script == "-" else sys.stdout)
+    print(
+        "faults: %s: %d ticks, seed %d, %.1f s; %s"
+        % (os.path.basename(m.__file__), ticks, seed, time.time() - began, ", ".join("%s %d" % (k, counts[k]) for k in sorted(counts))),
+        file=sys.stderr if script == "-" else sys.stdout,
+    )
     return 0

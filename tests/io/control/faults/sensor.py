@@ -60,11 +60,10 @@ class Sensor(object):
             if p[0] is None:
                 return value
             if self.unit == "C":
-                return rng.choice([p[0] - 1e-6, p[1] + 1e-6, p[0] - 1e4, p[1] * 3, 1e308, -1e308, 1e30, 850.0, 10 ** 12])
-            return rng.choice([-1, 1]) * rng.choice([p[1] + 1e-6, p[1] * 3 + 1, 1e308, 1e30, 10 ** 12])
+                return rng.choice([p[0] - 1e-6, p[1] + 1e-6, p[0] - 1e4, p[1] * 3, 1e308, -1e308, 1e30, 850.0, 10**12])
+            return rng.choice([-1, 1]) * rng.choice([p[1] + 1e-6, p[1] * 3 + 1, 1e308, 1e30, 10**12])
         if kind == "spike":
-            return value + rng.choice([-1, 1]) * rng.choice([0.1, 1, 10, 30]) * (
-                self.guard["fastest"] or 0.1 * (self.high - self.low))
+            return value + rng.choice([-1, 1]) * rng.choice([0.1, 1, 10, 30]) * (self.guard["fastest"] or 0.1 * (self.high - self.low))
         if kind == "step":
             self.shift = 0.0 if self.shift else rng.uniform(-8, 8) * (self.guard["fastest"] or 0.0)
             self.fault = None

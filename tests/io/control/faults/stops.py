@@ -38,7 +38,7 @@ class SteppedFile(object):
 
     def write(self, text):
         for at in range(0, len(text), self.piece):
-            self.source.write(text[at:at + self.piece])
+            self.source.write(text[at : at + self.piece])
             self.source.flush()
             self.steps.step("write")
 
@@ -71,6 +71,7 @@ class SteppedOs(object):
             result = thing(*arguments, **named)
             self.steps.step(name)
             return result
+
         return stepped
 
 
@@ -98,6 +99,7 @@ def save_steps(m):
             source = open(name, mode, *more)
             steps.step("open")
             return SteppedFile(steps, source, piece)
+
         return stepped
 
     c = m.Correction()
@@ -121,7 +123,7 @@ def save_steps(m):
             del m.open
 
     trace = []
-    save_with(Steps(0, trace), 10 ** 9)
+    save_with(Steps(0, trace), 10**9)
     steps = [s for s in trace if not s.startswith("before")]
     # What must be on the disk before the new name is: power may fail after any step.
     move = [k for k, s in enumerate(steps) if s in ("replace", "rename")]
@@ -136,7 +138,7 @@ def save_steps(m):
     done = was_old = was_new = 0
     for stale in (False, True):
         for first in (False, True):  # no state yet, an old one
-            for piece in (7, 64, 10 ** 9):
+            for piece in (7, 64, 10**9):
                 n = 0
                 while True:
                     n += 1
@@ -183,7 +185,7 @@ def save_steps(m):
         whole = source.read()
     flips = 0
     for k in range(0, len(whole)):
-        for damaged in (whole[:k], whole[:k] + bytes(bytearray([whole[k] ^ 1 << k % 8])) + whole[k + 1:]):
+        for damaged in (whole[:k], whole[:k] + bytes(bytearray([whole[k] ^ 1 << k % 8])) + whole[k + 1 :]):
             with open(state, "wb") as target:
                 target.write(damaged)
             loaded = m.Correction()
@@ -204,8 +206,10 @@ def save_steps(m):
     for name in os.listdir(folder):
         os.remove(os.path.join(folder, name))
     os.rmdir(folder)
-    print("faults: save() has the steps %s; %d stops: old state %d, new one %d; %d damaged files refused" % (
-        ", ".join(steps), done, was_old, was_new, flips))
+    print(
+        "faults: save() has the steps %s; %d stops: old state %d, new one %d; %d damaged files refused"
+        % (", ".join(steps), done, was_old, was_new, flips)
+    )
     return 0
 
 
@@ -266,8 +270,9 @@ def kill_runs(m, times, seed):
                 for a, now, was in zip(m.AXES, offsets, told[1]):
                     apart = abs(now - was) * a["unit_um"]
                     if apart > a["slew"] * gap + (a["unit_um"] if a["counts"] else 0.0) + 1e-9:
-                        print("faults: run %d, seed %d: offset of %s goes from %g to %g in %g s" % (
-                            run, seed, a["displacement"], was, now, t - told[0]))
+                        print(
+                            "faults: run %d, seed %d: offset of %s goes from %g to %g in %g s" % (run, seed, a["displacement"], was, now, t - told[0])
+                        )
                         return 1
             told = (t, offsets)
         ticks += len(lines)
@@ -290,6 +295,5 @@ def kill_runs(m, times, seed):
     for name in os.listdir(folder):
         os.remove(os.path.join(folder, name))
     os.rmdir(folder)
-    print("faults: %d kills in %d calls; %d between save() and sending; nothing lost, offsets within their slew" % (
-        times, ticks, mid))
+    print("faults: %d kills in %d calls; %d between save() and sending; nothing lost, offsets within their slew" % (times, ticks, mid))
     return 0

@@ -16,21 +16,25 @@ class Array(object):
 
     def __sub__(self, other):
         return Array()
+
     __rsub__ = __add__ = __mul__ = __sub__
 
     def __eq__(self, other):
         return Array()
+
     __lt__ = __gt__ = __le__ = __ge__ = __ne__ = __eq__
     __hash__ = None
 
     def __bool__(self):
         raise ValueError("the truth value of an array is ambiguous")
+
     __nonzero__ = __bool__
 
 
 class Hostile(object):
     def __sub__(self, other):
         raise RuntimeError("no")
+
     __float__ = __sub__
 
 
@@ -74,6 +78,17 @@ class Scalar(object):
 
 NOTHING = [None, NAN, INF, -INF]
 NEVER = ["25.3", "", b"25", [], [25.0], {}, (1,), set(), datetime.datetime(2024, 1, 1), object(), float]
-ODD = [1j, 25 + 0j, decimal.Decimal("NaN"), decimal.Decimal("sNaN"), decimal.Decimal("Infinity"), Array(),
-       Hostile(), NoFloat(), 10 ** 400, -10 ** 400, fractions.Fraction(10 ** 400, 3)]
+ODD = [
+    1j,
+    25 + 0j,
+    decimal.Decimal("NaN"),
+    decimal.Decimal("sNaN"),
+    decimal.Decimal("Infinity"),
+    Array(),
+    Hostile(),
+    NoFloat(),
+    10**400,
+    -(10**400),
+    fractions.Fraction(10**400, 3),
+]
 EITHER = [True, False, decimal.Decimal("25.3"), fractions.Fraction(51, 2), Scalar(25.25), -0.0, 0, 5e-324]
