@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "algebra/decompositions.h"
 #include "correction/baseline.h"
 #include "correction/series.h"
 #include "record/median.h"
@@ -119,7 +120,7 @@ Eigen::VectorXd one_step_fit(const Even& even, const Row& row, std::size_t end) 
     row.fill(points[i], even.y, columns.row(static_cast<Eigen::Index>(i)));
     y[static_cast<Eigen::Index>(i)] = even.y[points[i]];
   }
-  return columns.completeOrthogonalDecomposition().solve(y);
+  return algebra::minimum_norm_solution(columns, y);
 }
 
 /// From the readings before each point, or from nothing but the first ones of each run.
@@ -150,7 +151,7 @@ void find_poles(const Eigen::VectorXd& numbers, int order, double step, ArxFit& 
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(order, order);
   companion.row(0) = numbers.head(order).transpose();
   for (int i = 1; i < order; ++i) companion(i, i - 1) = 1.0;
-  const Eigen::VectorXcd z = companion.eigenvalues();
+  const Eigen::VectorXcd z = algebra::eigenvalues(companion);
   fit.poles.assign(z.begin(), z.end());
   std::sort(fit.poles.begin(), fit.poles.end(),
             [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });

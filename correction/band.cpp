@@ -1,9 +1,9 @@
 #include "correction/band.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/decompositions.h"
 #include "correction/numbers.h"
 #include "correction/quantum.h"
 #include "correction/simulation.h"
@@ -90,16 +90,15 @@ Band band_of(const CorrectionSubject& subject, const Model& model,
   const Eigen::MatrixXd matrix = c.matrix(places, places);
   const Eigen::VectorXd std = matrix.diagonal().cwiseMax(0.0).cwiseSqrt();
   const Eigen::VectorXd scale = std.unaryExpr([](double s) { return s > 0.0 ? 1.0 / s : 0.0; });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(scale.asDiagonal() * matrix *
-                                                            scale.asDiagonal());
+  const algebra::SymmetricEigen axes =
+      algebra::symmetric_eigen(scale.asDiagonal() * matrix * scale.asDiagonal());
   const auto predictor = subject.predictor(series->record(), names, series);
   const Eigen::VectorXd here = c.values(places);
   std::vector<double> above(series->rows()), below(series->rows());
   for (Eigen::Index j = 0; j < here.size(); ++j) {
-    const double size = axes.eigenvalues()[j];
-    if (!(size > nothing * axes.eigenvalues().maxCoeff())) continue;
-    const Eigen::VectorXd direction =
-        std::sqrt(size) * std.cwiseProduct(axes.eigenvectors().col(j));
+    const double size = axes.values[j];
+    if (!(size > nothing * axes.values.maxCoeff())) continue;
+    const Eigen::VectorXd direction = std::sqrt(size) * std.cwiseProduct(axes.vectors.col(j));
     const double step = step_along(direction, of);
     const auto at = [&](double by, std::vector<double>& out) {
       const Eigen::VectorXd values = here + by * direction;

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "algebra/decompositions.h"
 #include "correction/correction_subject.h"
 #include "correction/numbers.h"
 #include "correction/range.h"
@@ -89,7 +90,7 @@ class Design {
       part.row(static_cast<Eigen::Index>(i)) = with.row(static_cast<Eigen::Index>(some[i]));
     const Eigen::VectorXd last = part.col(part.cols() - 1);
     const Eigen::MatrixXd others = part.leftCols(part.cols() - 1);
-    const Eigen::VectorXd left = last - others * others.colPivHouseholderQr().solve(last).eval();
+    const Eigen::VectorXd left = last - others * algebra::least_squares(others, last);
     return left.norm() > too_little * last.norm();
   }
 
@@ -113,9 +114,8 @@ double error_held_out(const Design& design, const CorrectionSubject& subject,
           .push_back(static_cast<Eigen::Index>(i));
     if (out.empty() || static_cast<Eigen::Index>(in.size()) < design.columns().cols()) continue;
     // A run that lies within one part has its zero there alone: it is left at the least norm.
-    const Eigen::VectorXd found = Eigen::MatrixXd(design.columns()(in, Eigen::all))
-                                      .completeOrthogonalDecomposition()
-                                      .solve(Eigen::VectorXd(design.y()(in)));
+    const Eigen::VectorXd found =
+        algebra::minimum_norm_solution(design.columns()(in, Eigen::all), design.y()(in));
     const Eigen::VectorXd left =
         design.y()(out) - Eigen::MatrixXd(design.columns()(out, Eigen::all)) * found;
     square += left.squaredNorm();
@@ -188,9 +188,7 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   const double freedom = static_cast<double>(design.y().size() - design.columns().cols());
   const double variance = (design.y() - simulated).squaredNorm() / freedom * alike;
   const Eigen::MatrixXd inverse =
-      (design.columns().transpose() * design.columns())
-          .ldlt()
-          .solve(Eigen::MatrixXd::Identity(design.columns().cols(), design.columns().cols()));
+      algebra::symmetric_inverse(design.columns().transpose() * design.columns());
   const auto std_of = [&](Eigen::Index k) { return std::sqrt(variance * inverse(k, k)); };
   result.parameters.push_back(coefficient("offset", "um", fit.coefficients[0], std_of(0)));
   StructureTried tried{.rms_held_out = result.rms_held_out, .rms = fit.rms * um, .taken = true};

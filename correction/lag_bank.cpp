@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
+#include "algebra/decompositions.h"
 #include "correction/alignment.h"
 #include "correction/numbers.h"
 #include "correction/range.h"
@@ -180,7 +181,7 @@ class Bank {
       const double weight = (shares_[j].of_speed ? speed_weight : 1.0);
       m(place(j), place(j)) += strength * readings * weight * weight * lag;
     }
-    return m.ldlt().solve(s.with_y);
+    return algebra::solve_symmetric(m, s.with_y);
   }
 
   /// [um]

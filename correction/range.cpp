@@ -1,10 +1,10 @@
 #include "correction/range.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "algebra/decompositions.h"
 #include "correction/correction_subject.h"
 #include "correction/numbers.h"
 #include "correction/simulation.h"
@@ -155,10 +155,8 @@ record::Record held_within(const Model& model, const record::Record& record) {
 
 Distance::Distance(const SeenTogether& seen) : mean_(seen.mean), std_(seen.std) {
   const auto size = seen.correlation.rows();
-  const Eigen::MatrixXd kept_apart =
-      seen.correlation + apart * Eigen::MatrixXd::Identity(size, size);
-  const Eigen::MatrixXd lower = kept_apart.llt().matrixL();
-  weights_ = lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(size, size));
+  weights_ =
+      algebra::inverse_lower_root(seen.correlation + apart * Eigen::MatrixXd::Identity(size, size));
 }
 
 double Distance::operator()(const Eigen::VectorXd& x) const {

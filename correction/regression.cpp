@@ -1,16 +1,16 @@
 #include "correction/regression.h"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <cmath>
 #include <stdexcept>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::correction {
 
 Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readings) {
   if (columns.rows() < columns.cols())
     throw std::invalid_argument("a regression needs at least as many rows as columns");
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  const algebra::PivotedQr qr(columns);
   if (qr.rank() < columns.cols())
     throw std::invalid_argument("columns of the regression depend on each other");
   Regression result;
@@ -18,8 +18,7 @@ Regression regress(const Eigen::MatrixXd& columns, const Eigen::VectorXd& readin
   result.rms = (readings - columns * result.coefficients).norm() /
                std::sqrt(static_cast<double>(readings.size()));
   // Of R rather than of the columns: the same singular values of a small matrix.
-  const Eigen::MatrixXd R = qr.matrixR().topRows(columns.cols()).triangularView<Eigen::Upper>();
-  const Eigen::VectorXd singular = R.jacobiSvd().singularValues();
+  const Eigen::VectorXd singular = algebra::singular_values(qr.R());
   result.condition = singular(0) / singular(singular.size() - 1);
   return result;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,6 +10,8 @@
 #include <random>
 #include <stdexcept>
 #include <string_view>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::correction {
 namespace {
@@ -40,7 +41,7 @@ std::vector<std::complex<double>> poles_of(const Coefficients& denominator) {
   for (Eigen::Index k = 0; k < n; ++k)
     companion(0, k) = -denominator[static_cast<std::size_t>(k) + 1];
   companion.bottomLeftCorner(n - 1, n - 1).setIdentity();
-  const Eigen::VectorXcd roots = companion.eigenvalues();
+  const Eigen::VectorXcd roots = algebra::eigenvalues(companion);
   std::vector<std::complex<double>> poles(roots.begin(), roots.end());
   std::sort(poles.begin(), poles.end(), [](const auto& a, const auto& b) {
     return std::abs(a) != std::abs(b) ? std::abs(a) > std::abs(b) : a.real() > b.real();

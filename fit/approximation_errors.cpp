@@ -1,7 +1,8 @@
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/decompositions.h"
 #include "fit/approximation.h"
 
 namespace raceway::fit {
@@ -98,15 +99,15 @@ ApproximationErrors errors_of(const Approximation& a, const Recorded& recorded) 
   Eigen::MatrixXd columns = w.asDiagonal() * slope(Eigen::all, moving);
   const Eigen::VectorXd length = columns.colwise().norm();
   columns = columns * length.cwiseInverse().asDiagonal();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& s = svd.singularValues();
+  const algebra::ThinSvd svd = algebra::thin_svd(columns);
+  const Eigen::VectorXd& s = svd.values;
   result.condition = s[0] / s[s.size() - 1];
   const double freedom =
       std::max(1.0, static_cast<double>(r.size() - static_cast<Eigen::Index>(moving.size())));
   const double variance = w.cwiseProduct(r).squaredNorm() / freedom * sum;
   const Eigen::VectorXd spread =
-      Eigen::VectorXd::Constant(s.size(), variance) + coarseness(*a.subject, means, svd.matrixU());
-  const Eigen::MatrixXd v = svd.matrixV() * (spread.cwiseSqrt().cwiseQuotient(s)).asDiagonal();
+      Eigen::VectorXd::Constant(s.size(), variance) + coarseness(*a.subject, means, svd.U);
+  const Eigen::MatrixXd v = svd.V * (spread.cwiseSqrt().cwiseQuotient(s)).asDiagonal();
   const Eigen::MatrixXd inner = v * v.transpose();
   for (std::size_t i = 0; i < moving.size(); ++i)
     for (std::size_t j = 0; j < moving.size(); ++j) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algebra/decompositions.h"
 #include "fit/effect_sizes.h"
 #include "fit/headline.h"
 #include "fit/residual_course.h"
@@ -438,7 +439,7 @@ class Inquiry {
     for (Eigen::Index i = 0; i < weight.size(); ++i)
       weight[i] = means[static_cast<std::size_t>(i)].weight;
     const Eigen::MatrixXd own = weight.asDiagonal() * best.fit.slope;
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(own);
+    const algebra::PivotedQr qr(own);
     const auto without_own = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
       return v - own * qr.solve(v);
     };

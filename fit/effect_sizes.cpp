@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
+#include "algebra/decompositions.h"
 #include "fit/profile_interval.h"
 #include "fit/verdict_text.h"
 
@@ -156,8 +157,7 @@ Correlation correlation_of(const std::vector<Parameter>& parameters, const Respo
   for (Eigen::Index k = 0; k < count; ++k)
     if (!fit.at_bound[static_cast<std::size_t>(k)]) free.push_back(k);
   if (!free.empty()) {
-    const Eigen::MatrixXd moving =
-        (fit.tangent.transpose() * fit.tangent).completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::MatrixXd moving = algebra::pseudo_inverse(fit.tangent.transpose() * fit.tangent);
     covariance(free, free) = moving;
   }
   return correlation_of(parameters, covariance);

@@ -1,6 +1,5 @@
 #include "fit/gate.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -14,6 +13,7 @@
 #include <mutex>
 #include <type_traits>
 
+#include "algebra/decompositions.h"
 #include "fit/subspace.h"
 
 namespace raceway::fit {
@@ -68,10 +68,9 @@ double NullDraws::p_value(const Eigen::MatrixXd& correlation, const std::vector<
   if (bonferroni * draws < tail_resolved) return std::min(1.0, bonferroni);
   if (tail > 0.2) return tail;
 
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(correlation);
-  const Eigen::MatrixXd root = eigen.eigenvectors() *
-                               eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-                               eigen.eigenvectors().transpose();
+  const algebra::SymmetricEigen eigen = algebra::symmetric_eigen(correlation);
+  const Eigen::MatrixXd root = eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+                               eigen.vectors.transpose();
   if (!normals_) normals_ = draw(scores_, draws_);
   // Wilson and Hilferty: χ² quantiles to three digits, where the exact ones cost ten thousand
   // inversions.

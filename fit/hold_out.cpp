@@ -1,10 +1,11 @@
 #include "fit/hold_out.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::fit {
 
@@ -41,9 +42,8 @@ Eigen::VectorXd held_out_errors(const Response& response, const ResponseFit& fit
       (blocking.block[i] == b ? out : in).push_back(static_cast<Eigen::Index>(i));
     if (in.size() <= free.size() || free.empty()) continue;
     const Eigen::VectorXd w = weight(in);
-    Eigen::MatrixXd columns = w.asDiagonal() * tangent(in, Eigen::all);
-    Eigen::VectorXd step =
-        Eigen::MatrixXd(columns).colPivHouseholderQr().solve(w.cwiseProduct(rest(in)));
+    const Eigen::MatrixXd columns = w.asDiagonal() * tangent(in, Eigen::all);
+    Eigen::VectorXd step = algebra::least_squares(columns, w.cwiseProduct(rest(in)));
     // A refit that leaves the bounds stops there.
     for (std::size_t j = 0; j < free.size(); ++j) {
       const Parameter& p = response.parameters[static_cast<std::size_t>(free[j])];

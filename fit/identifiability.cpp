@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "algebra/decompositions.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
@@ -40,7 +40,7 @@ std::vector<Dependence> column_dependence(const Eigen::MatrixXd& jacobian) {
       for (std::size_t j = 0; j < kept.size(); ++j)
         before.col(static_cast<Eigen::Index>(j)) =
             jacobian.col(kept[j]) / jacobian.col(kept[j]).norm();
-      const Eigen::VectorXd share = before.colPivHouseholderQr().solve(column);
+      const Eigen::VectorXd share = algebra::least_squares(before, column);
       if ((column - before * share).norm() < dependent) {
         d.dependent = true;
         for (std::size_t j = 0; j < kept.size(); ++j)
@@ -114,14 +114,7 @@ class Errors {
     norm_ = scaled.colwise().norm();
     for (Eigen::Index k = 0; k < size; ++k)
       if (norm_[k] > 0.0) scaled.col(k) /= norm_[k];
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.householderQr()
-                                                    .matrixQR()
-                                                    .topRows(std::min(size, scaled.rows()))
-                                                    .template triangularView<Eigen::Upper>()
-                                                    .toDenseMatrix(),
-                                                Eigen::ComputeThinV);
-    const Eigen::VectorXd singular = svd.singularValues();
-    const Eigen::MatrixXd& v = svd.matrixV();
+    const auto [singular, v] = algebra::right_svd(scaled);
     covariance_ = Eigen::MatrixXd::Zero(size, size);
     lost_.assign(free_.size(), false);
     for (Eigen::Index s = 0; s < singular.size(); ++s) {

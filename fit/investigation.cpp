@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "algebra/decompositions.h"
 #include "fit/effect_sizes.h"
 #include "fit/headline.h"
 #include "fit/next_points.h"
@@ -174,9 +175,7 @@ bool Investigation::base_is_identifiable() const {
   Eigen::MatrixXd columns = evidence_.base.tangent;
   if (columns.cols() == 0) return true;
   columns.colwise().normalize();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-  qr.setThreshold(1e-4);
-  return qr.rank() == columns.cols();
+  return algebra::PivotedQr(columns, 1e-4).rank() == columns.cols();
 }
 
 void Investigation::describe_base() {

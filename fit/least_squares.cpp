@@ -1,8 +1,9 @@
 #include "fit/least_squares.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::fit {
 
@@ -10,7 +11,7 @@ LeastSquares::LeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& r) {
   const Eigen::Index count = a.cols();
   Eigen::MatrixXd joined(a.rows(), count + 1);
   joined << a, r;
-  const Eigen::HouseholderQR<Eigen::Ref<Eigen::MatrixXd>> qr(joined);
+  algebra::reduce_to_triangle(joined);
   const Eigen::Index rows = std::min(count, a.rows());
   a_ = joined.topLeftCorner(rows, count).triangularView<Eigen::Upper>();
   r_ = joined.col(count).head(rows);
@@ -52,7 +53,7 @@ bool LeastSquares::solve(const Eigen::VectorXd& lower, const Eigen::VectorXd& up
         if (side[static_cast<std::size_t>(k)] != 0) rest -= a.col(k) * d[k];
       for (std::size_t j = 0; j < free.size(); ++j)
         columns.col(static_cast<Eigen::Index>(j)) = a.col(free[j]);
-      const Eigen::VectorXd solution = columns.colPivHouseholderQr().solve(rest);
+      const Eigen::VectorXd solution = algebra::least_squares(columns, rest);
       if (!solution.allFinite()) return false;
       for (std::size_t j = 0; j < free.size(); ++j)
         d[free[j]] = solution[static_cast<Eigen::Index>(j)];

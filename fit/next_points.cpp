@@ -1,9 +1,11 @@
 #include "fit/next_points.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::fit {
 
@@ -22,7 +24,7 @@ struct Contest {
   Eigen::VectorXd gap{};          // on the grid, over sigma
 
   [[nodiscard]] double separation() const {
-    return difference - along.dot(information.ldlt().solve(along));
+    return difference - along.dot(algebra::solve_symmetric(information, along));
   }
   void add(Eigen::Index point, double weight) {
     information += weight * slope.row(point).transpose() * slope.row(point);
@@ -181,7 +183,7 @@ class Plan {
       for (const Contest& c : state) {
         // Rank one: after the point, s + w (gap - slope·step)² / (1 + w slope A⁻¹ slope).
         const Eigen::VectorXd row = c.slope.row(p).transpose();
-        const auto solver = c.information.ldlt();
+        const algebra::SymmetricSolver solver(c.information);
         const double miss = c.gap[p] - row.dot(solver.solve(c.along));
         const double spread = 1.0 + repeats * row.dot(solver.solve(row));
         least = std::min(least, c.separation() + repeats * miss * miss / spread);

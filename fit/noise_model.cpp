@@ -1,6 +1,5 @@
 #include "fit/noise_model.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -11,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "algebra/decompositions.h"
 #include "record/median.h"
 #include "record/repeats.h"
 
@@ -46,13 +46,13 @@ struct Regression {
 };
 
 Regression regress(const Eigen::MatrixXd& x, const Eigen::VectorXd& y) {
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(x);
-  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(x.rows(), x.cols());
+  const algebra::HouseholderQr qr(x);
+  const Eigen::MatrixXd q = qr.Q();
   Regression result;
   result.fitted = q * (q.transpose() * y);
   result.residual = y - result.fitted;
   result.freedom = (1.0 - q.rowwise().squaredNorm().array()).max(1e-6).matrix();
-  result.log_determinant = 2.0 * qr.matrixQR().diagonal().head(x.cols()).array().abs().log().sum();
+  result.log_determinant = qr.log_determinant();
   return result;
 }
 
@@ -65,10 +65,10 @@ double restricted(const Whitening& whitening, const Eigen::MatrixXd& columns,
   const auto freedom = static_cast<double>(x.rows() - x.cols());
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(x.cols(), x.cols());
   gram.selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
-  const Eigen::LLT<Eigen::MatrixXd> root(gram);
-  const double fitted = root.matrixL().solve(x.transpose() * y).squaredNorm();
+  const algebra::LowerRoot root(gram);
+  const double fitted = root.solve_root(x.transpose() * y).squaredNorm();
   return freedom * std::log(y.squaredNorm() - fitted) + whitening.log_determinant() +
-         2.0 * root.matrixLLT().diagonal().array().log().sum();
+         root.log_determinant();
 }
 
 /// Shares of the variance: in proportion to the reading, from the scatter of an input, the rest

@@ -1,6 +1,6 @@
 #include "fit/response.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algebra/decompositions.h"
 #include "fit/least_squares.h"
 
 namespace raceway::fit {
@@ -179,7 +180,7 @@ void complete(const Response& response, const Whitening& whitening, const Eigen:
   fit.standard_errors = Eigen::VectorXd::Constant(count, unset);
   if (!free.empty() && fit.tangent.allFinite()) {
     const Eigen::MatrixXd covariance =
-        (fit.tangent.transpose() * fit.tangent).completeOrthogonalDecomposition().pseudoInverse();
+        algebra::pseudo_inverse(fit.tangent.transpose() * fit.tangent);
     for (std::size_t j = 0; j < free.size(); ++j) {
       const auto c = static_cast<Eigen::Index>(j);
       fit.standard_errors[free[j]] = std::sqrt(std::max(0.0, covariance(c, c))) *

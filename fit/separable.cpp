@@ -1,11 +1,11 @@
 #include "fit/separable.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 
+#include "algebra/decompositions.h"
 #include "fit/least_squares.h"
 #include "fit/noise.h"
 
@@ -141,9 +141,9 @@ SeparableFit Separable::at(const Eigen::VectorXd& values, int left_out, double r
     if (ridge >= 1e-9) {
       Eigen::MatrixXd normal = a.transpose() * a;
       normal.diagonal().array() += ridge;
-      amounts = normal.ldlt().solve(a.transpose() * b);
+      amounts = algebra::solve_symmetric(normal, a.transpose() * b);
     } else {
-      amounts = a.colPivHouseholderQr().solve(b);
+      amounts = algebra::least_squares(a, b);
     }
     amounts = amounts.cwiseQuotient(length);
   }
@@ -237,9 +237,7 @@ std::vector<double> Separable::falls(Eigen::VectorXd values, std::size_t size, s
   Eigen::VectorXd r = weight_.cwiseProduct(measured_ - of.constant);
   std::vector<double> list(tried.size(), 0.0);
   if (!a.allFinite() || !r.allFinite()) return list;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
-  const Eigen::MatrixXd q =
-      qr.householderQ() * Eigen::MatrixXd::Identity(a.rows(), std::min(a.rows(), qr.rank()));
+  const Eigen::MatrixXd q = algebra::PivotedQr(a).column_space();
   r -= q * (q.transpose() * r);
   for (const std::size_t k : straight_) values[static_cast<Eigen::Index>(k)] = 0.0;
   values[static_cast<Eigen::Index>(size)] = 1.0;

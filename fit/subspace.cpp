@@ -1,6 +1,6 @@
 #include "fit/subspace.h"
 
-#include <Eigen/Dense>
+#include "algebra/decompositions.h"
 
 namespace raceway::fit {
 
@@ -17,9 +17,7 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns) {
     const double norm = scaled.col(k).norm();
     if (norm > 0.0) scaled.col(k) /= norm;
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
-  qr.setThreshold(rank_tolerance);
-  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+  return algebra::PivotedQr(scaled, rank_tolerance).column_space();
 }
 
 Eigen::MatrixXd independent_columns(const std::vector<Eigen::MatrixXd>& blocks,

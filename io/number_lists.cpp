@@ -1,6 +1,7 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "algebra/decompositions.h"
 
 // Last: see io/toml_text.h.
 #include "io/number_lists.h"
@@ -27,8 +28,7 @@ Eigen::MatrixXd correlation(const Section& s, std::size_t count) {
           matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = row[j];
     }
   }
-  const double least =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().minCoeff();
+  const double least = algebra::symmetric_eigen(matrix).values.minCoeff();
   if (least < -rounding)
     s.fail("correlation",
            fmt::format("correlation: no parameters can be correlated like that (not positive "

@@ -1,8 +1,9 @@
 #include "rig/curve_fit.h"
 
-#include <Eigen/QR>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::rig {
 
@@ -21,14 +22,13 @@ CurveFit fit_curve(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degre
   fit.columns = Eigen::MatrixXd::Ones(x.size(), size);
   for (int k = 1; k < size; ++k)
     fit.columns.col(k) = fit.columns.col(k - 1).cwiseProduct(x / fit.scale);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(fit.columns);
+  const algebra::HouseholderQr qr(fit.columns);
   fit.coefficients = qr.solve(y);
   // What the rounding of the first solution has left is solved for again.
   fit.coefficients += qr.solve(y - fit.columns * fit.coefficients);
   fit.residuals = y - fit.columns * fit.coefficients;
   fit.square = fit.residuals.squaredNorm();
-  const Eigen::MatrixXd root = qr.matrixQR().topRows(size).triangularView<Eigen::Upper>().solve(
-      Eigen::MatrixXd::Identity(size, size));
+  const Eigen::MatrixXd root = qr.inverse_R();
   fit.inverse = root * root.transpose();
   fit.free = (1.0 - (fit.columns * root).rowwise().squaredNorm().array()).cwiseMax(least_free);
   return fit;

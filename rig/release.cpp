@@ -1,11 +1,12 @@
 #include "rig/release.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "algebra/decompositions.h"
 #include "record/median.h"
 
 namespace raceway::rig {
@@ -42,53 +43,62 @@ double highest_speed(std::span<const Block> blocks) {
 }
 
 /// A polynomial of time by least squares, about a knot.
-template <int Count>
 class PolynomialFit {
  public:
-  using Vector = Eigen::Matrix<double, Count, 1>;
-  using Matrix = Eigen::Matrix<double, Count, Count>;
-
-  PolynomialFit(const Block& knot, double scale) : knot_(knot), scale_(scale) {}
+  /// `count`: coefficients, up to 6.
+  PolynomialFit(int count, const Block& knot, double scale)
+      : count_(count),
+        knot_(knot),
+        scale_(scale),
+        normal_(Eigen::MatrixXd::Zero(count, count)),
+        right_(Eigen::VectorXd::Zero(count)) {}
 
   void add(std::span<const Block> blocks) {
     for (const Block& b : blocks) {
-      const Vector f = powers(b);
-      normal_.template selfadjointView<Eigen::Lower>().rankUpdate(f);
-      right_ += (b.speed - knot_.speed) * f;
+      const Powers f = powers(b);
+      for (int j = 0; j < count_; ++j) {
+        for (int i = j; i < count_; ++i) normal_(i, j) += f[i] * f[j];
+        right_[j] += (b.speed - knot_.speed) * f[j];
+      }
     }
   }
   void solve() {
-    solver_.compute(Matrix(normal_.template selfadjointView<Eigen::Lower>()));
-    numbers_ = solver_.solve(right_);
+    solver_.emplace(normal_);
+    coefficients_ = solver_->solve(right_);
   }
-  [[nodiscard]] double slope() const { return numbers_[1] / scale_; }
+  [[nodiscard]] double slope() const { return coefficients_[1] / scale_; }
   /// Variance of the slope where a sample has one of 1.
   [[nodiscard]] double slope_variance() const {
-    return solver_.solve(Vector(Vector::Unit(1)))[1] / (scale_ * scale_);
+    return solver_->solve(Eigen::VectorXd::Unit(count_, 1))[1] / (scale_ * scale_);
   }
   [[nodiscard]] double squares(std::span<const Block> blocks) const {
     double sum = 0.0;
     for (const Block& b : blocks) {
-      const double left = b.speed - knot_.speed - numbers_.dot(powers(b));
-      sum += left * left;
+      const Powers f = powers(b);
+      double residual = b.speed - knot_.speed;
+      for (int i = 0; i < count_; ++i) residual -= coefficients_[i] * f[i];
+      sum += residual * residual;
     }
     return sum;
   }
 
  private:
-  [[nodiscard]] Vector powers(const Block& b) const {
+  using Powers = Eigen::Matrix<double, 6, 1>;
+
+  [[nodiscard]] Powers powers(const Block& b) const {
     const double u = (b.time - knot_.time) / scale_;
-    Vector f;
+    Powers f;
     f[0] = 1.0;
-    for (int i = 1; i < Count; ++i) f[i] = u * f[i - 1];
+    for (int i = 1; i < count_; ++i) f[i] = u * f[i - 1];
     return f;
   }
 
+  int count_;
   const Block& knot_;
   double scale_;
-  Matrix normal_ = Matrix::Zero();
-  Vector right_ = Vector::Zero(), numbers_ = Vector::Zero();
-  Eigen::LDLT<Matrix> solver_;
+  Eigen::MatrixXd normal_;
+  Eigen::VectorXd right_, coefficients_;
+  std::optional<algebra::SymmetricSolver> solver_;
 };
 
 /// A kink of the speed at one of the blocks.
@@ -135,10 +145,10 @@ class ReleaseSearch {
     const Block& knot = blocks_[k];
     if (knot.speed < (1.0 - options_.largest_fall) * highest_) return kink;
     const auto [before, after] = near(k, length);
-    PolynomialFit<2> held(knot, knot.time - before.front().time);
-    PolynomialFit<3> free(knot, after.back().time - knot.time);
-    PolynomialFit<6> smooth(
-        knot, std::max(knot.time - before.front().time, after.back().time - knot.time));
+    PolynomialFit held(2, knot, knot.time - before.front().time);
+    PolynomialFit free(3, knot, after.back().time - knot.time);
+    PolynomialFit smooth(6, knot,
+                         std::max(knot.time - before.front().time, after.back().time - knot.time));
     held.add(before);
     free.add(after);
     smooth.add(before);

@@ -1,10 +1,10 @@
 #include "rig/speed_regression.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "algebra/decompositions.h"
 #include "record/median.h"
 
 namespace raceway::rig {
@@ -18,8 +18,8 @@ double robust_deviation(const Eigen::VectorXd& residuals) {
   return 1.4826 * record::median({magnitude.begin(), magnitude.end()});
 }
 
-Eigen::MatrixX3d powers_of_time(std::span<const Block> blocks, double origin, double scale) {
-  Eigen::MatrixX3d powers(static_cast<Eigen::Index>(blocks.size()), 3);
+Eigen::MatrixXd powers_of_time(std::span<const Block> blocks, double origin, double scale) {
+  Eigen::MatrixXd powers(static_cast<Eigen::Index>(blocks.size()), 3);
   for (Eigen::Index i = 0; i < powers.rows(); ++i) {
     const double u = (blocks[static_cast<std::size_t>(i)].time - origin) / scale;
     powers.row(i) << 1.0, u, u * u;
@@ -42,7 +42,7 @@ Eigen::VectorXd speeds_of(std::span<const Block> blocks) {
 
 /// Residuals of a parabola that outliers do not bend: bisquare weights, started from the median.
 Eigen::VectorXd robust_residuals(std::span<const Block> samples) {
-  const Eigen::MatrixX3d powers =
+  const Eigen::MatrixXd powers =
       powers_of_time(samples, mean_time(samples), samples.back().time - samples.front().time);
   const Eigen::VectorXd speeds = speeds_of(samples);
   Eigen::Vector3d c(record::median({speeds.begin(), speeds.end()}), 0.0, 0.0);
@@ -51,7 +51,7 @@ Eigen::VectorXd robust_residuals(std::span<const Block> samples) {
     const double scale = std::max(robust_deviation(residual), 1e-9 * speeds.maxCoeff());
     const Eigen::ArrayXd u = residual.array() / (6.0 * scale);
     const Eigen::VectorXd root = (u.abs() < 1.0).select(1.0 - u.square(), 0.0).matrix();
-    c = (root.asDiagonal() * powers).colPivHouseholderQr().solve(root.asDiagonal() * speeds);
+    c = algebra::least_squares(root.asDiagonal() * powers, root.asDiagonal() * speeds);
     residual = speeds - powers * c;
   }
   return residual;
@@ -150,10 +150,10 @@ class NeighbourCorrelation {
 LocalParabola local_parabola(std::span<const Block> blocks) {
   const double origin = mean_time(blocks);
   const double scale = blocks.back().time - blocks.front().time;
-  const Eigen::MatrixX3d powers = powers_of_time(blocks, origin, scale);
+  const Eigen::MatrixXd powers = powers_of_time(blocks, origin, scale);
   const Eigen::VectorXd speeds = speeds_of(blocks);
-  const Eigen::MatrixXd inverse =
-      powers.householderQr().solve(Eigen::MatrixXd::Identity(powers.rows(), powers.rows()));
+  const algebra::HouseholderQr qr(powers);
+  const Eigen::MatrixXd inverse = qr.inverse_R() * qr.Q().transpose();
   const Eigen::Vector3d c = inverse * speeds;
   LocalParabola fit;
   fit.time = origin;

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "algebra/decompositions.h"
 #include "shaft/kinematic_law_search.h"
 
 namespace raceway::shaft {
@@ -127,17 +127,14 @@ void set_errors(const LawRows& rows, double cost, KinematicLawFit& fit) {
   Eigen::MatrixXd jacobian = all(Eigen::all, moved);
   const Eigen::RowVectorXd norms = jacobian.colwise().norm();
   jacobian.array().rowwise() /= norms.array();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian.rows(), jacobian.cols());
-  qr.setThreshold(dependent);
-  qr.compute(jacobian);
-  if (qr.rank() < jacobian.cols()) {
+  if (algebra::PivotedQr(jacobian, dependent).rank() < jacobian.cols()) {
     for (const Eigen::Index k : moved)
       fit.parameters[static_cast<std::size_t>(k)].identifiable = false;
     return;
   }
   const double reduced = cost / static_cast<double>(count - jacobian.cols());
   const double variance = fit.weighted ? std::max(1.0, reduced) : reduced;
-  const Eigen::MatrixXd inverse = (jacobian.transpose() * jacobian).inverse();
+  const Eigen::MatrixXd inverse = algebra::inverse(jacobian.transpose() * jacobian);
   for (Eigen::Index k = 0; k < inverse.rows(); ++k) {
     const Eigen::Index p = moved[static_cast<std::size_t>(k)];
     fit.parameters[static_cast<std::size_t>(p)].std =

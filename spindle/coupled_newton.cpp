@@ -1,9 +1,9 @@
 #include "spindle/coupled_newton.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::spindle {
 namespace {
@@ -58,7 +58,7 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
       fresh = true;
     }
     const Matrix slope = Matrix::Identity(s.size(), s.size()) - response_ * jacobian_;
-    Vector step = slope.partialPivLu().solve(miss);
+    Vector step = algebra::solve_square(slope, miss);
     if (!step.allFinite()) return NewtonStatus::diverged;
     const double length = step.lpNorm<Eigen::Infinity>();
     if (length <= newton_tolerance) {
@@ -100,9 +100,9 @@ NewtonStatus CoupledNewton::solve(const Vector& right, Vector& temperatures, Vec
 
 double CoupledNewton::gain(const Vector& felt, const Vector& given) {
   if (!coupling_ || !renew(felt, given)) return unset;
-  const Eigen::EigenSolver<Matrix> values(response_ * jacobian_, false);
+  const Eigen::VectorXcd values = algebra::eigenvalues(response_ * jacobian_);
   double largest = -1e300;
-  for (const std::complex<double>& v : values.eigenvalues())
+  for (const std::complex<double>& v : values)
     if (std::abs(v.imag()) < 1e-9) largest = std::max(largest, v.real());
   return largest;
 }

@@ -1,10 +1,11 @@
 #include "spindle/loaded_shaft.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::spindle {
 namespace {
@@ -202,8 +203,7 @@ bool ShaftBalance5::newton(Eigen::VectorXd& u, double share, int most) {
   for (int i = 0; i < steps_of_one_newton && iterations_ < most; ++i) {
     residual_ = residual;
     if (residual <= balance_tolerance) return true;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(tangent);
-    const Eigen::VectorXd step = lu.solve(missing);
+    const Eigen::VectorXd step = algebra::solve_square(tangent, missing);
     if (!step.allFinite()) {
       failure_ = SolveStatus::singular;
       return false;

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "algebra/decompositions.h"
 
 namespace raceway::spindle {
 namespace {
@@ -53,7 +53,7 @@ class ProjectedStep {
   [[nodiscard]] Point at(const Eigen::VectorXd& log_time) const {
     Point p{.log_time = log_time, .gain = {}, .left = {}};
     const Eigen::MatrixXd columns = columns_of(log_time);
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+    const algebra::PivotedQr qr(columns);
     if (qr.rank() < columns.cols()) return p;
     p.gain = qr.solve(measured_);
     p.left = measured_ - columns * p.gain;
@@ -69,7 +69,7 @@ class ProjectedStep {
       const Eigen::MatrixXd square = slope.transpose() * slope;
       Eigen::MatrixXd damped = square;
       damped.diagonal() *= 1.0 + damping;
-      const Eigen::VectorXd move = damped.ldlt().solve(slope.transpose() * best.left);
+      const Eigen::VectorXd move = algebra::solve_symmetric(damped, slope.transpose() * best.left);
       if (!move.allFinite()) break;
       const Eigen::VectorXd to = (best.log_time + move).cwiseMax(lower).cwiseMin(upper);
       const bool apart = to.size() < 2 || to(1) - to(0) >= std::log(least_ratio);
@@ -105,7 +105,7 @@ class ProjectedStep {
       slope.col(k) =
           time_.unaryExpr([&](double t) { return -gain * t * rate * std::exp(-t * rate); });
     }
-    return slope - columns * columns.colPivHouseholderQr().solve(slope);
+    return slope - columns * algebra::PivotedQr(columns).solve(slope);
   }
 
   Eigen::VectorXd time_, measured_;

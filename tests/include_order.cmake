@@ -1,22 +1,23 @@
 # A folder includes from itself and from those that it builds on, and each outside library has its
 # place. Run as: cmake -DROOT=<source folder> -P include_order.cmake
 cmake_minimum_required(VERSION 3.22)
-# What each folder builds on, itself left out. The loop, fit, knows records and nothing else.
+# What each folder builds on, itself left out. The loop, fit, knows matrices, records and nothing else.
+set(on_algebra)
 set(on_record)
-set(on_fit record)
+set(on_fit algebra record)
 set(on_bearing record)
 set(on_friction record bearing)
 set(on_life record bearing)
 set(on_effects record bearing friction)
-set(on_model record fit bearing friction life effects)
+set(on_model algebra record fit bearing friction life effects)
 set(on_rig ${on_model} model)
 set(on_shaft ${on_model} model)
-set(on_correction record fit shaft)
+set(on_correction algebra record fit shaft)
 set(on_spindle ${on_model} model shaft)
 set(on_io ${on_model} model rig shaft spindle correction)
 set(on_session ${on_io} io)
 set(on_c ${on_session} session)
-set(libraries record fit bearing friction life effects model rig shaft spindle correction io session c)
+set(libraries algebra record fit bearing friction life effects model rig shaft spindle correction io session c)
 set(users python cli bench tests)  # may include every folder and each other
 set(faults "")
 
