@@ -11,7 +11,7 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr int fewest_degrees = 3;
+constexpr int fewest_degrees_of_noise = 3;
 
 /// Rows at which the channel was read.
 std::vector<std::size_t> read_rows(std::span<const double> readings) {
@@ -66,7 +66,7 @@ Noise estimate_noise(const record::Record& record, const record::Channel& measur
   if (all) {
     noise.rms = std::sqrt(sum / static_cast<double>(rows.size()));
     noise.source = std->known ? NoiseSource::regression : NoiseSource::declared;
-  } else if (noise.degrees_of_freedom >= fewest_degrees && noise.repeats_rms > 0.0) {
+  } else if (noise.degrees_of_freedom >= fewest_degrees_of_noise && noise.repeats_rms > 0.0) {
     noise.rms = noise.repeats_rms;
     noise.source = NoiseSource::repeats;
   }

@@ -21,7 +21,7 @@ namespace {
 constexpr double outlier_share = 4.65e-4;   // of a normal law beyond 3.5 standard deviations
 constexpr double within_the_likely = 2.71;  // of -2 ln L: 90 % of one parameter
 constexpr double unknown_runs = 0.5;        // share of the variance where nothing tells it
-constexpr double fewest_degrees = 3.0;
+constexpr double fewest_degrees_of_a_scale = 3.0;
 constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
 constexpr int robust_steps = 12;
 constexpr double biweight = 4.685;          // robust deviations at which a reading has no weight
@@ -168,8 +168,9 @@ class NoiseSearch {
       if (several) find_records();
     }
     // Readings that hardly count tell nothing of the scatter of the others.
-    noise_.degrees_of_freedom = std::max(
-        fewest_degrees, noise_.degrees_of_freedom - static_cast<double>(noise_.outliers.size()));
+    noise_.degrees_of_freedom =
+        std::max(fewest_degrees_of_a_scale,
+                 noise_.degrees_of_freedom - static_cast<double>(noise_.outliers.size()));
     find_memory();
     if (!order_.has_runs && !order_.new_block.empty()) find_blocks();
     set_scale();

@@ -15,7 +15,7 @@ namespace raceway::fit {
 namespace {
 
 constexpr std::size_t fewest_blocks = 3, shortest_block = 4;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// Where blocks of rows begin that look like runs nobody declared: a setting goes one way, as in a
 /// run-up, and starts again. Of several settings the one with most blocks; nothing where blocks are
@@ -84,8 +84,8 @@ std::vector<std::size_t> order_of_rows(const Record& record) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     for (const std::span<const double> key : keys) {
-      const double x = std::isnan(key[a]) ? -infinity : key[a];
-      const double y = std::isnan(key[b]) ? -infinity : key[b];
+      const double x = std::isnan(key[a]) ? -unlimited : key[a];
+      const double y = std::isnan(key[b]) ? -unlimited : key[b];
       if (x != y) return x < y;
     }
     return false;
@@ -130,7 +130,7 @@ RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
     const double step = now - before;
     if (!std::isfinite(now)) order.has_time = false;
     // A step back: the clock of another run.
-    order.step.push_back(first || step < 0.0 || !std::isfinite(step) ? infinity : step);
+    order.step.push_back(first || step < 0.0 || !std::isfinite(step) ? unlimited : step);
     order.new_run.push_back(first || record.run_of(rows[i]) != record.run_of(rows[i - 1]));
     if (std::isfinite(order.step.back()) && step > 0.0) steps.push_back(step);
     // Records that were joined are no runs by themselves: what differs between them is their own.
@@ -141,7 +141,7 @@ RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
   order.median_step = middle;
   if (!order.has_runs && !record.has(record::run))
     order.new_block = undeclared_blocks(record, rows);
-  for (double& step : order.step) step = order.has_time ? std::max(step / middle, 0.05) : infinity;
+  for (double& step : order.step) step = order.has_time ? std::max(step / middle, 0.05) : unlimited;
   return order;
 }
 
@@ -154,7 +154,7 @@ RowOrder order_of(const RowOrder& all, const std::vector<Eigen::Index>& some) {
   for (std::size_t k = 0; k < some.size(); ++k) {
     const auto i = static_cast<std::size_t>(some[k]);
     const bool joined = k > 0 && some[k] == some[k - 1] + 1;
-    order.step.push_back(joined ? all.step[i] : infinity);
+    order.step.push_back(joined ? all.step[i] : unlimited);
     order.new_run.push_back(!joined || all.new_run[i]);
     if (!all.new_block.empty()) order.new_block.push_back(!joined || all.new_block[i]);
   }

@@ -18,7 +18,7 @@ constexpr int grid_of_C = 60, grid_of_B = 40;
 constexpr double bound_tolerance = 1e-7;  // of the range of B, of ln C
 constexpr double flat_gradient = 1e-9;    // of residuals of order one
 
-double squared(double x) { return x * x; }
+double square_of(double x) { return x * x; }
 
 /// The curves of one C without their size, n^(1 - B exp(-C n)) over its value at the highest speed.
 class Forms {
@@ -64,7 +64,7 @@ class Forms {
   struct Sums {
     double ff = 0.0, fu = 0.0, uu = 0.0;
     void add(const LawRows& rows, std::size_t i, double form) {
-      const double w = squared(rows.weight[i]);
+      const double w = square_of(rows.weight[i]);
       ff += w * form * form;
       fu += w * form * rows.u[i];
       uu += w * rows.u[i] * rows.u[i];
@@ -194,7 +194,7 @@ class Minimisation {
     ceres::Solve(options, &problem, &summary);
     optimum.size = x[0] * scale_;
     optimum.shape = {std::clamp(x[1], lower_[0], upper_[0]), std::exp(x[2])};
-    optimum.cost = 2.0 * summary.final_cost * squared(scale_ * largest_weight_);
+    optimum.cost = 2.0 * summary.final_cost * square_of(scale_ * largest_weight_);
     optimum.iterations += std::max(0, static_cast<int>(summary.iterations.size()) - 1);
     // Where steps sink below rounding Ceres calls it a failure; the gradient knows better.
     const bool flat =

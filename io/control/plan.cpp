@@ -29,7 +29,7 @@ using record::Channel;
 constexpr double far_beyond = 10.0;
 
 /// Values of a change of unit lose their last digits, gains carry all that they have.
-double shown(double value) { return with_15_digits(value); }
+double as_printed(double value) { return with_15_digits(value); }
 
 class Planner {
  public:
@@ -76,7 +76,8 @@ class Planner {
     for (const Model& m : models_)
       for (const correction::SeenRange& r : m.range)
         if (r.column && *r.column == c) {
-          double low = shown(value_in_unit(c, r.lower)), high = shown(value_in_unit(c, r.upper));
+          double low = as_printed(value_in_unit(c, r.lower)),
+                 high = as_printed(value_in_unit(c, r.upper));
           // All but temperatures act by their size, and a spindle may turn the other way.
           if (!in.temperature && low < 0.0) {
             high = std::max(-low, high);
@@ -136,10 +137,10 @@ class Planner {
     for (Eigen::Index k = 0; k < weights.rows(); ++k) {
       const Channel& c = *seen.columns[static_cast<std::size_t>(k)];
       made.inputs.push_back(input(c));
-      made.mean.push_back(shown(value_in_unit(c, seen.mean[k])));
+      made.mean.push_back(as_printed(value_in_unit(c, seen.mean[k])));
       for (Eigen::Index j = 0; j <= k; ++j) {
         const Channel& of = *seen.columns[static_cast<std::size_t>(j)];
-        made.weights.push_back(shown(weights(k, j) / seen.std[j] * of.factor));
+        made.weights.push_back(as_printed(weights(k, j) / seen.std[j] * of.factor));
       }
     }
     plan_.together.push_back(std::move(made));
@@ -161,10 +162,11 @@ class Planner {
   std::size_t table(const Input& in, const std::string& channel) {
     const correction::FrictionTable& t = *in.table;
     ControlTable made{.file = t.file, .axial_load_N = in.axial_load};
-    for (const double n : t.speed) made.speed_rpm.push_back(shown(n / rpm));
+    for (const double n : t.speed) made.speed_rpm.push_back(as_printed(n / rpm));
     std::vector<double> temperatures = t.temperature;
     if (!in.temperature_column) temperatures = {in.temperature};
-    for (const double T : temperatures) made.temperature_C.push_back(with_digits(celsius(T), 12));
+    for (const double T : temperatures)
+      made.temperature_C.push_back(with_digits(celsius(T), 12));
     for (const double T : temperatures)
       for (const double n : t.speed) made.torque_Nmm.push_back(t(n, in.axial_load, T) / N_mm);
     if (!t.holds(t.speed.front(), in.axial_load,
@@ -206,17 +208,17 @@ class Planner {
     using Form = correction::Characteristic;
     ControlCurve c;
     if (const auto* const line = std::get_if<Form::Line>(&of.form())) {
-      c.factor = shown(line->slope / unit);
-      c.other = shown(line->offset / unit);
+      c.factor = as_printed(line->slope / unit);
+      c.other = as_printed(line->offset / unit);
     } else if (const auto* const power = std::get_if<Form::Power>(&of.form())) {
       c.kind = ControlCurve::Kind::power_law;
-      c.factor = shown(power->factor / unit);
+      c.factor = as_printed(power->factor / unit);
       c.other = power->exponent;
     } else {
       const auto& t = std::get<Form::Table>(of.form());
       c.kind = ControlCurve::Kind::table;
       c.power_W = t.power;
-      for (const double v : t.value) c.value.push_back(shown(v / unit));
+      for (const double v : t.value) c.value.push_back(as_printed(v / unit));
     }
     return c;
   }
@@ -228,10 +230,10 @@ class Planner {
         axis.sections.push_back(
             {.channel = c.name,
              .drive = drive,
-             .gain = shown(lag.gain * to_um),
-             .time_constant_s = shown(-c.printed->sampling / std::log1p(-lag.rise))});
+             .gain = as_printed(lag.gain * to_um),
+             .time_constant_s = as_printed(-c.printed->sampling / std::log1p(-lag.rise))});
       if (form.through != 0.0)
-        axis.feedthroughs.push_back({c.name, drive, shown(form.through * to_um)});
+        axis.feedthroughs.push_back({c.name, drive, as_printed(form.through * to_um)});
       note(fmt::format(
           "channel {}: its polynomials became {} section{} and a feedthrough; called every {:g} s "
           "they give the same, and at another rate what the same bodies give",
@@ -255,13 +257,13 @@ class Planner {
                                .power_limit_W = c.element->power_limit()});
     if (c.printed) add_printed(c, of, to_um, axis);
     if (c.feedthrough != 0.0)
-      axis.feedthroughs.push_back({c.name, of, shown(c.feedthrough * to_um)});
+      axis.feedthroughs.push_back({c.name, of, as_printed(c.feedthrough * to_um)});
     const correction::Answer answer = correction::answer_of(m, c);
     for (const correction::Section& s : c.sections)
       if (s.gain != 0.0)
         axis.sections.push_back({.channel = c.name,
                                  .drive = of,
-                                 .gain = shown(s.gain * to_um),
+                                 .gain = as_printed(s.gain * to_um),
                                  .time_constant_s = s.time_constant,
                                  .straight = is_straight(c.input),
                                  .direct = answer.sensor_time_constant / s.time_constant,
@@ -309,7 +311,7 @@ class Planner {
   void add(const Model& m) {
     ControlAxis axis{.column = std::string(m.displacement->name),
                      .name = m.name,
-                     .offset_um = shown(m.offset / um)};
+                     .offset_um = as_printed(m.offset / um)};
     hand_out(axis);
     for (const DrivenChannel& c : m.channels) add(c, m, axis);
     if (m.kinematic && m.kinematic->A != 0.0)

@@ -77,15 +77,15 @@ std::vector<InstructionSet> available_sets() {
   return sets;
 }
 
-struct Part {
+struct BatchPart {
   RaceControl control;
   Tilt tilt;
   std::size_t count;
 };
 
-void PrintTo(const Part& part, std::ostream* out) { *out << part.count << " points"; }
+void PrintTo(const BatchPart& part, std::ostream* out) { *out << part.count << " points"; }
 
-class SolveMany : public testing::TestWithParam<Part> {};
+class SolveMany : public testing::TestWithParam<BatchPart> {};
 
 TEST_P(SolveMany, FindsWhatSingleSolvesFindWithEveryInstructionSet) {
   const Domain domain(GetParam().control, GetParam().tilt, GetParam().count);
@@ -104,10 +104,10 @@ TEST_P(SolveMany, FindsWhatSingleSolvesFindWithEveryInstructionSet) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Domain, SolveMany,
-                         testing::Values(Part{RaceControl::outer, Tilt::locked, 1500},
-                                         Part{RaceControl::outer, Tilt::free, 1500},
-                                         Part{RaceControl::inner, Tilt::locked, 120},
-                                         Part{RaceControl::inner, Tilt::free, 60}),
+                         testing::Values(BatchPart{RaceControl::outer, Tilt::locked, 1500},
+                                         BatchPart{RaceControl::outer, Tilt::free, 1500},
+                                         BatchPart{RaceControl::inner, Tilt::locked, 120},
+                                         BatchPart{RaceControl::inner, Tilt::free, 60}),
                          [](const auto& part) {
                            return std::string(part.param.control == RaceControl::outer ? "Outer"
                                                                                        : "Inner") +

@@ -12,7 +12,7 @@ const std::string covariance =
     "\n[calibration.covariance]\nparameters = [\"f0\"]\nunits = [\"1\"]\nvalues = [1.5]\n"
     "std = [0.05]\ncorrelation = [[1.0]]\n";
 
-const std::string shaft =
+const std::string shaft_folder =
     "\n[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600.0\n";
 const std::string of_preload =
     "\n[calibration.covariance]\nparameters = [\"preload_N\"]\nunits = [\"N\"]\nvalues = [600.0]\n"
@@ -72,10 +72,10 @@ TEST(Band, LeavesAllOtherNumbersAsTheyAre) {
 
 TEST(Band, OfAShaftIsThatOfItsPosition) {
   const ScratchFolder scratch;
-  const std::string model = scratch.write("s.toml", model_text + shaft + of_preload);
+  const std::string model = scratch.write("s.toml", model_text + shaft_folder + of_preload);
   const json d = parsed(run("displacement " + model + " --speed 4000,12000 --band --json"));
   const auto position = [&](double preload) {
-    const std::string text = replaced(model_text + shaft, "600.0", std::to_string(preload));
+    const std::string text = replaced(model_text + shaft_folder, "600.0", std::to_string(preload));
     return parsed(run("displacement " + scratch.write("p.toml", text) +
                       " --speed 12000 --json"))["rows"][0]["axial_displacement_um"]
         .get<double>();

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
-const std::string measurements = tests::source_dir() + "/data/measurements/";
+const std::string measurement_folder = tests::source_dir() + "/data/measurements/";
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;
@@ -24,8 +24,8 @@ std::vector<std::string> lines(const std::string& text) {
 
 TEST(Calibrate, OfACoastDownBringsTheErrorDownAndSaysThatStructureIsLeft) {
   const ScratchFolder scratch;
-  const std::string model = measurements + "flywheel.toml",
-                    data = measurements + "flywheel_unloaded.csv";
+  const std::string model = measurement_folder + "flywheel.toml",
+                    data = measurement_folder + "flywheel_unloaded.csv";
   const std::string fitted = scratch.file("fitted.toml");
   const Result r = run("calibrate " + model + " " + data + " -o " + fitted);
   ASSERT_EQ(r.status, 0) << r.err;
@@ -47,11 +47,11 @@ TEST(Calibrate, OfACoastDownBringsTheErrorDownAndSaysThatStructureIsLeft) {
 TEST(Calibrate, ChangesTheValuesAndAddsTheirCovarianceAndNothingElse) {
   const ScratchFolder scratch;
   const std::string fitted = scratch.file("fitted.toml");
-  ASSERT_EQ(run("calibrate " + measurements + "flywheel.toml " + measurements +
+  ASSERT_EQ(run("calibrate " + measurement_folder + "flywheel.toml " + measurement_folder +
                 "flywheel_unloaded.csv -o " + fitted)
                 .status,
             0);
-  const auto old_lines = lines(file_text(measurements + "flywheel.toml"));
+  const auto old_lines = lines(file_text(measurement_folder + "flywheel.toml"));
   const auto new_lines = lines(file_text(fitted));
   ASSERT_GT(new_lines.size(), old_lines.size() + 1);
   EXPECT_EQ(new_lines[old_lines.size()], "");
@@ -100,7 +100,8 @@ TEST(Calibrate, JsonHasValueErrorAndUnitOfEachParameter) {
 }
 
 TEST(Calibrate, ProfilesAreOpenAtABoundInTextAndJson) {
-  const std::string files = measurements + "spindle_dyno.toml " + measurements + "spindle_dyno.csv";
+  const std::string files =
+      measurement_folder + "spindle_dyno.toml " + measurement_folder + "spindle_dyno.csv";
   const Result text = run("calibrate " + files + " --profile");
   ASSERT_EQ(text.status, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("95 % from"));

@@ -12,8 +12,9 @@ namespace {
 using testing::Contains;
 using testing::IsSupersetOf;
 
-const std::string data = tests::source_dir() + "/data/corrections/";
-const std::string exact = data + "exact/correction.toml " + data + "exact/train.csv";
+const std::string correction_folder = tests::source_dir() + "/data/corrections/";
+const std::string exact =
+    correction_folder + "exact/correction.toml " + correction_folder + "exact/train.csv";
 
 const std::set<std::string> metric_keys{
     "rmse_um",        "mae_um",          "max_abs_um",  "residue_min_um",
@@ -27,8 +28,8 @@ const json* effect(const json& document, const std::string& id, const std::strin
 }
 
 TEST(CorrectionJson, IdentifyHasItsKeys) {
-  const json d =
-      parsed(run("identify " + exact + " --order 1 --validate " + data + "exact/test.csv --json"));
+  const json d = parsed(run("identify " + exact + " --order 1 --validate " + correction_folder +
+                            "exact/test.csv --json"));
   EXPECT_THAT(keys(d), IsSupersetOf({"channels", "order_tried", "condition", "at_bound", "metrics",
                                      "validation", "warnings", "noise", "correlation_time_s",
                                      "tolerance_um", "initial_state"}));
@@ -45,7 +46,7 @@ TEST(CorrectionJson, IdentifyHasItsKeys) {
   EXPECT_EQ(d["initial_state"], "rest");
   EXPECT_THAT(keys(d["metrics"]), IsSupersetOf(metric_keys));
   EXPECT_THAT(keys(d["validation"]), IsSupersetOf(metric_keys));
-  EXPECT_EQ(d["validation"]["data"], data + "exact/test.csv");
+  EXPECT_EQ(d["validation"]["data"], correction_folder + "exact/test.csv");
 }
 
 TEST(CorrectionJson, CompareKeepsItsKeysAndAddsTheMetrics) {
@@ -89,8 +90,8 @@ TEST(CorrectionJson, IdsArePlainAndSayWhereTheyActInAFieldOfTheirOwn) {
 }
 
 TEST(CorrectionJson, AddTakesAnIdWithAndWithoutItsChannel) {
-  const std::string tail = " --data " + data + "exact/train.csv --force --json";
-  const std::string model = "add " + data + "exact/correction.toml ";
+  const std::string tail = " --data " + correction_folder + "exact/train.csv --force --json";
+  const std::string model = "add " + correction_folder + "exact/correction.toml ";
   const auto added = [&](const std::string& id) {
     return parsed(run(model + id + tail))["calibration"]["parameters"];
   };

@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string data = tests::source_dir() + "/data/corrections/";
+const std::string corrections = tests::source_dir() + "/data/corrections/";
 
 /// Records of machines whose hidden effect is known, made by a program of its own.
 class Correction : public testing::Test {
@@ -31,7 +31,7 @@ json section(const json& found, std::size_t channel, std::size_t k) {
 
 /// Truth: 5 um/K at 5400 s, 3 at 900 s; -2.5 at 14 000 s; noise 0.3 um, uneven clock.
 TEST_F(Correction, IdentifyFindsKnownLagsOnAnUnevenClock) {
-  const json d = parsed(run("identify " + data + "exact/correction.toml " + data +
+  const json d = parsed(run("identify " + corrections + "exact/correction.toml " + corrections +
                             "exact/train.csv --json -o " + path("found.toml")));
   ASSERT_EQ(d["channels"].size(), 2U);
   ASSERT_EQ(d["channels"][0]["sections"].size(), 2U);
@@ -43,30 +43,31 @@ TEST_F(Correction, IdentifyFindsKnownLagsOnAnUnevenClock) {
   EXPECT_NEAR(section(d, 1, 0)["gain"]["value"].get<double>() / -2.5, 1.0, 4e-3);
   EXPECT_NEAR(section(d, 1, 0)["time_constant_s"]["value"].get<double>() / 14000, 1.0, 6e-3);
   const json c =
-      parsed(run("correct " + path("found.toml") + " " + data + "exact/test.csv --json"));
+      parsed(run("correct " + path("found.toml") + " " + corrections + "exact/test.csv --json"));
   EXPECT_NEAR(c["metrics"]["rmse_um"].get<double>(), 0.3, 0.02);
 }
 
 TEST_F(Correction, DiagnoseNamesWhatIsMissing) {
-  const json one = parsed(
-      run("diagnose " + data + "ambient/correction.toml " + data + "ambient/train.csv --json"));
+  const json one = parsed(run("diagnose " + corrections + "ambient/correction.toml " + corrections +
+                              "ambient/train.csv --json"));
   EXPECT_EQ(one["verdict"], "effect");
   EXPECT_EQ(one["explanations"], (json{{"ambient-drift"}}));
-  const json two =
-      parsed(run("diagnose " + data + "power/correction.toml " + data + "power/train.csv --json"));
+  const json two = parsed(run("diagnose " + corrections + "power/correction.toml " + corrections +
+                              "power/train.csv --json"));
   EXPECT_EQ(two["verdict"], "several-effects");
   EXPECT_EQ(two["explanations"][0], (json{"ambient-drift", "motor-heat"}));
 }
 
 /// On the profile that no fit saw: 14.2 um without, 1.1 with what the machine has.
 TEST_F(Correction, AddMakesTheErrorFallOnAnotherProfile) {
-  const std::string model = data + "ambient/correction.toml", train = data + "ambient/train.csv";
+  const std::string model = corrections + "ambient/correction.toml",
+                    train = corrections + "ambient/train.csv";
   ASSERT_EQ(run("calibrate " + model + " " + train + " -o " + path("base.toml")).status, 0);
   ASSERT_EQ(
       run("add " + model + " ambient-drift --data " + train + " -o " + path("better.toml")).status,
       0);
   const json c = parsed(run("compare " + path("base.toml") + " " + path("better.toml") + " " +
-                            data + "ambient/test.csv --json"));
+                            corrections + "ambient/test.csv --json"));
   EXPECT_GT(c["models"][0]["rmse"], 12.0);
   EXPECT_LT(c["models"][1]["rmse"], 1.5);
   const json again = parsed(run("diagnose " + path("better.toml") + " " + train + " --json"));
@@ -79,11 +80,13 @@ TEST_F(Correction, AddMakesTheErrorFallOnAnotherProfile) {
 
 TEST_F(Correction, CorrectSaysWhereTheModelHasNeverBeen) {
   const std::string found = path("found.toml");
-  ASSERT_EQ(run("identify " + data + "exact/correction.toml " + data + "exact/test.csv -o " + found)
+  ASSERT_EQ(run("identify " + corrections + "exact/correction.toml " + corrections +
+                "exact/test.csv -o " + found)
                 .status,
             0);
   EXPECT_THAT(file_text(found), HasSubstr("[correction.range]"));
-  const Result r = run("correct " + found + " " + data + "exact/train.csv -o " + path("c.csv"));
+  const Result r =
+      run("correct " + found + " " + corrections + "exact/train.csv -o " + path("c.csv"));
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err, HasSubstr("all that the model has seen"));
   EXPECT_THAT(file_text(path("c.csv")),
@@ -117,17 +120,18 @@ std::string with_column(const std::string& csv, const std::string& name, double 
 /// much.
 TEST_F(Correction, ARoomColderThanEverBeforeIsNeverSilent) {
   const std::string model = path("found.toml");
-  ASSERT_EQ(
-      run("identify " + data + "exact/correction.toml " + data + "exact/train.csv -o " + model)
-          .status,
-      0);
-  const json inside = parsed(run("correct " + model + " " + data + "exact/train.csv --json"));
+  ASSERT_EQ(run("identify " + corrections + "exact/correction.toml " + corrections +
+                "exact/train.csv -o " + model)
+                .status,
+            0);
+  const json inside =
+      parsed(run("correct " + model + " " + corrections + "exact/train.csv --json"));
   EXPECT_EQ(inside["rows_beyond_range"], 0);
   EXPECT_GT(inside["band"]["readings_within_percent"], 90.0);
   EXPECT_LT(inside["band"]["half_width_um"][1], 0.5);
   const std::string cold = scratch_.write(
-      "cold.csv", with_column(file_text(data + "exact/test.csv"), "ambient_temperature_C", 30000,
-                              [](double t) { return 22.0 - 12.0 * t / 27600; }));
+      "cold.csv", with_column(file_text(corrections + "exact/test.csv"), "ambient_temperature_C",
+                              30000, [](double t) { return 22.0 - 12.0 * t / 27600; }));
   const Result r = run("correct " + model + " " + cold + " -o " + path("cold_corrected.csv"));
   EXPECT_EQ(r.status, 0);
   EXPECT_THAT(r.err, HasSubstr("warning: ambient_temperature_C: from line "));
@@ -151,16 +155,16 @@ TEST_F(Correction, ARoomColderThanEverBeforeIsNeverSilent) {
 /// A model that was changed by hand is another model.
 TEST_F(Correction, ABandEndsWithTheNumbersThatItIsOf) {
   const std::string model = path("found.toml");
-  ASSERT_EQ(
-      run("identify " + data + "exact/correction.toml " + data + "exact/train.csv -o " + model)
-          .status,
-      0);
+  ASSERT_EQ(run("identify " + corrections + "exact/correction.toml " + corrections +
+                "exact/train.csv -o " + model)
+                .status,
+            0);
   std::string text = file_text(model);
   const std::size_t at = text.find("offset_um = ");
   ASSERT_NE(at, text.npos);
   text.insert(at + std::string("offset_um = ").size(), "1");
-  const Result r =
-      run("correct " + scratch_.write("edited.toml", text) + " " + data + "exact/test.csv --json");
+  const Result r = run("correct " + scratch_.write("edited.toml", text) + " " + corrections +
+                       "exact/test.csv --json");
   EXPECT_THAT(r.err, HasSubstr("offset = "));
   EXPECT_THAT(r.err, HasSubstr("no band"));
   EXPECT_EQ(parsed(r)["band"], nullptr);
@@ -180,22 +184,22 @@ TEST_F(Correction, ReadingsThatAreMissingArePredicted) {
 }
 
 TEST_F(Correction, WrongInputIsRefusedWithItsPlace) {
-  const std::string model = data + "ambient/correction.toml";
+  const std::string model = corrections + "ambient/correction.toml";
   expect_refused(
       run("correct " + model + " " + scratch_.write("r.csv", "time_s,displacement_z_um\n0,1\n")),
       "front_bearing_temperature_C is missing");
-  expect_refused(run("identify " + model + " " + data + "ambient/train.csv --order 3:1"),
+  expect_refused(run("identify " + model + " " + corrections + "ambient/train.csv --order 3:1"),
                  "--order");
-  expect_refused(
-      run("identify " + model + " " + data + "ambient/train.csv --inputs motr_temperature_C"),
-      "motor_temperature_C");
-  expect_refused(run("diagnose " + model + " " + data + "ambient/train.csv --tolerance 2um"),
+  expect_refused(run("identify " + model + " " + corrections +
+                     "ambient/train.csv --inputs motr_temperature_C"),
+                 "motor_temperature_C");
+  expect_refused(run("diagnose " + model + " " + corrections + "ambient/train.csv --tolerance 2um"),
                  "two of them");
-  expect_refused(run("add " + model + " nonsense --data " + data + "ambient/train.csv"),
+  expect_refused(run("add " + model + " nonsense --data " + corrections + "ambient/train.csv"),
                  "unknown effect");
-  expect_refused(
-      run("compare " + model + " " + data + "ambient/train.csv --displacement displacement_y_um"),
-      "models displacement_z_um");
+  expect_refused(run("compare " + model + " " + corrections +
+                     "ambient/train.csv --displacement displacement_y_um"),
+                 "models displacement_z_um");
 }
 
 /// A record that only warms up once holds out nothing.
@@ -238,7 +242,8 @@ TEST_F(Correction, ABankOfLagsPredictsHoursThatItDidNotSee) {
 
 /// Their inputs drive the model all the same.
 TEST_F(Correction, ReadingsCountFromAndUntil) {
-  const std::string model = data + "exact/correction.toml", record = data + "exact/train.csv";
+  const std::string model = corrections + "exact/correction.toml",
+                    record = corrections + "exact/train.csv";
   const auto readings = [&](const std::string& flags) {
     return parsed(
                run("correct " + model + " " + record + " --json " + flags))["metrics"]["readings"]
@@ -256,8 +261,8 @@ TEST_F(Correction, ReadingsCountFromAndUntil) {
 }
 
 TEST_F(Correction, CheckTellsWhatARecordIsWorth) {
-  const json d =
-      parsed(run("check " + data + "power/correction.toml " + data + "power/train.csv --json"));
+  const json d = parsed(run("check " + corrections + "power/correction.toml " + corrections +
+                            "power/train.csv --json"));
   EXPECT_EQ(d["sampling_s"], 30.0);
   EXPECT_EQ(d["readings"], 2880);
   EXPECT_EQ(d["time_constants_visible_s"], (json{90.0, 43185.0}));

@@ -13,12 +13,12 @@ using testing::Not;
 const std::string root = tests::source_dir();
 const std::string wheel = root + "/data/measurements/flywheel.toml";
 const std::string spin_down = root + "/data/measurements/flywheel_unloaded.csv";
-/// A rig whose model lacks a drag of 62.5 N mm at 10 000 rpm.
-const std::string rig = root + "/tests/hidden_effect/rigs/dev-03/";
-const std::string train = rig + "train.csv";
+/// A rig_folder whose model lacks a drag of 62.5 N mm at 10 000 rpm.
+const std::string rig_folder = root + "/tests/hidden_effect/rigs/dev-03/";
+const std::string train = rig_folder + "train.csv";
 
 std::string with_loop(const ScratchFolder& scratch, const std::string& lines) {
-  return scratch.write("loop.toml", file_text(rig + "model.toml") + "\n[loop]\n" + lines);
+  return scratch.write("loop.toml", file_text(rig_folder + "model.toml") + "\n[loop]\n" + lines);
 }
 
 TEST(Tolerance, DecidesOfAWheelMeasuredFinerThanAnyModel) {
@@ -38,7 +38,8 @@ TEST(Tolerance, DecidesOfAWheelMeasuredFinerThanAnyModel) {
 }
 
 TEST(Tolerance, AboveTheErrorLeavesNothingThatMatters) {
-  const std::string diagnose = "diagnose " + rig + "model.toml " + train + " --tolerance 100Nmm";
+  const std::string diagnose =
+      "diagnose " + rig_folder + "model.toml " + train + " --tolerance 100Nmm";
   EXPECT_EQ(parsed(run(diagnose + " --json"))["verdict"], "nothing-missing");
   const Result text = run(diagnose);
   EXPECT_EQ(text.status, 0) << text.err;
@@ -49,7 +50,7 @@ TEST(Tolerance, AboveTheErrorLeavesNothingThatMatters) {
 }
 
 TEST(Tolerance, WithoutOneNothingIsSaidOfIt) {
-  const Result r = run("diagnose " + rig + "model.toml " + train);
+  const Result r = run("diagnose " + rig_folder + "model.toml " + train);
   EXPECT_EQ(r.status, 0) << r.err;
   EXPECT_THAT(r.out, Not(HasSubstr("tolerance")));
 }
@@ -57,7 +58,7 @@ TEST(Tolerance, WithoutOneNothingIsSaidOfIt) {
 TEST(Tolerance, OfTheFlagIsThatOfTheModel) {
   const ScratchFolder scratch;
   const std::string model = with_loop(scratch, "tolerance_Nmm = 20\n");
-  const std::string plain = rig + "model.toml";
+  const std::string plain = rig_folder + "model.toml";
   for (const std::string command : {"compare ", "diagnose "}) {
     const Result by_model = run(command + model + " " + train + " 2>/dev/null");
     const std::string by_flag = run(command + plain + " " + train + " --tolerance 20Nmm").out;
@@ -70,14 +71,14 @@ TEST(Tolerance, OfTheFlagIsThatOfTheModel) {
 }
 
 TEST(Tolerance, IsSaidByCompare) {
-  const std::string compare = "compare " + rig + "model.toml " + train + " --tolerance ";
+  const std::string compare = "compare " + rig_folder + "model.toml " + train + " --tolerance ";
   EXPECT_THAT(run(compare + "2Nmm").out, HasSubstr("It exceeds the tolerance of 2 N mm."));
   EXPECT_THAT(run(compare + "500Nmm").out, HasSubstr("It is within the tolerance of 500 N mm."));
 }
 
 TEST(Tolerance, ThatCannotBeIsToldInOneMessage) {
   const ScratchFolder scratch;
-  const std::string model = scratch.write("my.toml", file_text(rig + "model.toml"));
+  const std::string model = scratch.write("my.toml", file_text(rig_folder + "model.toml"));
   const auto refused = [&](const std::string& tolerance, const std::string& message) {
     for (const std::string& command :
          {"diagnose " + model + " " + train, "compare " + model + " " + train,

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<double> speeds{500, 1500, 3000, 5000, 7500, 10000, 12500, 15000};
+const std::vector<double> eight_speeds{500, 1500, 3000, 5000, 7500, 10000, 12500, 15000};
 
 TEST(Compare, CountsErrorsAsPredictionMinusReading) {
   DataSet data = factorial_plan({1000, 2000, 3000, 4000}, {300}, {40});
@@ -41,7 +41,7 @@ TEST(Compare, TellsStructureFromNoiseByEveryKindOfEvidence) {
   Model truth = synthetic_model();
   truth.law_values = {1.5, 0.001, 0.33};
   std::mt19937 random(32);
-  DataSet data = factorial_plan(speeds, {100, 300, 600}, {25, 60}, 3);
+  DataSet data = factorial_plan(eight_speeds, {100, 300, 600}, {25, 60}, 3);
   measure(truth, 1.0 * N_mm, random, data);
   for (Row& row : data.rows) row.measured += 15.0 * N_mm * std::pow(row.point.speed / 1000.0, 2);
   const Calibration fit = calibrate(truth, data);
@@ -60,7 +60,7 @@ TEST(Compare, TellsStructureFromNoiseByEveryKindOfEvidence) {
   EXPECT_LT(declared.lack_of_fit.p_value, 1e-100);
   EXPECT_THAT(declared.statement, HasSubstr("chi2/dof = "));
 
-  DataSet bare = factorial_plan(speeds, {100, 300, 600}, {25, 60});
+  DataSet bare = factorial_plan(eight_speeds, {100, 300, 600}, {25, 60});
   measure(truth, 1.0 * N_mm, random, bare);
   for (Row& row : bare.rows) row.measured += 15.0 * N_mm * std::pow(row.point.speed / 1000.0, 2);
   const Comparison unknown = compare(model_of(calibrate(truth, bare)), bare, 2);
@@ -73,7 +73,7 @@ TEST(Compare, TellsStructureFromNoiseByEveryKindOfEvidence) {
 TEST(Compare, SaysWhereItFailsWorstFirst) {
   const Model truth = synthetic_model();
   std::mt19937 random(33);
-  DataSet data = factorial_plan(speeds, {100, 300, 600}, {25, 60});
+  DataSet data = factorial_plan(eight_speeds, {100, 300, 600}, {25, 60});
   data.runs = {"monday", "friday"};
   for (std::size_t i = 0; i < data.rows.size(); ++i) data.rows[i].run = i % 2 == 0 ? 0 : 1;
   measure(truth, 0.1 * N_mm, random, data);
@@ -130,7 +130,7 @@ TEST(Compare, BinsACoastDownIntoAboutEqualParts) {
 TEST(Compare, CountsRowsWithoutPrediction) {
   Model model = synthetic_model();
   std::mt19937 random(34);
-  DataSet data = factorial_plan(speeds, {100, 300}, {40});
+  DataSet data = factorial_plan(eight_speeds, {100, 300}, {40});
   measure(model, 1.0 * N_mm, random, data);
   model.effects.push_back({.description = effects::find("spin-friction"), .values = {0.06}});
   data.rows[3].point.axial_load = 0.0;
@@ -144,7 +144,7 @@ TEST(Compare, CountsRowsWithoutPrediction) {
 TEST(Compare, ComparesTheTorqueOfTheWholeRig) {
   Model model = synthetic_model();
   std::mt19937 random(35);
-  DataSet data = factorial_plan(speeds, {300}, {40});
+  DataSet data = factorial_plan(eight_speeds, {300}, {40});
   model.rig.bearings = 4;
   measure(model, 0.0, random, data);
   EXPECT_NEAR(compare(model, data).rmse, 0.0, 1e-15);

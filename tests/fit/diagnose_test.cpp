@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 using NoiseLaw = std::function<void(std::vector<double>& relative_error, std::mt19937&)>;
 
-DataSet full_plan() {
+DataSet plan_of_diagnosis() {
   return factorial_plan({600, 1500, 3500, 7000, 11000, 16000}, {250, 600, 1400, 3000},
                         {25, 35, 45, 55, 65});
 }
@@ -56,7 +56,7 @@ DataSet measured(const Model& truth, unsigned seed,
                  const std::function<void(std::vector<double>&, const std::vector<double>& torque,
                                           std::mt19937&)>& shape = {}) {
   std::mt19937 random(seed);
-  DataSet data = full_plan();
+  DataSet data = plan_of_diagnosis();
   std::shuffle(data.rows.begin(), data.rows.end(), random);
   measure(truth, 0.0, random, data);
   std::normal_distribution<double> gauss;
@@ -341,7 +341,7 @@ TEST(Diagnose, RefusesDataThatCannotCarryAVerdict) {
   DataSet one = factorial_plan({5000}, {600}, {40}, 40);
   measure(synthetic_model(), 1.0 * N_mm, random, one);
   EXPECT_THROW((void)diagnose(belief(), one), std::invalid_argument);
-  DataSet other = full_plan();
+  DataSet other = plan_of_diagnosis();
   other.quantity = Quantity::axial_displacement;
   EXPECT_THROW((void)diagnose(belief(), other), std::invalid_argument);
 }

@@ -10,7 +10,7 @@
 namespace raceway::fit {
 namespace {
 
-constexpr double drag = 60.0;  // N mm at 10 000 rpm
+constexpr double full_drag = 60.0;  // N mm at 10 000 rpm
 
 struct Case {
   Model belief = synthetic_model();
@@ -37,7 +37,7 @@ double measured(const Diagnosis& d, std::size_t i) {
 }
 
 TEST(ExplainedReadings, AreWhatTheVerdictPredictsAndItsParts) {
-  const Case c(drag);
+  const Case c(full_drag);
   const Diagnosis& d = c.diagnosis;
   ASSERT_EQ(d.verdict, Verdict::effect) << d.sentence;
   ASSERT_TRUE(d.verdict_is_explained);
@@ -58,7 +58,7 @@ TEST(ExplainedReadings, AreWhatTheVerdictPredictsAndItsParts) {
 }
 
 TEST(ExplainedReadings, AreThereForEveryRankedEffect) {
-  const Case c(drag);
+  const Case c(full_drag);
   const Diagnosis& d = c.diagnosis;
   ASSERT_GE(d.effects.size(), 5U);
   ASSERT_EQ(d.explained.size(), d.effects.size());
@@ -88,7 +88,7 @@ TEST(ExplainedReadings, AreThereForEveryRankedEffect) {
 
 // Lines of a file are for messages: rows made in code have none, and lose nothing by it.
 TEST(ExplainedReadings, DoNotNeedLinesOfAFile) {
-  Case c(drag);
+  Case c(full_drag);
   for (Row& row : c.data.rows) row.line = 0;
   const Diagnosis d = diagnose(c.belief, c.data);
   ASSERT_EQ(d.verdict, Verdict::effect);
@@ -97,7 +97,7 @@ TEST(ExplainedReadings, DoNotNeedLinesOfAFile) {
 }
 
 TEST(Diagnose, HoldsTheNumbersOfSomeRowsAgainstAll) {
-  const Case c(drag, 40);
+  const Case c(full_drag, 40);
   ASSERT_EQ(c.diagnosis.rows, 40);
   ASSERT_EQ(c.diagnosis.verdict, Verdict::effect) << c.diagnosis.sentence;
   ASSERT_FALSE(c.diagnosis.messages.empty());

@@ -10,7 +10,7 @@
 namespace raceway::fit {
 namespace {
 
-const std::vector<double> speeds{1000, 2000, 4000, 8000}, loads{100, 300, 900};
+const std::vector<double> four_speeds{1000, 2000, 4000, 8000}, loads{100, 300, 900};
 
 /// A map of errors that `error` gives by speed [rpm] and axial load [N], noise of 1 N mm.
 template <typename Error>
@@ -24,7 +24,7 @@ MisfitMap map_of(DataSet data, Error error, double std = 1.0 * N_mm) {
 }
 
 TEST(MisfitMap, HasTheMeanErrorOfEveryPartOfThePlan) {
-  const MisfitMap map = map_of(factorial_plan(speeds, loads, {40}, 3),
+  const MisfitMap map = map_of(factorial_plan(four_speeds, loads, {40}, 3),
                                [](double n, double load) { return (n / 1000.0 + load) * N_mm; });
   EXPECT_TRUE(*map.up_channel == record::axial_load);
   ASSERT_EQ(map.across.size(), 4U);
@@ -32,16 +32,16 @@ TEST(MisfitMap, HasTheMeanErrorOfEveryPartOfThePlan) {
   ASSERT_EQ(map.cells.size(), 12U);
   for (const MisfitCell& c : map.cells) {
     EXPECT_EQ(c.rows, 3);
-    EXPECT_NEAR(c.bias, (speeds[c.across] / 1000.0 + loads[c.up]) * N_mm, 1e-12);
+    EXPECT_NEAR(c.bias, (four_speeds[c.across] / 1000.0 + loads[c.up]) * N_mm, 1e-12);
     EXPECT_NEAR(c.sigmas, c.bias / (N_mm / std::sqrt(3.0)), 1e-9);
   }
 }
 
 TEST(MisfitMap, OfADisplacementLiesOverItsPreloads) {
-  DataSet data = factorial_plan(speeds, {0}, {40}, 3);
+  DataSet data = factorial_plan(four_speeds, {0}, {40}, 3);
   data.quantity = Quantity::axial_displacement;
   for (std::size_t i = 0; i < data.rows.size(); ++i)
-    data.rows[i].preload = i < speeds.size() ? 300.0 : 600.0;
+    data.rows[i].preload = i < four_speeds.size() ? 300.0 : 600.0;
   const MisfitMap map = map_of(data, [](double n, double) { return n * 1e-9; });
   EXPECT_TRUE(*map.up_channel == record::preload);
   ASSERT_EQ(map.up.size(), 2U);
@@ -52,9 +52,9 @@ TEST(MisfitMap, OfADisplacementLiesOverItsPreloads) {
 }
 
 TEST(MisfitMap, CallsOnlyTheCellsThatStandOutOfTheNoiseSignificant) {
-  const MisfitMap map = map_of(factorial_plan(speeds, loads, {40}, 4), [](double n, double load) {
-    return (n > 7000 && load > 800 ? -3.0 : 0.2) * N_mm;
-  });
+  const MisfitMap map =
+      map_of(factorial_plan(four_speeds, loads, {40}, 4),
+             [](double n, double load) { return (n > 7000 && load > 800 ? -3.0 : 0.2) * N_mm; });
   for (const MisfitCell& c : map.cells)
     EXPECT_EQ(c.significant, c.across == 3 && c.up == 2) << c.across << " " << c.up;
 }
@@ -65,7 +65,7 @@ TEST(MisfitMap, RaisesAFalseAlarmInOneOfTwentyMapsOfPureNoise) {
   int alarms = 0;
   constexpr int maps = 1000;
   for (int k = 0; k < maps; ++k) {
-    const MisfitMap map = map_of(factorial_plan(speeds, loads, {40}, 3),
+    const MisfitMap map = map_of(factorial_plan(four_speeds, loads, {40}, 3),
                                  [&](double, double) { return gauss(random) * N_mm; });
     alarms += std::any_of(map.cells.begin(), map.cells.end(),
                           [](const MisfitCell& c) { return c.significant; });
@@ -76,9 +76,9 @@ TEST(MisfitMap, RaisesAFalseAlarmInOneOfTwentyMapsOfPureNoise) {
 
 TEST(MisfitMap, TakesAnotherInputWhereTheLoadDoesNotVary) {
   const auto none = [](double, double) { return 1.0 * N_mm; };
-  EXPECT_TRUE(*map_of(factorial_plan(speeds, {300}, {30, 60}), none).up_channel ==
+  EXPECT_TRUE(*map_of(factorial_plan(four_speeds, {300}, {30, 60}), none).up_channel ==
               record::temperature);
-  const MisfitMap line = map_of(factorial_plan(speeds, {300}, {40}), none);
+  const MisfitMap line = map_of(factorial_plan(four_speeds, {300}, {40}), none);
   EXPECT_EQ(line.up.size(), 1U);
   EXPECT_EQ(line.cells.size(), 4U);
   const MisfitMap point = map_of(factorial_plan({1000}, {300}, {40}, 5), none);
@@ -88,7 +88,7 @@ TEST(MisfitMap, TakesAnotherInputWhereTheLoadDoesNotVary) {
 
 TEST(MisfitMap, WithoutNoiseNothingIsSignificant) {
   const MisfitMap map = map_of(
-      factorial_plan(speeds, loads, {40}), [](double, double) { return 50.0 * N_mm; }, unset);
+      factorial_plan(four_speeds, loads, {40}), [](double, double) { return 50.0 * N_mm; }, unset);
   for (const MisfitCell& c : map.cells) {
     EXPECT_TRUE(std::isnan(c.sigmas));
     EXPECT_FALSE(c.significant);

@@ -12,7 +12,7 @@
 namespace raceway::fit {
 namespace {
 
-constexpr int rows = 60;
+constexpr int response_rows = 60;
 
 Parameter parameter(const char* name, double start, double lower, double upper, double scale) {
   return {
@@ -24,24 +24,25 @@ Response decay(const Parameter& amplitude, const Parameter& time) {
   Response response;
   response.parameters = {parameter("a", 1.0, -10.0, 10.0, 1.0), amplitude, time};
   response.readings = [](const Eigen::VectorXd& x) {
-    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(rows, 0.0, rows - 1.0);
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(response_rows, 0.0, response_rows - 1.0);
     return Eigen::VectorXd((x[0] + x[1] * (-t / x[2]).exp()).matrix());
   };
   return response;
 }
 
-Whitening unit_noise() { return {Eigen::VectorXd::Constant(rows, 0.01), {}, 0.0, 0.0}; }
+Whitening unit_noise() { return {Eigen::VectorXd::Constant(response_rows, 0.01), {}, 0.0, 0.0}; }
 
-/// y = (x² - 1)² + 0.3 (1 - x) in all rows, measured 0: a hollow near -1, met exactly near +1.
+/// y = (x² - 1)² + 0.3 (1 - x) in all response_rows, measured 0: a hollow near -1, met exactly near
+/// +1.
 TEST(FitResponse, TriesOtherStartsUntilTheBestIsReachedTwice) {
   Response response;
   response.parameters = {parameter("x", -1.2, -3.0, 3.0, 1.0)};
   response.readings = [](const Eigen::VectorXd& x) {
     const double y = std::pow(x[0] * x[0] - 1.0, 2) + 0.3 * (1.0 - x[0]);
-    return Eigen::VectorXd(Eigen::VectorXd::Constant(rows, y));
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(response_rows, y));
   };
   const auto at = [](double x) { return Eigen::VectorXd(Eigen::VectorXd::Constant(1, x)); };
-  const Eigen::VectorXd measured = Eigen::VectorXd::Zero(rows);
+  const Eigen::VectorXd measured = Eigen::VectorXd::Zero(response_rows);
   const ResponseFit fit =
       fit_response(response, unit_noise(), measured, {at(-1.2), at(1.2), at(1.4)});
   ASSERT_TRUE(fit.converged);
@@ -54,11 +55,12 @@ TEST(FitResponse, AWallWithoutBalanceIsNoMinimum) {
   Response response;
   response.parameters = {parameter("x", 0.5, 0.0, 5.0, 1.0)};
   response.readings = [](const Eigen::VectorXd& x) {
-    return Eigen::VectorXd(Eigen::VectorXd::Constant(rows, x[0] > 1.0 ? NAN : x[0] * x[0]));
+    return Eigen::VectorXd(
+        Eigen::VectorXd::Constant(response_rows, x[0] > 1.0 ? NAN : x[0] * x[0]));
   };
   const auto at = [](double x) { return Eigen::VectorXd(Eigen::VectorXd::Constant(1, x)); };
-  const ResponseFit fit = fit_response(response, unit_noise(), Eigen::VectorXd::Constant(rows, 9.0),
-                                       {at(0.5), at(0.7)});
+  const ResponseFit fit = fit_response(
+      response, unit_noise(), Eigen::VectorXd::Constant(response_rows, 9.0), {at(0.5), at(0.7)});
   EXPECT_FALSE(fit.converged);
 }
 
@@ -72,8 +74,9 @@ TEST(FitResponse, ReachesTheMinimumAtABound) {
   ASSERT_TRUE(fit.converged);
   EXPECT_EQ(fit.at_bound, (std::vector{false, false, true}));
   // With τ held there the rest is a straight line.
-  Eigen::MatrixXd columns(rows, 2);
-  columns << Eigen::VectorXd::Ones(rows), response.readings(Eigen::Vector3d(0.0, 1.0, 20.0));
+  Eigen::MatrixXd columns(response_rows, 2);
+  columns << Eigen::VectorXd::Ones(response_rows),
+      response.readings(Eigen::Vector3d(0.0, 1.0, 20.0));
   const Eigen::VectorXd line = columns.colPivHouseholderQr().solve(measured);
   const double least = (measured - columns * line).squaredNorm() / (0.01 * 0.01);
   EXPECT_NEAR(fit.misfit, least, 1e-9 * least);
@@ -85,7 +88,7 @@ TEST(FitResponse, AsksForOtherShapesWhereAnAmplitudeIsZero) {
   const Response response =
       decay(parameter("b", 0.5, 0.0, 10.0, 0.5), parameter("tau", 30.0, 0.1, 100.0, 10.0));
   Eigen::VectorXd measured = response.readings(Eigen::Vector3d(1.0, 0.3, 0.5));
-  measured += Eigen::VectorXd::LinSpaced(rows, 0.0, 0.2);
+  measured += Eigen::VectorXd::LinSpaced(response_rows, 0.0, 0.2);
   const ResponseFit fit =
       fit_response(response, unit_noise(), measured,
                    {Eigen::Vector3d(1.0, 0.5, 30.0), Eigen::Vector3d(1.0, 0.2, 25.0)});
@@ -99,12 +102,12 @@ TEST(Response, IsNotTakenForAffineWhereItsRangeIsNarrow) {
   Response response;
   response.parameters = {parameter("x", 0.52, 0.5, 0.7, 0.52)};
   response.readings = [](const Eigen::VectorXd& x) {
-    return Eigen::VectorXd(Eigen::VectorXd::Constant(rows, std::pow(x[0] - 0.5, 2)));
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(response_rows, std::pow(x[0] - 0.5, 2)));
   };
   response.find_affine_form();
   EXPECT_FALSE(response.affine);
   response.readings = [](const Eigen::VectorXd& x) {
-    return Eigen::VectorXd(Eigen::VectorXd::Constant(rows, 3.0 * x[0] + 1.0));
+    return Eigen::VectorXd(Eigen::VectorXd::Constant(response_rows, 3.0 * x[0] + 1.0));
   };
   response.find_affine_form();
   EXPECT_TRUE(response.affine);

@@ -43,12 +43,12 @@ double torque(const Day& day, double speed_rpm, double load_N) {
 
 constexpr double noise_Nmm = 2.0;
 
-Record record_of(const Day& day, const std::vector<double>& loads, unsigned seed, int repeats = 2,
-                 double noise = noise_Nmm) {
+Record record_of(const Day& day, const std::vector<double>& three_loads, unsigned seed,
+                 int repeats = 2, double noise = noise_Nmm) {
   std::mt19937 random(seed);
   std::normal_distribution<double> gauss;
-  DataSet data =
-      factorial_plan({600, 1500, 3000, 5000, 7500, 10000, 13000, 16000}, loads, {40}, repeats);
+  DataSet data = factorial_plan({600, 1500, 3000, 5000, 7500, 10000, 13000, 16000}, three_loads,
+                                {40}, repeats);
   data.source = "rig/" + day.name + ".csv";
   for (Row& row : data.rows)
     row.measured =
@@ -71,12 +71,12 @@ const Parameter& find(const std::vector<Parameter>& parameters, const std::strin
   return *at;
 }
 
-const std::vector<double> loads{100, 400, 1200};
+const std::vector<double> three_loads{100, 400, 1200};
 
 Record two_days(double windage = 60.0) {
   return record::joined(
-      {record_of({.name = "monday", .f0 = 1.5, .windage_Nmm = windage}, loads, 1),
-       record_of({.name = "friday", .f0 = 2.1, .windage_Nmm = windage}, loads, 2)});
+      {record_of({.name = "monday", .f0 = 1.5, .windage_Nmm = windage}, three_loads, 1),
+       record_of({.name = "friday", .f0 = 2.1, .windage_Nmm = windage}, three_loads, 2)});
 }
 
 TEST(SeveralRecords, GiveEachRecordItsOwnAndOneValueOfWhatIsShared) {
@@ -134,8 +134,8 @@ TEST(SeveralRecords, MayScatterDifferently) {
   int alarms = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Record record =
-        record::joined({record_of({.name = "quiet"}, loads, 100 + seed, 2, 0.5),
-                        record_of({.name = "rough", .f0 = 2.1}, loads, 200 + seed, 2, 5.0)});
+        record::joined({record_of({.name = "quiet"}, three_loads, 100 + seed, 2, 0.5),
+                        record_of({.name = "rough", .f0 = 2.1}, three_loads, 200 + seed, 2, 5.0)});
     const Diagnosis d = diagnose(several(record, {"f0", "z"}), record);
     if (d.verdict != Verdict::nothing_missing) ++alarms;
     ASSERT_EQ(d.channels[0].noise.records.size(), 2U);
@@ -147,8 +147,8 @@ TEST(SeveralRecords, MayScatterDifferently) {
 }
 
 TEST(SeveralRecords, AreTakenByNameWhateverTheirOrder) {
-  const Record monday = record_of({.name = "monday", .windage_Nmm = 60}, loads, 1);
-  const Record friday = record_of({.name = "friday", .f0 = 2.1, .windage_Nmm = 60}, loads, 2);
+  const Record monday = record_of({.name = "monday", .windage_Nmm = 60}, three_loads, 1);
+  const Record friday = record_of({.name = "friday", .f0 = 2.1, .windage_Nmm = 60}, three_loads, 2);
   const Record one = record::joined({monday, friday}), other = record::joined({friday, monday});
   const Diagnosis a = diagnose(several(one, {"f0", "z"}), one);
   const Diagnosis b = diagnose(several(other, {"f0", "z"}), other);
@@ -190,8 +190,8 @@ TEST(SeveralRecords, TellTogetherWhatNoneOfThemTellsAlone) {
 }
 
 TEST(SeveralRecords, PredictEachRecordByItself) {
-  const Record monday = record_of({.name = "monday"}, loads, 1);
-  const Record friday = record_of({.name = "friday", .f0 = 2.1}, loads, 2);
+  const Record monday = record_of({.name = "monday"}, three_loads, 1);
+  const Record friday = record_of({.name = "friday", .f0 = 2.1}, three_loads, 2);
   const Record both = record::joined({monday, friday});
   const SeveralRecords subject = several(both, {"f0"});
   const NamedValue values[] = {{"f0@friday", 3.0}, {"z", 0.002}};

@@ -14,7 +14,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-const std::vector<std::string> drag{"lubricant-drag"};
+const std::vector<std::string> drag_alone{"lubricant-drag"};
 
 /// Drag of this size [N mm at 10 000 rpm] hidden in readings that scatter by 1 N mm.
 DataSet with_drag(double size) {
@@ -69,8 +69,8 @@ TEST(Tolerance, LeavesTheLikelihoodToTellWhatItCan) {
 
 TEST(Tolerance, RefusesToAddWhatWasNotNeeded) {
   const DataSet data = with_drag(10.0);
-  EXPECT_FALSE(add(synthetic_model(), drag, data).refused);
-  const AddResult result = add(content_with(20.0 * N_mm), drag, data);
+  EXPECT_FALSE(add(synthetic_model(), drag_alone, data).refused);
+  const AddResult result = add(content_with(20.0 * N_mm), drag_alone, data);
   EXPECT_TRUE(result.refused);
   EXPECT_THAT(result.reason, HasSubstr("within the tolerance without it"));
 }

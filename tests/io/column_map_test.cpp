@@ -27,7 +27,7 @@ Record read(const std::string& text, const std::string& map = "[columns]\n",
                       {.columns = parse_column_map(map, "map.toml"), .drop_nan = drop_nan});
 }
 
-std::string error_of(const std::string& text, const std::string& map) {
+std::string map_error(const std::string& text, const std::string& map) {
   return message_of([&] { (void)read(text, map); });
 }
 
@@ -46,12 +46,12 @@ TEST(ColumnUnits, AKnownUnitInTheNameIsReadAndTold) {
 }
 
 TEST(ColumnUnits, RangesAreThoseOfTheFile) {
-  const std::string error = error_of("speed_rad_s,friction_torque_Nm\n-1,1\n", "[columns]\n");
+  const std::string error = map_error("speed_rad_s,friction_torque_Nm\n-1,1\n", "[columns]\n");
   EXPECT_THAT(error, HasSubstr("d.csv:2: speed_rad_s = -1: must be from 0 to 104719.7551 rad/s"));
 }
 
 TEST(ColumnUnits, OneQuantityInTwoColumnsIsAnError) {
-  EXPECT_EQ(error_of("speed_rpm,friction_torque_Nm,friction_torque_Nmm\n1,1,1\n", "[columns]\n"),
+  EXPECT_EQ(map_error("speed_rpm,friction_torque_Nm,friction_torque_Nmm\n1,1,1\n", "[columns]\n"),
             "d.csv:1: columns friction_torque_Nm and friction_torque_Nmm are both friction torque; "
             "keep one of them");
 }
@@ -59,7 +59,7 @@ TEST(ColumnUnits, OneQuantityInTwoColumnsIsAnError) {
 TEST(ColumnUnits, ARowOfUnitsMustNotContradictTheName) {
   const std::string names = "speed_rpm;friction_torque_Nmm\n";
   EXPECT_EQ(read(names + "1/min;N mm\n1;2\n").rows(), 1u);
-  EXPECT_EQ(error_of(names + "1/min;Nm\n1;2\n", "[columns]\n"),
+  EXPECT_EQ(map_error(names + "1/min;Nm\n1;2\n", "[columns]\n"),
             "d.csv:1: column friction_torque_Nmm has N m in the row of units below it; mend one");
 }
 
@@ -114,17 +114,17 @@ TEST(ColumnMap, AFileWithOurNamesNeedsNoRule) {
 
 TEST(ColumnMap, WhatIsWrongInItIsNamedWithItsLine) {
   const std::string data = "speed_rpm,friction_torque_Nmm\n1000,5\n";
-  EXPECT_THAT(error_of(data, "[columns]\nspeed_rpn = \"n\"\n"),
+  EXPECT_THAT(map_error(data, "[columns]\nspeed_rpn = \"n\"\n"),
               HasSubstr("map.toml:2: [columns] speed_rpn = \"n\": no column of this program; did "
                         "you mean speed_rpm?"));
-  EXPECT_THAT(error_of(data, "[columns]\nspeed_rpm = {column = \"n\", unit = \"Nm\"}\n"),
+  EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = {column = \"n\", unit = \"Nm\"}\n"),
               HasSubstr("unit = \"Nm\": must be rpm, 1_s, rad_s or krpm"));
-  EXPECT_THAT(error_of(data, "[columns]\naxial_load_N = 1e12\n"), HasSubstr("must be from 0 to"));
-  EXPECT_THAT(error_of(data, "[columns]\nfriction_torque_Nmm = 3\n"), HasSubstr("no number"));
-  EXPECT_THAT(error_of(data, "[columns]\nspeed_rpm = \"n\"\nspeed_rad_s = \"m\"\n"),
+  EXPECT_THAT(map_error(data, "[columns]\naxial_load_N = 1e12\n"), HasSubstr("must be from 0 to"));
+  EXPECT_THAT(map_error(data, "[columns]\nfriction_torque_Nmm = 3\n"), HasSubstr("no number"));
+  EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = \"n\"\nspeed_rad_s = \"m\"\n"),
               HasSubstr("map.toml:3: [columns] speed_rpm and speed_rad_s are one quantity"));
-  EXPECT_THAT(error_of(data, "[bearing]\n"), HasSubstr("has the table [columns] alone"));
-  EXPECT_THAT(error_of("n,friction_torque_Nmm\n1000,5\n", "[columns]\nspeed_rpm = \"N\"\n"),
+  EXPECT_THAT(map_error(data, "[bearing]\n"), HasSubstr("has the table [columns] alone"));
+  EXPECT_THAT(map_error("n,friction_torque_Nmm\n1000,5\n", "[columns]\nspeed_rpm = \"N\"\n"),
               HasSubstr("d.csv:1: no column \"N\", which map.toml:2 takes for speed_rpm"));
 }
 

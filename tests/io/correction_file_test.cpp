@@ -203,24 +203,24 @@ TEST(CorrectionFile, ARangeIsOfAnInputOrOfThePowerOfAChannel) {
   EXPECT_THAT(reading("\"other power_W\" = [0, 20]\n"), refused("no channel other"));
 }
 
-const std::string header = "time_s,speed_rpm,front_temperature_C,displacement_z_um\n";
+const std::string displacement_header = "time_s,speed_rpm,front_temperature_C,displacement_z_um\n";
 
 record::Record series(const std::string& text) {
   return parse_series(text, "r.csv", {record::series_channel("displacement_z_um")}, {});
 }
 
 TEST(SeriesFile, AnEmptyDisplacementWasNotRead) {
-  const record::Record r = series(header + "0,100,20,1\n60,100,21,\n120,100,22,3\n");
+  const record::Record r = series(displacement_header + "0,100,20,1\n60,100,21,\n120,100,22,3\n");
   EXPECT_EQ(r.rows(), 3U);
   EXPECT_TRUE(std::isnan(r.values(*record::series_channel("displacement_z_um"))[1]));
   EXPECT_NEAR(r.values(*record::series_channel("front_temperature_C"))[2], kelvin(22), 1e-12);
-  EXPECT_THAT([] { (void)series(header + "0,100,,1\n"); }, refused("is empty"));
+  EXPECT_THAT([] { (void)series(displacement_header + "0,100,,1\n"); }, refused("is empty"));
 }
 
 TEST(SeriesFile, TimeMustRiseWithinARun) {
-  EXPECT_THAT([] { (void)series(header + "0,1,20,1\n60,1,20,1\n30,1,20,1\n"); },
+  EXPECT_THAT([] { (void)series(displacement_header + "0,1,20,1\n60,1,20,1\n30,1,20,1\n"); },
               refused("r.csv:4: time_s = 30: goes back"));
-  EXPECT_THAT([] { (void)series(header + "0,1,20,1\n60,1,20,1\n60,1,20,1\n"); },
+  EXPECT_THAT([] { (void)series(displacement_header + "0,1,20,1\n60,1,20,1\n60,1,20,1\n"); },
               refused("stands twice"));
   const record::Record runs = series("run_id,time_s,displacement_z_um\na,0,1\na,60,2\nb,0,3\n");
   EXPECT_EQ(runs.runs, (std::vector<std::string>{"a", "b"}));

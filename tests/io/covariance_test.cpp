@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string rig = R"([bearing]
+const std::string rig_text = R"([bearing]
 name = "7014"
 ball_count = 20
 ball_diameter_mm = 11.906
@@ -58,7 +58,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 std::string message(const std::string& from, const std::string& to) {
-  return message_of([&] { (void)parse_model(replaced(rig + covariance, from, to), "m.toml"); });
+  return message_of(
+      [&] { (void)parse_model(replaced(rig_text + covariance, from, to), "m.toml"); });
 }
 
 fit::Covariance found() {
@@ -73,7 +74,7 @@ fit::Covariance found() {
 }
 
 model::Model fitted() {
-  model::Model model = parse_model(rig, "m.toml").model;
+  model::Model model = parse_model(rig_text, "m.toml").model;
   model.law_values = {1.623456789012345678, 0.00123, 0.33};
   model.effects[0].values = {58.25};
   model.covariance = found();
@@ -88,7 +89,7 @@ void expect_found(const model::Model& model) {
 }
 
 TEST(Covariance, IsReadByShortNamesToo) {
-  const ModelFile file = parse_model(rig + covariance, "m.toml");
+  const ModelFile file = parse_model(rig_text + covariance, "m.toml");
   ASSERT_TRUE(file.model.covariance.has_value());
   EXPECT_EQ(file.model.covariance->names[1], "windage.torque_at_10000_rpm_Nmm");
   EXPECT_DOUBLE_EQ(file.model.covariance->matrix(0, 1), -0.5 * 0.05 * 4.0);
@@ -97,7 +98,7 @@ TEST(Covariance, IsReadByShortNamesToo) {
 }
 
 TEST(Covariance, IsWrittenBehindAllElseAndReadBack) {
-  const std::string text = with_model(parse_model(rig, "m.toml"), fitted());
+  const std::string text = with_model(parse_model(rig_text, "m.toml"), fitted());
   EXPECT_THAT(text, HasSubstr("f0 = 1.62345678901235 # guessed"));
   EXPECT_THAT(text, HasSubstr("# measured\n\n[calibration.covariance]"));
   EXPECT_THAT(text, HasSubstr("std = [0.0512345, 4.5e-05, 3.75]"));
@@ -109,8 +110,8 @@ TEST(Covariance, IsWrittenBehindAllElseAndReadBack) {
 
 TEST(Covariance, TakesThePlaceOfTheOneBefore) {
   for (const std::string& before :
-       {rig + covariance, rig + covariance + "\n[rig]\nbearings = 2\n",
-        replaced(rig, "[[effect]]", covariance.substr(1) + "\n[[effect]]")}) {
+       {rig_text + covariance, rig_text + covariance + "\n[rig]\nbearings = 2\n",
+        replaced(rig_text, "[[effect]]", covariance.substr(1) + "\n[[effect]]")}) {
     const ModelFile file = parse_model(before, "m.toml");
     const std::string text = with_model(file, fitted());
     EXPECT_EQ(text.find("[calibration.covariance]"), text.rfind("[calibration.covariance]"));
@@ -126,7 +127,7 @@ TEST(Covariance, TakesThePlaceOfTheOneBefore) {
 }
 
 TEST(Covariance, KeepsCrlf) {
-  std::string text = rig;
+  std::string text = rig_text;
   for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += 2)
     text.insert(at, 1, '\r');
   const std::string written = with_model(parse_model(text, "m.toml"), fitted());
@@ -138,7 +139,8 @@ TEST(Covariance, KeepsCrlf) {
 }
 
 TEST(Covariance, IsOfNoUseForOtherValues) {
-  const ModelFile file = parse_model(replaced(rig + covariance, "f0 = 1.5", "f0 = 1.7"), "m.toml");
+  const ModelFile file =
+      parse_model(replaced(rig_text + covariance, "f0 = 1.5", "f0 = 1.7"), "m.toml");
   EXPECT_FALSE(file.model.covariance.has_value());
   ASSERT_EQ(file.notes.size(), 1U);
   EXPECT_THAT(file.notes[0],
@@ -162,7 +164,7 @@ TEST(Covariance, IsRefusedWithLineAndKey) {
 }
 
 TEST(Covariance, IsRefusedWhereNoParametersCanBeCorrelatedLikeThat) {
-  std::string text = rig + covariance;
+  std::string text = rig_text + covariance;
   text = replaced(text, "[\"f0\", \"torque", "[\"z\", \"f0\", \"torque");
   text = replaced(text, "[\"1\", \"N mm", "[\"1\", \"1\", \"N mm");
   text = replaced(text, "[1.5, 60", "[0.001, 1.5, 60");

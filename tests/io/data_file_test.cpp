@@ -45,7 +45,7 @@ Record record_of(const std::string& text, const model::Rig& rig = loaded_rig()) 
   return parse_record(text, "d.csv", *on(rig));
 }
 
-std::string error_of(const std::string& text, const model::Rig& rig = loaded_rig()) {
+std::string data_error(const std::string& text, const model::Rig& rig = loaded_rig()) {
   return message_of([&] { (void)record_of(text, rig); });
 }
 
@@ -181,16 +181,16 @@ TEST(DataFile, SemicolonsDecimalCommasMarkAndCarriageReturnsAreReadWithANote) {
 }
 
 TEST(DataFile, DecimalPointsAndCommasInOneFileAreAnError) {
-  EXPECT_EQ(error_of("speed_rpm;friction_torque_Nmm\n1000;50,5\n1000;1.234\n"),
+  EXPECT_EQ(data_error("speed_rpm;friction_torque_Nmm\n1000;50,5\n1000;1.234\n"),
             "d.csv:2: 50,5 has a decimal comma, but 1.234 in line 3 a decimal point; use one of "
             "them");
-  EXPECT_THAT(error_of("speed_rpm;friction_torque_Nmm\n1000;1.234,5\n"), HasSubstr("ambiguous"));
+  EXPECT_THAT(data_error("speed_rpm;friction_torque_Nmm\n1000;1.234,5\n"), HasSubstr("ambiguous"));
   // A name is no number, whatever it looks like.
   EXPECT_EQ(record_of("run_id;speed_rpm;friction_torque_Nmm\n5.28;1000;50,5\n").runs[0], "5.28");
 }
 
 TEST(DataFile, BadCellsAreAllReportedWithTheirLines) {
-  const std::string text = error_of(
+  const std::string text = data_error(
       "speed_rpm,temperature_C,friction_torque_Nmm\n1000,20,nan\n-5,20,1\n1000,-300,1\n1000,20,\n"
       "1000,20,x1\n");
   EXPECT_THAT(text, StartsWith("d.csv:2: friction_torque_Nmm = \"nan\""));
@@ -202,7 +202,7 @@ TEST(DataFile, BadCellsAreAllReportedWithTheirLines) {
 }
 
 TEST(DataFile, BadCellsComeInTheOrderOfTheirLines) {
-  const std::string text = error_of("speed_rpm,friction_torque_Nmm\n1000,x\n-5,1\n1000,y\n");
+  const std::string text = data_error("speed_rpm,friction_torque_Nmm\n1000,x\n-5,1\n1000,y\n");
   EXPECT_LT(text.find("d.csv:2"), text.find("d.csv:3"));
   EXPECT_LT(text.find("d.csv:3"), text.find("d.csv:4"));
 }
@@ -210,7 +210,7 @@ TEST(DataFile, BadCellsComeInTheOrderOfTheirLines) {
 TEST(DataFile, OfManyBadCellsTenAreShownAndAllCounted) {
   std::string text = "speed_rpm,friction_torque_Nmm\n";
   for (int i = 0; i < 30; ++i) text += "1000,oops\n";
-  const std::string error = error_of(text);
+  const std::string error = data_error(text);
   EXPECT_THAT(error, HasSubstr("d.csv:11: "));
   EXPECT_THAT(error, Not(HasSubstr("d.csv:12: ")));
   EXPECT_THAT(error, HasSubstr("and 20 more"));
@@ -219,21 +219,21 @@ TEST(DataFile, OfManyBadCellsTenAreShownAndAllCounted) {
 
 TEST(DataFile, AStandardDeviationMustBePositive) {
   for (const char* std : {"0", "-1"})
-    EXPECT_THAT(error_of(std::string("speed_rpm,friction_torque_Nmm,std_Nmm\n1,1,") + std + "\n"),
+    EXPECT_THAT(data_error(std::string("speed_rpm,friction_torque_Nmm,std_Nmm\n1,1,") + std + "\n"),
                 StartsWith("d.csv:2: std_Nmm = "));
 }
 
 TEST(DataFile, AStandardDeviationNeedsItsQuantity) {
-  EXPECT_THAT(error_of("speed_rpm,friction_torque_Nmm,std_um\n1,1,1\n"),
+  EXPECT_THAT(data_error("speed_rpm,friction_torque_Nmm,std_um\n1,1,1\n"),
               HasSubstr("column std_um has no axial_displacement_um"));
-  EXPECT_THAT(error_of("speed_rpm,axial_displacement_um,std_Nmm\n1,1,1\n"),
+  EXPECT_THAT(data_error("speed_rpm,axial_displacement_um,std_Nmm\n1,1,1\n"),
               HasSubstr("column std_Nmm has no friction_torque_Nmm"));
 }
 
 TEST(DataFile, MissingColumnsAreNamed) {
-  EXPECT_THAT(error_of("speed_rpm,axial_load_N\n1,1\n"),
+  EXPECT_THAT(data_error("speed_rpm,axial_load_N\n1,1\n"),
               StartsWith("d.csv:1: no measured column: friction_torque_Nmm or"));
-  EXPECT_THAT(error_of("friction_torque_Nmm\n1\n"),
+  EXPECT_THAT(data_error("friction_torque_Nmm\n1\n"),
               StartsWith("d.csv:1: column speed_rpm is missing"));
 }
 
@@ -241,14 +241,14 @@ TEST(DataFile, AnAxialLoadMustStandSomewhere) {
   for (const char* text : {"speed_rpm,friction_torque_Nmm\n1,1\n", "time_s,speed_rpm\n1,100\n"}) {
     model::Rig rig;
     rig.inertia = 1;
-    EXPECT_THAT(error_of(text, rig), HasSubstr("write axial_load_N under [rig]"));
+    EXPECT_THAT(data_error(text, rig), HasSubstr("write axial_load_N under [rig]"));
   }
 }
 
 TEST(DataFile, MisspeltColumnsAreErrorsAndForeignOnesAreNoted) {
-  EXPECT_EQ(error_of("speed_rpm,friction_torque_Nnm\n1,1\n"),
+  EXPECT_EQ(data_error("speed_rpm,friction_torque_Nnm\n1,1\n"),
             "d.csv:1: column friction_torque_Nnm is unknown; did you mean friction_torque_Nmm?");
-  EXPECT_THAT(error_of("speed,friction_torque_Nmm\n1,1\n"), HasSubstr("did you mean speed_rpm?"));
+  EXPECT_THAT(data_error("speed,friction_torque_Nmm\n1,1\n"), HasSubstr("did you mean speed_rpm?"));
   const Record data = record_of("speed_rpm,friction_torque_Nmm,samples_in_median\n1,1,50\n");
   EXPECT_THAT(data.notes, Contains("column samples_in_median is unknown and ignored"));
 }
@@ -291,10 +291,10 @@ TEST(DataFile, ACoastDownWithoutRunIdIsOneRun) {
 }
 
 TEST(DataFile, ACoastDownThatGivesNoTorqueIsAnErrorOfTheFile) {
-  EXPECT_EQ(error_of("run_id,time_s,speed_rpm\n" + falling("a", 5), flywheel()),
+  EXPECT_EQ(data_error("run_id,time_s,speed_rpm\n" + falling("a", 5), flywheel()),
             "d.csv: run a: 5 samples are too few for a torque, at least 7 are needed");
   EXPECT_EQ(
-      error_of("run_id,time_s,speed_rpm\n" + falling("a", 5) + falling("b", 6), flywheel()),
+      data_error("run_id,time_s,speed_rpm\n" + falling("a", 5) + falling("b", 6), flywheel()),
       "d.csv: run b: 6 samples are too few for a torque, at least 7 are needed; none of the 2 "
       "runs has more");
 }
@@ -320,7 +320,7 @@ TEST(DataFile, EqualTimesInACoastDownAreAveraged) {
 }
 
 TEST(DataFile, ACoastDownNeedsTheInertia) {
-  EXPECT_THAT(error_of("run_id,time_s,speed_rpm\na,0,1000\n"),
+  EXPECT_THAT(data_error("run_id,time_s,speed_rpm\na,0,1000\n"),
               HasSubstr("the model needs inertia_kgm2 under [rig]"));
 }
 
@@ -364,7 +364,7 @@ TEST(DataFile, TimesBetweenTwoSpeedsAreReadAsExcelWritesThem) {
 
 TEST(DataFile, WhatIsWrongWithTimesBetweenTwoSpeedsIsNamed) {
   const auto error = [](const std::string& header, const std::string& row) {
-    return error_of(header + "\n" + row + "\n", flywheel());
+    return data_error(header + "\n" + row + "\n", flywheel());
   };
   const std::string header = "speed_from_rpm,speed_to_rpm,time_s";
   EXPECT_EQ(error(header, "800,900,5"),
@@ -383,7 +383,7 @@ TEST(DataFile, WhatIsWrongWithTimesBetweenTwoSpeedsIsNamed) {
               StartsWith("d.csv:1: column time_s is missing"));
   EXPECT_EQ(error(header, "30,20,5"),
             "d.csv: no fall ends above minimum_speed_rpm = 40 of [rig]; nothing is left");
-  EXPECT_THAT(error_of(falls()), HasSubstr("the model needs inertia_kgm2 under [rig]"));
+  EXPECT_THAT(data_error(falls()), HasSubstr("the model needs inertia_kgm2 under [rig]"));
 }
 
 TEST(DataFile, AnUnknownInertiaMakesTheMeanTorqueThatOfTheModel) {
@@ -421,12 +421,12 @@ TEST(DataFile, AnUnknownInertiaMakesTheMeanTorqueThatOfTheModel) {
 }
 
 TEST(DataFile, TimeMustNotGoBackWithinARunOfACoastDown) {
-  EXPECT_EQ(error_of("run_id,time_s,speed_rpm\na,1,1000\nb,0,1000\na,0,900\n", flywheel()),
+  EXPECT_EQ(data_error("run_id,time_s,speed_rpm\na,1,1000\nb,0,1000\na,0,900\n", flywheel()),
             "d.csv:4: time_s = 0: must not go back within a run");
 }
 
 TEST(DataFile, ACoastDownBelowTheMinimumSpeedIsAnError) {
-  EXPECT_THAT(error_of("time_s,speed_rpm\n0,10\n1,9\n", flywheel()),
+  EXPECT_THAT(data_error("time_s,speed_rpm\n0,10\n1,9\n", flywheel()),
               HasSubstr("all 2 rows are below minimum_speed_rpm = 40"));
 }
 

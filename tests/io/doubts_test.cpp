@@ -26,7 +26,7 @@ struct Row {
 };
 
 /// What the model reads, a third more of it and bent with speed: as far as effects go.
-std::vector<Row> rows() {
+std::vector<Row> rows_of_a_rig() {
   std::vector<Row> list;
   for (double speed = 1000; speed < 13000; speed += 1000)
     for (const double load : {100.0, 300.0, 900.0})
@@ -41,11 +41,11 @@ std::vector<Row> rows() {
   return list;
 }
 
-/// Doubts about these rows once `change` has been made to each.
+/// Doubts about these rows_of_a_rig once `change` has been made to each.
 template <typename Change>
 std::vector<std::string> after(const Change& change) {
   std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
-  for (Row r : rows()) {
+  for (Row r : rows_of_a_rig()) {
     change(r);
     text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature, r.torque);
   }
@@ -69,10 +69,11 @@ TEST(Doubts, AFactorOfReadingsIsNamed) {
   EXPECT_THAT(after([](Row& r) { r.torque /= 60; }), ElementsAre(HasSubstr("1/s for rpm")));
 }
 
-/// A long record of which every fifth row is right: rows in step with it would tell nothing.
+/// A long record of which every fifth row is right: rows_of_a_rig in step with it would tell
+/// nothing.
 TEST(Doubts, ALongRecordIsNotLookedAtInStepWithWhatRepeatsInIt) {
   std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
-  const std::vector<Row> list = rows();
+  const std::vector<Row> list = rows_of_a_rig();
   for (std::size_t k = 0; k < 1500; ++k) {
     const Row& r = list[k % list.size()];
     text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature,

@@ -73,7 +73,7 @@ std::string changed(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-std::string error_of(const std::string& text) {
+std::string model_error(const std::string& text) {
   return message_of([&] { (void)parse_model(text, "m.toml"); });
 }
 
@@ -131,36 +131,37 @@ TEST(ModelFile, SkfTakesItsPublishedConstantsByDefault) {
 }
 
 TEST(ModelFile, MisspeltKeysAreErrorsWithTheNearestName) {
-  EXPECT_EQ(error_of(changed("ball_count", "ball_cuont")),
+  EXPECT_EQ(model_error(changed("ball_count", "ball_cuont")),
             "m.toml:3: ball_cuont = 20: unknown key in [bearing]; did you mean ball_count?");
-  EXPECT_THAT(error_of(changed("[lubricant]", "[lubricants]")),
+  EXPECT_THAT(model_error(changed("[lubricant]", "[lubricants]")),
               StartsWith("m.toml:13: [lubricants]: unknown table; did you mean lubricant?"));
-  EXPECT_THAT(error_of(changed("tilt = \"free\"", "tilt = \"fre\"")),
+  EXPECT_THAT(model_error(changed("tilt = \"free\"", "tilt = \"fre\"")),
               StartsWith("m.toml:30: tilt = \"fre\": must be locked or free; did you mean free?"));
-  EXPECT_THAT(error_of(changed("id = \"spin-friction\"", "id = \"spin-fricton\"")),
+  EXPECT_THAT(model_error(changed("id = \"spin-friction\"", "id = \"spin-fricton\"")),
               HasSubstr("unknown effect; did you mean spin-friction?"));
-  EXPECT_THAT(error_of(changed("free = [\"z\"", "free = [\"zz\"")), HasSubstr("no such parameter"));
-  EXPECT_THAT(error_of(changed("\"my-ball\"\nring", "\"my-bal\"\nring")),
+  EXPECT_THAT(model_error(changed("free = [\"z\"", "free = [\"zz\"")),
+              HasSubstr("no such parameter"));
+  EXPECT_THAT(model_error(changed("\"my-ball\"\nring", "\"my-bal\"\nring")),
               HasSubstr("did you mean my-ball?"));
 }
 
 TEST(ModelFile, MissingKeysAndTablesAreNamedWithTheirRange) {
-  EXPECT_EQ(error_of(changed("pitch_diameter_mm = 90\n", "")),
+  EXPECT_EQ(model_error(changed("pitch_diameter_mm = 90\n", "")),
             "m.toml:1: [bearing] pitch_diameter_mm is missing: must be from 1 to 5000 mm");
-  EXPECT_THAT(error_of(changed("ball_count = 20\n", "")),
+  EXPECT_THAT(model_error(changed("ball_count = 20\n", "")),
               StartsWith("m.toml:1: [bearing] ball_count is missing"));
-  EXPECT_THAT(error_of(changed("f0 = 1.5\n", "")),
+  EXPECT_THAT(model_error(changed("f0 = 1.5\n", "")),
               StartsWith("m.toml:17: [friction] f0 is missing: must be from"));
-  EXPECT_THAT(error_of(changed("static_load_rating_N = 43000\n", "")),
+  EXPECT_THAT(model_error(changed("static_load_rating_N = 43000\n", "")),
               HasSubstr("static_load_rating_N is missing, which the friction law palmgren needs"));
-  EXPECT_THAT(error_of("[lubricant]\nviscosity_40C_mm2_s = 22\nviscosity_100C_mm2_s = 5\n"),
+  EXPECT_THAT(model_error("[lubricant]\nviscosity_40C_mm2_s = 22\nviscosity_100C_mm2_s = 5\n"),
               StartsWith("m.toml: table [bearing] is missing"));
-  EXPECT_THAT(error_of(changed("density_kg_m3 = 3300\n", "")),
+  EXPECT_THAT(model_error(changed("density_kg_m3 = 3300\n", "")),
               HasSubstr("[material.my-ball] density_kg_m3 is missing"));
 }
 
 TEST(ModelFile, AllMissingKeysAreInOneMessage) {
-  const std::string error = error_of("[bearing]\nball_count = 20\ncontact_angle_deg = 15\n");
+  const std::string error = model_error("[bearing]\nball_count = 20\ncontact_angle_deg = 15\n");
   EXPECT_THAT(error, StartsWith("m.toml:1: [bearing] ball_diameter_mm is missing"));
   EXPECT_THAT(error, HasSubstr("10 keys are missing in all"));
   for (const char* line :
@@ -171,15 +172,15 @@ TEST(ModelFile, AllMissingKeysAreInOneMessage) {
 
 TEST(ModelFile, WrongTypesAreErrors) {
   EXPECT_EQ(
-      error_of(changed("= 11.906", "= \"11.906\"")),
+      model_error(changed("= 11.906", "= \"11.906\"")),
       "m.toml:4: ball_diameter_mm = \"11.906\": must be a number, not a text; must be from 0.1 "
       "to 300 mm");
-  EXPECT_THAT(error_of(changed("= 20", "= 20.5")),
+  EXPECT_THAT(model_error(changed("= 20", "= 20.5")),
               StartsWith("m.toml:3: ball_count = 20.5: must be a whole number"));
-  EXPECT_THAT(error_of(changed("ring_material = \"steel\"", "ring_material = 3")),
+  EXPECT_THAT(model_error(changed("ring_material = \"steel\"", "ring_material = 3")),
               HasSubstr("must be a text in quotes, not a number"));
-  EXPECT_THAT(error_of(changed("[solver]", "[[solver]]")), HasSubstr("must be a table"));
-  EXPECT_THAT(error_of(changed("[[effect]]", "[effect]")),
+  EXPECT_THAT(model_error(changed("[solver]", "[[solver]]")), HasSubstr("must be a table"));
+  EXPECT_THAT(model_error(changed("[[effect]]", "[effect]")),
               HasSubstr("[[effect]] with two brackets"));
 }
 
@@ -189,36 +190,36 @@ TEST(ModelFile, WholeNumbersServeAsNumbersAndTheOtherWayRound) {
 }
 
 TEST(ModelFile, ImpossibleValuesNameKeyValueAndRange) {
-  EXPECT_EQ(error_of(changed("= 11.906", "= -12")),
+  EXPECT_EQ(model_error(changed("= 11.906", "= -12")),
             "m.toml:4: ball_diameter_mm = -12 mm: must be from 0.1 to 300 mm");
-  EXPECT_EQ(error_of(changed("= 11.906", "= nan")),
+  EXPECT_EQ(model_error(changed("= 11.906", "= nan")),
             "m.toml:4: ball_diameter_mm = nan mm: must be from 0.1 to 300 mm");
-  EXPECT_EQ(error_of(changed("inner_conformity = 0.52", "inner_conformity = 0.5")),
+  EXPECT_EQ(model_error(changed("inner_conformity = 0.52", "inner_conformity = 0.5")),
             "m.toml:7: inner_conformity = 0.5: must be from 0.5005 to 0.7");
-  EXPECT_EQ(error_of(changed("= 20", "= 0")), "m.toml:3: ball_count = 0: must be from 3 to 200");
+  EXPECT_EQ(model_error(changed("= 20", "= 0")), "m.toml:3: ball_count = 0: must be from 3 to 200");
   EXPECT_EQ(
-      error_of(changed("= 20", "= 30")),
+      model_error(changed("= 20", "= 30")),
       "m.toml:3: ball_count = 30: at most 23 balls of 11.906 mm fit on a pitch circle of 90 mm");
-  EXPECT_THAT(error_of(changed("z = 0.001", "z = -1")),
+  EXPECT_THAT(model_error(changed("z = 0.001", "z = -1")),
               StartsWith("m.toml:19: z = -1: must be from"));
-  EXPECT_THAT(error_of(changed("= 4.8", "= 48")),
+  EXPECT_THAT(model_error(changed("= 4.8", "= 48")),
               StartsWith("m.toml:15: viscosity_100C_mm2_s = 48 mm2/s: must be below"));
-  EXPECT_THAT(error_of(changed("friction_coefficient = 0.06", "friction_coefficient = inf")),
+  EXPECT_THAT(model_error(changed("friction_coefficient = 0.06", "friction_coefficient = inf")),
               HasSubstr("friction_coefficient = inf: must be from"));
-  EXPECT_THAT(error_of(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = 0")),
+  EXPECT_THAT(model_error(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = 0")),
               HasSubstr("inertia_kgm2 = 0 kg m2: must be from"));
 }
 
 TEST(ModelFile, TextThatIsNoTomlIsErrorWithLineAndColumn) {
-  EXPECT_THAT(error_of("[bearing]\nball_count = = 3\n"), StartsWith("m.toml:2:14: "));
-  EXPECT_THAT(error_of("[bearing]\nball_count = 3\nball_count = 4\n"), StartsWith("m.toml:3:"));
-  EXPECT_THAT(error_of("ball_count = 3\n"), HasSubstr("stands outside any table"));
+  EXPECT_THAT(model_error("[bearing]\nball_count = = 3\n"), StartsWith("m.toml:2:14: "));
+  EXPECT_THAT(model_error("[bearing]\nball_count = 3\nball_count = 4\n"), StartsWith("m.toml:3:"));
+  EXPECT_THAT(model_error("ball_count = 3\n"), HasSubstr("stands outside any table"));
   // toml++ 3.3 asserts on this text.
-  EXPECT_THAT(error_of("[a]\n[ = 1.5\nc = 2\n"), StartsWith("m.toml:2:"));
+  EXPECT_THAT(model_error("[a]\n[ = 1.5\nc = 2\n"), StartsWith("m.toml:2:"));
 }
 
 TEST(ModelFile, FactorsOfTheOtherLawAreRefused) {
-  EXPECT_EQ(error_of(changed("y = 0.33", "y = 0.33\nmu_bl = 0.1")),
+  EXPECT_EQ(model_error(changed("y = 0.33", "y = 0.33\nmu_bl = 0.1")),
             "m.toml:21: mu_bl = 0.1: belongs to law = \"skf\", but the law is \"palmgren\"");
 }
 
@@ -233,14 +234,15 @@ TEST(ModelFile, TheLoadOfTheFactorIsP0UnlessTheFileSaysOtherwise) {
   EXPECT_EQ(said.model.f1_load, friction::F1Load::F_b);
   EXPECT_THAT(said.defaults, testing::Not(Contains(StartsWith("friction.f1_load"))));
   EXPECT_EQ(parse_model(with("\"P0\""), "m.toml").model.f1_load, friction::F1Load::P0);
-  EXPECT_EQ(error_of(with("\"F_a\"")),
+  EXPECT_EQ(model_error(with("\"F_a\"")),
             "m.toml:21: f1_load = \"F_a\": must be P0 or F_b; did you mean F_b?");
-  EXPECT_EQ(error_of(with("1")), "m.toml:21: f1_load = 1: must be a text in quotes, not a number");
-  EXPECT_EQ(error_of(changed("y = 0.33", "y = 0.33\nf1_laod = \"P0\"")),
+  EXPECT_EQ(model_error(with("1")),
+            "m.toml:21: f1_load = 1: must be a text in quotes, not a number");
+  EXPECT_EQ(model_error(changed("y = 0.33", "y = 0.33\nf1_laod = \"P0\"")),
             "m.toml:21: f1_laod = \"P0\": unknown key in [friction]; did you mean f1_load?");
   std::string skf = changed("f0 = 1.5\nz = 0.001\ny = 0.33", "law = \"skf\"\nf1_load = \"F_b\"");
   skf.replace(skf.find("[\"z\""), 4, "[\"mu_bl\"");
-  EXPECT_EQ(error_of(skf),
+  EXPECT_EQ(model_error(skf),
             "m.toml:19: f1_load = \"F_b\": belongs to law = \"palmgren\", but the law is \"skf\"");
   skf.erase(skf.find("f1_load = \"F_b\"\n"), 16);
   EXPECT_THAT(parse_model(skf, "m.toml").defaults,
@@ -259,10 +261,10 @@ TEST(ModelFile, TheSupplyIsReadAndMayBeAbsent) {
   EXPECT_EQ(parse_model(with("\"grease\""), "m.toml").model.supply, friction::Supply::grease);
   EXPECT_EQ(parse_model(with("\"jet\""), "m.toml").model.supply, friction::Supply::jet);
   EXPECT_EQ(parse_model(with("\"bath\""), "m.toml").model.supply, friction::Supply::bath);
-  EXPECT_THAT(error_of(with("\"oil_air\"")),
+  EXPECT_THAT(model_error(with("\"oil_air\"")),
               HasSubstr("supply = \"oil_air\": must be oil-air, grease, jet or bath; did you mean "
                         "oil-air?"));
-  EXPECT_THAT(error_of(changed(oil, oil + "suply = \"jet\"\n")),
+  EXPECT_THAT(model_error(changed(oil, oil + "suply = \"jet\"\n")),
               HasSubstr("unknown key in [lubricant]; did you mean supply?"));
 }
 
@@ -280,10 +282,10 @@ TEST(ModelFile, AnEffectThatTheSupplyRulesOutIsNotedAndStaysOn) {
 }
 
 TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
-  EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"spin-friction\"\n"),
+  EXPECT_THAT(model_error(complete + "[[effect]]\nid = \"spin-friction\"\n"),
               HasSubstr("listed twice"));
-  EXPECT_THAT(error_of(complete + "[[effect]]\n"), HasSubstr("[[effect]] has no id"));
-  EXPECT_THAT(error_of(complete + "[[effect]]\nid = \"lubricant-drag\"\ntorque_Nmm = \"1\"\n"),
+  EXPECT_THAT(model_error(complete + "[[effect]]\n"), HasSubstr("[[effect]] has no id"));
+  EXPECT_THAT(model_error(complete + "[[effect]]\nid = \"lubricant-drag\"\ntorque_Nmm = \"1\"\n"),
               HasSubstr("is an effect of the catalogue; give yours another id"));
   const ModelFile file = parse_model(changed("friction_coefficient = 0.06\n", ""), "m.toml");
   EXPECT_THAT(file.defaults, Contains(StartsWith("effect[0].friction_coefficient = ")));
@@ -295,10 +297,10 @@ TEST(ModelFile, AnInertiaMayBeUnknownIfThatIsSaid) {
           .model.rig;
   EXPECT_TRUE(rig.unknown_inertia && rig.coasts_down());
   EXPECT_TRUE(std::isnan(rig.inertia));
-  EXPECT_THAT(error_of(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = \"none\"")),
+  EXPECT_THAT(model_error(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = \"none\"")),
               HasSubstr("inertia_kgm2 = \"none\": must be from 1e-09 to 1000000 kg m2, or "
                         "\"unknown\""));
-  EXPECT_THAT(error_of(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = true")),
+  EXPECT_THAT(model_error(changed("inertia_kgm2 = 0.8489", "inertia_kgm2 = true")),
               HasSubstr("inertia_kgm2 = true: must be a number, not true or false"));
 }
 
@@ -327,7 +329,7 @@ TEST(ModelFile, AnEffectMayBeAFormula) {
 TEST(ModelFile, AWrongFormulaIsShownWithItsPlace) {
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string text = windage;
-    return error_of(complete + text.replace(text.find(from), from.size(), to));
+    return model_error(complete + text.replace(text.find(from), from.size(), to));
   };
   const std::string unknown = with("speed_rpm", "spede_rpm");
   EXPECT_THAT(unknown,
@@ -361,16 +363,18 @@ TEST(ModelFile, ToleranceOfWhatIsPredictedIsReadInSI) {
   ASSERT_EQ(position.size(), 1u);
   EXPECT_EQ(position[0].name, "axial_displacement_um");
   EXPECT_DOUBLE_EQ(position[0].value, 1e-6);
-  EXPECT_EQ(error_of(with("tolerance_um = 1")),
+  EXPECT_EQ(model_error(with("tolerance_um = 1")),
             "m.toml:46: tolerance_um = 1: this model predicts friction torque, and nothing in um");
-  EXPECT_EQ(error_of(with("tolerance_K = 0.5", sets)),
+  EXPECT_EQ(model_error(with("tolerance_K = 0.5", sets)),
             "m.toml:46: tolerance_K = 0.5: this model predicts axial displacement, and nothing in "
             "K");
-  EXPECT_EQ(error_of(with("tolerance_Nmm = 0")),
+  EXPECT_EQ(model_error(with("tolerance_Nmm = 0")),
             "m.toml:46: tolerance_Nmm = 0 Nmm: must be above 0");
-  EXPECT_THAT(error_of(with("tolerance_Nmm = -1")), HasSubstr("must be from 0 to 1000000000 Nmm"));
-  EXPECT_THAT(error_of(with("tolerance_Nmm = 2e9")), HasSubstr("must be from 0 to 1000000000 Nmm"));
-  EXPECT_THAT(error_of(with("tolerance_nmm = 2")), HasSubstr("did you mean tolerance_Nmm?"));
+  EXPECT_THAT(model_error(with("tolerance_Nmm = -1")),
+              HasSubstr("must be from 0 to 1000000000 Nmm"));
+  EXPECT_THAT(model_error(with("tolerance_Nmm = 2e9")),
+              HasSubstr("must be from 0 to 1000000000 Nmm"));
+  EXPECT_THAT(model_error(with("tolerance_nmm = 2")), HasSubstr("did you mean tolerance_Nmm?"));
 }
 
 TEST(ModelFile, MutilatedModelsAreErrorsAndNothingElse) {
@@ -420,13 +424,13 @@ TEST(ModelFile, OtherKeysOverrideTheCatalogue) {
   EXPECT_EQ(g.ball_count, 19);
   EXPECT_DOUBLE_EQ(g.outer_conformity, 0.53);
   text.replace(text.find("= 19"), 4, "= 90");
-  EXPECT_THAT(error_of(text), StartsWith("m.toml:3: ball_count = 90: at most"));
+  EXPECT_THAT(model_error(text), StartsWith("m.toml:3: ball_count = 90: at most"));
 }
 
 TEST(ModelFile, UnknownCatalogueBearingsAreAnsweredWithTheNearest) {
   std::string text = from_catalogue;
   text.replace(text.find("6014"), 4, "6O14");
-  EXPECT_THAT(error_of(text),
+  EXPECT_THAT(model_error(text),
               StartsWith("m.toml:2: bearing \"GMN S 6O14 C\" is not in the catalogue; "
                          "the nearest are GMN S 6014 C TA"));
 }
@@ -573,7 +577,7 @@ TEST(ModelEdit, EveryEffectOfTheCatalogueReadsBack) {
       const std::string text = with_effect(on_shaft ? shaft : rig, effect);
       if (!d.belongs_to(form)) {
         EXPECT_THAT(
-            error_of(text),
+            model_error(text),
             HasSubstr(d.of_spindles_alone() ? "but this model has no [shaft] and [housing]"
                       : on_shaft ? "acts on a bearing on a rig, but this model is of a shaft"
                                  : "but this model has no [arrangement]"));
@@ -608,7 +612,7 @@ TEST(ModelEdit, WrongDataIsPutRight) {
 TEST(ModelEdit, ASensorThatSeesAShareNeedsTheRoom) {
   const std::string bearing = complete.substr(0, complete.find("[calibration]"));
   const effects::Effect gain{.description = effects::find("temperature-gain"), .values = {0.6}};
-  EXPECT_THAT(error_of(with_effect(bearing, gain)), HasSubstr("room_temperature_C"));
+  EXPECT_THAT(model_error(with_effect(bearing, gain)), HasSubstr("room_temperature_C"));
 }
 
 }  // namespace

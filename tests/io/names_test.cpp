@@ -7,8 +7,8 @@
 namespace raceway::io {
 namespace {
 
-const std::vector<std::string> keys{"ball_count", "ball_diameter_mm", "pitch_diameter_mm",
-                                    "speed_rpm", "axial_load_N"};
+const std::vector<std::string> spoken_keys{"ball_count", "ball_diameter_mm", "pitch_diameter_mm",
+                                           "speed_rpm", "axial_load_N"};
 
 TEST(Names, EditDistanceCountsSwapsAsOneChangeAndIgnoresCase) {
   EXPECT_EQ(edit_distance("ball_count", "ball_count"), 0u);
@@ -19,20 +19,20 @@ TEST(Names, EditDistanceCountsSwapsAsOneChangeAndIgnoresCase) {
 }
 
 TEST(Names, NearestNameFindsMisspeltKeys) {
-  EXPECT_EQ(nearest_name("ball_cuont", keys), "ball_count");
-  EXPECT_EQ(nearest_name("pich_diameter_mm", keys), "pitch_diameter_mm");
+  EXPECT_EQ(nearest_name("ball_cuont", spoken_keys), "ball_count");
+  EXPECT_EQ(nearest_name("pich_diameter_mm", spoken_keys), "pitch_diameter_mm");
 }
 
 TEST(Names, NearestNameFindsAForgottenUnitOrFirstWord) {
-  EXPECT_EQ(nearest_name("speed", keys), "speed_rpm");
-  EXPECT_EQ(nearest_name("load_N", keys), "axial_load_N");
+  EXPECT_EQ(nearest_name("speed", spoken_keys), "speed_rpm");
+  EXPECT_EQ(nearest_name("load_N", spoken_keys), "axial_load_N");
 }
 
 TEST(Names, NamesThatAreFarFromAllHaveNoNearest) {
-  EXPECT_FALSE(nearest_name("samples_in_median", keys));
-  EXPECT_FALSE(nearest_name("", keys));
-  EXPECT_EQ(suggestion("zzzzzz", keys), "");
-  EXPECT_EQ(suggestion("ball_cont", keys), "; did you mean ball_count?");
+  EXPECT_FALSE(nearest_name("samples_in_median", spoken_keys));
+  EXPECT_FALSE(nearest_name("", spoken_keys));
+  EXPECT_EQ(suggestion("zzzzzz", spoken_keys), "");
+  EXPECT_EQ(suggestion("ball_cont", spoken_keys), "; did you mean ball_count?");
 }
 
 TEST(Names, AreListedWithAWordBeforeTheLast) {

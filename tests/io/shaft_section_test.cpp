@@ -48,7 +48,7 @@ bearing::Arrangement arrangement(const std::string& text,
   return parsed(text, bearing).model.shaft.value().arrangement;
 }
 
-std::string error_of(const std::string& text, const std::string& bearing = bearing_text) {
+std::string section_error(const std::string& text, const std::string& bearing = bearing_text) {
   return message_of([&] { (void)parsed(text, bearing); });
 }
 
@@ -156,50 +156,51 @@ TEST(ShaftSection, NamesOfTheTradeSayLayoutAndNumbers) {
   EXPECT_EQ(read("layout = \"DT\"\nmounting = \"spring\"\n").bearings().size(), 2u);
   // The set may stand the other way round.
   EXPECT_EQ(read("layout = \"TBT\"\nfront = 1\nrear = 2\n").bearings().size(), 3u);
-  EXPECT_THAT(error_of("[arrangement]\nlayout = \"DB\"\nfront = 2\npreload_N = 600\n"),
+  EXPECT_THAT(section_error("[arrangement]\nlayout = \"DB\"\nfront = 2\npreload_N = 600\n"),
               HasSubstr("front = 2, rear = 1: layout = \"DB\" has 1 and 1"));
 }
 
 TEST(ShaftSection, WrongKeysAndValuesAreNamed) {
-  EXPECT_EQ(error_of("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload = 600\n"),
+  EXPECT_EQ(section_error("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload = 600\n"),
             "m.toml:15: preload = 600: unknown key in [arrangement]; did you mean preload_N?");
-  EXPECT_THAT(error_of("[arrangement]\nfront = 2\n"),
+  EXPECT_THAT(section_error("[arrangement]\nfront = 2\n"),
               StartsWith("m.toml:11: [arrangement] layout is missing: must be O, X, tandem, DB, "));
-  EXPECT_THAT(error_of("[arrangement]\nlayout = \"o\"\n"),
+  EXPECT_THAT(section_error("[arrangement]\nlayout = \"o\"\n"),
               StartsWith("m.toml:12: layout = \"o\": must be O, X, tandem, DB, "));
-  EXPECT_EQ(error_of("[arrangement]\nlayout = \"O\"\nfront = 0\nrear = 1\n"),
+  EXPECT_EQ(section_error("[arrangement]\nlayout = \"O\"\nfront = 0\nrear = 1\n"),
             "m.toml:13: front = 0: must be from 1 to 20");
-  EXPECT_EQ(error_of("[arrangement]\nlayout = \"O\"\nfront = 2\n"),
+  EXPECT_EQ(section_error("[arrangement]\nlayout = \"O\"\nfront = 2\n"),
             "m.toml:11: [arrangement] rear is missing: must be from 0 to 20");
-  EXPECT_THAT(error_of("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 0\n"),
+  EXPECT_THAT(section_error("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 0\n"),
               StartsWith("m.toml:14: rear = 0: must be from 1 to 20"));
-  EXPECT_EQ(error_of(sets + "preload_N = -1\n"),
+  EXPECT_EQ(section_error(sets + "preload_N = -1\n"),
             "m.toml:15: preload_N = -1 N: must be from 0.001 to 100000000 N");
-  EXPECT_EQ(error_of(sets),
+  EXPECT_EQ(section_error(sets),
             "m.toml:11: [arrangement] preload is missing: must be one of preload_N, "
             "preload_offset_um and preload_class");
-  EXPECT_THAT(error_of(sets + "preload_N = 600\npreload_offset_um = 5\n"),
+  EXPECT_THAT(section_error(sets + "preload_N = 600\npreload_offset_um = 5\n"),
               HasSubstr("preload_N and preload_offset_um are given"));
-  EXPECT_THAT(error_of(sets + "preload_class = \"medium\"\n"),
+  EXPECT_THAT(section_error(sets + "preload_class = \"medium\"\n"),
               StartsWith("m.toml:15: preload_class = \"medium\": 7014 is no bearing of the "
                          "catalogue; give preload_N"));
-  EXPECT_EQ(error_of(sets + "preload_N = 600\nspring_rate_N_um = 5\n"),
+  EXPECT_EQ(section_error(sets + "preload_N = 600\nspring_rate_N_um = 5\n"),
             "m.toml:16: spring_rate_N_um = 5: only with mounting = \"spring\"");
-  EXPECT_THAT(error_of(sets + "mounting = \"spring\"\npreload_offset_um = 5\n"),
+  EXPECT_THAT(section_error(sets + "mounting = \"spring\"\npreload_offset_um = 5\n"),
               StartsWith("m.toml:16: preload_offset_um: a spring has a force, preload_N"));
-  EXPECT_THAT(error_of("[arrangement]\nlayout = \"tandem\"\nfront = 2\npreload_N = 600\n"),
+  EXPECT_THAT(section_error("[arrangement]\nlayout = \"tandem\"\nfront = 2\npreload_N = 600\n"),
               HasSubstr("write mounting = \"spring\""));
-  EXPECT_THAT(error_of(sets + "preload_N = 600\n[[arrangement.rear_bearing]]\n"
-                              "[[arrangement.rear_bearing]]\n"),
+  EXPECT_THAT(section_error(sets + "preload_N = 600\n[[arrangement.rear_bearing]]\n"
+                                   "[[arrangement.rear_bearing]]\n"),
               StartsWith("m.toml:16: [[arrangement.rear_bearing]] stands 2 times, but rear = 1"));
-  EXPECT_EQ(error_of(sets + "preload_N = 600\n[arrangement.rear_bearing]\nball_diameter_mm = -1\n"),
-            "m.toml:17: ball_diameter_mm = -1 mm: must be from 0.1 to 300 mm");
-  EXPECT_THAT(error_of(sets + "preload_N = 600\n[arrangement.rear_bearing]\nball_cnt = 5\n"),
+  EXPECT_EQ(
+      section_error(sets + "preload_N = 600\n[arrangement.rear_bearing]\nball_diameter_mm = -1\n"),
+      "m.toml:17: ball_diameter_mm = -1 mm: must be from 0.1 to 300 mm");
+  EXPECT_THAT(section_error(sets + "preload_N = 600\n[arrangement.rear_bearing]\nball_cnt = 5\n"),
               HasSubstr("unknown key in [arrangement.rear_bearing]; did you mean ball_count?"));
-  EXPECT_THAT(error_of(sets + "preload_N = 600\nrear_bearing = 3\n"),
+  EXPECT_THAT(section_error(sets + "preload_N = 600\nrear_bearing = 3\n"),
               HasSubstr("rear_bearing = 3: must be a table"));
   EXPECT_THAT(
-      error_of(sets + "preload_N = 600\n[arrangement.rear_bearing]\ncontact_angle_deg = 0\n"),
+      section_error(sets + "preload_N = 600\n[arrangement.rear_bearing]\ncontact_angle_deg = 0\n"),
       HasSubstr("m.toml:11: [arrangement] rear bearing 1: contact_angle = 0 deg: must be from 5 to "
                 "65 deg"));
 }

@@ -18,19 +18,19 @@ namespace {
 using bearing::Mounting;
 using bearing::PreloadForce;
 
-bearing::ArrangementDesign two_against_one(const bearing::Bearing& bearing) {
+bearing::ArrangementDesign free_set(const bearing::Bearing& bearing) {
   const auto one = std::make_shared<const bearing::Bearing>(bearing);
   return {.front = {{one}, {one}}, .rear = {{one}}, .preload = PreloadForce{600}};
 }
 
-Model shaft_model() {
+Model measured_shaft() {
   Model model = synthetic_model();
-  model.shaft = Shaft{bearing::Arrangement(two_against_one(model.bearing))};
+  model.shaft = Shaft{bearing::Arrangement(free_set(model.bearing))};
   return model;
 }
 
-Model with_effect(const char* id, std::vector<double> values) {
-  Model model = shaft_model();
+Model measured_shaft_with(const char* id, std::vector<double> values) {
+  Model model = measured_shaft();
   model.effects.push_back(
       {.description = effects::find(id, effects::Form::shaft), .values = std::move(values)});
   return model;
@@ -46,7 +46,7 @@ constexpr ShaftPoint fast{.speed = 10000 * rpm};
 
 // A set and a bearing alone are solved by different systems of equations.
 TEST(ShaftPrediction, BallsThatNoRaceHoldsTurnInASetAsTheyDoAlone) {
-  Model model = shaft_model();
+  Model model = measured_shaft();
   model.law = friction::FrictionLaw::contact;
   model.law_values.clear();
   for (const friction::Parameter& p : friction::parameters(model.law))
@@ -75,7 +75,7 @@ TEST(ShaftPrediction, BallsThatNoRaceHoldsTurnInASetAsTheyDoAlone) {
 }
 
 TEST(ShaftPrediction, FrictionIsThatOfEveryBearingUnderTheLoadOfItsSet) {
-  const Model model = with_effect("spin-friction", {0.06});
+  const Model model = measured_shaft_with("spin-friction", {0.06});
   const ShaftPrediction p = at(model, {.speed = 8000 * rpm, .external_load = -200});
   Model alone = model;
   alone.shaft.reset();
@@ -95,7 +95,7 @@ TEST(ShaftPrediction, FrictionIsThatOfEveryBearingUnderTheLoadOfItsSet) {
 }
 
 TEST(ShaftPrediction, DisplacementIsAgainstStandstillUnderTheSameLoad) {
-  const Model model = shaft_model();
+  const Model model = measured_shaft();
   for (const double load : {0.0, 350.0, -350.0}) {
     EXPECT_NEAR(at(model, {.external_load = load}).displacement, 0.0, 1e-15);
     const auto p = at(model, {.speed = 9000 * rpm, .external_load = load});
@@ -107,7 +107,7 @@ TEST(ShaftPrediction, DisplacementIsAgainstStandstillUnderTheSameLoad) {
 }
 
 TEST(ShaftPrediction, EveryPointIsTheSameAloneAndInASweep) {
-  const Model model = shaft_model();
+  const Model model = measured_shaft();
   std::vector<ShaftPoint> points;
   for (int i = 0; i <= 12; ++i)
     points.push_back({.speed = i * 1000 * rpm, .temperature = kelvin(30 + i)});
@@ -120,8 +120,8 @@ TEST(ShaftPrediction, EveryPointIsTheSameAloneAndInASweep) {
 }
 
 TEST(ShaftPrediction, RingGrowthOfAnEffectLoadsTheSetsAndASpringTakesItUp) {
-  const double plain = at(shaft_model(), fast).equilibrium.front_force;
-  Model grown = with_effect("centrifugal-ring-growth", {5.0});
+  const double plain = at(measured_shaft(), fast).equilibrium.front_force;
+  Model grown = measured_shaft_with("centrifugal-ring-growth", {5.0});
   EXPECT_GT(at(grown, fast).equilibrium.front_force, 1.05 * plain);
   // The same growth as a shift of the grooves.
   bearing::ArrangementCondition condition{.speed = fast.speed};
@@ -132,28 +132,28 @@ TEST(ShaftPrediction, RingGrowthOfAnEffectLoadsTheSetsAndASpringTakesItUp) {
   const auto p = at(grown, fast);
   EXPECT_EQ(p.friction[0].equilibrium->balls[0].inner_contact_angle,
             p.equilibrium.bearings[0].ball.inner_contact_angle);
-  auto design = two_against_one(grown.bearing);
+  auto design = free_set(grown.bearing);
   design.mounting = Mounting::spring;
   grown.shaft->arrangement = bearing::Arrangement(design);
   EXPECT_NEAR(at(grown, fast).equilibrium.rear_force, 600, 1e-6);
 }
 
 TEST(ShaftPrediction, OtherBallsReplaceThoseOfEveryBearing) {
-  const Model ceramic = with_effect("ball-material", {1.0});
-  Model entered = shaft_model();
+  const Model ceramic = measured_shaft_with("ball-material", {1.0});
+  Model entered = measured_shaft();
   entered.bearing =
       bearing::Bearing(entered.bearing.geometry(), bearing::silicon_nitride(), bearing::steel());
-  entered.shaft = Shaft{bearing::Arrangement(two_against_one(entered.bearing))};
+  entered.shaft = Shaft{bearing::Arrangement(free_set(entered.bearing))};
   const auto p = at(ceramic, fast), q = at(entered, fast);
   EXPECT_NEAR(p.displacement, q.displacement, 1e-14);
   EXPECT_NEAR(p.torque, q.torque, 1e-9 * q.torque);
   // Lighter balls push less.
-  EXPECT_LT(p.displacement, 0.7 * at(shaft_model(), fast).displacement);
+  EXPECT_LT(p.displacement, 0.7 * at(measured_shaft(), fast).displacement);
 }
 
 TEST(ShaftPrediction, TemperaturesShiftTheShaftAtStandstillToo) {
-  Model model = shaft_model();
-  auto design = two_against_one(model.bearing);
+  Model model = measured_shaft();
+  auto design = free_set(model.bearing);
   design.distance = 150 * mm;
   const bearing::Arrangement arrangement(design);
   // The shaft alone is warmer; what is not given stays at the mounting temperature.
@@ -164,7 +164,7 @@ TEST(ShaftPrediction, TemperaturesShiftTheShaftAtStandstillToo) {
   // Friction is that of the balls in the warm set.
   model.shaft->temperatures = bearing::SetTemperatures{.inner_ring = kelvin(26)};
   const auto q = at(model, fast);
-  EXPECT_GT(q.equilibrium.front_force, 1.1 * at(shaft_model(), fast).equilibrium.front_force);
+  EXPECT_GT(q.equilibrium.front_force, 1.1 * at(measured_shaft(), fast).equilibrium.front_force);
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_EQ(q.friction[i].equilibrium->balls[0].inner_contact_angle,
               q.equilibrium.bearings[i].ball.inner_contact_angle);
@@ -177,7 +177,7 @@ TEST(ShaftPrediction, TemperaturesShiftTheShaftAtStandstillToo) {
 }
 
 TEST(ShaftPrediction, HeatOfTheRingsIsThePowerLossWhateverTheBallsAreOf) {
-  Model model = with_effect("ball-material", {1.0});
+  Model model = measured_shaft_with("ball-material", {1.0});
   for (const char* id : {"spin-friction", "centrifugal-ring-growth"})
     model.effects.push_back({.description = effects::find(id, effects::Form::shaft),
                              .values = {id == std::string("spin-friction") ? 0.06 : 5.0}});
@@ -189,7 +189,7 @@ TEST(ShaftPrediction, HeatOfTheRingsIsThePowerLossWhateverTheBallsAreOf) {
 
 TEST(ShaftPrediction, ATiltGrowsOutOfNothing) {
   const auto torque = [](double tilt) {
-    Model model = with_effect("spin-friction", {0.06});
+    Model model = measured_shaft_with("spin-friction", {0.06});
     model.effects.push_back(
         {.description = effects::find("misalignment", effects::Form::shaft), .values = {tilt}});
     return at(model, fast).torque;
@@ -199,7 +199,7 @@ TEST(ShaftPrediction, ATiltGrowsOutOfNothing) {
 }
 
 TEST(ShaftPrediction, ABearingThatHasLostContactHasBallsOnItsOuterRingAlone) {
-  const Model model = with_effect("spin-friction", {0.06});
+  const Model model = measured_shaft_with("spin-friction", {0.06});
   const auto p = at(model, {.speed = 0.0, .external_load = 2000});
   ASSERT_TRUE(p.equilibrium.bearings[0].lost());
   EXPECT_EQ(p.friction[0].effects[0], 0.0) << "nothing presses the balls that spin";
@@ -208,8 +208,8 @@ TEST(ShaftPrediction, ABearingThatHasLostContactHasBallsOnItsOuterRingAlone) {
 }
 
 TEST(ShaftPrediction, PointsWithoutBalanceHaveNoNumbers) {
-  Model model = shaft_model();
-  auto design = two_against_one(model.bearing);
+  Model model = measured_shaft();
+  auto design = free_set(model.bearing);
   design.mounting = Mounting::spring;
   model.shaft->arrangement = bearing::Arrangement(design);
   const ShaftPoint pulled{.speed = 1000 * rpm, .external_load = 900};
