@@ -17,6 +17,7 @@
 #include "correction/simulation.h"
 #include "fit/noise.h"
 #include "fit/problem.h"
+#include "record/digits.h"
 #include "record/series_channel.h"
 
 namespace raceway::correction {
@@ -291,7 +292,7 @@ std::vector<double> usual_lags(const Series& series) {
   std::vector<double> list{0.0};
   // Two digits are enough, and are read more easily.
   for (double lag = duration / 100.0; lag > 0.0 && lag <= duration / 4.0; lag *= 3.0)
-    list.push_back(std::stod(fmt::format("{:.2g}", lag)));
+    list.push_back(record::with_digits(lag, 2));
   return list;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "fit/verdict_text.h"
+#include "record/digits.h"
 
 namespace raceway::fit {
 namespace {
@@ -34,7 +35,7 @@ std::string grouped(std::string text) {
 std::string size_words(const Parameter& p) {
   std::string name = p.name;
   // Two digits, without an exponent where people would write none.
-  const std::string digits = fmt::format("{:.6g}", std::stod(fmt::format("{:.2g}", p.value)));
+  const std::string digits = fmt::format("{:.6g}", record::with_digits(p.value, 2));
   const std::string value = p.unit == "1" ? digits : digits + " " + p.unit;
   if (p.unit != "1") {  // the last word of the name is the unit
     std::string unit = p.unit;

@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "io/model_facts.h"
-#include "io/number_text.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
 #include "io/shaft_results.h"
+#include "record/digits.h"
 #include "record/units.h"
 
 namespace raceway::io {
@@ -17,7 +17,7 @@ namespace {
 constexpr int shape_digits = 5;
 constexpr std::size_t drawn_shapes = 8;  // speeds of which the shapes are on the page
 
-double drawn_number(double value) { return with_digits(value, shape_digits); }
+double drawn_number(double value) { return record::with_digits(value, shape_digits); }
 
 /// The pieces of the shaft with its bearings and disks, as they are drawn below a line along it.
 json shaft_json(const model::Model& model, const bearing::Arrangement& arrangement,

@@ -11,6 +11,7 @@
 #include "io/fit_objects.h"
 #include "io/json_text.h"
 #include "io/number_text.h"
+#include "record/digits.h"
 
 namespace raceway::io {
 namespace {
@@ -233,7 +234,7 @@ std::string corrected_text(const record::Record& record, const std::vector<Corre
   const std::span<const double> time = record.values(record::time);
   const auto cell = [&](double value) {
     result += ',';
-    if (std::isfinite(value)) result += fmt::format("{}", with_digits(value / um, 9));
+    if (std::isfinite(value)) result += fmt::format("{}", record::with_digits(value / um, 9));
   };
   for (std::size_t row = 0; row < record.rows(); ++row) {
     result += fmt::format("{}", with_15_digits(time[row]));

@@ -5,6 +5,7 @@
 
 #include "correction/numbers.h"
 #include "io/number_text.h"
+#include "record/digits.h"
 #include "record/series_channel.h"
 
 // Last: see io/toml_text.h.
@@ -107,10 +108,10 @@ correction::Left read_left(const Section& s) {
 
 /// To six digits, away from the middle, so that the record itself stays within.
 double outward(double value, bool up) {
-  const double near = with_digits(value, 6);
+  const double near = record::with_digits(value, 6);
   if (value == 0.0 || (up ? near >= value : near <= value)) return near;
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
-  return with_digits(near + (up ? unit : -unit), 6);
+  return record::with_digits(near + (up ? unit : -unit), 6);
 }
 
 std::string range_text(const Model& m) {
@@ -133,7 +134,7 @@ std::string list_of(const std::vector<std::string>& words) {
 
 std::string list_of(const Eigen::VectorXd& numbers, int digits) {
   std::vector<std::string> list;
-  for (const double v : numbers) list.push_back(toml_float(with_digits(v, digits)));
+  for (const double v : numbers) list.push_back(toml_float(record::with_digits(v, digits)));
   return fmt::format("[{}]", fmt::join(list, ", "));
 }
 
@@ -190,10 +191,10 @@ std::string covariance_text(const Model& m) {
 std::string left_text(const correction::Left& left) {
   std::string text = fmt::format(
       "[correction.residual]  # what the model left, on parts that no fit saw\nrms_um = {}\n",
-      toml_float(with_digits(left.rms / um, 6)));
+      toml_float(record::with_digits(left.rms / um, 6)));
   if (std::isfinite(left.correlation_time))
-    text +=
-        fmt::format("correlation_time_s = {}\n", toml_float(with_digits(left.correlation_time, 6)));
+    text += fmt::format("correlation_time_s = {}\n",
+                        toml_float(record::with_digits(left.correlation_time, 6)));
   return text;
 }
 

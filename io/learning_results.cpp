@@ -8,6 +8,7 @@
 #include "io/fit_objects.h"
 #include "io/json_text.h"
 #include "io/number_text.h"
+#include "record/digits.h"
 
 namespace raceway::io {
 namespace {
@@ -88,7 +89,7 @@ std::string learnt_text(const record::Record& record, const std::vector<Learnt>&
   result += '\n';
   const auto cell = [&](double value) {
     result += ',';
-    if (std::isfinite(value)) result += fmt::format("{}", with_digits(value / um, 9));
+    if (std::isfinite(value)) result += fmt::format("{}", record::with_digits(value / um, 9));
   };
   std::vector<std::size_t> next(learnt.size(), 0);  // of the offered readings
   for (std::size_t row = 0; row < record.rows(); ++row) {

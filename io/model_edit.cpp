@@ -14,6 +14,7 @@
 #include "io/number_text.h"
 #include "model/corrected_data.h"
 #include "model/parameters.h"
+#include "record/digits.h"
 
 // Last: see io/toml_text.h.
 #include "io/toml_text.h"
@@ -291,10 +292,10 @@ std::string with_covariance(std::string text, const fit::Covariance& c,
     names.push_back(fmt::format("\"{}\"", c.names[k]));
     units.push_back(fmt::format("\"{}\"", p->unit));
     values.push_back(toml_float(with_15_digits(c.values[static_cast<Eigen::Index>(k)])));
-    std.push_back(toml_float(with_digits(c.std(k), 6)));
+    std.push_back(toml_float(record::with_digits(c.std(k), 6)));
     std::vector<std::string> row;
     for (std::size_t j = 0; j <= k; ++j)
-      row.push_back(toml_float(with_digits(c.correlation(k, j), 12)));
+      row.push_back(toml_float(record::with_digits(c.correlation(k, j), 12)));
     rows.push_back(fmt::format("  [{}],", fmt::join(row, ", ")));
   }
   text += fmt::format("{0}[calibration.covariance]  # of what was fitted, for --band{0}", line_end);

@@ -4,17 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+
+#include "record/digits.h"
 
 namespace raceway::io {
 
-double with_digits(double value, int digits) {
-  if (!std::isfinite(value)) return value;
-  const double rounded = std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
-  return std::isfinite(rounded) ? rounded : value;  // the largest double rounds up
-}
-
-double with_15_digits(double value) { return with_digits(value, 15); }
+double with_15_digits(double value) { return record::with_digits(value, 15); }
 
 std::string toml_float(double value) {
   std::string text = fmt::format("{}", value);

@@ -12,9 +12,6 @@ namespace raceway::io {
 /// the rounding of a change of unit off, 6000 rpm are not 6000.000000000001.
 [[nodiscard]] double with_15_digits(double value);
 
-/// The same of any number of digits.
-[[nodiscard]] double with_digits(double value, int digits);
-
 /// A double as TOML: the shortest text that reads back the same, always a float.
 [[nodiscard]] std::string toml_float(double value);
 

@@ -16,6 +16,7 @@
 #include "io/report.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
+#include "record/digits.h"
 #include "record/median.h"
 #include "record/series_channel.h"
 
@@ -277,7 +278,7 @@ class Page {
       hours.push_back(axis_.time[r.row] / an_hour);
       pieces.push_back(axis_.piece[r.row]);
       parts.push_back(r.part + 1);
-      errors.push_back(with_digits(r.residual / channel.factor, 7));
+      errors.push_back(record::with_digits(r.residual / channel.factor, 7));
     }
     if (hours.empty()) return {};
     return {{"hours", hours}, {"piece", pieces}, {"part", parts}, {"residual", errors}};

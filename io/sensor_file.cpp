@@ -14,6 +14,7 @@
 #include "io/number_text.h"
 #include "io/printable.h"
 #include "io/signal_channels.h"
+#include "record/digits.h"
 
 namespace raceway::io {
 namespace {
@@ -71,10 +72,11 @@ Lists lists_of(const rig::SensorCalibration& c) {
   for (int k = 0; k <= c.degree(); ++k) {
     lists.coefficients.push_back(fmt::format("{}", with_15_digits(c.sensor.coefficients[k])));
     lists.units.push_back(in_quotes(coefficient_unit(k)));
-    lists.std.push_back(fmt::format("{}", with_digits(c.std(k), 6)));
+    lists.std.push_back(fmt::format("{}", record::with_digits(c.std(k), 6)));
     std::vector<std::string> row;
     for (int j = 0; j <= k; ++j)
-      row.push_back(fmt::format("{}", with_digits(correlation(c.sensor.covariance, k, j), 12)));
+      row.push_back(
+          fmt::format("{}", record::with_digits(correlation(c.sensor.covariance, k, j), 12)));
     lists.correlation.push_back(fmt::format("  [{}],", fmt::join(row, ", ")));
   }
   return lists;
@@ -115,9 +117,9 @@ std::string torque_sensor_text(const rig::SensorCalibration& c, std::string_view
       "# zero_V = 0.0  # signal without torque on the day of the test, in place of the first "
       "coefficient\n",
       fmt::join(lists.coefficients, ", "), fmt::join(lists.units, ", "), fmt::join(lists.std, ", "),
-      fmt::join(lists.correlation, "\n"), digits(with_digits(s.scatter, 6)), c.degrees_of_freedom,
-      digits(s.lowest_torque), digits(s.highest_torque), digits(s.lowest_signal),
-      digits(s.highest_signal), c.readings, in_quotes(printable(source)));
+      fmt::join(lists.correlation, "\n"), digits(record::with_digits(s.scatter, 6)),
+      c.degrees_of_freedom, digits(s.lowest_torque), digits(s.highest_torque),
+      digits(s.lowest_signal), digits(s.highest_signal), c.readings, in_quotes(printable(source)));
 }
 
 std::string sensor_calibration_json(const rig::SensorCalibration& c, const std::string& source) {

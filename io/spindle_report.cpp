@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "io/model_facts.h"
-#include "io/number_text.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
+#include "record/digits.h"
 #include "record/units.h"
 #include "spindle/loaded_shaft.h"
 #include "spindle/sets_at_speed.h"
@@ -21,7 +21,7 @@ using spindle::Moment;
 
 constexpr int place_digits = 6;
 
-double drawn_mm(double metres) { return with_digits(metres / mm, place_digits); }
+double drawn_mm(double metres) { return record::with_digits(metres / mm, place_digits); }
 
 /// Of all cells one number each.
 json of_each_cell(const std::vector<spindle::FieldCell>& cells,
@@ -51,17 +51,18 @@ json drawn_bearings(const model::Model& model) {
   json list = json::array();
   for (std::size_t i = 0; i < places.size() && i < a.bearings().size(); ++i) {
     const bearing::BearingGeometry& g = a.bearings()[i].bearing->geometry();
-    list.push_back({{"label", bearing_label(model, i)},
-                    {"position_mm", drawn_mm(places[i])},
-                    {"width_mm", drawn_mm(s.bearing_width)},
-                    {"bore_mm", drawn_mm(g.bore)},
-                    {"outer_diameter_mm", drawn_mm(g.outer_diameter)},
-                    {"inner_ring_shoulder_mm", drawn_mm(s.inner_ring_shoulder)},
-                    {"outer_ring_shoulder_mm", drawn_mm(s.outer_ring_shoulder)},
-                    {"ball_diameter_mm", drawn_mm(g.ball_diameter)},
-                    {"pitch_diameter_mm", drawn_mm(g.pitch_diameter)},
-                    {"contact_angle_deg", with_digits(g.contact_angle / degree, place_digits)},
-                    {"pressed_rearwards", spindle::presses_rearwards(a, i)}});
+    list.push_back(
+        {{"label", bearing_label(model, i)},
+         {"position_mm", drawn_mm(places[i])},
+         {"width_mm", drawn_mm(s.bearing_width)},
+         {"bore_mm", drawn_mm(g.bore)},
+         {"outer_diameter_mm", drawn_mm(g.outer_diameter)},
+         {"inner_ring_shoulder_mm", drawn_mm(s.inner_ring_shoulder)},
+         {"outer_ring_shoulder_mm", drawn_mm(s.outer_ring_shoulder)},
+         {"ball_diameter_mm", drawn_mm(g.ball_diameter)},
+         {"pitch_diameter_mm", drawn_mm(g.pitch_diameter)},
+         {"contact_angle_deg", record::with_digits(g.contact_angle / degree, place_digits)},
+         {"pressed_rearwards", spindle::presses_rearwards(a, i)}});
   }
   return list;
 }
@@ -71,7 +72,7 @@ json section_json(const model::Model& model, std::span<const DrawnField> fields)
   json moments = json::array();
   for (const DrawnField& f : fields)
     moments.push_back({{"time_s", f.time},
-                       {"speed_rpm", with_digits(f.speed / rpm, place_digits)},
+                       {"speed_rpm", record::with_digits(f.speed / rpm, place_digits)},
                        {"temperature_C", of_each_cell(f.cells, [](const auto& c) {
                           return std::round(100.0 * celsius(c.temperature)) / 100.0;
                         })}});

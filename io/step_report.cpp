@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "io/model_facts.h"
-#include "io/number_text.h"
 #include "io/report_columns.h"
 #include "io/report_document.h"
+#include "record/digits.h"
 #include "record/units.h"
 
 namespace raceway::io {
@@ -17,7 +17,7 @@ constexpr double drawn_beyond = 1.15;  // of the largest power: how far laws are
 
 json drawn_values(const std::vector<double>& values, double unit) {
   json list = json::array();
-  for (const double v : values) list.push_back(with_digits(v / unit, drawn_digits));
+  for (const double v : values) list.push_back(record::with_digits(v / unit, drawn_digits));
   return list;
 }
 

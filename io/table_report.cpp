@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 
 #include "io/model_facts.h"
 #include "io/report.h"
@@ -11,6 +10,7 @@
 #include "io/shaft_results.h"
 #include "io/units.h"
 #include "model/prediction.h"
+#include "record/digits.h"
 #include "record/units.h"
 
 namespace raceway::io {
@@ -18,7 +18,7 @@ namespace {
 
 /// Seven digits, which is what rows of a report have.
 double short_number(double value) {
-  return std::isfinite(value) ? std::strtod(fmt::format("{:.7g}", value).c_str(), nullptr) : unset;
+  return std::isfinite(value) ? record::with_digits(value, 7) : unset;
 }
 
 json state_json(const model::Model& model, const bearing::OperatingPoint& point,

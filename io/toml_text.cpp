@@ -83,8 +83,9 @@ void require_short_keys(std::string_view text, std::string_view source) {
   }
 }
 
-/// Text in keys and values goes into other files and onto terminals.
-void require_printable(const toml::node& node, std::string_view source) {
+/// Rejects control characters in keys and values, which go into other files and onto terminals, and
+/// whole numbers that a double does not hold exactly.
+void require_usable(const toml::node& node, std::string_view source) {
   const auto require = [&](std::string_view text, const toml::source_region& place) {
     if (const auto code = control_character(text))
       throw InputError(fmt::format("{}:{}: {}: holds the control character {}", source,
@@ -92,12 +93,19 @@ void require_printable(const toml::node& node, std::string_view source) {
                        {.file = std::string(source), .line = static_cast<int>(place.begin.line)});
   };
   if (const auto* text = node.as_string()) require(text->get(), node.source());
+  if (const auto* number = node.as_integer(); number && !node.value<double>())
+    throw InputError(
+        fmt::format(
+            "{}:{}: {}: a whole number beyond 9007199254740992 (2^53) may not be exact; write "
+            "it with a decimal point",
+            source, node.source().begin.line, number->get()),
+        {.file = std::string(source), .line = static_cast<int>(node.source().begin.line)});
   if (const auto* list = node.as_array())
-    for (const toml::node& item : *list) require_printable(item, source);
+    for (const toml::node& item : *list) require_usable(item, source);
   if (const auto* table = node.as_table())
     for (const auto& [key, item] : *table) {
       require(key.str(), key.source());
-      require_printable(item, source);
+      require_usable(item, source);
     }
 }
 
@@ -126,7 +134,7 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
                      {.file = std::string(source)});
   require_short_keys(text, source);
   toml::table table = parsed(text, source);
-  require_printable(table, source);
+  require_usable(table, source);
   return table;
 }
 

@@ -13,6 +13,7 @@
 #include "correction/simulation.h"
 #include "io/number_text.h"
 #include "io/series_file.h"
+#include "record/digits.h"
 #include "record/series_channel.h"
 #include "record/units.h"
 
@@ -138,13 +139,13 @@ ControlCheck made_up_check(const ControlPlan& plan, const std::vector<correction
         } else if (in.temperature) {
           const double low = std::isnan(in.lowest) ? 20.0 : in.lowest,
                        high = std::isnan(in.highest) ? 35.0 : in.highest;
-          row.inputs.push_back(with_digits(
+          row.inputs.push_back(record::with_digits(
               low + (high - low) * 0.5 * (1.0 - std::cos(turn * (1.0 + 0.3 * place))), 6));
         } else {
           const double high =
               std::isnan(in.highest) ? (in.unit == "rpm" ? 6000.0 : 10.0) : in.highest;
           const int block = (k / 6 + static_cast<int>(i)) % 5;
-          row.inputs.push_back(with_digits(share * high * 0.25 * block, 6));
+          row.inputs.push_back(record::with_digits(share * high * 0.25 * block, 6));
         }
         row.inputs.back() = held(in, row.inputs.back());
       }

@@ -14,6 +14,7 @@
 #include "correction/simulation.h"
 #include "io/error.h"
 #include "io/number_text.h"
+#include "record/digits.h"
 #include "record/series_channel.h"
 
 namespace raceway::io {
@@ -166,7 +167,7 @@ class Planner {
     std::vector<double> temperatures = t.temperature;
     if (!in.temperature_column) temperatures = {in.temperature};
     for (const double T : temperatures)
-      made.temperature_C.push_back(with_digits(celsius(T), 12));
+      made.temperature_C.push_back(record::with_digits(celsius(T), 12));
     for (const double T : temperatures)
       for (const double n : t.speed) made.torque_Nmm.push_back(t(n, in.axial_load, T) / N_mm);
     if (!t.holds(t.speed.front(), in.axial_load,
@@ -185,7 +186,7 @@ class Planner {
       if (in.temperature_column)
         d.temperature = input(*in.temperature_column);
       else
-        d.temperature_C = with_digits(celsius(in.temperature), 12);
+        d.temperature_C = record::with_digits(celsius(in.temperature), 12);
       for (const correction::SeenRange& r : m.range)
         if (!r.column && r.name == channel) {
           d.lowest = r.lower;

@@ -4,13 +4,12 @@
 #include <pybind11/pybind11.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/error.h"
+#include "record/digits.h"
 #include "session/solve_states.h"
 
 namespace raceway::python {
@@ -22,11 +21,7 @@ using Doubles = py::array_t<double>;
 
 /// A setting as it was entered. The way to SI and back moves the last digit of a double, and a
 /// filter such as frame.speed_rpm == 1500 would not find its rows.
-inline double as_entered(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.13g", value);
-  return std::strtod(text, nullptr);
-}
+inline double as_entered(double value) { return record::with_digits(value, 13); }
 
 /// The shape that numpy gives arrays that are used together. Throws io::InputError where there is
 /// none.

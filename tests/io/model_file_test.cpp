@@ -77,6 +77,17 @@ std::string model_error(const std::string& text) {
   return message_of([&] { (void)parse_model(text, "m.toml"); });
 }
 
+TEST(ModelFile, AWholeNumberThatNoDoubleHoldsIsRefused) {
+  for (const char* where : {"f0", "unknown_key", "free"})
+    EXPECT_EQ(
+        model_error(fmt::format("[bearing]\nname = \"x\"\n{} = 9007199254740993\n", where)),
+        "m.toml:3: 9007199254740993: a whole number beyond 9007199254740992 (2^53) may not be "
+        "exact; write it with a decimal point");
+  EXPECT_THAT(model_error("[bearing]\nx = [1, -9223372036854775807]\n"),
+              StartsWith("m.toml:2: -9223372036854775807: a whole number beyond"));
+  EXPECT_THAT(model_error("[bearing]\nx = 9007199254740992\n"), HasSubstr("unknown key"));
+}
+
 TEST(ModelFile, EveryKeyIsReadInSI) {
   const ModelFile file = parse_model(complete, "m.toml");
   const model::Model& m = file.model;
