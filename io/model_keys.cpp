@@ -16,7 +16,7 @@ namespace {
 // Models that are read to see what their readers ask for. Between them they have every table; keys
 // are left out where a default is to be seen.
 
-constexpr const char* rig = R"(
+constexpr const char* rig_model = R"(
 [bearing]
 ball_count = 21
 ball_diameter_mm = 11.906
@@ -78,7 +78,7 @@ viscosity_100C_mm2_s = 4.8
 [friction]
 law = ")";
 
-constexpr const char* spindle = R"(
+constexpr const char* spindle_model = R"(
 [bearing]
 catalogue = "S 6014 C"
 [lubricant]
@@ -238,10 +238,10 @@ void take_general_name(ModelKey& key) {
 std::vector<ModelKey> model_keys() {
   KeyBook book;
   const std::string name = "model.toml";
-  (void)parse_model(rig, name);
+  (void)parse_model(rig_model, name);
   for (const char* law : {"palmgren", "skf", "contact"})
     (void)parse_model(std::string(short_rig) + law + "\"\n", name);
-  for (const char* text : {spindle, whole_housing, network}) (void)parse_model(text, name);
+  for (const char* text : {spindle_model, whole_housing, network}) (void)parse_model(text, name);
   for (const char* preload : {"preload_class = \"light\"", "preload_offset_um = 5"})
     (void)parse_model(std::string(class_and_offset) + preload + "\n", name);
   (void)parse_correction(correction_of_lags, name);

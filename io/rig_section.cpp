@@ -7,7 +7,7 @@ namespace raceway::io {
 namespace {
 
 constexpr Key inertia{"inertia_kgm2", "kg m2", 1e-9, 1e6};
-constexpr Key bearings{"bearings", "", 1, 100};
+constexpr Key bearing_count{"bearings", "", 1, 100};
 constexpr Key axial_load{"axial_load_N", "N", 0, 1e8};
 constexpr Key radial_load{"radial_load_N", "N", 0, 1e8};
 constexpr Key temperature{"temperature_C", "C", -273, 500};
@@ -31,18 +31,18 @@ void read_inertia(const Section& s, model::Rig& rig) {
 model::Rig read_rig(ModelTables& tables, const Names& further) {
   const Section s = tables.section("rig");
   Names known;
-  for (const Key& key :
-       {inertia, bearings, axial_load, radial_load, temperature, room_temperature, minimum_speed})
+  for (const Key& key : {inertia, bearing_count, axial_load, radial_load, temperature,
+                         room_temperature, minimum_speed})
     known.emplace_back(key.name);
   known.insert(known.end(), further.begin(), further.end());
   s.allow_only(known);
   model::Rig rig;
   read_inertia(s, rig);
   if (const auto value = s.number(axial_load)) rig.axial_load = *value;
-  if (const auto value = s.whole_number(bearings))
+  if (const auto value = s.whole_number(bearing_count))
     rig.bearings = *value;
   else
-    tables.note_default("rig", bearings.name, fmt::format("{}", rig.bearings));
+    tables.note_default("rig", bearing_count.name, fmt::format("{}", rig.bearings));
   rig.radial_load = tables.number_or(s, radial_load, rig.radial_load);
   rig.temperature = kelvin(tables.number_or(s, temperature, celsius(rig.temperature)));
   if (const auto value = s.number(room_temperature)) rig.room_temperature = kelvin(*value);

@@ -12,7 +12,7 @@
 namespace raceway::io {
 namespace {
 
-using Kind = ControlDrive::Kind;
+using DriveKind = ControlDrive::Kind;
 
 constexpr std::string_view formulas =
     R"(# One number a row. Displacements in um; temperatures in C, their rises in K; dt in s as measured.
@@ -137,7 +137,7 @@ class Table {
     if (d.reference != nowhere) word("reference", plan_.inputs[d.reference].column);
     if (d.temperature != nowhere) word("temperature", plan_.inputs[d.temperature].column);
     numbers(d, drive_numbers);
-    if (d.kind != Kind::power) return;
+    if (d.kind != DriveKind::power) return;
     const ControlTable& t = plan_.tables[d.table];
     word("friction_table", t.file);
     number("axial_load", t.axial_load_N, "N");

@@ -16,8 +16,8 @@ const std::string root = tests::source_dir();
 const std::string shaft = root + "/data/spindles/two_against_one.toml";
 const std::string sweep = root + "/data/spindles/ring_growth_sweep.csv";
 
-/// Model and data of a rig with a known hidden effect.
-std::string rig(int number) {
+/// Model and data of a sampled_rig with a known hidden effect.
+std::string sampled_rig(int number) {
   const std::string folder =
       root + "/tests/hidden_effect/rigs/dev-0" + std::to_string(number) + "/";
   return folder + "model.toml " + folder + "train.csv";
@@ -101,7 +101,7 @@ TEST(Agreement, ALadderHasOneNoiseForAllModels) {
 
 TEST(Agreement, DiagnoseAndAddGiveAnEffectOneSize) {
   const std::string dev_03 = root + "/tests/hidden_effect/rigs/dev-03/";
-  const json found = parsed(run("diagnose " + rig(3) + " --json"))["effects"][0];
+  const json found = parsed(run("diagnose " + sampled_rig(3) + " --json"))["effects"][0];
   const json added = parsed(run("add " + dev_03 + "model.toml lubricant-drag --data " + dev_03 +
                                 "train.csv --json"))["calibration"]["parameters"];
   ASSERT_EQ(found["id"], "lubricant-drag");
@@ -147,9 +147,9 @@ TEST(Agreement, NoNumberHasRoundingDust) {
   EXPECT_EQ(rounding_dust("{\"a\": 65.67000000000002}"), "65.67000000000002");
   EXPECT_EQ(rounding_dust("{\"a\": 0.000123456789012345, \"b\": 1e-300}"), "");
   for (int number = 1; number <= 8; ++number) {
-    expect_no_dust("compare " + rig(number));
-    expect_no_dust("calibrate " + rig(number));
-    expect_no_dust("diagnose --no-pairs " + rig(number));
+    expect_no_dust("compare " + sampled_rig(number));
+    expect_no_dust("calibrate " + sampled_rig(number));
+    expect_no_dust("diagnose --no-pairs " + sampled_rig(number));
   }
   const std::string dev_03 = root + "/tests/hidden_effect/rigs/dev-03/";
   expect_no_dust("add " + dev_03 + "model.toml lubricant-drag --data " + dev_03 + "train.csv");

@@ -1,4 +1,4 @@
-// Identification on records with a known answer: data/reference/correction_reference.json.
+// Identification on records with a known answer: golden_folder/reference/correction_reference.json.
 #include <cmath>
 #include <string>
 
@@ -8,7 +8,7 @@
 namespace raceway::tests {
 namespace {
 
-const std::string data = tests::source_dir() + "/data/corrections/";
+const std::string golden_folder = tests::source_dir() + "/data/corrections/";
 
 json reference(const std::string& row) {
   return json::parse(
@@ -16,8 +16,8 @@ json reference(const std::string& row) {
 }
 
 json found_on(const std::string& record) {
-  return parsed(run("identify " + data + record + "/correction.toml " + data + record +
-                    "/train.csv --json --quiet"));
+  return parsed(run("identify " + golden_folder + record + "/correction.toml " + golden_folder +
+                    record + "/train.csv --json --quiet"));
 }
 
 const json& channel_of(const json& found, const std::string& input) {

@@ -16,12 +16,13 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// A rig with a known hidden effect: drag of 62.5 N mm at 10 000 rpm.
-const std::string rig = tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/";
+/// A rig_folder_of_loop with a known hidden effect: drag of 62.5 N mm at 10 000 rpm.
+const std::string rig_folder_of_loop = tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/";
 
 TEST(Loop, NamesTheMissingEffectAndAddsIt) {
   const ScratchFolder scratch;
-  const Result found = run("diagnose " + rig + "model.toml " + rig + "train.csv --json");
+  const Result found = run("diagnose " + rig_folder_of_loop + "model.toml " + rig_folder_of_loop +
+                           "train.csv --json");
   ASSERT_EQ(found.status, 0) << found.err;
   const json d = json::parse(found.out);
   EXPECT_EQ(d["verdict"], "effect");
@@ -32,22 +33,24 @@ TEST(Loop, NamesTheMissingEffectAndAddsIt) {
     EXPECT_TRUE(d.contains(key)) << key;
 
   const std::string better = scratch.file("better.toml");
-  const Result added =
-      run("add " + rig + "model.toml lubricant-drag --data " + rig + "train.csv -o " + better);
+  const Result added = run("add " + rig_folder_of_loop + "model.toml lubricant-drag --data " +
+                           rig_folder_of_loop + "train.csv -o " + better);
   ASSERT_EQ(added.status, 0) << added.err;
-  const std::string before = file_text(rig + "model.toml"), after = file_text(better);
+  const std::string before = file_text(rig_folder_of_loop + "model.toml"),
+                    after = file_text(better);
   EXPECT_THAT(after, StartsWith(before.substr(0, before.find('\n'))));
   EXPECT_THAT(after, HasSubstr("id = \"lubricant-drag\""));
 
-  const Result ladder =
-      run("compare " + rig + "model.toml " + better + " " + rig + "test.csv --json");
+  const Result ladder = run("compare " + rig_folder_of_loop + "model.toml " + better + " " +
+                            rig_folder_of_loop + "test.csv --json");
   ASSERT_EQ(ladder.status, 0) << ladder.err;
   const json models = json::parse(ladder.out)["models"];
   EXPECT_LT(models[1]["rmse"].get<double>(), 0.25 * models[0]["rmse"].get<double>());
 }
 
 TEST(Loop, StatesOneNoise) {
-  const std::string files = rig + "model.toml " + rig + "train.csv --json";
+  const std::string files =
+      rig_folder_of_loop + "model.toml " + rig_folder_of_loop + "train.csv --json";
   const auto answer = [&](const std::string& command) {
     return json::parse(run(command + " " + files).out);
   };
@@ -59,8 +62,8 @@ TEST(Loop, StatesOneNoise) {
 
 TEST(Loop, AnswersAnUnknownEffectWithTheNearestAndWritesNothing) {
   const ScratchFolder scratch;
-  const Result r = run("add " + rig + "model.toml lubricant-drug --data " + rig + "train.csv -o " +
-                       scratch.file("x.toml"));
+  const Result r = run("add " + rig_folder_of_loop + "model.toml lubricant-drug --data " +
+                       rig_folder_of_loop + "train.csv -o " + scratch.file("x.toml"));
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(r.err, HasSubstr("lubricant-drag"));
   EXPECT_FALSE(std::filesystem::exists(scratch.file("x.toml")));
@@ -82,10 +85,10 @@ TEST(Loop, ExplainsEveryEffectOfTheCatalogue) {
 TEST(Loop, FindsAndAddsAFormulaOfTheUsersOwnWhereItStands) {
   const ScratchFolder scratch;
   const std::string model = scratch.write(
-      "m.toml", file_text(rig + "model.toml") +
+      "m.toml", file_text(rig_folder_of_loop + "model.toml") +
                     "\n[[effect]]\nid = \"my-drag\"\ntorque_Nmm = \"c * (speed_rpm/10000)^2\"  "
                     "# mine\nc = { value = 0.0, unit = \"N mm\", lower = 0.0 }\n");
-  const Result found = run("diagnose " + model + " " + rig + "train.csv --json");
+  const Result found = run("diagnose " + model + " " + rig_folder_of_loop + "train.csv --json");
   ASSERT_EQ(found.status, 0) << found.err;
   const json d = json::parse(found.out);
   EXPECT_EQ(d["verdict"], "ambiguous");  // it is lubricant-drag by another name
@@ -93,7 +96,8 @@ TEST(Loop, FindsAndAddsAFormulaOfTheUsersOwnWhereItStands) {
   EXPECT_NE(std::find(verdict.begin(), verdict.end(), json::array({"my-drag"})), verdict.end());
 
   const std::string better = scratch.file("better.toml");
-  const Result added = run("add " + model + " my-drag --data " + rig + "train.csv -o " + better);
+  const Result added =
+      run("add " + model + " my-drag --data " + rig_folder_of_loop + "train.csv -o " + better);
   ASSERT_EQ(added.status, 0) << added.err;
   const std::string text = file_text(better);
   EXPECT_THAT(text, HasSubstr("(speed_rpm/10000)^2\"  # mine"));
@@ -103,27 +107,29 @@ TEST(Loop, FindsAndAddsAFormulaOfTheUsersOwnWhereItStands) {
 
 TEST(Loop, RefusesAnEffectThatImitatesTheMissingOne) {
   const ScratchFolder scratch;
-  const Result r = run("add " + rig + "model.toml spin-friction --data " + rig + "train.csv -o " +
-                       scratch.file("x.toml"));
+  const Result r = run("add " + rig_folder_of_loop + "model.toml spin-friction --data " +
+                       rig_folder_of_loop + "train.csv -o " + scratch.file("x.toml"));
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(r.err, HasSubstr("lubricant-drag explains these data to the noise"));
   EXPECT_FALSE(std::filesystem::exists(scratch.file("x.toml")));
 }
 
 TEST(Loop, RefitsWhatDiffersFromDayToDayBeforeComparing) {
-  const Result as_it_stands = run("compare " + rig + "model.toml " + rig + "test.csv --json");
-  const Result refitted =
-      run("compare --refit f0,z " + rig + "model.toml " + rig + "test.csv --json");
+  const Result as_it_stands =
+      run("compare " + rig_folder_of_loop + "model.toml " + rig_folder_of_loop + "test.csv --json");
+  const Result refitted = run("compare --refit f0,z " + rig_folder_of_loop + "model.toml " +
+                              rig_folder_of_loop + "test.csv --json");
   ASSERT_EQ(refitted.status, 0) << refitted.err;
   EXPECT_LT(json::parse(refitted.out)["rmse"].get<double>(),
             0.8 * json::parse(as_it_stands.out)["rmse"].get<double>());
   EXPECT_THAT(refitted.err, HasSubstr("f0 and z refitted to"));
-  const Result unknown = run("compare --refit f1 " + rig + "model.toml " + rig + "test.csv");
+  const Result unknown = run("compare --refit f1 " + rig_folder_of_loop + "model.toml " +
+                             rig_folder_of_loop + "test.csv");
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.err, HasSubstr("nearest: f0"));
 }
 
-/// Rows of the rig's plan with another torque.
+/// Rows of the rig_folder_of_loop's plan with another torque.
 std::string rows(const std::function<std::string(int)>& row, int count) {
   std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
   for (int i = 0; i < count; ++i) text += row(i) + "\n";
@@ -133,7 +139,8 @@ std::string rows(const std::function<std::string(int)>& row, int count) {
 TEST(Loop, GivesNoVerdictWhereTheDataCannotCarryOne) {
   const ScratchFolder scratch;
   const auto message = [&](const std::string& data) {
-    const Result r = run("diagnose " + rig + "model.toml " + scratch.write("d.csv", data));
+    const Result r =
+        run("diagnose " + rig_folder_of_loop + "model.toml " + scratch.write("d.csv", data));
     EXPECT_EQ(r.status, 1) << data;
     EXPECT_EQ(r.out, "");
     return r.err;
@@ -154,10 +161,10 @@ TEST(Loop, GivesNoVerdictWhereTheDataCannotCarryOne) {
 TEST(Loop, ShowsWhereAFormulaIsWrong) {
   const ScratchFolder scratch;
   const std::string model =
-      scratch.write("m.toml", file_text(rig + "model.toml") +
+      scratch.write("m.toml", file_text(rig_folder_of_loop + "model.toml") +
                                   "\n[[effect]]\nid = \"mine\"\ntorque_Nmm = \"c * sped_rpm\"\n"
                                   "c = { value = 0.0, unit = \"N mm\" }\n");
-  const Result r = run("compare " + model + " " + rig + "train.csv");
+  const Result r = run("compare " + model + " " + rig_folder_of_loop + "train.csv");
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(r.err, HasSubstr("did you mean speed_rpm?"));
 }

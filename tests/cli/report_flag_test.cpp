@@ -28,7 +28,7 @@ class Report : public testing::Test {
 
 constexpr const char* short_programme = "time_s,speed_rpm\n0,0\n1800,4000\n3600,0\n";
 
-constexpr const char* moved =
+constexpr const char* moved_measurements =
     "speed_rpm,axial_displacement_um\n2000,0.2\n5000,1.9\n8000,4.1\n10000,5.4\n";
 
 TEST_F(Report, IsWrittenBesideWhatTheCommandPrints) {
@@ -47,7 +47,7 @@ TEST_F(Report, ThatCannotBeWrittenIsRefusedBeforeTheWork) {
         "add " + model_ + " lubricant-drag --data " + data_,
         "table " + model_ + " --speed 0:1000:500 --axial-load 100",
         "displacement " + shaft_ + " --speed 0:1000:500",
-        "compare " + shaft_ + " " + scratch_.write("u.csv", moved),
+        "compare " + shaft_ + " " + scratch_.write("u.csv", moved_measurements),
         "spindle " + spindle_ + " --speed 2000 --steady",
         "spindle " + spindle_ + " --speed-profile " + scratch_.write("p.csv", short_programme),
         "modes " + spindle_ + " --speed 2000", "step-response " + spindle_ + " --speed 2000",
@@ -80,8 +80,8 @@ TEST_F(Report, OfARecordOverTimeIsWrittenByEveryCommandThatTakesACorrection) {
 }
 
 TEST_F(Report, OfADisplacementIsWrittenAndReplacedByForceAlone) {
-  const std::string command =
-      "compare " + shaft_ + " " + scratch_.write("u.csv", moved) + " --report " + page_;
+  const std::string command = "compare " + shaft_ + " " +
+                              scratch_.write("u.csv", moved_measurements) + " --report " + page_;
   EXPECT_EQ(run(command).status, 0);
   const std::string first = file_text(page_);
   EXPECT_NE(first.find("{\"name\":\"measured_um\""), first.npos);

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string point = " --speed 8000 --axial-load 300";
+const std::string at_point = " --speed 8000 --axial-load 300";
 
 json answer(const std::string& arguments) {
   const Result result = run("sensitivity " + arguments + " --json");
@@ -30,7 +30,7 @@ TEST(Sensitivity, OfPalmgrensViscousMomentHasItsPowers) {
   const ScratchFolder scratch;
   const std::string model = scratch.write("m.toml", model_text);
   // M0 ~ f0 (ν n)^(2/3) d_m³; at 40 C the viscosity is that of the card.
-  const json found = answer(model + point + " --of viscous_Nmm");
+  const json found = answer(model + at_point + " --of viscous_Nmm");
   const json& viscous = found["predictions"][0];
   const double value = 1e-7 * 1.5 * std::pow(22.0 * 8000.0, 2.0 / 3.0) * std::pow(90.0, 3);
   EXPECT_NEAR(viscous["value"].get<double>(), value, 1e-9 * value);
@@ -66,12 +66,12 @@ TEST(Sensitivity, OfLoadAndSpeedOfASphereOnASphereIsThatOfHertz) {
 TEST(Sensitivity, CountsGoByOneAndHaveNoSecondStep) {
   const ScratchFolder scratch;
   const std::string model = scratch.write("m.toml", model_text);
-  const json found = answer(model + point + " --of stiffness");
+  const json found = answer(model + at_point + " --of stiffness");
   const json& balls = datum(found["predictions"][0], "bearing.ball_count");
   const auto stiffness = [&](int count) {
     const std::string other =
         replaced(model_text, "ball_count = 20", "ball_count = " + std::to_string(count));
-    return parsed(run("sensitivity " + scratch.write("o.toml", other) + point +
+    return parsed(run("sensitivity " + scratch.write("o.toml", other) + at_point +
                       " --of stiffness --data ball_count --json"))["predictions"][0]["value"]
         .get<double>();
   };
@@ -101,11 +101,11 @@ TEST(Sensitivity, TakesTheStandardErrorsThatAModelCarries) {
       "m.toml", model_text +
                     "\n[calibration.covariance]\nparameters = [\"f0\"]\nunits = [\"1\"]\n"
                     "values = [1.5]\nstd = [0.05]\ncorrelation = [[1.0]]\n");
-  const json f0 = datum(answer(model + point)["predictions"][0], "friction.f0");
+  const json f0 = datum(answer(model + at_point)["predictions"][0], "friction.f0");
   EXPECT_EQ(f0["spread_from"], "standard error");
   EXPECT_NEAR(f0["spread"].get<double>(), std::sqrt(3.0) * 0.05, 1e-12);
   const json given =
-      datum(answer(model + point + " --spread f0=10%")["predictions"][0], "friction.f0");
+      datum(answer(model + at_point + " --spread f0=10%")["predictions"][0], "friction.f0");
   EXPECT_EQ(given["spread_from"], "given");
   EXPECT_NEAR(given["spread"].get<double>(), 0.15, 1e-12);
 }
@@ -141,7 +141,7 @@ TEST(Sensitivity, IndicesOfAProductAreThoseOfItsFactors) {
 
 TEST(Sensitivity, FollowsItsSeedAlone) {
   const ScratchFolder scratch;
-  const std::string question = "sensitivity " + scratch.write("m.toml", model_text) + point +
+  const std::string question = "sensitivity " + scratch.write("m.toml", model_text) + at_point +
                                " --data friction --global 64 --json";
   EXPECT_EQ(run(question).out, run(question + " --seed 1").out);
   EXPECT_NE(run(question).out, run(question + " --seed 2").out);
@@ -193,7 +193,7 @@ TEST(Sensitivity, TakesSpreadsFromAFileWithTheKeysOfTheModel) {
   const std::string model = scratch.write("m.toml", model_text);
   const std::string spreads = scratch.write(
       "s.toml", "[bearing]\nball_diameter_mm = 0.01\n[lubricant]\nviscosity_40C_mm2_s = \"10%\"\n");
-  const json found = answer(model + point + " --of stiffness,torque --spread " + spreads);
+  const json found = answer(model + at_point + " --of stiffness,torque --spread " + spreads);
   EXPECT_NEAR(datum(found["predictions"][0], "bearing.ball_diameter_mm")["spread"].get<double>(),
               0.01, 1e-15);
   EXPECT_NEAR(
@@ -209,32 +209,32 @@ TEST(Sensitivity, RefusesWhatWasAskedWrong) {
   };
   refused(" --axial-load 300", "--speed is required");
   refused(" --speed 8000", "--axial-load is missing");
-  refused(point + " --spread bal_diameter_mm=1", "ball_diameter_mm");
-  refused(point + " --spread ball_diameter_mm=-1", "must be zero or more");
-  refused(point + " --spread ball_diameter_mm=wide", "must be a number in the unit of its name");
-  refused(point + " --spread ball_diameter_mm=nan", "must be a number in the unit of its name");
-  refused(point + " --spread ball_diameter_mm=", "how far it may be off");
-  refused(point + " --spread ball_count=0.5", "whole number");
-  refused(point + " --spread radial_load_N=10%", "a share of zero is none");
-  refused(point + " --spread nothing.toml", "nothing.toml");
-  refused(point + " --of torqe", "torqe: no such prediction");
-  refused(point + " --data nonsense", "has no such number");
-  refused(point + " --global 1000", "must be a power of two");
-  refused(point + " --global -4", "--global");
-  refused(point + " --steady", "is no spindle");
-  refused(point + " --global 64 --spread inner_conformity=0.2 --of stiffness",
+  refused(at_point + " --spread bal_diameter_mm=1", "ball_diameter_mm");
+  refused(at_point + " --spread ball_diameter_mm=-1", "must be zero or more");
+  refused(at_point + " --spread ball_diameter_mm=wide", "must be a number in the unit of its name");
+  refused(at_point + " --spread ball_diameter_mm=nan", "must be a number in the unit of its name");
+  refused(at_point + " --spread ball_diameter_mm=", "how far it may be off");
+  refused(at_point + " --spread ball_count=0.5", "whole number");
+  refused(at_point + " --spread radial_load_N=10%", "a share of zero is none");
+  refused(at_point + " --spread nothing.toml", "nothing.toml");
+  refused(at_point + " --of torqe", "torqe: no such prediction");
+  refused(at_point + " --data nonsense", "has no such number");
+  refused(at_point + " --global 1000", "must be a power of two");
+  refused(at_point + " --global -4", "--global");
+  refused(at_point + " --steady", "is no spindle");
+  refused(at_point + " --global 64 --spread inner_conformity=0.2 --of stiffness",
           "leaves what a model may have");
-  refused(point + " --global 64 --data f0 --spread f0=0", "nothing to sample");
+  refused(at_point + " --global 64 --data f0 --spread f0=0", "nothing to sample");
 }
 
 TEST(Sensitivity, TellsDataThatAreZeroApartFromThoseThatDoNotEnter) {
   const ScratchFolder scratch;
   const std::string model = scratch.write("m.toml", model_text);
-  const json found = answer(model + point + " --of displacement");
+  const json found = answer(model + at_point + " --of displacement");
   EXPECT_THAT(found["not_varied"].dump(), HasSubstr("rig.radial_load_N"));
   EXPECT_THAT(found["does_not_enter"].dump(), HasSubstr("friction.f0"));
   // With a spread it is varied, to the one side that a load has.
-  const json with = answer(model + point + " --of displacement --spread radial_load_N=30");
+  const json with = answer(model + at_point + " --of displacement --spread radial_load_N=30");
   EXPECT_TRUE(datum(with["predictions"][0], "rig.radial_load_N")["one_sided"].get<bool>());
 }
 

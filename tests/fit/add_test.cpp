@@ -15,11 +15,11 @@ namespace {
 
 using testing::HasSubstr;
 
-DataSet measured_with_drag(double drag) {
+DataSet measured_with_drag(double lubricant_drag) {
   Model truth = synthetic_model();
   effects::Effect effect;
   effect.description = effects::find("lubricant-drag");
-  effect.values = {drag};
+  effect.values = {lubricant_drag};
   truth.effects.push_back(effect);
   std::mt19937 random(1);
   DataSet data = factorial_plan({600, 1500, 3500, 7000, 11000, 16000}, {250, 600, 1400, 3000},
@@ -30,10 +30,10 @@ DataSet measured_with_drag(double drag) {
   return data;
 }
 
-const std::vector<std::string> drag{"lubricant-drag"};
+const std::vector<std::string> lubricant_drag{"lubricant-drag"};
 
 TEST(Add, CalibratesTheEffectTogetherWithTheBase) {
-  const AddResult result = add(synthetic_model(), drag, measured_with_drag(40.0));
+  const AddResult result = add(synthetic_model(), lubricant_drag, measured_with_drag(40.0));
   ASSERT_TRUE(result.calibration.converged());
   EXPECT_FALSE(result.refused) << result.reason;
   const Model& model = model_of(result.calibration);
@@ -46,13 +46,13 @@ TEST(Add, CalibratesTheEffectTogetherWithTheBase) {
 }
 
 TEST(Add, RefusesAnEffectThatIsNotThere) {
-  const AddResult result = add(synthetic_model(), drag, measured_with_drag(0.0));
+  const AddResult result = add(synthetic_model(), lubricant_drag, measured_with_drag(0.0));
   EXPECT_TRUE(result.refused);
   EXPECT_THAT(result.reason, HasSubstr("no better"));
 }
 
 TEST(Add, RefusesAnEffectWhereAnotherOneExplainsTheData) {
-  // Gyroscopic slip rises with speed as drag does and takes most of the misfit.
+  // Gyroscopic slip rises with speed as lubricant_drag does and takes most of the misfit.
   const std::vector<std::string> slip{"gyroscopic-slip"};
   const AddResult result = add(synthetic_model(), slip, measured_with_drag(40.0));
   EXPECT_TRUE(result.refused);
@@ -87,12 +87,13 @@ TEST(Add, SaysWhatIsWrongWithTheRequest) {
   EXPECT_THAT(message(synthetic_model(), {"lubricant-drug"}), HasSubstr("lubricant-drag"));
   EXPECT_THAT(message(synthetic_model(), {"torque-gain"}), HasSubstr("torque"));
   EXPECT_THAT(message(synthetic_model(), {"torque-time-drift"}), HasSubstr("time"));
-  EXPECT_THAT(message(model_of(add(synthetic_model(), drag, data).calibration), drag),
-              HasSubstr("already"));
+  EXPECT_THAT(
+      message(model_of(add(synthetic_model(), lubricant_drag, data).calibration), lubricant_drag),
+      HasSubstr("already"));
   EXPECT_THAT(message(synthetic_model(), {}), HasSubstr("no effect"));
   Model oil_air = synthetic_model();
   oil_air.supply = friction::Supply::oil_air;
-  EXPECT_EQ(message(oil_air, drag),
+  EXPECT_EQ(message(oil_air, lubricant_drag),
             "lubricant-drag: the bearing is lubricated by oil-air, this needs an oil jet or an oil "
             "bath");
 }

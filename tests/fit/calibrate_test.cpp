@@ -15,9 +15,11 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-const std::vector<double> speeds{500, 1500, 3000, 5000, 7500, 10000, 12500, 15000};
+const std::vector<double> speeds_of_calibration{500, 1500, 3000, 5000, 7500, 10000, 12500, 15000};
 
-DataSet full_plan() { return factorial_plan(speeds, {100, 300, 600, 1200}, {25, 40, 60}); }
+DataSet full_plan() {
+  return factorial_plan(speeds_of_calibration, {100, 300, 600, 1200}, {25, 40, 60});
+}
 
 TEST(Calibrate, FindsParametersOfNoiselessDataFromAFarStart) {
   Model truth = synthetic_model();
@@ -59,7 +61,7 @@ TEST(Calibrate, SaysThatZAndYCannotBeToldApartAtOneLoad) {
   Model truth = synthetic_model();
   truth.law_values = {2.0, 0.0012, 0.33};
   std::mt19937 random(6);
-  DataSet data = factorial_plan(speeds, {600}, {25, 40, 60});
+  DataSet data = factorial_plan(speeds_of_calibration, {600}, {25, 40, 60});
   measure(truth, 0.5 * N_mm, random, data);
   Model model = synthetic_model();
   model.free = {"f0", "z", "y"};
@@ -81,7 +83,7 @@ TEST(Calibrate, SaysThatZAndYCannotBeToldApartAtOneLoad) {
 
 TEST(Calibrate, SaysThatZIsWithoutEffectWhereNoLoadIsKnown) {
   std::mt19937 random(7);
-  DataSet data = factorial_plan(speeds, {0}, {25, 40, 60});
+  DataSet data = factorial_plan(speeds_of_calibration, {0}, {25, 40, 60});
   measure(synthetic_model(), 0.5 * N_mm, random, data);
   const Calibration fit = calibrate(synthetic_model(), data);
   ASSERT_TRUE(fit.converged());
@@ -95,7 +97,7 @@ TEST(Calibrate, SaysThatZIsWithoutEffectWhereNoLoadIsKnown) {
 
 TEST(Calibrate, SaysThatAParameterIsLooseWhereLoadsHardlyDiffer) {
   std::mt19937 random(8);
-  DataSet data = factorial_plan(speeds, {600, 601}, {25, 40, 60});
+  DataSet data = factorial_plan(speeds_of_calibration, {600, 601}, {25, 40, 60});
   Model model = synthetic_model();
   // With F_b y meets its bound here before z does; with P0 z is first, and y then fixed.
   model.f1_load = friction::F1Load::F_b;

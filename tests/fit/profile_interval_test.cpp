@@ -7,9 +7,9 @@
 namespace raceway::fit {
 namespace {
 
-constexpr int rows = 40;
+constexpr int profile_rows = 40;
 
-Eigen::VectorXd positions() { return Eigen::VectorXd::LinSpaced(rows, 0.0, 2.0); }
+Eigen::VectorXd positions() { return Eigen::VectorXd::LinSpaced(profile_rows, 0.0, 2.0); }
 
 /// y = a + b t, or y = a exp(b t), with unit noise that is no noise but a fixed pattern.
 Response curve(bool exponential) {
@@ -28,7 +28,7 @@ Response curve(bool exponential) {
 
 Eigen::VectorXd measured(const Response& response, double a, double b) {
   Eigen::VectorXd y = response.readings(Eigen::Vector2d(a, b));
-  for (int i = 0; i < rows; ++i) y[i] += (i % 2 == 0 ? 1.0 : -1.0) * (0.5 + 0.02 * i);
+  for (int i = 0; i < profile_rows; ++i) y[i] += (i % 2 == 0 ? 1.0 : -1.0) * (0.5 + 0.02 * i);
   return y;
 }
 
@@ -41,7 +41,7 @@ struct Fitted {
 
 Fitted fitted(bool exponential, double a, double b) {
   Fitted f{.response = curve(exponential),
-           .whitening = Whitening(Eigen::VectorXd::Ones(rows), {}, 0.0, 0.0)};
+           .whitening = Whitening(Eigen::VectorXd::Ones(profile_rows), {}, 0.0, 0.0)};
   f.y = measured(f.response, a, b);
   f.fit = fit_response(f.response, f.whitening, f.y,
                        {Eigen::Vector2d(a, b), Eigen::Vector2d(0.9 * a, 0.9 * b)});

@@ -20,13 +20,13 @@ std::string written(const std::string& name, const std::string& text) {
   return path;
 }
 
-const std::string header =
+const std::string catalogue_header =
     "designation,bore_mm,outer_diameter_mm,pitch_diameter_mm,ball_diameter_mm,ball_count,"
     "contact_angle_deg,static_load_rating_steel_N\n";
 
 TEST(CatalogueFile, ARowIsReadInSI) {
-  const auto rows =
-      read_catalogue(written("acme_spindle.csv", header + "X 1 C,70,110,90,11.906,20,15,43000\n"));
+  const auto rows = read_catalogue(
+      written("acme_spindle.csv", catalogue_header + "X 1 C,70,110,90,11.906,20,15,43000\n"));
   ASSERT_EQ(rows.size(), 1u);
   const auto& g = rows[0].geometry;
   EXPECT_EQ(rows[0].full_name(), "ACME X 1 C");
@@ -41,18 +41,20 @@ TEST(CatalogueFile, ARowIsReadInSI) {
 }
 
 TEST(CatalogueFile, TheMakerMayBeNamedInAComment) {
-  const auto rows = read_catalogue(
-      written("x.csv", "# maker: Acme Works\n" + header + "X 1 C,70,110,90,11.906,20,15,43000\n"));
+  const auto rows = read_catalogue(written("x.csv", "# maker: Acme Works\n" + catalogue_header +
+                                                        "X 1 C,70,110,90,11.906,20,15,43000\n"));
   EXPECT_EQ(rows[0].maker, "Acme Works");
 }
 
 TEST(CatalogueFile, ImpossibleValuesAndMissingColumnsAreNamed) {
   EXPECT_THAT(message_of([] {
-                (void)read_catalogue(written("b.csv", header + "X,70,110,90,11.9,2.5,15,43000\n"));
+                (void)read_catalogue(
+                    written("b.csv", catalogue_header + "X,70,110,90,11.9,2.5,15,43000\n"));
               }),
               HasSubstr("b.csv:2: ball_count = 2.5: must be a whole number from 3 to 200"));
   EXPECT_THAT(message_of([] {
-                (void)read_catalogue(written("b.csv", header + "X,70,110,-90,11.9,20,15,43000\n"));
+                (void)read_catalogue(
+                    written("b.csv", catalogue_header + "X,70,110,-90,11.9,20,15,43000\n"));
               }),
               HasSubstr("b.csv:2: pitch_diameter_mm = -90"));
   EXPECT_THAT(message_of([] { (void)read_catalogue(written("b.csv", "designation\nX\n")); }),
@@ -97,8 +99,8 @@ TEST(CatalogueFile, TheDataDirectoryMayBeNamedByTheUser) {
   std::filesystem::create_directories(own);
   ::setenv("RACEWAY_DATA", own.c_str(), 1);
   EXPECT_THAT(message_of([] { (void)read_catalogues(); }), HasSubstr("no catalogue of bearings"));
-  std::ofstream(own + "/acme.csv")
-      << header + "X 7014,70,110,90,11.906,20,15,43000\n" + "S 6014 C,70,110,90,12.7,19,15,44000\n";
+  std::ofstream(own + "/acme.csv") << catalogue_header + "X 7014,70,110,90,11.906,20,15,43000\n" +
+                                          "S 6014 C,70,110,90,12.7,19,15,44000\n";
   const auto rows = read_catalogues();
   EXPECT_EQ(find_bearing(rows, "X 7014").full_name(), "ACME X 7014");
   // Beside ours, and before them where two are called alike.

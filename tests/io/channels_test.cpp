@@ -23,7 +23,7 @@ namespace {
 
 using record::Channel;
 
-constexpr int rows = 32;
+constexpr int channel_rows = 32;
 
 /// A file in which speed and one other input vary.
 std::string file_with(const Channel& varied) {
@@ -31,8 +31,8 @@ std::string file_with(const Channel& varied) {
   std::string text = "speed_rpm,axial_load_N,friction_torque_Nmm";
   if (further) text += "," + std::string(varied.name);
   text += "\n";
-  for (int row = 0; row < rows; ++row) {
-    const int level = row < rows / 2 ? 30 : 50;
+  for (int row = 0; row < channel_rows; ++row) {
+    const int level = row < channel_rows / 2 ? 30 : 50;
     text += fmt::format("{},{},{}", 1000 * (1 + row % 8),
                         varied == record::axial_load ? level : 500, 50 + row % 8);
     if (further) text += fmt::format(",{}", level);

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 const std::string head = "[correction]\ndisplacement = \"displacement_z_um\"\n";
-const std::string channel =
+const std::string channel_text =
     "[[correction.channel]]\nname = \"spindle\"\ninput = \"front_temperature_C\"\n"
     "sections = [{ gain_um_K = 5.0, time_constant_s = 5400 }]\n";
 
@@ -25,7 +25,7 @@ auto refused(const std::string& message) { return ThrowsMessage<InputError>(HasS
 
 TEST(CorrectionFile, IsReadIntoSI) {
   const CorrectionFile file = parse_correction(
-      head + "tolerance_um = 2\noffset_um = -3\n" + channel +
+      head + "tolerance_um = 2\noffset_um = -3\n" + channel_text +
           "[[correction.channel]]\ninput = \"x_feed_m_min\"\n"
           "sections = [{ gain_um_m_min = 0.5, time_constant_s = 3000 }]\nscale = 1.1\n"
           "[correction.kinematic]\nA = 1.28e-3\nB = 0.697\nC = 5.3e-4\n",
@@ -43,11 +43,11 @@ TEST(CorrectionFile, IsReadIntoSI) {
 }
 
 TEST(CorrectionFile, SeveralDisplacementsAreAListOfTables) {
-  const std::string text = "[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel +
-                           "[[correction]]\ndisplacement = \"displacement_y_um\"\n" + channel;
+  const std::string text = "[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel_text +
+                           "[[correction]]\ndisplacement = \"displacement_y_um\"\n" + channel_text;
   EXPECT_EQ(parse_correction(text, "z.toml").models.size(), 2U);
-  EXPECT_THAT(reading("[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel +
-                      "[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel),
+  EXPECT_THAT(reading("[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel_text +
+                      "[[correction]]\ndisplacement = \"displacement_z_um\"\n" + channel_text),
               refused("two tables"));
 }
 
@@ -66,20 +66,20 @@ TEST(CorrectionFile, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_THAT(reading(head + "[[correction.channel]]\ninput = \"front_temperature_C\"\n"
                              "numerator = [1.0]\ndenominator = [1.0, -0.9]\n"),
               refused("sampling_s is missing"));
-  EXPECT_THAT(reading(head + channel + "[[correction.effect]]\nid = \"ambient-drfit\"\n"),
+  EXPECT_THAT(reading(head + channel_text + "[[correction.effect]]\nid = \"ambient-drfit\"\n"),
               refused("ambient-drift"));
-  EXPECT_THAT(reading(head + channel + channel), refused("two channels have it"));
+  EXPECT_THAT(reading(head + channel_text + channel_text), refused("two channels have it"));
   EXPECT_THAT(
-      reading(head + channel + "[loop]\ntolerance_um = 1\n[calibration]\nfree=[\"gain\"]\n"),
+      reading(head + channel_text + "[loop]\ntolerance_um = 1\n[calibration]\nfree=[\"gain\"]\n"),
       refused("gains"));
-  EXPECT_THAT(reading(head + "tolerance_um = 2\n" + channel + "[loop]\ntolerance_um = 1\n"),
+  EXPECT_THAT(reading(head + "tolerance_um = 2\n" + channel_text + "[loop]\ntolerance_um = 1\n"),
               refused("keep one of them"));
 }
 
 /// All else of a file stays as it was written.
 TEST(CorrectionFile, NumbersAreChangedWhereTheyStand) {
-  const std::string text = "# mine\n" + head + "tolerance_um = 2  # on parts held out\n" + channel +
-                           "\n[calibration]\nfree = [\"gains\"]  # no more\n";
+  const std::string text = "# mine\n" + head + "tolerance_um = 2  # on parts held out\n" +
+                           channel_text + "\n[calibration]\nfree = [\"gains\"]  # no more\n";
   const CorrectionFile file = parse_correction(text, "z.toml");
   std::vector<correction::Model> models = file.models;
   models[0].channels[0].sections = {{4e-6, 1000}, {1e-6, 9000}};
@@ -129,7 +129,7 @@ correction::Model trusted_model(const correction::Model& from) {
 }
 
 TEST(CorrectionFile, CarriesHowFarItMayBeTrusted) {
-  const CorrectionFile file = parse_correction(head + channel, "z.toml");
+  const CorrectionFile file = parse_correction(head + channel_text, "z.toml");
   const correction::Model given = trusted_model(file.models[0]);
   const std::string text = with_corrections(file, {given});
   const CorrectionFile again = parse_correction(text, "z.toml");
@@ -156,7 +156,7 @@ TEST(CorrectionFile, CarriesHowFarItMayBeTrusted) {
 }
 
 TEST(CorrectionFile, ACovarianceOfOtherNumbersIsLeftOutWithANote) {
-  const CorrectionFile file = parse_correction(head + channel, "z.toml");
+  const CorrectionFile file = parse_correction(head + channel_text, "z.toml");
   std::string text = with_corrections(file, {trusted_model(file.models[0])});
   const std::size_t at = text.find("time_constant_s = ");
   ASSERT_NE(at, text.npos);
@@ -193,7 +193,7 @@ TEST(CorrectionFile, SeveralCorrectionsAreEachWrittenInTheirPlace) {
 }
 
 TEST(CorrectionFile, ARangeIsOfAnInputOrOfThePowerOfAChannel) {
-  const std::string text = head + channel;
+  const std::string text = head + channel_text;
   const auto reading = [&](const std::string& range) {
     return
         [text = text + "[correction.range]\n" + range] { (void)parse_correction(text, "z.toml"); };

@@ -19,7 +19,7 @@ using record::Parameter;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string bearing = R"([bearing]
+const std::string bearing_of_edit = R"([bearing_of_edit]
 name = "7014"
 ball_count = 20
 ball_diameter_mm = 11.906
@@ -35,7 +35,7 @@ viscosity_100C_mm2_s = 4.8
 )";
 
 const std::string palmgren = "\n[friction]\nf0 = 1.5 # guessed\nz = 0.001\ny = 0.33\n";
-const std::string skf = "\n[friction]\nlaw = \"skf\"   # its constants are left out\n";
+const std::string skf_law = "\n[friction]\nlaw = \"skf\"   # its constants are left out\n";
 
 const std::string rig_effects = R"(
 [[effect]]
@@ -52,7 +52,7 @@ id = "spin-friction"
 friction_coefficient = 0.06
 )";
 
-const std::string sets = R"(
+const std::string edited_sets = R"(
 [arrangement]
 layout = "O"
 front = 2
@@ -119,10 +119,10 @@ TEST_P(EveryParameter, TogetherIsWrittenWhereItStands) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfModels, EveryParameter,
-                         testing::Values(bearing + palmgren + rig_effects,
-                                         bearing + skf + rig_effects,
-                                         bearing + palmgren + sets + shaft_effects,
-                                         bearing + skf + sets));
+                         testing::Values(bearing_of_edit + palmgren + rig_effects,
+                                         bearing_of_edit + skf_law + rig_effects,
+                                         bearing_of_edit + palmgren + edited_sets + shaft_effects,
+                                         bearing_of_edit + skf_law + edited_sets));
 
 effects::Effect initial(std::string_view id, effects::Form form) {
   const effects::Description& d = *effects::find(id, form);
@@ -130,7 +130,7 @@ effects::Effect initial(std::string_view id, effects::Form form) {
 }
 
 TEST(WithModel, AppendsEffectsThatTheFileLacks) {
-  const ModelFile file = file_of(bearing + palmgren + rig_effects);
+  const ModelFile file = file_of(bearing_of_edit + palmgren + rig_effects);
   model::Model fitted = file.model;
   fitted.law_values[0] = 2.0 / 3.0;
   fitted.effects.push_back(initial("lubricant-drag", effects::Form::rig));
@@ -144,7 +144,7 @@ TEST(WithModel, AppendsEffectsThatTheFileLacks) {
 
 TEST(WithModel, AnEffectAddedToAShaftLeavesItsNumbersWhereTheyStand) {
   // They were once written under [friction], and the model could not be read back.
-  const ModelFile file = file_of(bearing + palmgren + sets);
+  const ModelFile file = file_of(bearing_of_edit + palmgren + edited_sets);
   model::Model fitted = file.model;
   fitted.effects.push_back(initial("centrifugal-ring-growth", effects::Form::shaft));
   for (const Parameter& p : model::parameters(fitted))
@@ -156,7 +156,7 @@ TEST(WithModel, AnEffectAddedToAShaftLeavesItsNumbersWhereTheyStand) {
 }
 
 TEST(WithModel, TheLoadOfTheFactorStaysWithTheFactor) {
-  const ModelFile file = file_of(bearing + palmgren + "f1_load = \"F_b\" # of the rig\n");
+  const ModelFile file = file_of(bearing_of_edit + palmgren + "f1_load = \"F_b\" # of the rig\n");
   model::Model fitted = file.model;
   fitted.law_values[1] = 0.002;
   fitted.effects.push_back(initial("lubricant-drag", effects::Form::rig));
@@ -166,7 +166,7 @@ TEST(WithModel, TheLoadOfTheFactorStaysWithTheFactor) {
 }
 
 TEST(WithModel, TheSupplyStays) {
-  const ModelFile file = file_of(bearing + "supply = \"jet\" # 2 l/min\n" + palmgren);
+  const ModelFile file = file_of(bearing_of_edit + "supply = \"jet\" # 2 l/min\n" + palmgren);
   model::Model fitted = file.model;
   fitted.law_values[0] = 2.5;
   fitted.effects.push_back(initial("lubricant-drag", effects::Form::rig));
@@ -176,7 +176,7 @@ TEST(WithModel, TheSupplyStays) {
 }
 
 TEST(WithModel, EqualGroovesStayEqual) {
-  const ModelFile file = file_of(bearing + palmgren + sets);
+  const ModelFile file = file_of(bearing_of_edit + palmgren + edited_sets);
   model::Model fitted = file.model;
   for (const Parameter& p : model::parameters(fitted))
     if (p.name == "conformity") model::set(fitted, p, 0.53);

@@ -37,7 +37,7 @@ z = 0.001
 y = 0.33
 )";
 // Its head stands in line 11.
-const std::string sets = "[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\n";
+const std::string shaft_sets = "[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\n";
 
 ModelFile parsed(const std::string& arrangement, const std::string& bearing = bearing_text) {
   return parse_model(bearing + "\n" + arrangement + rest, "m.toml");
@@ -85,13 +85,13 @@ TEST(ShaftSection, ReadsEveryKeyIntoSi) {
 }
 
 TEST(ShaftSection, NamesItsDefaults) {
-  const ModelFile file = parsed(sets + "preload_N = 600\n");
+  const ModelFile file = parsed(shaft_sets + "preload_N = 600\n");
   EXPECT_FALSE(file.model.shaft->temperatures);
   EXPECT_THAT(file.defaults, Contains("arrangement.mounting = \"rigid\" (default)"));
   EXPECT_THAT(file.defaults, Contains("arrangement.external_load_N = 0 (default)"));
   EXPECT_THAT(file.defaults, Not(Contains(HasSubstr("temperature_C = 20"))));
   // One temperature stands for what touches it; the rest is as mounted.
-  const ModelFile warm = parsed(sets + "preload_N = 600\ninner_ring_temperature_C = 35\n");
+  const ModelFile warm = parsed(shaft_sets + "preload_N = 600\ninner_ring_temperature_C = 35\n");
   EXPECT_DOUBLE_EQ(warm.model.shaft->temperatures->shaft, kelvin(35));
   EXPECT_DOUBLE_EQ(warm.model.shaft->temperatures->housing, kelvin(20));
   EXPECT_DOUBLE_EQ(warm.model.shaft->temperatures->balls, kelvin(27.5));
@@ -102,7 +102,7 @@ TEST(ShaftSection, NamesItsDefaults) {
 TEST(ShaftSection, OneBearingOnARigHasNoShaft) { EXPECT_FALSE(parsed("").model.shaft); }
 
 TEST(ShaftSection, BearingsThatDifferChangeWhatTheirTablesSay) {
-  const auto a = arrangement(sets +
+  const auto a = arrangement(shaft_sets +
                              "preload_N = 600\n[arrangement.rear_bearing]\ncontact_angle_deg = 15\n"
                              "ball_material = \"silicon-nitride\"\n");
   const auto front = a.bearings()[0].bearing->geometry();
@@ -112,7 +112,7 @@ TEST(ShaftSection, BearingsThatDifferChangeWhatTheirTablesSay) {
   EXPECT_EQ(a.bearings()[2].bearing->balls().name, "silicon-nitride");
   EXPECT_EQ(a.bearings()[1].bearing->balls().name, "steel");
   // One table for each: the second is ground differently.
-  const auto b = arrangement(sets +
+  const auto b = arrangement(shaft_sets +
                              "preload_N = 600\n[[arrangement.front_bearing]]\n"
                              "[[arrangement.front_bearing]]\nball_count = 18\n"
                              "offset_um = 0.5\n");
@@ -120,18 +120,18 @@ TEST(ShaftSection, BearingsThatDifferChangeWhatTheirTablesSay) {
   EXPECT_EQ(b.bearings()[1].bearing->geometry().ball_count, 18);
   EXPECT_DOUBLE_EQ(b.bearings()[1].offset, 0.5 * um);
   // A bearing of the catalogue is all its own.
-  const auto c = arrangement(sets +
+  const auto c = arrangement(shaft_sets +
                              "preload_N = 600\n[arrangement.rear_bearing]\n"
                              "catalogue = \"S 6010 E\"\n");
   EXPECT_DOUBLE_EQ(c.bearings()[2].bearing->geometry().bore, 50 * mm);
 }
 
 TEST(ShaftSection, PreloadIsAForceAnOffsetOrAClass) {
-  const auto by_force = arrangement(sets + "preload_N = 600\n");
+  const auto by_force = arrangement(shaft_sets + "preload_N = 600\n");
   const double offset =
       by_force.displacement(bearing::Side::front) + by_force.displacement(bearing::Side::rear);
   const auto by_offset =
-      arrangement(sets + fmt::format("preload_offset_um = {:.12g}\n", offset / um));
+      arrangement(shaft_sets + fmt::format("preload_offset_um = {:.12g}\n", offset / um));
   EXPECT_NEAR(by_offset.preload(), 600, 1e-6);
   const std::string catalogue = "[bearing]\ncatalogue = \"S 6014 E\"\n";
   // 1200 N for a pair; two against one are preloaded more.
@@ -140,8 +140,8 @@ TEST(ShaftSection, PreloadIsAForceAnOffsetOrAClass) {
                           catalogue)
                   .preload(),
               1200, 1e-6);
-  EXPECT_NEAR(arrangement(sets + "preload_class = \"medium\"\n", catalogue).preload() / 1200, 1.35,
-              0.03);
+  EXPECT_NEAR(arrangement(shaft_sets + "preload_class = \"medium\"\n", catalogue).preload() / 1200,
+              1.35, 0.03);
 }
 
 TEST(ShaftSection, NamesOfTheTradeSayLayoutAndNumbers) {
@@ -173,34 +173,36 @@ TEST(ShaftSection, WrongKeysAndValuesAreNamed) {
             "m.toml:11: [arrangement] rear is missing: must be from 0 to 20");
   EXPECT_THAT(section_error("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 0\n"),
               StartsWith("m.toml:14: rear = 0: must be from 1 to 20"));
-  EXPECT_EQ(section_error(sets + "preload_N = -1\n"),
+  EXPECT_EQ(section_error(shaft_sets + "preload_N = -1\n"),
             "m.toml:15: preload_N = -1 N: must be from 0.001 to 100000000 N");
-  EXPECT_EQ(section_error(sets),
+  EXPECT_EQ(section_error(shaft_sets),
             "m.toml:11: [arrangement] preload is missing: must be one of preload_N, "
             "preload_offset_um and preload_class");
-  EXPECT_THAT(section_error(sets + "preload_N = 600\npreload_offset_um = 5\n"),
+  EXPECT_THAT(section_error(shaft_sets + "preload_N = 600\npreload_offset_um = 5\n"),
               HasSubstr("preload_N and preload_offset_um are given"));
-  EXPECT_THAT(section_error(sets + "preload_class = \"medium\"\n"),
+  EXPECT_THAT(section_error(shaft_sets + "preload_class = \"medium\"\n"),
               StartsWith("m.toml:15: preload_class = \"medium\": 7014 is no bearing of the "
                          "catalogue; give preload_N"));
-  EXPECT_EQ(section_error(sets + "preload_N = 600\nspring_rate_N_um = 5\n"),
+  EXPECT_EQ(section_error(shaft_sets + "preload_N = 600\nspring_rate_N_um = 5\n"),
             "m.toml:16: spring_rate_N_um = 5: only with mounting = \"spring\"");
-  EXPECT_THAT(section_error(sets + "mounting = \"spring\"\npreload_offset_um = 5\n"),
+  EXPECT_THAT(section_error(shaft_sets + "mounting = \"spring\"\npreload_offset_um = 5\n"),
               StartsWith("m.toml:16: preload_offset_um: a spring has a force, preload_N"));
   EXPECT_THAT(section_error("[arrangement]\nlayout = \"tandem\"\nfront = 2\npreload_N = 600\n"),
               HasSubstr("write mounting = \"spring\""));
-  EXPECT_THAT(section_error(sets + "preload_N = 600\n[[arrangement.rear_bearing]]\n"
-                                   "[[arrangement.rear_bearing]]\n"),
+  EXPECT_THAT(section_error(shaft_sets + "preload_N = 600\n[[arrangement.rear_bearing]]\n"
+                                         "[[arrangement.rear_bearing]]\n"),
               StartsWith("m.toml:16: [[arrangement.rear_bearing]] stands 2 times, but rear = 1"));
-  EXPECT_EQ(
-      section_error(sets + "preload_N = 600\n[arrangement.rear_bearing]\nball_diameter_mm = -1\n"),
-      "m.toml:17: ball_diameter_mm = -1 mm: must be from 0.1 to 300 mm");
-  EXPECT_THAT(section_error(sets + "preload_N = 600\n[arrangement.rear_bearing]\nball_cnt = 5\n"),
-              HasSubstr("unknown key in [arrangement.rear_bearing]; did you mean ball_count?"));
-  EXPECT_THAT(section_error(sets + "preload_N = 600\nrear_bearing = 3\n"),
+  EXPECT_EQ(section_error(shaft_sets +
+                          "preload_N = 600\n[arrangement.rear_bearing]\nball_diameter_mm = -1\n"),
+            "m.toml:17: ball_diameter_mm = -1 mm: must be from 0.1 to 300 mm");
+  EXPECT_THAT(
+      section_error(shaft_sets + "preload_N = 600\n[arrangement.rear_bearing]\nball_cnt = 5\n"),
+      HasSubstr("unknown key in [arrangement.rear_bearing]; did you mean ball_count?"));
+  EXPECT_THAT(section_error(shaft_sets + "preload_N = 600\nrear_bearing = 3\n"),
               HasSubstr("rear_bearing = 3: must be a table"));
   EXPECT_THAT(
-      section_error(sets + "preload_N = 600\n[arrangement.rear_bearing]\ncontact_angle_deg = 0\n"),
+      section_error(shaft_sets +
+                    "preload_N = 600\n[arrangement.rear_bearing]\ncontact_angle_deg = 0\n"),
       HasSubstr("m.toml:11: [arrangement] rear bearing 1: contact_angle = 0 deg: must be from 5 to "
                 "65 deg"));
 }

@@ -57,7 +57,7 @@ TEST(TableFile, TheFileIsCommentsHeaderAndRowsInTheUnitsOfTheirNames) {
   EXPECT_THAT(text, HasSubstr("\n1000,300,0,20,,,,,no_equilibrium\n"));
 }
 
-const std::string header =
+const std::string table_header =
     "speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm\n";
 
 std::string table_error(const std::string& text) {
@@ -65,7 +65,7 @@ std::string table_error(const std::string& text) {
 }
 
 TEST(TableFile, RowsMayStandInAnyOrder) {
-  const auto file = parse_table(header + "1000,5,0,40,2\n0,5,0,40,1\n", "t.csv");
+  const auto file = parse_table(table_header + "1000,5,0,40,2\n0,5,0,40,1\n", "t.csv");
   EXPECT_DOUBLE_EQ(file.table.friction_moment[0], 1e-3);
   EXPECT_DOUBLE_EQ(file.table.friction_moment[1], 2e-3);
   EXPECT_EQ(file.table.status[0], SolveStatus::converged);
@@ -73,20 +73,21 @@ TEST(TableFile, RowsMayStandInAnyOrder) {
 }
 
 TEST(TableFile, MissingAndDoublePointsAreNamed) {
-  EXPECT_EQ(table_error(header + "0,5,0,40,1\n100,5,0,40,1\n0,9,0,40,1\n"),
+  EXPECT_EQ(table_error(table_header + "0,5,0,40,1\n100,5,0,40,1\n0,9,0,40,1\n"),
             "t.csv: the grid is not complete: 2 speeds x 2 axial loads x 1 radial loads x 1 "
             "temperatures are 4 points, the file has 3; missing is speed_rpm 100, axial_load_N 9, "
             "radial_load_N 0, temperature_C 40");
-  EXPECT_EQ(table_error(header + "0,5,0,40,1\n0,5,0,40,2\n"),
+  EXPECT_EQ(table_error(table_header + "0,5,0,40,1\n0,5,0,40,2\n"),
             "t.csv:3: the point speed_rpm 0, axial_load_N 5, radial_load_N 0, temperature_C 40 "
             "stands in line 2 already");
 }
 
 TEST(TableFile, WrongCellsAndColumnsAreNamed) {
-  EXPECT_THAT(table_error(header + "0,5,0,40,x\n"), StartsWith("t.csv:2: friction_torque_Nmm = "));
+  EXPECT_THAT(table_error(table_header + "0,5,0,40,x\n"),
+              StartsWith("t.csv:2: friction_torque_Nmm = "));
   EXPECT_THAT(table_error("speed_rpm,axial_load_N\n0,5\n"),
               HasSubstr("column radial_load_N is missing"));
-  EXPECT_THAT(table_error(header + "0,5,0,-300,1\n"), HasSubstr("temperature"));
+  EXPECT_THAT(table_error(table_header + "0,5,0,-300,1\n"), HasSubstr("temperature"));
 }
 
 }  // namespace
