@@ -16,7 +16,7 @@ const std::string root = tests::source_dir();
 const std::string shaft = root + "/data/spindles/two_against_one.toml";
 const std::string sweep = root + "/data/spindles/ring_growth_sweep.csv";
 
-/// Model and data of a sampled_rig with a known hidden effect.
+/// Model and data of a rig with a known hidden effect.
 std::string sampled_rig(int number) {
   const std::string folder =
       root + "/tests/hidden_effect/rigs/dev-0" + std::to_string(number) + "/";

@@ -1,4 +1,4 @@
-// Identification on records with a known answer: golden_folder/reference/correction_reference.json.
+// Identification on records with a known answer: data/reference/correction_reference.json.
 #include <cmath>
 #include <string>
 

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// A rig_folder_of_loop with a known hidden effect: drag of 62.5 N mm at 10 000 rpm.
+/// A rig with a known hidden effect: drag of 62.5 N mm at 10 000 rpm.
 const std::string rig_folder_of_loop = tests::source_dir() + "/tests/hidden_effect/rigs/dev-03/";
 
 TEST(Loop, NamesTheMissingEffectAndAddsIt) {
@@ -129,7 +129,7 @@ TEST(Loop, RefitsWhatDiffersFromDayToDayBeforeComparing) {
   EXPECT_THAT(unknown.err, HasSubstr("nearest: f0"));
 }
 
-/// Rows of the rig_folder_of_loop's plan with another torque.
+/// Rows of the rig's plan with another torque.
 std::string rows(const std::function<std::string(int)>& row, int count) {
   std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
   for (int i = 0; i < count; ++i) text += row(i) + "\n";

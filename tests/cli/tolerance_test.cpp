@@ -13,7 +13,7 @@ using testing::Not;
 const std::string root = tests::source_dir();
 const std::string wheel = root + "/data/measurements/flywheel.toml";
 const std::string spin_down = root + "/data/measurements/flywheel_unloaded.csv";
-/// A rig_folder whose model lacks a drag of 62.5 N mm at 10 000 rpm.
+/// A rig whose model lacks a drag of 62.5 N mm at 10 000 rpm.
 const std::string rig_folder = root + "/tests/hidden_effect/rigs/dev-03/";
 const std::string train = rig_folder + "train.csv";
 

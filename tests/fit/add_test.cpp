@@ -52,7 +52,7 @@ TEST(Add, RefusesAnEffectThatIsNotThere) {
 }
 
 TEST(Add, RefusesAnEffectWhereAnotherOneExplainsTheData) {
-  // Gyroscopic slip rises with speed as lubricant_drag does and takes most of the misfit.
+  // Gyroscopic slip rises with speed as drag does and takes most of the misfit.
   const std::vector<std::string> slip{"gyroscopic-slip"};
   const AddResult result = add(synthetic_model(), slip, measured_with_drag(40.0));
   EXPECT_TRUE(result.refused);

@@ -32,8 +32,7 @@ Response decay(const Parameter& amplitude, const Parameter& time) {
 
 Whitening unit_noise() { return {Eigen::VectorXd::Constant(response_rows, 0.01), {}, 0.0, 0.0}; }
 
-/// y = (x² - 1)² + 0.3 (1 - x) in all response_rows, measured 0: a hollow near -1, met exactly near
-/// +1.
+/// y = (x² - 1)² + 0.3 (1 - x) in all rows, measured 0: a hollow near -1, met exactly near +1.
 TEST(FitResponse, TriesOtherStartsUntilTheBestIsReachedTwice) {
   Response response;
   response.parameters = {parameter("x", -1.2, -3.0, 3.0, 1.0)};

@@ -41,7 +41,7 @@ std::vector<Row> rows_of_a_rig() {
   return list;
 }
 
-/// Doubts about these rows_of_a_rig once `change` has been made to each.
+/// Doubts about these rows once `change` has been made to each.
 template <typename Change>
 std::vector<std::string> after(const Change& change) {
   std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
@@ -69,8 +69,7 @@ TEST(Doubts, AFactorOfReadingsIsNamed) {
   EXPECT_THAT(after([](Row& r) { r.torque /= 60; }), ElementsAre(HasSubstr("1/s for rpm")));
 }
 
-/// A long record of which every fifth row is right: rows_of_a_rig in step with it would tell
-/// nothing.
+/// A long record of which every fifth row is right: rows in step with it would tell nothing.
 TEST(Doubts, ALongRecordIsNotLookedAtInStepWithWhatRepeatsInIt) {
   std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
   const std::vector<Row> list = rows_of_a_rig();

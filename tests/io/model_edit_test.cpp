@@ -19,7 +19,7 @@ using record::Parameter;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string bearing_of_edit = R"([bearing_of_edit]
+const std::string bearing_of_edit = R"([bearing]
 name = "7014"
 ball_count = 20
 ball_diameter_mm = 11.906
