@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "correction/range.h"
 #include "correction/simulation.h"
 #include "fit/compare.h"
+#include "fit/distributions.h"
 #include "fit/problem.h"
 #include "fit/thinned_record.h"
 #include "record/series_channel.h"
@@ -268,8 +268,7 @@ class Search {
       const double rho = r.head(r.size() - lag).dot(r.tail(r.size() - lag)) / r.squaredNorm();
       q += rho * rho / (n - static_cast<double>(lag));
     }
-    const boost::math::chi_squared law(static_cast<double>(lags));
-    return boost::math::cdf(boost::math::complement(law, n * (n + 2.0) * q));
+    return fit::chi_squared_above(static_cast<double>(lags), n * (n + 2.0) * q);
   }
 
   void warn(const fit::Recorded& rows) {

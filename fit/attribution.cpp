@@ -4,11 +4,11 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
 #include <set>
 
+#include "fit/distributions.h"
 #include "fit/smooth_columns.h"
 #include "fit/subspace.h"
 
@@ -129,9 +129,8 @@ double Attribution::length_found() const {
     if (gate_.visibility[static_cast<Eigen::Index>(k)] >= invisible)
       sides += one_sided_[k] ? 1.0 : 2.0;
   // The gate alarms where twice the p of the largest score is below its level.
-  const boost::math::students_t t(evidence_.degrees_of_freedom);
   const double critical =
-      boost::math::quantile(boost::math::complement(t, 0.5 * alarm_level / std::max(1.0, sides)));
+      t_exceeded_with(evidence_.degrees_of_freedom, 0.5 * alarm_level / std::max(1.0, sides));
   // The score scatters about its length, and so does the estimate of the noise.
   const double scatter =
       std::sqrt(1.0 + critical * critical / (2.0 * evidence_.degrees_of_freedom));

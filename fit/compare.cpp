@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
 #include <stdexcept>
 
+#include "fit/distributions.h"
 #include "fit/estimated_noise.h"
 #include "fit/gate.h"
 #include "fit/separable.h"
@@ -164,22 +163,19 @@ Pattern find_pattern(const Record& record, const std::vector<RowError>& errors) 
 
 /// χ² against the standard deviations of the rows.
 LackOfFit test_against_deviations(const Comparison& comparison, int fitted_parameters) {
-  namespace math = boost::math;
   LackOfFit test;
   double chi_square = 0.0;
   for (const RowError& e : comparison.errors) chi_square += e.sigmas * e.sigmas;
   test.degrees_of_freedom = comparison.rows - fitted_parameters;
   if (test.degrees_of_freedom < 1) return test;
   test.statistic = chi_square / test.degrees_of_freedom;
-  test.p_value =
-      math::cdf(math::complement(math::chi_squared(test.degrees_of_freedom), chi_square));
+  test.p_value = chi_squared_above(test.degrees_of_freedom, chi_square);
   return test;
 }
 
 /// F against the scatter within repeats.
 LackOfFit test_against_repeats(const Record& record, const Comparison& comparison,
                                int fitted_parameters) {
-  namespace math = boost::math;
   LackOfFit test;
   std::vector<double> residual(record.rows(), unset);
   std::vector<std::size_t> rows;
@@ -207,8 +203,7 @@ LackOfFit test_against_repeats(const Record& record, const Comparison& compariso
   test.degrees_of_freedom = comparison.rows - degrees - fitted_parameters;
   if (degrees < 1 || test.degrees_of_freedom < 1 || !(pure > 0.0)) return test;
   test.statistic = ((total - pure) / test.degrees_of_freedom) / (pure / degrees);
-  test.p_value = math::cdf(math::complement(math::fisher_f(test.degrees_of_freedom, degrees),
-                                            std::max(0.0, test.statistic)));
+  test.p_value = f_above(test.degrees_of_freedom, degrees, std::max(0.0, test.statistic));
   return test;
 }
 

@@ -1,9 +1,6 @@
 #include "fit/gate.h"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
@@ -14,6 +11,7 @@
 #include <type_traits>
 
 #include "algebra/decompositions.h"
+#include "fit/distributions.h"
 #include "fit/subspace.h"
 
 namespace raceway::fit {
@@ -37,9 +35,7 @@ struct NullDraws::Normals {
     boost::random::uniform_01<double> uniform;
     for (Eigen::Index k = 0; k < count; ++k)
       for (Eigen::Index d = 0; d < draws; ++d) scores(d, k) = normal(engine);
-    const boost::math::normal_distribution<double> standard;
-    for (Eigen::Index d = 0; d < draws; ++d)
-      scale[d] = boost::math::quantile(standard, uniform(engine));
+    for (Eigen::Index d = 0; d < draws; ++d) scale[d] = normal_quantile(uniform(engine));
     single = scores.cast<float>();
   }
 };
@@ -58,8 +54,7 @@ double NullDraws::p_value(const Eigen::MatrixXd& correlation, const std::vector<
                           double degrees_of_freedom, double observed) const {
   const Eigen::Index count = correlation.cols();
   if (count == 0 || !(observed > 0.0)) return 1.0;
-  const boost::math::students_t t(degrees_of_freedom);
-  const double tail = boost::math::cdf(boost::math::complement(t, observed));
+  const double tail = t_above(degrees_of_freedom, observed);
   double bonferroni = 0.0;
   for (Eigen::Index k = 0; k < count; ++k)
     bonferroni += one_sided[static_cast<std::size_t>(k)] ? tail : 2.0 * tail;
@@ -129,8 +124,7 @@ Gate open_gate(const Eigen::MatrixXd& tangent, const Eigen::VectorXd& residual,
   gate.surface_terms = static_cast<int>(own.cols());
   if (gate.surface_terms > 0) {
     gate.surface_statistic = (own.transpose() * rest).squaredNorm() / gate.surface_terms;
-    gate.surface_p_value = boost::math::cdf(boost::math::complement(
-        boost::math::fisher_f(gate.surface_terms, degrees_of_freedom), gate.surface_statistic));
+    gate.surface_p_value = f_above(gate.surface_terms, degrees_of_freedom, gate.surface_statistic);
   }
   gate.projected = project_off(tangent, scores);
   gate.visibility = Eigen::VectorXd::Zero(scores.cols());

@@ -1,11 +1,11 @@
 #include "fit/hidden_input.h"
 
 #include <algorithm>
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 #include <map>
 #include <vector>
 
+#include "fit/distributions.h"
 #include "record/repeats.h"
 
 namespace raceway::fit {
@@ -37,9 +37,7 @@ void ask_the_runs(const std::map<int, std::vector<double>>& runs, int degrees, H
   if (runs_degrees < 1 || rest < 1 || !(total > 0.0)) return;
   found.run_share = std::min(1.0, between / total);
   const double statistic = found.run_share / runs_degrees * rest / (1.0 - found.run_share);
-  const boost::math::fisher_f f(runs_degrees, rest);
-  found.run_p_value =
-      std::isfinite(statistic) ? boost::math::cdf(boost::math::complement(f, statistic)) : 0.0;
+  found.run_p_value = std::isfinite(statistic) ? f_above(runs_degrees, rest, statistic) : 0.0;
 }
 
 }  // namespace

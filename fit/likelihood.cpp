@@ -1,8 +1,9 @@
 #include "fit/likelihood.h"
 
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "fit/distributions.h"
 
 namespace raceway::fit {
 
@@ -29,8 +30,8 @@ Likelihood likelihood_of(double misfit, const Whitening& whitening, int paramete
 
 double widening(double misfit, int degrees_of_freedom) {
   if (degrees_of_freedom < 1) return 1.0;
-  const boost::math::chi_squared by_chance(static_cast<double>(degrees_of_freedom));
-  const bool exceeds = cdf(complement(by_chance, misfit)) < beyond_chance;
+  const bool exceeds =
+      chi_squared_above(static_cast<double>(degrees_of_freedom), misfit) < beyond_chance;
   return exceeds ? std::sqrt(misfit / degrees_of_freedom) : 1.0;
 }
 

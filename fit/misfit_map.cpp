@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
+
+#include "fit/distributions.h"
 
 namespace raceway::fit {
 namespace {
@@ -92,8 +93,7 @@ MisfitMap misfit_map(const Comparison& comparison, const Record& record,
     sum.variance += std[i] * std[i];
   }
   const auto filled = std::count_if(sums.begin(), sums.end(), [](const Sum& s) { return s.rows; });
-  map.needed_sigmas = boost::math::quantile(
-      boost::math::complement(boost::math::normal(), 0.5 * chance / static_cast<double>(filled)));
+  map.needed_sigmas = normal_exceeded_with(0.5 * chance / static_cast<double>(filled));
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const Sum& sum = sums[k];
     if (sum.rows == 0) continue;

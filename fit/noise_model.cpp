@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
 
 #include "algebra/decompositions.h"
+#include "fit/distributions.h"
 #include "record/median.h"
 #include "record/repeats.h"
 
@@ -125,8 +123,7 @@ T pick(const T& all, const std::vector<Eigen::Index>& rows) {
 /// deviation, by Student's law of that many degrees of freedom. A median is as good as a mean over
 /// 37 % of them.
 double outlier_limit(double degrees_of_freedom) {
-  const boost::math::students_t t(std::max(2.0, 0.37 * degrees_of_freedom));
-  return boost::math::quantile(boost::math::complement(t, outlier_share / 2.0));
+  return t_exceeded_with(std::max(2.0, 0.37 * degrees_of_freedom), outlier_share / 2.0);
 }
 
 /// The search for the noise of one channel, part by part.
@@ -386,9 +383,7 @@ class NoiseSearch {
   void honour_declared(double& factor) {
     const double declared = fit::rms(readings_.std), df = noise_.degrees_of_freedom;
     const double square = std::pow(factor / declared, 2) * df;
-    const boost::math::chi_squared chi(df);
-    const double p = 2.0 * std::min(boost::math::cdf(chi, square),
-                                    boost::math::cdf(boost::math::complement(chi, square)));
+    const double p = 2.0 * std::min(chi_squared_below(df, square), chi_squared_above(df, square));
     if (p < contradicted) return;
     factor = declared;
     noise_.as_declared = true;
@@ -457,8 +452,7 @@ class NoiseSearch {
     }
     if (freedom < fewest_repeats) return;
     noise_.repeats_statistic = square / freedom;
-    const boost::math::fisher_f f(freedom, noise_.degrees_of_freedom);
-    const double above = boost::math::cdf(boost::math::complement(f, noise_.repeats_statistic));
+    const double above = f_above(freedom, noise_.degrees_of_freedom, noise_.repeats_statistic);
     noise_.repeats_p_value = std::min(1.0, 2.0 * std::min(above, 1.0 - above));
   }
 

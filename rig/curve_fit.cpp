@@ -1,9 +1,9 @@
 #include "rig/curve_fit.h"
 
-#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
 #include "algebra/decompositions.h"
+#include "fit/distributions.h"
 
 namespace raceway::rig {
 
@@ -44,8 +44,7 @@ double p_of_F(double square, int degrees, double error_square, int error_degrees
   if (square <= floor) return 1.0;
   if (error_square <= floor) return 0.0;
   const double f = square / degrees / (error_square / error_degrees);
-  return boost::math::cdf(
-      boost::math::complement(boost::math::fisher_f(degrees, error_degrees), f));
+  return fit::f_above(degrees, error_degrees, f);
 }
 
 }  // namespace raceway::rig

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <tuple>
 
+#include "fit/distributions.h"
 #include "record/levels.h"
 #include "rig/curve_fit.h"
 
@@ -319,8 +318,7 @@ class Calibrator {
     const double share =
         std::pow(torque.dot(squares), 2) / (torque.squaredNorm() * squares.squaredNorm());
     if (!std::isfinite(share)) return;
-    const double p = result_.even_scatter_p_value =
-        boost::math::cdf(boost::math::complement(boost::math::chi_squared(1.0), count() * share));
+    const double p = result_.even_scatter_p_value = fit::chi_squared_above(1.0, count() * share);
     if (!(p < sensor_significance)) return;
     set_covariance(robust_covariance(fit_));
     result_.warnings.push_back(fmt::format(
@@ -335,8 +333,7 @@ class Calibrator {
   void look_for_outliers() {
     const int df = fit_.degrees_of_freedom() - 1;
     if (df + 1 < fewest_for_outliers || result_.sensor.scatter == 0.0) return;
-    const double limit = boost::math::quantile(
-        boost::math::complement(boost::math::students_t(df), 0.5 * sensor_significance / count()));
+    const double limit = fit::t_exceeded_with(df, 0.5 * sensor_significance / count());
     std::size_t found = 0;
     for (std::size_t i = 0; i < readings_.size(); ++i) {
       const double e = fit_.residuals[index(i)], free = fit_.free[index(i)];
