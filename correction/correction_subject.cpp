@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "correction/catalogue.h"
+#include "correction/effects/sensor_quantisation.h"
 #include "correction/leaps.h"
 #include "correction/own_effect.h"
 #include "correction/quantum.h"
@@ -138,8 +139,9 @@ void CorrectionSubject::require(const fit::Record& record) const {
       throw std::invalid_argument(
           fmt::format("column {} is missing, which the model needs", c->name));
   for (const Effect& e : model_.effects) {
-    if (!e.own || e.off) continue;
-    const Series::Values driving = Series(record).input(input_of(e, model_));
+    const Input input = input_of(e, model_);
+    if (!input.formula || e.off) continue;
+    const Series::Values driving = Series(record).input(input);
     const auto bad = std::find_if(driving->begin(), driving->end(),
                                   [](double value) { return !std::isfinite(value); });
     if (bad != driving->end())
@@ -227,91 +229,51 @@ std::unique_ptr<fit::Subject> CorrectionSubject::with_values(
   return result;
 }
 
-bool CorrectionSubject::is_used(const Channel& column) const {
-  const std::vector<const Channel*> used = inputs_of(model_);
-  return std::find(used.begin(), used.end(), &column) != used.end();
-}
-
 /// Effects that the columns allow and the model does not have, as they would be switched on.
 std::vector<Effect> CorrectionSubject::possible() const {
+  const Surroundings in = surroundings();
   std::vector<Effect> list;
-  const auto add = [&](std::string_view id, std::string where = {},
-                       std::vector<const Channel*> columns = {}) {
-    Effect e{.id = std::string(id), .where = std::move(where), .columns = std::move(columns)};
-    const std::string full = full_id(e);
-    if (std::any_of(model_.effects.begin(), model_.effects.end(),
-                    [&](const Effect& own) { return full_id(own) == full; }))
-      return;
-    const EffectCard& card = *find_card(id);
-    for (const record::NumberCard& n : card.numbers)
-      if (n.name != "decay_speed_rpm" || e.columns.empty())
-        e.values.push_back(id == "offset-jump" && n.unit == "s" ? end_ : n.initial);
-    list.push_back(std::move(e));
-  };
   for (const Effect& e : model_.effects)
-    if (e.off &&
-        std::any_of(e.own->columns().begin(), e.own->columns().end(), [&](const Channel* c) {
-          return std::find(columns_.begin(), columns_.end(), c) != columns_.end();
-        }))
+    if (e.off && std::any_of(e.own->columns().begin(), e.own->columns().end(),
+                             [&](const Channel* c) { return in.varies(*c); }))
       list.push_back(e);
-  std::vector<const Channel*> ambient, base, motor;
-  bool coolant = false, speed = false;
-  for (const Channel* c : columns_) {
-    speed = speed || *c == record::speed;
-    coolant = coolant || c->name == "coolant_on";
-    if (is_used(*c)) continue;
-    if (record::is_ambient(*c)) ambient.push_back(c);
-    if (!record::is_temperature(*c)) continue;
-    if (c->variable.starts_with("base")) base.push_back(c);
-    if (c->variable.starts_with("motor")) motor.push_back(c);
-  }
-  if (!ambient.empty() || !base.empty()) add("ambient-drift", {}, ambient.empty() ? base : ambient);
-  for (const Channel* c : columns_)
-    if ((c->kind == "feed" || (c->kind == "speed" && c->variable != "speed")) && !is_used(*c))
-      add("feed-axis-heat", std::string(c->variable.substr(0, c->variable.find('_'))), {c});
-  if (speed && !model_.kinematic) add("kinematic-displacement");
-  if (!motor.empty())
-    add("motor-heat", {}, motor);
-  else if (speed)
-    add("motor-heat");
-  if (!jump_times_.empty()) add("offset-jump");
-  add("slow-drift");
-  for (std::size_t c = 0; c < model_.channels.size(); ++c) {
-    const DrivenChannel& channel = model_.channels[c];
-    if (channel.sections.empty()) continue;
-    const std::string where = c == 0 ? "" : channel.name;  // the main one goes without saying
-    add("second-time-constant", where);
-    if (!channel.input.is_power() && channel.feedthrough == 0.0 &&
-        channel.input.course() == record::Course::straight)
-      add("sensor-lag", where);
-    if (c > 0) continue;
-    if (coolant) add("cooling-switch");
-    if (speed) add("speed-dependent-time-constant");
-    add("thermal-asymmetry");
-  }
+  for (const EffectKind* kind : kinds())
+    for (Effect& e : kind->possible(in)) {
+      const std::string full = full_id(e);
+      if (std::none_of(model_.effects.begin(), model_.effects.end(),
+                       [&](const Effect& own) { return full_id(own) == full; }))
+        list.push_back(std::move(e));
+    }
   return list;
 }
 
+Surroundings CorrectionSubject::surroundings() const {
+  return {.model = model_, .varying = columns_, .jump_times = jump_times_, .end = end_};
+}
+
 std::vector<fit::Candidate> CorrectionSubject::candidates() const {
+  const Surroundings in = surroundings();
   std::vector<fit::Candidate> list;
-  for (Effect& e : possible()) {
-    const EffectCard& card = card_of(e);
+  for (const Effect& e : possible()) {
+    const EffectKind& kind = kind_of(e);
+    const EffectCard& card = kind.card();
     fit::Candidate candidate{.id = full_id(e),
                              .size = card.size,
                              .of_the_user = e.own != nullptr,
                              .of_reading = card.of_reading};
     Model with = model_;
     if (!e.own) with.effects.push_back(e);
-    if (card.of_channel || e.id == "second-time-constant")
+    if (card.at_channel)
       candidate.acts_on = {{"channel", find_channel(model_, e.where)->name}};
     else if (!e.where.empty())
       candidate.acts_on = {{"axis", e.where}};
     const std::string prefix = candidate.id + ".";
     for (const fit::Parameter& p : correction::parameters(with, limits_))
       if (p.name.starts_with(prefix)) candidate.parameters.push_back(p);
-    if (e.id == "offset-jump")
-      for (std::size_t k = 0; k < e.values.size(); ++k)
-        candidate.only.push_back(k % 2 == 1 ? jump_times_ : std::vector<double>());
+    for (std::size_t k = 0; k < e.values.size(); ++k) candidate.only.push_back(kind.choices(k, in));
+    if (std::all_of(candidate.only.begin(), candidate.only.end(),
+                    [](const std::vector<double>& values) { return values.empty(); }))
+      candidate.only.clear();
     list.push_back(std::move(candidate));
   }
   std::sort(list.begin(), list.end(),
@@ -422,7 +384,7 @@ std::vector<fit::Fault> CorrectionSubject::faults(const fit::Record& record) con
     if (sensors.empty() || !explains(moved, left) ||
         !steps_with(*series.input(c.input), left, c.scale * c.feedthrough, series.clock().begins))
       continue;
-    list.push_back({.id = "sensor-quantisation",
+    list.push_back({.id = std::string(SensorQuantisation::quantisation_card.id),
                     .datum = fmt::format("the sensor of {}", fmt::join(sensors, ", ")),
                     .correction = fmt::format("it steps by {:.3g} K, and the displacement with it "
                                               "through the feedthrough of channel {}",

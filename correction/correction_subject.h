@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "correction/effect_kind.h"
 #include "correction/model.h"
 #include "correction/numbers.h"
 #include "fit/subject.h"
@@ -66,7 +67,7 @@ class CorrectionSubject : public fit::Subject {
  private:
   [[nodiscard]] Effect as_switched_on(const std::string& id) const;
   [[nodiscard]] std::vector<Effect> possible() const;
-  [[nodiscard]] bool is_used(const Channel& column) const;
+  [[nodiscard]] Surroundings surroundings() const;
 
   Model model_;
   // Of the record that informed it.

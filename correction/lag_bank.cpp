@@ -34,7 +34,7 @@ constexpr std::array speed_weights{0.1, 0.3, 1.0};
 constexpr std::array strengths{0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0};
 
 /// One column of the fit: an input through a lag.
-struct Share {
+struct LaggedInput {
   std::size_t channel = 0;
   double time_constant = 0.0;  ///< [s], 0: at once
   bool of_speed = false;
@@ -92,7 +92,7 @@ class Bank {
     for (const double lag : lags_) {
       if (lag == 0.0 && of_speed) continue;
       if (lag > 0.0) c.sections.push_back({0.0, lag});
-      shares_.push_back({.channel = model_.channels.size(),
+      inputs_.push_back({.channel = model_.channels.size(),
                          .time_constant = lag,
                          .of_speed = of_speed,
                          .unit = of_speed ? krpm : c.input.factor()});
@@ -109,7 +109,7 @@ class Bank {
     for (std::size_t k = 0; k < y.size(); ++k)
       if (std::isfinite(y[k])) rows_.push_back(k);
     zeros_ = series_.zeros();
-    const std::size_t count = shares_.size() + static_cast<std::size_t>(zeros_);
+    const std::size_t count = inputs_.size() + static_cast<std::size_t>(zeros_);
     if (rows_.size() < 3 * count)
       throw std::invalid_argument(fmt::format("{} readings of {} for {} numbers: too few",
                                               rows_.size(), model_.displacement->words, count));
@@ -120,8 +120,8 @@ class Bank {
       y_[k] = y[row] / um;
       x_(k, series_.zero()[row]) = 1.0;
     }
-    for (std::size_t j = 0; j < shares_.size(); ++j) {
-      const Share& s = shares_[j];
+    for (std::size_t j = 0; j < inputs_.size(); ++j) {
+      const LaggedInput& s = inputs_[j];
       const Input& input = model_.channels[s.channel].input;
       const Series::Values all =
           s.time_constant > 0.0 ? series_.lag(input, s.time_constant, {}) : series_.input(input);
@@ -177,9 +177,9 @@ class Bank {
     // A zero that no reading so far tells of stays where it is.
     for (Eigen::Index z = 0; z < zeros_; ++z)
       if (m(z, z) == 0.0) m(z, z) = 1.0;
-    for (std::size_t j = 0; j < shares_.size(); ++j) {
-      const double lag = std::max(shares_[j].time_constant, as_fast_as) / usual_weight;
-      const double weight = (shares_[j].of_speed ? speed_weight : 1.0);
+    for (std::size_t j = 0; j < inputs_.size(); ++j) {
+      const double lag = std::max(inputs_[j].time_constant, as_fast_as) / usual_weight;
+      const double weight = (inputs_[j].of_speed ? speed_weight : 1.0);
       m(place(j), place(j)) += strength * readings * weight * weight * lag;
     }
     return algebra::solve_symmetric(m, s.with_y);
@@ -232,15 +232,15 @@ class Bank {
     const Eigen::VectorXd gains = mean_gains(sums_.size() - 1);
     if (!gains.allFinite()) throw std::invalid_argument("the gains of the bank are not finite");
     model_.offset = gains[0] * um;
-    for (std::size_t j = 0; j < shares_.size(); ++j) {
-      DrivenChannel& c = model_.channels[shares_[j].channel];
-      const double gain = gains[place(j)] * um / shares_[j].unit;
-      if (shares_[j].time_constant == 0.0) {
+    for (std::size_t j = 0; j < inputs_.size(); ++j) {
+      DrivenChannel& c = model_.channels[inputs_[j].channel];
+      const double gain = gains[place(j)] * um / inputs_[j].unit;
+      if (inputs_[j].time_constant == 0.0) {
         c.feedthrough = gain;
         continue;
       }
       for (Section& s : c.sections)
-        if (s.time_constant == shares_[j].time_constant) s.gain = gain;
+        if (s.time_constant == inputs_[j].time_constant) s.gain = gain;
     }
     see(model_, record_);
     model_.left = Left{.rms = result_.rms_held_out};
@@ -273,7 +273,7 @@ class Bank {
   const Series series_;
   Model model_;
   std::vector<double> lags_;
-  std::vector<Share> shares_;
+  std::vector<LaggedInput> inputs_;
   std::vector<double> elapsed_;
   std::vector<std::size_t> rows_;  // with a reading
   Eigen::Index zeros_ = 1;

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "correction/catalogue.h"
+#include "correction/effect_kind.h"
 #include "correction/numbers.h"
 #include "correction/simulation.h"
 
@@ -47,7 +47,7 @@ double half_range(const Model& model, const DrivenChannel& channel) {
 /// Whether the size of a part is a number of the machine, not of one record.
 bool is_of_the_machine(const Model& model, const std::string& part) {
   for (const Effect& e : model.effects)
-    if (full_id(e) == part) return !find_card(e.id)->of_reading;
+    if (full_id(e) == part) return !card_of(e).of_reading;
   return true;
 }
 

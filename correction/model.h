@@ -43,6 +43,8 @@ struct Input {
   std::vector<double> formula_values{};
 
   [[nodiscard]] bool is_power() const { return table != nullptr; }
+  /// Nothing drives.
+  [[nodiscard]] bool is_none() const { return columns.empty() && !table && !formula; }
   /// What gains are per: "K", "W", "m/min" or "rpm" for people, "K", "W", "m_min", "rpm" in keys,
   /// and one of them in SI.
   [[nodiscard]] std::string_view unit() const;

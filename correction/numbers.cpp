@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "correction/catalogue.h"
+#include "correction/effect_kind.h"
 #include "correction/own_effect.h"
 #include "record/nearest_names.h"
 #include "record/series_channel.h"
@@ -16,8 +16,6 @@
 namespace raceway::correction {
 namespace {
 
-/// Time constants of a drift over those of the record.
-constexpr std::pair slowest{0.15, 5.0};
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr std::array<std::string_view, 5> groups{"gains", "time_constants", "offset", "kinematic",
                                                  "scale"};
@@ -58,13 +56,6 @@ class List {
     p.scale = record::typical_size(p.start, p.initial, lower, upper);
   }
 
-  /// What follows power or speed faster than this is the law of instant displacement.
-  [[nodiscard]] double shortest(const Input& input) const {
-    constexpr double of_a_body = 180.0;  // [s]
-    return input.course() == record::Course::held ? std::max(of_a_body, limits_.shortest)
-                                                  : limits_.shortest;
-  }
-
   void add_channel(std::size_t index) {
     DrivenChannel& c = model_.channels[index];
     const std::string key = fmt::format("correction.channel.{}.", index);
@@ -77,7 +68,7 @@ class List {
           .proportional = true;
       bound(add(fmt::format("{}.time_constant_{}", c.name, s + 1), "s", of + "time_constant_s",
                 "time_constants", c.sections[s].time_constant, 1.0),
-            shortest(c.input), limits_.longest);
+            shortest_time_constant(c.input, limits_), limits_.longest);
     }
     if (c.feedthrough != 0.0 || (c.sections.empty() && !c.element && !c.printed))
       add(c.name + ".feedthrough", gain,
@@ -96,24 +87,19 @@ class List {
 
   void add_effect(std::size_t index) {
     Effect& e = model_.effects[index];
-    const EffectCard& card = card_of(e);
+    const EffectKind& kind = kind_of(e);
+    const std::span<const record::NumberCard> cards = kind.numbers(e);
     for (std::size_t k = 0; k < e.values.size(); ++k) {
-      const record::NumberCard& n = card.numbers[k];
-      const bool is_gain = n.unit == "um/u", is_size = e.own ? k == 0 : n.unit == "um";
-      record::Parameter& p = add(full_id(e) + "." + std::string(n.name),
-                                 is_gain ? gain_unit(e, model_) : std::string(n.unit),
-                                 fmt::format("correction.effect.{}.{}", index,
-                                             e.own ? e.own->key(k) : key_of(e, n, model_)),
-                                 "effects", e.values[k], 1.0);
+      const record::NumberCard& n = cards[k];
+      record::Parameter& p =
+          add(full_id(e) + "." + std::string(n.name), unit_of(e, k, model_),
+              fmt::format("correction.effect.{}.{}", index, kind.key(e, k, model_)), "effects",
+              e.values[k], 1.0);
       p.initial = n.initial;
       p.neutral = n.neutral;
-      p.proportional = is_gain || is_size;
-      const bool lag = e.own ? e.own->given().lags && k == 1 : n.name == "time_constant_s";
-      if (e.id == "slow-drift" && lag && !std::isnan(limits_.record))
-        bound(p, slowest.first * limits_.record, slowest.second * limits_.record);
-      else
-        bound(p, lag ? std::max(n.lower, shortest(input_of(e, model_))) : n.lower,
-              lag ? std::min(n.upper, limits_.longest) : n.upper);
+      p.proportional = kind.is_proportional(k);
+      const Interval within = kind.bounds(e, k, model_, limits_);
+      bound(p, within.lower, within.upper);
       if (!std::isfinite(n.lower)) p.scale = 1.0;
     }
   }
@@ -199,34 +185,13 @@ const DrivenChannel* find_channel(const Model& model, std::string_view name) {
 }
 
 Input input_of(const Effect& effect, const Model& model) {
-  if (effect.own) {
-    Input input{.name = effect.id, .formula = effect.own};
-    input.formula_values.assign(
-        effect.values.begin() + static_cast<std::ptrdiff_t>(effect.own->first_parameter()),
-        effect.values.end());
-    return input;
-  }
-  if (effect.columns.empty()) {
-    const DrivenChannel* const of = find_channel(model, effect.where);
-    return effect.id == "motor-heat" || !of ? Input{} : of->input;
-  }
-  return {.name = std::string(effect.columns.front()->name), .columns = effect.columns};
+  return kind_of(effect).input(effect, model);
 }
 
-std::string gain_unit(const Effect& effect, const Model& model) {
-  // exp(-n/n0) has no unit.
-  if (effect.own || (effect.id == "motor-heat" && effect.columns.empty())) return "um";
-  return "um/" + std::string(input_of(effect, model).unit());
-}
-
-std::string gain_key_unit(const Effect& effect, const Model& model) {
-  if (effect.id == "motor-heat" && effect.columns.empty()) return "um";
-  return "um_" + std::string(input_of(effect, model).key_unit());
-}
-
-std::string key_of(const Effect& effect, const record::NumberCard& number, const Model& model) {
-  if (number.unit == "um/u") return "gain_" + gain_key_unit(effect, model);
-  return std::string(number.name) + (number.name.starts_with("size") ? "_um" : "");
+double shortest_time_constant(const Input& input, const TimeConstantLimits& limits) {
+  constexpr double of_a_body = 180.0;  // [s]
+  return input.course() == record::Course::held ? std::max(of_a_body, limits.shortest)
+                                                : limits.shortest;
 }
 
 std::string full_id(const Effect& effect) {

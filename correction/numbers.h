@@ -39,19 +39,14 @@ struct Number {
 /// Whether that is the name of a group of parameters, "gains".
 [[nodiscard]] bool is_group(std::string_view name);
 
-/// The unit of the gain of an effect: "um/K".
-[[nodiscard]] std::string gain_unit(const Effect& effect, const Model& model);
-/// "um_K"
-[[nodiscard]] std::string gain_key_unit(const Effect& effect, const Model& model);
-
-/// Under which a file takes a number of an effect: "gain_um_K".
-[[nodiscard]] std::string key_of(const Effect& effect, const record::NumberCard& number,
-                                 const Model& model);
+/// The shortest time constant of a lag of that input [s]. What follows power or speed faster than a
+/// body does is the law of instant displacement.
+[[nodiscard]] double shortest_time_constant(const Input& input, const TimeConstantLimits& limits);
 
 /// The channel of that name, or the first one for an empty name; null where there is none.
 [[nodiscard]] const DrivenChannel* find_channel(const Model& model, std::string_view name);
 
-/// What drives an effect that adds a share of its own; for one that acts on a channel its input.
+/// What drives an effect: see EffectKind::input().
 [[nodiscard]] Input input_of(const Effect& effect, const Model& model);
 
 /// "ambient-drift", or "second-time-constant:ambient" where it says which channel or axis.

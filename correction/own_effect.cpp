@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "correction/effects/shared_numbers.h"
 #include "record/series_channel.h"
 
 namespace raceway::correction {
 namespace {
-
-constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
@@ -34,8 +34,8 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 record::NumberCard card_of_number(const OwnEffect::Number& n) {
-  const double lower = std::isnan(n.lower) ? -no_bound : n.lower;
-  const double upper = std::isnan(n.upper) ? no_bound : n.upper;
+  const double lower = std::isnan(n.lower) ? -any_size : n.lower;
+  const double upper = std::isnan(n.upper) ? any_size : n.upper;
   return {n.name, n.unit, n.value, lower, upper, lower, upper, unset};
 }
 
@@ -57,8 +57,8 @@ OwnEffect::OwnEffect(Given given) : given_(std::move(given)) {
   expression_ = std::make_unique<record::Expression>(given_.formula, std::move(names));
   for (const std::size_t k : expression_->used())
     terms_.push_back(k < columns_.size() ? Term{true, k} : Term{false, k - columns_.size()});
-  numbers_.push_back({"gain", "um", 0.0, -no_bound, no_bound});
-  if (given_.lags) numbers_.push_back({"time_constant_s", "s", 3600, 1.0, 1e7, 1.0, 1e7, unset});
+  numbers_.push_back({"gain", "um", 0.0, -any_size, any_size});
+  if (given_.lags) numbers_.push_back(time_constant_number);
   for (const Number& n : given_.parameters) numbers_.push_back(card_of_number(n));
   if (given_.title.empty()) given_.title = "formula of the model file";
   card_ = {.id = given_.id,
@@ -69,11 +69,23 @@ OwnEffect::OwnEffect(Given given) : given_(std::move(given)) {
            .numbers = numbers_};
 }
 
-std::string OwnEffect::key(std::size_t number) const {
+std::string OwnEffect::key(const Effect&, std::size_t number, const Model&) const {
   if (number == 0) return "gain_um";
   if (number < first_parameter()) return "time_constant_s";
   const Number& n = given_.parameters[number - first_parameter()];
   return n.in_braces ? n.name + ".value" : n.name;
+}
+
+Input OwnEffect::input(const Effect& effect, const Model&) const {
+  return {.name = given_.id,
+          .formula = effect.own,
+          .formula_values = {effect.values.begin() + static_cast<std::ptrdiff_t>(first_parameter()),
+                             effect.values.end()}};
+}
+
+Share OwnEffect::share(const Effect& effect, const Model& model) const {
+  return DrivenShare{input(effect, model), effect.values.front(),
+                     given_.lags ? effect.values[1] : unset};
 }
 
 bool OwnEffect::follows_a_temperature() const {
@@ -87,10 +99,6 @@ double OwnEffect::value(std::span<const double> columns, std::span<const double>
   for (const Term& t : terms_)
     scratch.push_back(t.of_column ? columns[t.index] : parameters[t.index]);
   return (*expression_)(scratch);
-}
-
-const EffectCard& card_of(const Effect& effect) {
-  return effect.own ? effect.own->card() : *find_card(effect.id);
 }
 
 }  // namespace raceway::correction

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "correction/catalogue.h"
+#include "correction/effect_kind.h"
 #include "record/expression.h"
 
 namespace raceway::correction {
@@ -15,7 +15,7 @@ namespace raceway::correction {
 ///
 /// It counts from the first row of a run where a temperature is in it, as temperatures do; columns
 /// themselves stand in it as they were recorded, speeds and feeds with their sign as read.
-class OwnEffect {
+class OwnEffect final : public EffectKind {
  public:
   struct Number {
     std::string name{}, unit{};
@@ -31,28 +31,32 @@ class OwnEffect {
 
   /// Throws record::FormulaError.
   explicit OwnEffect(Given given);
-  OwnEffect(const OwnEffect&) = delete;
-  OwnEffect& operator=(const OwnEffect&) = delete;
 
   [[nodiscard]] const Given& given() const { return given_; }
   /// Its numbers: the gain [um], the time constant where it lags, its parameters.
-  [[nodiscard]] const EffectCard& card() const { return card_; }
+  [[nodiscard]] const EffectCard& card() const override { return card_; }
   [[nodiscard]] const std::vector<const Channel*>& columns() const { return columns_; }
-  /// Where the parameters begin among the numbers.
-  [[nodiscard]] std::size_t first_parameter() const { return given_.lags ? 2 : 1; }
-  /// Under which key of the effect a number stands: "gain_um", "p.value".
-  [[nodiscard]] std::string key(std::size_t number) const;
   [[nodiscard]] bool follows_a_temperature() const;
 
   /// Of one row: the columns in the order of columns(), in their units; the parameters.
   [[nodiscard]] double value(std::span<const double> columns, std::span<const double> parameters,
                              std::vector<double>& scratch) const;
 
+  [[nodiscard]] bool is_proportional(std::size_t number) const override { return number == 0; }
+  /// "gain_um", "p.value".
+  [[nodiscard]] std::string key(const Effect& effect, std::size_t number,
+                                const Model& model) const override;
+  [[nodiscard]] Input input(const Effect& effect, const Model& model) const override;
+  [[nodiscard]] Share share(const Effect& effect, const Model& model) const override;
+
  private:
   struct Term {
     bool of_column = false;
     std::size_t index = 0;
   };
+
+  /// Where the parameters begin among the numbers.
+  [[nodiscard]] std::size_t first_parameter() const { return given_.lags ? 2 : 1; }
 
   Given given_;
   std::vector<const Channel*> columns_;
@@ -64,8 +68,5 @@ class OwnEffect {
 
 /// The column of a record that a formula calls so; null for a name that is none.
 [[nodiscard]] const Channel* column_of_formula(std::string_view name);
-
-/// The card of an effect, of the catalogue or the user's own.
-[[nodiscard]] const EffectCard& card_of(const Effect& effect);
 
 }  // namespace raceway::correction

@@ -4,21 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 
-#include "correction/catalogue.h"
+#include "correction/effect_kind.h"
 #include "correction/numbers.h"
 #include "correction/own_effect.h"
 #include "correction/range.h"
-#include "record/series_channel.h"
 
 namespace raceway::correction {
 namespace {
 
 constexpr double same_sampling = 1e-6;  // share by which steps may differ from the printed one
-
-using Sink = std::function<void(double weight, const std::vector<double>& values)>;
 
 void require_sampling(const Series& series, double sampling, const std::string& name) {
   const Clock& clock = series.clock();
@@ -63,34 +59,8 @@ void add_channel(const Model& model, const DrivenChannel& channel, const Series&
     if (s.gain != 0.0) sink(c.scale * s.gain, *series.lag(c.input, s.time_constant, answer));
 }
 
-/// A share of its own.
 void add_effect(const Model& model, const Effect& e, const Series& series, const Sink& sink) {
-  const EffectCard& card = card_of(e);
-  const bool of_jumps = e.id == "offset-jump";
-  if (card.of_channel || (e.values.front() == 0.0 && !of_jumps)) return;
-  const double size = e.values.front() * um;
-  if (e.id == "kinematic-displacement") {
-    sink(size, *series.kinematic(e.values[1], e.values[2], seen_speed(model)));
-  } else if (of_jumps) {
-    const std::span<const double> time = series.record().values(record::time);
-    std::vector<double> step(series.rows());
-    for (std::size_t j = 0; j + 1 < e.values.size(); j += 2) {
-      if (e.values[j] == 0.0) continue;
-      for (std::size_t k = 0; k < step.size(); ++k)
-        step[k] = time[k] >= e.values[j + 1] ? 1.0 : 0.0;
-      sink(e.values[j] * um, step);
-    }
-  } else if (e.id == "slow-drift") {
-    sink(size, *series.settling(e.values[1]));
-  } else if (e.own) {
-    const Input input = input_of(e, model);
-    sink(size, e.own->given().lags ? *series.lag(input, e.values[1], {}) : *series.input(input));
-  } else if (e.id == "motor-heat" && e.columns.empty()) {
-    sink(size, *series.motor(e.values[2], e.values[1], seen_speed(model)));
-  } else {
-    const Input input = input_of(e, model);
-    sink(size / input.factor(), *series.lag(input, e.values[1], {}));
-  }
+  add_share(kind_of(e).share(e, model), series, seen_speed(model), sink);
 }
 
 Sink add_to(std::span<double> sum) {
@@ -103,21 +73,9 @@ Sink add_to(std::span<double> sum) {
 
 Answer answer_of(const Model& model, const DrivenChannel& channel) {
   Answer answer;
-  for (const Effect& e : model.effects) {
-    if (!card_of(e).of_channel || find_channel(model, e.where) != &channel) continue;
-    if (e.id == "cooling-switch") {
-      answer.off_gain = e.values[0];
-      answer.off_time_constant = e.values[1];
-    } else if (e.id == "sensor-lag") {
-      answer.sensor_time_constant = e.values[0];
-    } else if (e.id == "speed-dependent-time-constant") {
-      answer.speed_factor = e.values[0];
-      answer.gain_power = e.values[1];
-      answer.speed = seen_speed(model);
-    } else {
-      answer.falling = e.values[0];
-    }
-  }
+  for (const Effect& e : model.effects)
+    if (card_of(e).of_channel && find_channel(model, e.where) == &channel)
+      kind_of(e).change(e, model, answer);
   return answer;
 }
 
@@ -125,8 +83,7 @@ void simulate(const Model& model, const Series& series, std::span<double> displa
   std::fill(displacement.begin(), displacement.end(), model.offset);
   const Sink sink = add_to(displacement);
   for (const DrivenChannel& c : model.channels) add_channel(model, c, series, sink);
-  if (const auto& law = model.kinematic; law && law->A != 0.0)
-    sink(law->A * um, *series.kinematic(law->B, law->C, seen_speed(model)));
+  if (model.kinematic) add_share(*model.kinematic, series, seen_speed(model), sink);
   for (const Effect& e : model.effects) add_effect(model, e, series, sink);
 }
 
@@ -137,8 +94,7 @@ std::vector<Contribution> contributions(const Model& model, const Series& series
     return add_to(list.back().displacement);
   };
   for (const DrivenChannel& c : model.channels) add_channel(model, c, series, part(c.name));
-  if (const auto& law = model.kinematic)
-    part("kinematic")(law->A * um, *series.kinematic(law->B, law->C, seen_speed(model)));
+  if (model.kinematic) add_share(*model.kinematic, series, seen_speed(model), part("kinematic"));
   for (const Effect& e : model.effects)
     if (!card_of(e).of_channel) add_effect(model, e, series, part(full_id(e)));
   return list;
@@ -164,10 +120,7 @@ std::vector<const Channel*> inputs_of(const Model& model) {
   for (const Effect& e : model.effects) {
     if (e.off) continue;
     add_input(input_of(e, model));
-    if (e.id == "kinematic-displacement" || e.id == "speed-dependent-time-constant" ||
-        (e.id == "motor-heat" && e.columns.empty()))
-      add(&record::speed);
-    if (e.id == "cooling-switch") add(record::series_channel("coolant_on"));
+    for (const Channel* c : kind_of(e).other_columns(e)) add(c);
   }
   return list;
 }

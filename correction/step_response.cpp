@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
-#include "correction/catalogue.h"
 #include "correction/numbers.h"
+#include "correction/own_effect.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "record/median.h"
@@ -19,6 +21,7 @@ constexpr std::size_t most_samples = 400;
 
 std::string words_of(const Input& input) {
   if (input.is_power()) return "power";
+  if (input.formula) return input.formula->given().formula;
   std::string text;
   for (const Channel* c : input.columns) text += (text.empty() ? "" : ", ") + std::string(c->words);
   if (input.columns.size() > 1) text = "mean of " + text;
@@ -76,27 +79,49 @@ StepResponse of_channel(const Model& model, const DrivenChannel& c, const Series
   r.sensor_time_constant = answer_of(model, c).sensor_time_constant;
   if (c.printed) sample(c, series, r);
   for (const Effect& e : model.effects) {
-    if (find_channel(model, e.where) != &c) continue;
-    if (e.id == "second-time-constant")
-      r.parts.push_back({full_id(e), e.values[0] * um * r.step, e.values[1]});
-    else if (find_card(e.id)->of_channel && e.id != "sensor-lag")
-      r.changed_by.push_back(full_id(e));
+    const EffectKind& kind = kind_of(e);
+    if (!kind.card().at_channel || find_channel(model, e.where) != &c) continue;
+    const Share share = kind.share(e, model);
+    if (const auto* const more = std::get_if<DrivenShare>(&share))
+      r.parts.push_back({full_id(e), more->gain * um * r.step, more->time_constant});
+    Answer changed;
+    kind.change(e, model, changed);
+    changed.sensor_time_constant = 0.0;  // is drawn
+    if (!changed.is_plain()) r.changed_by.push_back(full_id(e));
   }
   return r;
 }
 
-/// Of a share of its own that is a lag.
-StepResponse of_effect(const Model& model, const Effect& e) {
-  StepResponse r = response_to(full_id(e), input_of(e, model));
-  if (e.id == "slow-drift" || e.columns.empty()) r.unit.clear();
-  if (e.id == "slow-drift")
-    r.input = "the start of the record";
-  else if (e.columns.empty())
-    r.input =
-        fmt::format("exp(-n/{:.4g} rpm) of the motor, turning", value_of(e, "decay_speed_rpm"));
-  r.parts = {{full_id(e), e.values[0] * um * r.step, e.values[1]}};
-  return r;
-}
+/// Step response of a share by its kind; none for a share without a lag.
+struct Responder {
+  const Effect& effect;
+
+  std::optional<StepResponse> operator()(const DrivenShare& s) const {
+    if (std::isnan(s.time_constant)) return std::nullopt;
+    StepResponse r = response_to(full_id(effect), s.input);
+    r.parts = {{r.name, s.gain * um * r.step, s.time_constant}};
+    return r;
+  }
+  std::optional<StepResponse> operator()(const MotorShare& s) const {
+    return of_one_size(fmt::format("exp(-n/{:.4g} rpm) of the motor, turning", s.decay_speed),
+                       s.gain, s.time_constant);
+  }
+  std::optional<StepResponse> operator()(const SettlingShare& s) const {
+    return of_one_size("the start of the record", s.size, s.time_constant);
+  }
+  template <typename AtOnce>
+  std::optional<StepResponse> operator()(const AtOnce&) const {
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] StepResponse of_one_size(std::string input, double size,
+                                         double time_constant) const {
+    return {.name = full_id(effect),
+            .input = std::move(input),
+            .parts = {{full_id(effect), size * um, time_constant}}};
+  }
+};
 
 }  // namespace
 
@@ -109,10 +134,11 @@ std::vector<StepResponse> step_responses(const Model& model, const record::Recor
     else
       list.push_back(of_channel(model, c, series));
   }
-  for (const Effect& e : model.effects)
-    if (e.id == "ambient-drift" || e.id == "motor-heat" || e.id == "feed-axis-heat" ||
-        e.id == "slow-drift")
-      list.push_back(of_effect(model, e));
+  for (const Effect& e : model.effects) {
+    if (card_of(e).at_channel) continue;  // drawn with its channel
+    if (auto r = std::visit(Responder{e}, kind_of(e).share(e, model)))
+      list.push_back(*std::move(r));
+  }
   return list;
 }
 

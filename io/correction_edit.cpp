@@ -127,16 +127,14 @@ class Editor {
 
 std::string effect_text(const Effect& e, const Model& m) {
   std::string text = fmt::format("[[correction.effect]]\nid = \"{}\"\n", e.id);
-  const correction::EffectCard& card = correction::card_of(e);
+  const correction::EffectKind& kind = correction::kind_of(e);
   if (!e.where.empty())
     text += fmt::format("{} = \"{}\"\n", correction::find_channel(m, e.where) ? "channel" : "axis",
                         e.where);
   if (!e.columns.empty()) text += fmt::format("input = {}\n", columns_text(e.columns));
   for (std::size_t k = 0; k < e.values.size(); ++k) {
-    const record::NumberCard& n = card.numbers[k];
-    if (n.name.starts_with("size_") && e.values[k] == 0.0) break;  // jumps that are not needed
-    text += fmt::format("{} = {}\n", correction::key_of(e, n, m),
-                        toml_float(with_15_digits(e.values[k])));
+    if (kind.may_end_before(k) && e.values[k] == 0.0) break;
+    text += fmt::format("{} = {}\n", kind.key(e, k, m), toml_float(with_15_digits(e.values[k])));
   }
   return text;
 }

@@ -334,15 +334,15 @@ class CorrectionReader {
     Names known;
     for (const correction::EffectCard& card : correction::catalogue()) known.emplace_back(card.id);
     if (!id) s.fail_missing({"id", "", 0, 0}, ", the name of an effect of raceway effects");
-    const correction::EffectCard* const card = correction::find_card(*id);
+    const correction::EffectKind* const found = correction::find_kind(*id);
     if (s.find("formula")) {
-      if (card)
+      if (found)
         s.fail(
             "formula",
             fmt::format("formula: {} is an effect of the catalogue; give yours another id", *id));
       return own_effect(s, *id, m);
     }
-    if (!card || card->evidence)
+    if (!found || found->card().evidence)
       s.fail("id", fmt::format("id = \"{}\": no effect on a displacement over time{}; one of your "
                                "own has a formula",
                                *id, suggestion(*id, known)));
@@ -351,19 +351,17 @@ class CorrectionReader {
     e.where = s.text("channel").value_or(s.text("axis").value_or(""));
     if (s.find("channel") && !correction::find_channel(m, e.where))
       s.fail("channel", fmt::format("channel = \"{}\": the model has no such channel", e.where));
-    if ((*id == "ambient-drift" || *id == "feed-axis-heat") && e.columns.empty())
+    if (found->card().needs_input && e.columns.empty())
       s.fail_missing({"input", "", 0, 0}, ", the column that drives the effect");
     Names keys{"id", "input", "channel", "axis"};
-    for (const record::NumberCard& n : card->numbers) {
-      if (n.name == "decay_speed_rpm" && !e.columns.empty()) continue;
-      const bool is_gain = n.unit == "um/u";
-      const std::string key = correction::key_of(e, n, m);
-      // Jumps after the first, as many as there are.
-      if (n.name.starts_with("size_") && !s.find(key)) break;
+    const std::span<const record::NumberCard> numbers = found->numbers(e);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const std::string key = found->key(e, k, m);
+      if (found->may_end_before(k) && !s.find(key)) break;
       keys.push_back(key);
       e.values.push_back(
-          s.required({key, is_gain ? correction::gain_unit(e, m) : std::string(n.unit),
-                      std::max(-most, n.lower), std::min(most, n.upper)}));
+          s.required({key, correction::unit_of(e, k, m), std::max(-most, numbers[k].lower),
+                      std::min(most, numbers[k].upper)}));
     }
     s.allow_only(keys);
     return e;

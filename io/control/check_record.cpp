@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "correction/catalogue.h"
+#include "correction/effect_kind.h"
 #include "correction/quantum.h"
 #include "correction/range.h"
 #include "correction/series.h"
@@ -52,9 +52,8 @@ ControlCheck filled_in(const ControlPlan& plan, const std::vector<correction::Mo
   const correction::Series series(record);
   std::size_t good = rows.size();
   for (correction::Model m : models) {
-    std::erase_if(m.effects, [](const correction::Effect& e) {
-      return !e.own && correction::find_card(e.id)->of_reading;
-    });
+    std::erase_if(m.effects,
+                  [](const correction::Effect& e) { return correction::card_of(e).of_reading; });
     std::vector<double> y(record.rows());
     correction::simulate(m, series, y);
     for (const correction::Beyond::Part& p : correction::beyond_range(m, series).parts)

@@ -7,8 +7,9 @@
 #include <map>
 #include <set>
 #include <utility>
+#include <variant>
 
-#include "correction/catalogue.h"
+#include "correction/effect_kind.h"
 #include "correction/numbers.h"
 #include "correction/range.h"
 #include "correction/simulation.h"
@@ -275,38 +276,54 @@ class Planner {
                                  .falling = answer.falling});
   }
 
+  /// A share of an effect, by its kind. What is of one record's readings never comes here.
+  struct ShareAdder {
+    Planner& planner;
+    const Model& model;
+    const Effect& effect;
+    ControlAxis& axis;
+
+    void operator()(const correction::DrivenShare& s) const {
+      if (s.gain == 0.0) return;
+      section(planner.drive(s.input, model, effect.where), s.gain, s.time_constant,
+              is_straight(s.input));
+    }
+    void operator()(const correction::MotorShare& s) const {
+      if (s.gain == 0.0) return;
+      planner.plan_.drives.push_back(
+          {.kind = ControlDrive::Kind::motor, .decay_rpm = s.decay_speed, .unit = "1"});
+      section(planner.plan_.drives.size() - 1, s.gain, s.time_constant, false);
+    }
+    void operator()(const correction::Kinematic& law) const {
+      if (law.A != 0.0) axis.kinematics.push_back({law.A, law.B, law.C});
+    }
+    template <typename OfReadings>
+    void operator()(const OfReadings&) const {}
+
+   private:
+    void section(std::size_t drive, double gain, double time_constant, bool straight) const {
+      axis.sections.push_back({.channel = full_id(effect),
+                               .drive = drive,
+                               .gain = gain,
+                               .time_constant_s = time_constant,
+                               .straight = straight});
+    }
+  };
+
   void add(const Effect& e, const Model& m, ControlAxis& axis) {
     if (e.own) {
-      if (e.values.front() == 0.0) return;  // it waits to be added
+      if (e.off) return;
       throw InputError(
           fmt::format("{}: effect {} is a formula of your own, which no control can be given: take "
                       "it out, or put what it follows into a column that drives a channel",
                       plan_.source, e.id),
           {.file = plan_.source, .key = e.id});
     }
-    const correction::EffectCard& card = *correction::find_card(e.id);
-    if (card.of_reading) {
+    if (correction::card_of(e).of_reading) {
       note(fmt::format("{}: is of the readings of one record, and is left out", full_id(e)));
       return;
     }
-    if (card.of_channel || e.values.front() == 0.0) return;
-    if (e.id == "kinematic-displacement") {
-      axis.kinematics.push_back({e.values[0], e.values[1], e.values[2]});
-      return;
-    }
-    const bool motor = e.id == "motor-heat" && e.columns.empty();
-    const Input in = correction::input_of(e, m);
-    std::size_t of = plan_.drives.size();
-    if (motor)
-      plan_.drives.push_back(
-          {.kind = ControlDrive::Kind::motor, .decay_rpm = e.values[2], .unit = "1"});
-    else
-      of = drive(in, m, e.where);
-    axis.sections.push_back({.channel = full_id(e),
-                             .drive = of,
-                             .gain = e.values[0],
-                             .time_constant_s = e.values[1],
-                             .straight = !motor && is_straight(in)});
+    std::visit(ShareAdder{*this, m, e, axis}, correction::kind_of(e).share(e, m));
   }
 
   void add(const Model& m) {

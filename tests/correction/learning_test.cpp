@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "correction/own_effect.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "tests/correction/made_record.h"
@@ -106,6 +107,18 @@ TEST(Learning, LearnsAGainThatIsWrongByAFifthWithinSixReadings) {
   const Learning all = learn(model(), sparse(truth, every));
   EXPECT_LT(worst(all, truth, 5 * every + 1), 0.6);
   EXPECT_GT(worst(learn(model(), sparse(truth, 100 * every)), truth, 5 * every + 1), 5.0);
+}
+
+TEST(Learning, LearnsTheGainOfAFormulaAndNoneOfOneRecord) {
+  Model m = model();
+  Effect squared{.id = "squared", .values = {0.5}};
+  squared.own = std::make_shared<const OwnEffect>(
+      OwnEffect::Given{.id = "squared", .formula = "(front_temperature_C - 22)^2"});
+  m.effects = {std::move(squared), {.id = "slow-drift", .values = {3.0, 20000}}};
+  const Learning l = learn(m, sparse(machine(1.0, 20), 120));
+  ASSERT_THAT(l.gains, SizeIs(2));
+  EXPECT_EQ(l.gains[0].name, "spindle");
+  EXPECT_EQ(l.gains[1].name, "squared");
 }
 
 /// Whatever is read later, rows before stay as they are, to the last digit.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "correction/own_effect.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 #include "tests/correction/made_record.h"
@@ -110,6 +111,24 @@ TEST(StepResponse, NamesEffectsWithWhichTheChannelAnswersOtherwise) {
   EXPECT_EQ(list[1].name, "ambient-drift");
   EXPECT_EQ(list[1].input, "room temperature");
   EXPECT_NEAR(list[1].parts.front().gain, -2.5 * um, 1e-15);
+}
+
+TEST(StepResponse, OfAFormulaWithALagIsDrawnAndAtOnceItIsNot) {
+  Model model = two_sections();
+  for (const bool lags : {true, false}) {
+    Effect e{.id = lags ? "late" : "at-once", .values = {3.0}};
+    if (lags) e.values.push_back(900.0);
+    e.own = std::make_shared<const OwnEffect>(
+        OwnEffect::Given{.id = e.id, .formula = "nose_temperature_C", .lags = lags});
+    model.effects.push_back(std::move(e));
+  }
+  const std::vector<StepResponse> list = step_responses(model, step_of_temperature().record);
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[1].name, "late");
+  EXPECT_EQ(list[1].input, "nose_temperature_C");
+  ASSERT_EQ(list[1].parts.size(), 1U);
+  EXPECT_NEAR(list[1].parts[0].gain, 3.0 * um, 1e-15);
+  EXPECT_EQ(list[1].parts[0].time_constant, 900.0);
 }
 
 TEST(StepResponse, OfADelayElementIsShownAtTheMedianAndTheLargestPowerThatItTakes) {

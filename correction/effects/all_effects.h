@@ -1,0 +1,26 @@
+#pragma once
+
+#include <tuple>
+
+#include "correction/effects/ambient_drift.h"
+#include "correction/effects/cooling_switch.h"
+#include "correction/effects/feed_axis_heat.h"
+#include "correction/effects/kinematic_displacement.h"
+#include "correction/effects/motor_heat.h"
+#include "correction/effects/offset_jump.h"
+#include "correction/effects/second_time_constant.h"
+#include "correction/effects/sensor_lag.h"
+#include "correction/effects/sensor_quantisation.h"
+#include "correction/effects/slow_drift.h"
+#include "correction/effects/speed_dependent_time_constant.h"
+#include "correction/effects/thermal_asymmetry.h"
+
+namespace raceway::correction {
+
+/// The list of the catalogue, by id. A new effect is a header of this folder and its name here.
+using AllEffects =
+    std::tuple<AmbientDrift, CoolingSwitch, FeedAxisHeat, KinematicDisplacement, MotorHeat,
+               OffsetJump, SecondTimeConstant, SensorLag, SensorQuantisation, SlowDrift,
+               SpeedDependentTimeConstant, ThermalAsymmetry>;
+
+}  // namespace raceway::correction

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "correction/effect_kind.h"
+#include "correction/effects/shared_numbers.h"
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+
+/// The room moves the machine: a lag of the room's temperatures, else of those of the base.
+struct AmbientDrift final : EffectKind {
+  static constexpr EffectCard ambient_card{
+      .id = "ambient-drift",
+      .title = "the room moves the machine",
+      .form = "+ K/(1 + tau s) (mean of the room's temperatures)",
+      .needs = "a temperature of the room, else of the base, that the model does not use",
+      .confused = "slow-drift, a slow section, the motor's temperature",
+      .numbers = gain_and_time_constant,
+      .needs_input = true};
+
+  [[nodiscard]] const EffectCard& card() const override { return ambient_card; }
+
+  [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override {
+    std::vector<const Channel*> columns = in.unused(record::is_ambient);
+    if (columns.empty()) columns = in.unused(is_of_base);
+    if (columns.empty()) return {};
+    return {at({}, std::move(columns))};
+  }
+
+  [[nodiscard]] Share share(const Effect& e, const Model& m) const override {
+    return lag_of_input(*this, e, m);
+  }
+
+ private:
+  static bool is_of_base(const Channel& c) {
+    return record::is_temperature(c) && c.variable.starts_with("base");
+  }
+};
+
+}  // namespace raceway::correction

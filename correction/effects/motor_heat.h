@@ -1,0 +1,53 @@
+#pragma once
+
+#include "correction/effect_kind.h"
+#include "correction/effects/shared_numbers.h"
+#include "record/series_channel.h"
+
+namespace raceway::correction {
+
+/// A motor that warms up with or against the spindle: a lag of its temperature, and without that
+/// column of exp(-n/n0) while the spindle turns.
+struct MotorHeat final : EffectKind {
+  static constexpr record::NumberCard decay_speed{
+      "decay_speed_rpm", "rpm", 2000, 300, 8000, 300, 8000, unset};
+  static constexpr std::array all{gain_number, time_constant_number, decay_speed};
+  static constexpr EffectCard motor_card{
+      .id = "motor-heat",
+      .title = "a motor that warms up with or against the spindle",
+      .form = "+ K/(1 + tau s) T of the motor; without that column of exp(-n/n0), n > 0",
+      .needs = "a temperature of the motor, or speeds that change",
+      .confused = "speed-dependent-time-constant; a body that follows the motor",
+      .numbers = all};
+
+  [[nodiscard]] const EffectCard& card() const override { return motor_card; }
+
+  [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override {
+    std::vector<const Channel*> columns = in.unused(is_of_motor);
+    if (columns.empty() && !in.varies(record::speed)) return {};
+    return {at({}, std::move(columns))};
+  }
+  [[nodiscard]] std::span<const record::NumberCard> numbers(const Effect& e) const override {
+    return std::span(all).first(e.columns.empty() ? 3 : 2);
+  }
+  [[nodiscard]] Input input(const Effect& e, const Model& m) const override {
+    return e.columns.empty() ? Input{} : EffectKind::input(e, m);
+  }
+  [[nodiscard]] std::vector<const Channel*> other_columns(const Effect& e) const override {
+    if (e.columns.empty()) return {&record::speed};
+    return {};
+  }
+
+  [[nodiscard]] Share share(const Effect& e, const Model& m) const override {
+    if (!e.columns.empty()) return lag_of_input(*this, e, m);
+    return MotorShare{value_of(e, gain_number), value_of(e, time_constant_number),
+                      value_of(e, decay_speed)};
+  }
+
+ private:
+  static bool is_of_motor(const Channel& c) {
+    return record::is_temperature(c) && c.variable.starts_with("motor");
+  }
+};
+
+}  // namespace raceway::correction

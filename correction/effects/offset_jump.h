@@ -1,0 +1,61 @@
+#pragma once
+
+#include "correction/effect_kind.h"
+#include "correction/effects/shared_numbers.h"
+
+namespace raceway::correction {
+
+/// Size and time of one jump.
+inline constexpr record::NumberCard jump_size(std::string_view name) {
+  return {name, "um", 0.0, -any_size, any_size};
+}
+inline constexpr record::NumberCard jump_time(std::string_view name) {
+  return {name, "s", 0.0, -any_size, any_size, -any_size, any_size, unset};
+}
+
+/// The reading jumps: a collet, a probe, a cable. Up to three jumps, each a size and a time.
+struct OffsetJump final : EffectKind {
+  static constexpr std::array jumps{jump_size("size"),   jump_time("time_s"),
+                                    jump_size("size_2"), jump_time("time_2_s"),
+                                    jump_size("size_3"), jump_time("time_3_s")};
+  static constexpr EffectCard jump_card{.id = "offset-jump",
+                                        .title = "the reading jumps: a collet, a probe, a cable",
+                                        .form = "+ sum of c H(t - t1), three at most",
+                                        .needs = "dense readings, of which one leaps",
+                                        .confused =
+                                            "kinematic-displacement, a hidden heat that is "
+                                            "switched on",
+                                        .numbers = jumps,
+                                        .of_reading = true};
+
+  [[nodiscard]] const EffectCard& card() const override { return jump_card; }
+
+  [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override {
+    if (in.jump_times.empty()) return {};
+    Effect e = at();
+    for (std::size_t k = 0; k < e.values.size(); ++k)
+      if (is_time(k)) e.values[k] = in.end;
+    return {std::move(e)};
+  }
+  [[nodiscard]] std::vector<double> choices(std::size_t number,
+                                            const Surroundings& in) const override {
+    if (!is_time(number)) return {};
+    return {in.jump_times.begin(), in.jump_times.end()};
+  }
+  /// Jumps after the first, as many as there are.
+  [[nodiscard]] bool may_end_before(std::size_t number) const override {
+    return number > 0 && !is_time(number);
+  }
+
+  [[nodiscard]] Share share(const Effect& e, const Model&) const override {
+    JumpShare made;
+    for (std::size_t k = 0; k + 1 < e.values.size(); k += 2)
+      made.jumps.push_back({.size = e.values[k], .time = e.values[k + 1]});
+    return made;
+  }
+
+ private:
+  static bool is_time(std::size_t number) { return number % 2 == 1; }
+};
+
+}  // namespace raceway::correction

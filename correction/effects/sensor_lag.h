@@ -1,0 +1,37 @@
+#pragma once
+
+#include "correction/effect_kind.h"
+
+namespace raceway::correction {
+
+/// The sensor lags behind what it measures: the input is T (1 + τ s).
+struct SensorLag final : EffectKind {
+  static constexpr record::NumberCard lag{
+      "sensor_time_constant_s", "s", 0.0, 0.0, 3600, 0.0, 3600, 0.0};
+  static constexpr std::array one{lag};
+  static constexpr EffectCard sensor_card{.id = "sensor-lag",
+                                          .title = "the sensor lags behind what it measures",
+                                          .form = "the input is T (1 + tau s s)",
+                                          .needs = "a temperature as input",
+                                          .confused = "second-time-constant, nearly the same",
+                                          .numbers = one,
+                                          .of_channel = true,
+                                          .at_channel = true};
+
+  [[nodiscard]] const EffectCard& card() const override { return sensor_card; }
+
+  [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override {
+    std::vector<Effect> list;
+    for (const DrivenChannel& c : in.model.channels)
+      if (!c.sections.empty() && !c.input.is_power() && c.feedthrough == 0.0 &&
+          c.input.course() == record::Course::straight)
+        list.push_back(at(in.where(c)));
+    return list;
+  }
+
+  void change(const Effect& e, const Model&, Answer& answer) const override {
+    answer.sensor_time_constant = value_of(e, lag);
+  }
+};
+
+}  // namespace raceway::correction

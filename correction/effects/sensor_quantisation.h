@@ -1,0 +1,23 @@
+#pragma once
+
+#include "correction/effect_kind.h"
+
+namespace raceway::correction {
+
+/// The displacement steps with the last digit of a sensor. The record itself tells it: see
+/// CorrectionSubject::faults().
+struct SensorQuantisation final : EffectKind {
+  static constexpr EffectCard quantisation_card{
+      .id = "sensor-quantisation",
+      .title = "the displacement steps with the last digit of a sensor",
+      .form = "y steps by K0 q, with a feedthrough K0 and a quantum q",
+      .needs = "a feedthrough, and a quantum that the record shows",
+      .confused = "second-time-constant",
+      .numbers = {},
+      .of_reading = true,
+      .evidence = true};
+
+  [[nodiscard]] const EffectCard& card() const override { return quantisation_card; }
+};
+
+}  // namespace raceway::correction

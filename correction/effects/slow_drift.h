@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cmath>
+
+#include "correction/effect_kind.h"
+#include "correction/effects/shared_numbers.h"
+
+namespace raceway::correction {
+
+/// Something that no sensor measures settles over the whole record.
+struct SlowDrift final : EffectKind {
+  static constexpr record::NumberCard size{"size", "um", 0.0, -any_size, any_size};
+  static constexpr std::array both{size, time_constant_number};
+  static constexpr EffectCard drift_card{
+      .id = "slow-drift",
+      .title = "something nobody measures settles over the whole record",
+      .form = "+ c (1 - exp(-t/tau))",
+      .needs = "rests, and a room that is known",
+      .confused = "ambient-drift, a slow section",
+      .numbers = both,
+      .of_reading = true};
+
+  [[nodiscard]] const EffectCard& card() const override { return drift_card; }
+
+  [[nodiscard]] std::vector<Effect> possible(const Surroundings&) const override { return {at()}; }
+  [[nodiscard]] Interval bounds(const Effect& e, std::size_t number, const Model& m,
+                                const TimeConstantLimits& limits) const override {
+    // Time constants over the length of the record.
+    constexpr double shortest = 0.15, longest = 5.0;
+    if (number == 0 || std::isnan(limits.record)) return EffectKind::bounds(e, number, m, limits);
+    return {shortest * limits.record, longest * limits.record};
+  }
+
+  [[nodiscard]] Share share(const Effect& e, const Model&) const override {
+    return SettlingShare{value_of(e, size), value_of(e, time_constant_number)};
+  }
+};
+
+}  // namespace raceway::correction

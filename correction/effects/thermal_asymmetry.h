@@ -1,0 +1,32 @@
+#pragma once
+
+#include "correction/effect_kind.h"
+
+namespace raceway::correction {
+
+/// The machine cools otherwise than it warms: τ times a ratio where u < x.
+struct ThermalAsymmetry final : EffectKind {
+  static constexpr record::NumberCard ratio{"ratio", "1", 1.0, 0.2, 5.0, 0.2, 5.0, 1.0};
+  static constexpr std::array one{ratio};
+  static constexpr EffectCard asymmetry_card{.id = "thermal-asymmetry",
+                                             .title = "it cools otherwise than it warms",
+                                             .form = "tau times the ratio where u < x",
+                                             .needs = "falls between two speeds that are not zero",
+                                             .confused = "speed-dependent-time-constant",
+                                             .numbers = one,
+                                             .of_channel = true,
+                                             .at_channel = true};
+
+  [[nodiscard]] const EffectCard& card() const override { return asymmetry_card; }
+
+  [[nodiscard]] std::vector<Effect> possible(const Surroundings& in) const override {
+    if (!in.first_channel_lags()) return {};
+    return {at()};
+  }
+
+  void change(const Effect& e, const Model&, Answer& answer) const override {
+    answer.falling = value_of(e, ratio);
+  }
+};
+
+}  // namespace raceway::correction
