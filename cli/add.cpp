@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <functional>
-#include <utility>
-
 #include "cli/commands.h"
 #include "cli/error_text.h"
 #include "cli/fitted_models.h"
@@ -12,12 +9,9 @@
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "io/diagnosis_results.h"
 #include "io/error.h"
 #include "io/output_file.h"
-#include "session/correction_loop.h"
-#include "session/loop_question.h"
-#include "session/open_input.h"
+#include "session/loop.h"
 
 namespace raceway::cli {
 namespace {
@@ -63,28 +57,30 @@ void print(const fit::AddResult& r) {
   }
 }
 
-fit::AddResult added(const fit::Subject& subject, const std::vector<std::string>& ids,
-                     const record::Record& data, const std::string& model) {
-  try {
-    return fit::add(subject, ids, data);
-  } catch (const std::invalid_argument& e) {
-    session::refuse_data(model, data, e);
-  }
-}
-
-/// What the effects bought, and `write` where they are kept.
-int finish(const AddFlags& flags, const std::string& source, fit::AddResult result,
-           const record::Record& data,
-           const std::function<std::string(const fit::AddResult&)>& page,
-           const std::function<void(const fit::Calibration&)>& write) {
-  session::tell_of_scale(data, result.messages);
+int run(const AddFlags& flags) {
+  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  if (!flags.output.empty() && flags.loop.per_record.empty())
+    io::require_writable(flags.output, if_exists);
+  flags.report.check(flags.force);
+  std::vector<std::string> ids, files{flags.data};
+  for (std::size_t k = 1; k < flags.names.size(); ++k)
+    (flags.names[k].ends_with(".csv") ? files : ids).push_back(flags.names[k]);
+  if (ids.empty())
+    throw io::InputError(
+        "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
+        {.key = "EFFECT"});
+  const session::LoopQuestion asked =
+      session::ask(messages(), flags.names.front(), session::files(files), flags.loop);
+  const FittedModels output(flags.output, if_exists);
+  output.require_writable(*asked.subject);
+  const fit::AddResult result = session::add(asked, ids);
   if (flags.json) {
-    put_document(io::add_json(source, data, result));
+    put_document(session::json(asked, result));
   } else {
     print(result);
   }
   warn(result.messages);
-  flags.report.write([&] { return page(result); }, flags.force);
+  flags.report.write([&] { return session::page(asked, result); }, flags.force);
   if (!result.calibration.converged()) {
     complain("raceway add: the fit did not converge; nothing is written");
     return not_converged;
@@ -93,45 +89,8 @@ int finish(const AddFlags& flags, const std::string& source, fit::AddResult resu
     complain(fmt::format("raceway add: refused: {} (--force adds it all the same)", result.reason));
     return wrong_input;
   }
-  write(result.calibration);
+  output.write(asked, result.calibration);
   return done;
-}
-
-int run_correction(const AddFlags& flags, const std::vector<std::string>& ids,
-                   const std::vector<std::string>& files) {
-  const session::CorrectionLoop asked = session::ask_correction_loop(
-      messages(), flags.names.front(), session::files(files), flags.loop);
-  return finish(
-      flags, asked.file.source,
-      added(*asked.subject, session::meant(asked, ids), asked.data, asked.file.source), asked.data,
-      [&](const fit::AddResult& r) { return session::add_page(asked, r); },
-      [&](const fit::Calibration& c) {
-        write_model(flags.output, session::fitted_text(asked, c), flags.force);
-      });
-}
-
-int run(const AddFlags& flags) {
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (!flags.output.empty() && flags.loop.per_record.names.empty())
-    io::require_writable(flags.output, if_exists);
-  flags.report.check(flags.force);
-  const std::string& path = flags.names.front();
-  std::vector<std::string> ids, files{flags.data};
-  for (std::size_t k = 1; k < flags.names.size(); ++k)
-    (flags.names[k].ends_with(".csv") ? files : ids).push_back(flags.names[k]);
-  if (ids.empty())
-    throw io::InputError(
-        "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
-        {.key = "EFFECT"});
-  if (io::takes_correction(path, files)) return run_correction(flags, ids, files);
-  const session::LoopQuestion asked =
-      session::ask(messages(), path, session::files(files), flags.loop);
-  const FittedModels output(flags.output, if_exists);
-  output.require_writable(*asked.subject);
-  return finish(
-      flags, asked.file.source, added(*asked.subject, ids, asked.data, path), asked.data,
-      [&](const fit::AddResult& r) { return session::add_page(asked, r); },
-      [&](const fit::Calibration& c) { output.write(asked.file, c); });
 }
 
 }  // namespace
@@ -154,10 +113,7 @@ Run setup_add(CLI::App& command) {
                   "model file to write: MODEL with the effects and the new values;\n"
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
-  declare_displacement(command, flags->loop.displacement);
-  declare(command, flags->loop.per_record);
-  declare(command, flags->loop.reading);
-  declare(command, flags->loop.reading.period);
+  declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
   command.add_flag("--force", flags->force,
                    "add an effect that does not help, and replace the file if it exists");

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <functional>
 
 #include "cli/calibrate_conformity.h"
 #include "cli/commands.h"
@@ -14,10 +13,7 @@
 #include "cli/text_table.h"
 #include "io/error.h"
 #include "io/output_file.h"
-#include "io/results.h"
-#include "session/correction_loop.h"
-#include "session/loop_question.h"
-#include "session/open_input.h"
+#include "session/loop.h"
 
 namespace raceway::cli {
 namespace {
@@ -84,49 +80,11 @@ void print(const fit::Calibration& c) {
                error_text(e.rmse_after, *e.channel), error_unit(*e.channel));
 }
 
-fit::Calibration calibrated(const fit::Subject& subject, const record::Record& data,
-                            const std::string& model, const CalibrateFlags& flags) {
-  try {
-    return fit::calibrate(subject, data, {.profile = flags.profile});
-  } catch (const std::invalid_argument& e) {
-    session::refuse_data(model, data, e);
-  }
-}
-
-/// What was found, and `write` where it is to be kept.
-int finish(const CalibrateFlags& flags, fit::Calibration c, const record::Record& data,
-           const std::string& files, const std::function<void(const fit::Calibration&)>& write) {
-  session::tell_of_scale(data, c.messages);
-  if (flags.json) {
-    put_document(io::calibration_json(c, data));
-  } else if (c.converged()) {
-    print(c);
-  }
-  warn(c.messages);
-  if (!c.converged()) {
-    complain(fmt::format("raceway calibrate: {} after {} steps; {}", fit::name(c.status),
-                         c.iterations,
-                         flags.output.empty() ? "no result" : files + " is not written"));
-    return not_converged;
-  }
-  write(c);
-  return done;
-}
-
-int run_correction(const CalibrateFlags& flags) {
-  const session::CorrectionLoop asked =
-      session::ask_correction_loop(messages(), flags.model, session::files(flags.data), flags.loop);
-  return finish(flags, calibrated(*asked.subject, asked.data, asked.file.source, flags), asked.data,
-                flags.output, [&](const fit::Calibration& c) {
-                  write_model(flags.output, session::fitted_text(asked, c), flags.force);
-                });
-}
-
 int run(const CalibrateFlags& flags) {
   if (flags.output == "-")
     throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file",
                          {.key = "--output"});
-  if (flags.data.empty() && !flags.loop.per_record.names.empty())
+  if (flags.data.empty() && !flags.loop.per_record.empty())
     throw io::InputError("raceway calibrate: --per-record needs measurements: DATA is missing",
                          {.key = "DATA"});
   if (flags.data.empty() && flags.profile)
@@ -136,16 +94,27 @@ int run(const CalibrateFlags& flags) {
     return calibrate_conformity(
         {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
   const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (!flags.output.empty() && flags.loop.per_record.names.empty())
+  if (!flags.output.empty() && flags.loop.per_record.empty())
     io::require_writable(flags.output, if_exists);
-  if (io::takes_correction(flags.model, flags.data)) return run_correction(flags);
   const session::LoopQuestion asked =
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*asked.subject);
-  return finish(flags, calibrated(*asked.subject, asked.data, flags.model, flags), asked.data,
-                output.names(*asked.subject),
-                [&](const fit::Calibration& c) { output.write(asked.file, c); });
+  const fit::Calibration found = session::calibrate(asked, {.profile = flags.profile});
+  if (flags.json) {
+    put_document(session::json(asked, found));
+  } else if (found.converged()) {
+    print(found);
+  }
+  warn(found.messages);
+  if (!found.converged()) {
+    complain(fmt::format(
+        "raceway calibrate: {} after {} steps; {}", fit::name(found.status), found.iterations,
+        flags.output.empty() ? "no result" : output.names(*asked.subject) + " is not written"));
+    return not_converged;
+  }
+  output.write(asked, found);
+  return done;
 }
 
 }  // namespace
@@ -167,10 +136,7 @@ Run setup_calibrate(CLI::App& command) {
                   "model file to write: MODEL with the new values, all else as it is;\n"
                   "with --per-record one for each record, FILE-RECORD.toml of FILE.toml")
       ->type_name("FILE");
-  declare_displacement(command, flags->loop.displacement);
-  declare(command, flags->loop.per_record);
-  declare(command, flags->loop.reading);
-  declare(command, flags->loop.reading.period);
+  declare(command, flags->loop);
   command.add_flag("--profile", flags->profile,
                    "also the 95 % interval of each parameter by profile likelihood");
   command.add_flag("--force", flags->force, "replace the file if it exists");

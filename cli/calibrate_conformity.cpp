@@ -24,7 +24,8 @@ constexpr double poor = 0.05;
 
 struct Start {
   io::CatalogueBearing row;
-  std::string text;  ///< of the model to be changed
+  std::string text;                    ///< of the model to be changed
+  std::vector<io::NamedFile> files{};  ///< that it names
 };
 
 Start start_of(const std::string& model) {
@@ -32,7 +33,7 @@ Start start_of(const std::string& model) {
   if (model != "-" && !model.ends_with(".toml") && !std::filesystem::exists(model, ignored)) {
     io::CatalogueBearing row = io::find_bearing(io::read_catalogues(), model);
     std::string text = io::new_model_text(row);
-    return {std::move(row), std::move(text)};
+    return {.row = std::move(row), .text = std::move(text)};
   }
   io::ModelFile file = session::open_model(messages(), model);
   if (file.catalogue.empty())
@@ -42,7 +43,8 @@ Start start_of(const std::string& model) {
                     "under [bearing], whose printed rigidities the conformity is fitted to",
                     model),
         {.file = model, .key = "catalogue"});
-  return {io::find_bearing(io::read_catalogues(), file.catalogue), std::move(file.text)};
+  return {io::find_bearing(io::read_catalogues(), file.catalogue), std::move(file.text),
+          std::move(file.files)};
 }
 
 std::vector<shaft::PairRigidity> classes_of(const io::CatalogueBearing& row) {
@@ -114,12 +116,11 @@ int calibrate_conformity(const ConformityFlags& flags) {
   const std::string origin =
       fmt::format("fitted to the catalogue's rigidity at preload {}{}", names_of(fit),
                   std::isnan(fit.std) ? "" : fmt::format(", std {}", number(fit.std, 1)));
-  io::write_text(flags.output,
-                 io::with_values(start.text,
-                                 std::vector<io::KeyValue>{
-                                     {"bearing.inner_conformity", shown, origin},
-                                     {"bearing.outer_conformity", shown, "the same for both"}}),
-                 if_exists);
+  const std::string text = io::with_values(
+      start.text,
+      std::vector<io::KeyValue>{{"bearing.inner_conformity", shown, origin},
+                                {"bearing.outer_conformity", shown, "the same for both"}});
+  io::write_text(flags.output, io::with_names_from(text, start.files, flags.output), if_exists);
   say(flags.output + " written");
   return done;
 }

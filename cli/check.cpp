@@ -7,21 +7,17 @@
 #include "cli/commands.h"
 #include "cli/error_text.h"
 #include "cli/messages.h"
-#include "cli/run_files.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "correction/record_check.h"
 #include "io/error.h"
-#include "io/names.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
 #include "io/record_text.h"
 #include "io/results.h"
 #include "io/subject.h"
 #include "io/suggest_columns.h"
-#include "session/correction_loop.h"
+#include "session/loop.h"
 #include "session/open_input.h"
-#include "session/reading.h"
 
 namespace raceway::cli {
 namespace {
@@ -82,8 +78,8 @@ int suggest(const std::string& model, const std::string& path) {
 }
 
 struct CheckFlags {
-  std::string model, data, output, displacement;
-  session::Reading reading;
+  std::string model, data, output;
+  session::LoopOptions loop{.defaults = session::Defaults::keep};
   bool json = false, suggest = false, force = false;
 };
 
@@ -91,14 +87,6 @@ struct CheckFlags {
 void print_defaults(const std::string& source, const std::vector<std::string>& defaults) {
   fmt::print("{}: {} default{}\n", source, defaults.size(), defaults.size() == 1 ? "" : "s");
   for (const std::string& d : defaults) fmt::print("  {}\n", d.substr(0, d.find(" (default)")));
-}
-
-int run_model(const io::ModelFile& file, bool json) {
-  if (json)
-    put_document(io::model_check_json(file.model.name, file.defaults, file.notes));
-  else
-    print_defaults(file.source, file.defaults);
-  return done;
 }
 
 /// What a record over time can tell, in lines.
@@ -122,36 +110,12 @@ void print(const correction::RecordCheck& c) {
   }
 }
 
-int check_corrections(const CheckFlags& flags, io::IfExists if_exists) {
-  if (flags.data.empty()) {
-    const io::CorrectionFile file = io::read_correction(flags.model);
-    for (const std::string& table : file.tables) add_input(table);
-    std::vector<std::string> names;
-    for (const correction::Model& m : file.models) names.push_back(m.name);
-    if (flags.json) {
-      put_document(io::model_check_json(io::listed(names), file.defaults, file.notes));
-    } else {
-      tell(file.notes);
-      print_defaults(file.source, file.defaults);
-    }
-    return done;
-  }
-  const session::CheckedCorrection checked = session::check_correction(
-      messages(), flags.model, session::files({flags.data}), flags.displacement, flags.reading);
-  const session::CorrectionQuestion& asked = checked.asked;
-  if (flags.json) {
-    put_document(checked.json());
-  } else {
-    print(checked.check, asked.data);
-    fmt::print("\n");
-    print(checked.over_time);
-    fmt::print("\n");
-    print_defaults(asked.file.source, asked.file.defaults);
-  }
-  if (!flags.output.empty()) {
-    io::write_text(flags.output, io::record_text(asked.data), if_exists);
-    say(fmt::format("{} written, {} rows", flags.output, asked.data.rows()));
-  }
+int run_model(const CheckFlags& flags) {
+  const session::LoopModel::About model = session::describe(messages(), flags.model, flags.loop);
+  if (flags.json)
+    put_document(io::model_check_json(model.name, model.defaults, model.notes));
+  else
+    print_defaults(model.source, model.defaults);
   return done;
 }
 
@@ -161,46 +125,23 @@ int run(const CheckFlags& flags) {
     throw io::InputError("raceway check: --output -: stdout shows what was read; name a file",
                          {.key = "--output"});
   if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
-  std::vector<std::string> data_files;
-  if (!flags.data.empty()) data_files.push_back(flags.data);
-  if (io::takes_correction(flags.model, data_files)) return check_corrections(flags, if_exists);
-  const std::string& model = flags.model;
-  const io::ModelFile file = session::open_model(messages(), model, session::Accepts::rig_or_shaft,
-                                                 session::Defaults::keep);
-  {
-    std::vector<std::string> given;
-    if (!flags.displacement.empty()) given.emplace_back("--displacement");
-    session::refuse_for_spindle(file.model, given);
-  }
-  if (flags.data.empty()) return run_model(file, flags.json);
-  const auto subject = io::make_subject(file.model);
-  const record::Record data =
-      session::open_data(messages(), flags.data, *subject, flags.reading.options(file));
-  const fit::Check check = fit::check(*subject, data);
-  std::vector<std::string> notes = file.notes;
-  notes.insert(notes.end(), data.notes.begin(), data.notes.end());
-  if (!check.problem.empty()) {
-    warn({check.problem});
-    notes.push_back(check.problem);
-  }
-  if (!check.runs_coincide_with.empty()) {
-    notes.push_back(fmt::format(
-        "each run has its own {0}: what depends on it cannot be told from a rig that was set up "
-        "anew; before measuring more, plan two runs or more for each level, or all levels within "
-        "each run",
-        check.runs_coincide_with));
-    warn({notes.back()});
-  }
+  if (flags.data.empty()) return run_model(flags);
+  const session::CheckedModel checked =
+      session::check(messages(), flags.model, flags.data, flags.loop);
   if (flags.json) {
-    put_document(io::check_json(file.model.name, check, file.defaults, notes));
+    put_document(checked.json());
   } else {
-    print(check, data);
+    print(checked.check, checked.data);
     fmt::print("\n");
-    print_defaults(file.source, file.defaults);
+    if (checked.over_time) {
+      print(*checked.over_time);
+      fmt::print("\n");
+    }
+    print_defaults(checked.model.source, checked.model.defaults);
   }
   if (!flags.output.empty()) {
-    io::write_text(flags.output, io::record_text(data), if_exists);
-    say(fmt::format("{} written, {} rows", flags.output, data.rows()));
+    io::write_text(flags.output, io::record_text(checked.data), if_exists);
+    say(fmt::format("{} written, {} rows", flags.output, checked.data.rows()));
   }
   return done;
 }
@@ -212,8 +153,8 @@ Run setup_check(CLI::App& command) {
   command.add_option("MODEL", flags->model, "model file (TOML)")->required()->type_name("");
   command.add_option("DATA", flags->data, "measurements (CSV); without them the model alone")
       ->type_name("");
-  declare_displacement(command, flags->displacement);
-  declare(command, flags->reading);
+  declare_channel(command, flags->loop.channel);
+  declare(command, flags->loop.reading);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command
       .add_option("-o,--output", flags->output,

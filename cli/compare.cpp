@@ -13,10 +13,7 @@
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "io/error.h"
-#include "io/results.h"
-#include "session/comparison.h"
-#include "session/correction_loop.h"
-#include "session/open_input.h"
+#include "session/loop.h"
 
 namespace raceway::cli {
 namespace {
@@ -25,8 +22,7 @@ using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured 
 
 struct CompareFlags {
   std::vector<std::string> files;  // models, then data
-  std::vector<std::string> refit;  // parameters fitted to the data before comparing
-  std::string zero = "mean";
+  session::CompareOptions how;
   session::LoopOptions loop;
   bool json = false, force = false;
   ReportFlag report;
@@ -234,26 +230,6 @@ std::size_t first_data(const std::vector<std::string>& files) {
   return static_cast<std::size_t>(found - files.begin());
 }
 
-void show(const CompareFlags& flags, const std::vector<std::string>& models,
-          const std::vector<Comparisons>& comparisons, const record::Record& data,
-          const std::vector<correction::Beyond>& beyond = {}) {
-  if (flags.json)
-    put_document(io::comparison_json(models, comparisons, data, beyond));
-  else if (models.size() == 1)
-    print(models[0], comparisons[0], data);
-  else
-    print_ladders(models, comparisons);
-}
-
-int compare_corrections(const CompareFlags& flags, const std::vector<std::string>& paths,
-                        const std::vector<std::string>& data) {
-  const session::ComparedCorrections c = session::compare_corrections(
-      messages(), session::files(paths), session::files(data), flags.refit, flags.zero, flags.loop);
-  show(flags, c.names, c.comparisons, c.data, c.beyond);
-  flags.report.write([&] { return c.page(); }, flags.force);
-  return done;
-}
-
 int run(const CompareFlags& flags) {
   if (flags.files.size() < 2)
     throw io::InputError(
@@ -261,21 +237,17 @@ int run(const CompareFlags& flags) {
         {.key = "DATA"});
   const auto data_begin =
       flags.files.begin() + static_cast<std::ptrdiff_t>(first_data(flags.files));
-  const std::vector<std::string> paths(flags.files.begin(), data_begin);
   flags.report.check(flags.force);
-  if (const std::vector<std::string> data(data_begin, flags.files.end());
-      io::takes_correction(paths.front(), data))
-    return compare_corrections(flags, paths, data);
-  const std::vector<io::ModelFile> files =
-      session::open_models(messages(), session::files(paths), flags.loop);
-  for (const io::ModelFile& file : files)
-    session::refuse_for_spindle(file.model, flags.zero == "mean"
-                                                ? std::vector<std::string>()
-                                                : std::vector<std::string>{"--zero"});
-  const session::ComparedModels c = session::compare_models(
-      messages(), files, session::files({data_begin, flags.files.end()}), flags.refit, flags.loop);
-  show(flags, c.names, c.comparisons, c.data);
-  flags.report.write([&] { return c.page(); }, flags.force);
+  const session::ComparedModels compared =
+      session::compare(messages(), session::files({flags.files.begin(), data_begin}),
+                       session::files({data_begin, flags.files.end()}), flags.how, flags.loop);
+  if (flags.json)
+    put_document(compared.json());
+  else if (compared.models.size() == 1)
+    print(compared.names.front(), compared.models.front().errors, compared.data);
+  else
+    print_ladders(compared.names, compared.errors());
+  flags.report.write([&] { return compared.page(); }, flags.force);
   return done;
 }
 
@@ -288,20 +260,18 @@ Run setup_compare(CLI::App& command) {
                   "MODEL [MODEL2 ...] DATA [DATA2 ...]: models (TOML), then data (CSV)")
       ->type_name("")
       ->expected(-1);
-  command.add_option("--refit", flags->refit, "fit these to DATA first, such as f0,z (by comma)")
+  command
+      .add_option("--refit", flags->how.refit, "fit these to DATA first, such as f0,z (by comma)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
-  declare_displacement(command, flags->loop.displacement);
   command
-      .add_option("--zero", flags->zero,
+      .add_option("--zero", flags->how.zero,
                   "of a correction: the constant taken off before it is compared: mean\n"
                   "(which leaves least; default), first (reading of a run), none")
       ->check(CLI::IsMember({"mean", "first", "none"}))
       ->type_name("WHICH");
-  declare(command, flags->loop.per_record);
-  declare(command, flags->loop.reading);
-  declare(command, flags->loop.reading.period);
+  declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

@@ -109,7 +109,8 @@ void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
     }
   }
   if (!flags.save.empty()) {
-    io::write_text(flags.save, run.text(), output.if_exists);
+    io::write_text(flags.save, io::with_names_from(run.text(), run.asked.file.files, flags.save),
+                   output.if_exists);
     say(flags.save + " written");
   }
   if (output.json) {

@@ -18,9 +18,7 @@
 #include "cli/text_bars.h"
 #include "cli/text_table.h"
 #include "io/diagnosis_results.h"
-#include "session/correction_loop.h"
-#include "session/loop_question.h"
-#include "session/open_input.h"
+#include "session/loop.h"
 
 namespace raceway::cli {
 namespace {
@@ -309,8 +307,7 @@ std::string out_of_time(const DiagnoseFlags& flags, const record::Record& data) 
   return text;
 }
 
-fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const fit::Subject& subject,
-                            const record::Record& data) {
+fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const session::LoopQuestion& asked) {
   fit::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
   options.tried_before = flags.tried_before;
@@ -322,51 +319,32 @@ fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const fit::Subject& subj
     options.progress = [&bar](double share, std::string_view step) { bar->show(share, step); };
   }
   try {
-    return fit::diagnose(subject, data, options);
-  } catch (const std::invalid_argument& e) {
-    session::refuse_data(flags.model, data, e);
+    return session::diagnose(asked, options);
   } catch (const fit::Cancelled&) {
     if (!interrupt.out_of_time()) throw;
-    throw OutOfTime(out_of_time(flags, data));
+    throw OutOfTime(out_of_time(flags, asked.data));
   }
-}
-
-/// What was found, `page` where it is asked for.
-int show(const DiagnoseFlags& flags, const std::string& source, const fit::Subject& subject,
-         const record::Record& data,
-         const std::function<std::string(const fit::Diagnosis&)>& page) {
-  fit::Diagnosis diagnosis;
-  try {
-    diagnosis = diagnosis_of(flags, subject, data);
-  } catch (const OutOfTime& e) {
-    say(e.what());
-    return not_converged;
-  }
-  session::tell_of_scale(data, diagnosis.messages);
-  if (flags.json) {
-    put_document(io::diagnosis_json(source, data, diagnosis));
-  } else {
-    print(diagnosis);
-  }
-  warn(diagnosis.messages);
-  flags.report.write([&] { return page(diagnosis); }, flags.force);
-  return done;
-}
-
-int run_correction(const DiagnoseFlags& flags) {
-  const session::CorrectionLoop asked =
-      session::ask_correction_loop(messages(), flags.model, session::files(flags.data), flags.loop);
-  return show(flags, asked.file.source, *asked.subject, asked.data,
-              [&](const fit::Diagnosis& d) { return session::diagnosis_page(asked, d); });
 }
 
 int run(const DiagnoseFlags& flags) {
   flags.report.check(flags.force);
-  if (io::takes_correction(flags.model, flags.data)) return run_correction(flags);
   const session::LoopQuestion asked =
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
-  return show(flags, asked.file.source, *asked.subject, asked.data,
-              [&](const fit::Diagnosis& d) { return session::diagnosis_page(asked, d); });
+  fit::Diagnosis diagnosis;
+  try {
+    diagnosis = diagnosis_of(flags, asked);
+  } catch (const OutOfTime& e) {
+    say(e.what());
+    return not_converged;
+  }
+  if (flags.json) {
+    put_document(session::json(asked, diagnosis));
+  } else {
+    print(diagnosis);
+  }
+  warn(diagnosis.messages);
+  flags.report.write([&] { return session::page(asked, diagnosis); }, flags.force);
+  return done;
 }
 
 }  // namespace
@@ -385,10 +363,7 @@ Run setup_diagnose(CLI::App& command) {
       ->type_name("N");
   add_number(command, "--time-limit", flags->time_limit, {0.001, 1e6, "s"},
              "[s] after which it gives up; default 120");
-  declare_displacement(command, flags->loop.displacement);
-  declare(command, flags->loop.per_record);
-  declare(command, flags->loop.reading);
-  declare(command, flags->loop.reading.period);
+  declare(command, flags->loop);
   declare(command, flags->loop.tolerance);
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

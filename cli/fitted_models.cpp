@@ -8,7 +8,6 @@
 #include "cli/messages.h"
 #include "cli/run_files.h"
 #include "io/names.h"
-#include "session/loop_question.h"
 
 namespace raceway::cli {
 namespace {
@@ -19,10 +18,6 @@ std::string file_of(const std::string& output, std::string record) {
   const std::filesystem::path path(output);
   return (path.parent_path() / (path.stem().string() + "-" + record + path.extension().string()))
       .string();
-}
-
-std::filesystem::path folder(const std::string& file) {
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(file)).parent_path();
 }
 
 }  // namespace
@@ -46,30 +41,22 @@ void FittedModels::require_writable(const fit::Subject& subject) const {
   for (const std::string& file : list) io::require_writable(file, if_exists_);
 }
 
-void FittedModels::write(const io::ModelFile& file, const fit::Calibration& calibration) const {
+void FittedModels::write(const session::LoopQuestion& asked,
+                         const fit::Calibration& calibration) const {
   const std::vector<std::string> paths = files(*calibration.subject);
   if (paths.empty()) return;
-  const session::FittedTexts fitted = session::fitted_texts(file, calibration);
+  const session::FittedTexts fitted = session::fitted_texts(asked, calibration);
   if (const std::vector<std::string>& data = fitted.corrected_data; !data.empty())
     tell(
         {fmt::format("{} {} written as a corrected datum, so no covariance is: calibrate "
                      "{} for one",
                      io::listed(data), data.size() == 1 ? "is" : "are", paths.front())});
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    io::write_text(paths[k], fitted.texts[k], if_exists_);
+    io::write_text(paths[k],
+                   io::with_names_from(fitted.texts[k], asked.model->about().files, paths[k]),
+                   if_exists_);
     say(paths[k] + " written");
-    if (!file.sensor_file.empty() && folder(paths[k]) != folder(file.source))
-      warn(
-          fmt::format("{}: the file of its [torque_sensor] is looked for from there; this run read "
-                      "{}",
-                      paths[k], file.sensor_file));
   }
-}
-
-void write_model(const std::string& path, const std::string& text, bool replace) {
-  if (path.empty()) return;
-  io::write_text(path, text, replace ? io::IfExists::replace : io::IfExists::refuse);
-  say(path + " written");
 }
 
 }  // namespace raceway::cli

@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "fit/calibrate.h"
-#include "io/model_file.h"
 #include "io/output_file.h"
-#include "record/record.h"
+#include "session/loop.h"
 
 namespace raceway::cli {
 
@@ -20,8 +19,8 @@ class FittedModels {
 
   /// Throws io::InputError where a file that will be written cannot be.
   void require_writable(const fit::Subject& subject) const;
-  /// Writes the models that `calibration` found, made from `file`, and says so.
-  void write(const io::ModelFile& file, const fit::Calibration& calibration) const;
+  /// Writes the models that `calibration` found, and says so.
+  void write(const session::LoopQuestion& asked, const fit::Calibration& calibration) const;
   /// "a.toml" or "a-monday.toml and a-friday.toml", for messages.
   [[nodiscard]] std::string names(const fit::Subject& subject) const;
 
@@ -31,8 +30,5 @@ class FittedModels {
   std::string output_;
   io::IfExists if_exists_;
 };
-
-/// Writes the text of a fitted model and says so; nothing for an empty path.
-void write_model(const std::string& path, const std::string& text, bool replace);
 
 }  // namespace raceway::cli

@@ -226,7 +226,10 @@ int run(const IdentifyFlags& flags) {
   if (flags.json)
     put_document(io::identification_json(asked.file.source, asked.data, found, validations));
   if (!flags.output.empty()) {
-    io::write_text(flags.output, session::identified_text(asked, models, flags.choices), if_exists);
+    io::write_text(flags.output,
+                   io::with_names_from(session::identified_text(asked, models, flags.choices),
+                                       asked.file.files, flags.output),
+                   if_exists);
     say(flags.output + " written");
   }
   return done;

@@ -22,30 +22,33 @@ void declare(CLI::App& command, session::Period& period) {
       ->type_name("TIME");
 }
 
+void declare_channel(CLI::App& command, std::string& channel) {
+  command
+      .add_option("--channel,--displacement", channel,
+                  "of a MODEL that describes several things, such as two [[correction]]:\n"
+                  "a column that the wanted one predicts, as displacement_z_um")
+      ->type_name("COLUMN");
+}
+
+void declare(CLI::App& command, session::LoopOptions& loop) {
+  declare_channel(command, loop.channel);
+  command
+      .add_option("--per-record", loop.per_record,
+                  "of several DATA: fitted to each by itself, such as f0,z (by comma), as\n"
+                  "the oil and the temperature of a day; all else is one for all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
+  declare(command, loop.reading);
+  declare(command, loop.reading.period);
+}
+
 void declare(CLI::App& command, session::Tolerance& tolerance) {
   command
       .add_option("--tolerance", tolerance.text,
                   "error below which nothing matters, e.g. 2Nmm or 2um,0.5K;\n"
                   "for models without a tolerance under [loop]")
       ->type_name("VALUES");
-}
-
-void declare(CLI::App& command, session::PerRecord& per_record) {
-  command
-      .add_option("--per-record", per_record.names,
-                  "of several DATA: fitted to each by itself, such as f0,z (by comma), as\n"
-                  "the oil and the temperature of a day; all else is one for all")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
-}
-
-void declare_displacement(CLI::App& command, std::string& column) {
-  command
-      .add_option("--displacement", column,
-                  "of a MODEL with several [[correction]]: which of them, such as\n"
-                  "displacement_z_um")
-      ->type_name("COLUMN");
 }
 
 }  // namespace raceway::cli

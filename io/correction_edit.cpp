@@ -60,7 +60,8 @@ class Editor {
   }
 
   void replace(const toml::node& node, const std::string& by) {
-    const std::size_t begin = byte_of(node.source().begin), end = byte_of(node.source().end);
+    const std::size_t begin = byte_of(text_, node.source().begin),
+                      end = byte_of(text_, node.source().end);
     text_.replace(begin, end - begin, by);
   }
 
@@ -88,19 +89,19 @@ class Editor {
   }
 
   [[nodiscard]] std::size_t table_begin(const toml::table& table) const {
-    return line_start(table.source().begin.line);
+    return line_start(text_, table.source().begin.line);
   }
 
   /// Takes out a table of a model, in brackets or in braces, with the blank line before it.
   void remove(const toml::table& owner, std::string_view key) {
     const auto entry = owner.find(key);
     const toml::table& table = *entry->second.as_table();
-    std::size_t begin = line_start(table.is_inline() ? entry->first.source().begin.line
-                                                     : table.source().begin.line);
+    std::size_t begin = line_start(
+        text_, table.is_inline() ? entry->first.source().begin.line : table.source().begin.line);
     auto last = table.source().begin.line;
     if (table.is_inline()) last = std::max(last, table.source().end.line);
     for (const auto& [_, node] : table) last = std::max(last, node.source().end.line);
-    std::size_t end = text_.find('\n', line_start(last));
+    std::size_t end = text_.find('\n', line_start(text_, last));
     end = end == text_.npos ? text_.size() : end + 1;
     if (std::string_view(text_).substr(0, begin).ends_with(line_end_ + line_end_))
       begin -= line_end_.size();
@@ -108,20 +109,6 @@ class Editor {
   }
 
  private:
-  [[nodiscard]] std::size_t line_start(std::size_t line) const {
-    std::size_t at = 0;
-    for (; line > 1; --line) at = text_.find('\n', at) + 1;
-    return at;
-  }
-  [[nodiscard]] std::size_t byte_of(const toml::source_position& place) const {
-    std::size_t at = line_start(place.line);
-    for (auto column = place.column; column > 1 && at < text_.size(); --column) {
-      ++at;
-      while (at < text_.size() && (static_cast<unsigned char>(text_[at]) & 0xc0) == 0x80) ++at;
-    }
-    return at;
-  }
-
   std::string text_, line_end_;
 };
 
@@ -244,7 +231,7 @@ std::string with_corrections(const CorrectionFile& file, const std::vector<Model
   if (models.size() == 1 && !models.front().free.empty() && file.models.front().free.empty())
     text +=
         fmt::format("\n[calibration]\nfree = [\"{}\"]\n", fmt::join(models.front().free, "\", \""));
-  (void)parse_correction(text, file.source);  // it reads back
+  (void)parse_correction(text, file.source, file.files);  // it reads back
   if (marked) text.insert(0, utf8_mark);
   return text;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 #include "correction/catalogue.h"
@@ -52,10 +51,7 @@ const toml::array* list_of_tables(const Section& s, std::string_view key) {
 class CorrectionReader {
  public:
   CorrectionReader(ModelTables& tables, CorrectionFile& file)
-      : tables_(tables),
-        folder_(std::filesystem::path(tables.source()).parent_path()),
-        notes_(file.notes),
-        read_(file.tables) {}
+      : tables_(tables), notes_(file.notes) {}
 
   Model model(const Section& s) {
     s.allow_only({"name", "displacement", "tolerance_um", "measurement_std_um", "initial_state",
@@ -130,12 +126,6 @@ class CorrectionReader {
     return list;
   }
 
-  std::string beside(const std::string& file) const {
-    const std::filesystem::path path(file);
-    read_.push_back(path.is_absolute() ? file : (folder_ / path).string());
-    return read_.back();
-  }
-
   Input input(const Section& s) {
     Input in;
     if (s.text_or_empty("input") == "power_W") {
@@ -170,7 +160,9 @@ class CorrectionReader {
 
   correction::FrictionTable table(const Section& s, const std::string& file) const {
     try {
-      correction::FrictionTable read = read_friction_table(beside(file));
+      NamedFiles& files = tables_.files();
+      correction::FrictionTable read =
+          parse_friction_table(files.read(file).text, files.shown(file));
       read.file = file;
       return read;
     } catch (const InputError& e) {
@@ -263,7 +255,9 @@ class CorrectionReader {
     if (of.find("table")) {
       const auto file = of.text("table");
       try {
-        return correction::Characteristic(read_characteristic(beside(*file), key));
+        NamedFiles& files = tables_.files();
+        return correction::Characteristic(
+            parse_characteristic(files.read(*file).text, files.shown(*file), key));
       } catch (const std::exception& e) {
         of.fail("table", fmt::format("table = \"{}\": {}", *file, e.what()));
       }
@@ -437,9 +431,7 @@ class CorrectionReader {
   }
 
   ModelTables& tables_;
-  std::filesystem::path folder_;
   std::vector<std::string>& notes_;
-  std::vector<std::string>& read_;  // paths of tables
 };
 
 void check_tables(const ModelTables& tables) {
@@ -489,57 +481,9 @@ void read_tolerance(const ModelTables& tables, Model& model) {
 
 }  // namespace
 
-namespace {
-
-/// Null for what cannot be read: the reader then says why.
-std::optional<toml::table> tables_of(const std::string& path) {
-  try {
-    return parse_toml(peek_text(path), path);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
-/// Whether the first lines of a file of measurements name the displacement of a correction, as we
-/// call it or as [columns] does.
-bool names_displacement(const toml::table& root, const std::string& data) {
-  constexpr std::size_t first_lines = 65536;
-  std::string head;
-  try {
-    head = peek_text(data).substr(0, first_lines);
-  } catch (const InputError&) {
-    return false;
-  }
-  const auto names = [&](const toml::table& correction) {
-    const std::string column = correction["displacement"].value_or(std::string());
-    const std::string theirs = root["columns"][column].value_or(std::string());
-    const std::string quantity = column.substr(0, column.rfind('_'));
-    return (!quantity.empty() && head.find(quantity) != head.npos) ||
-           (!theirs.empty() && head.find(theirs) != head.npos);
-  };
-  const toml::node& node = *root.get("correction");
-  if (node.is_table()) return names(*node.as_table());
-  if (!node.is_array_of_tables()) return false;
-  return std::any_of(node.as_array()->begin(), node.as_array()->end(),
-                     [&](const toml::node& one) { return names(*one.as_table()); });
-}
-
-}  // namespace
-
-bool has_correction(const std::string& path) {
-  const auto root = tables_of(path);
-  return root && root->contains("correction");
-}
-
-bool takes_correction(const std::string& model, const std::vector<std::string>& data) {
-  const auto root = tables_of(model);
-  if (!root || !root->contains("correction")) return false;
-  if (!root->contains("bearing")) return true;
-  return !data.empty() && names_displacement(*root, data.front());
-}
-
-CorrectionFile parse_correction(std::string text, const std::string& source) {
-  ModelTables tables(text, source);
+CorrectionFile parse_correction(std::string text, const std::string& source,
+                                std::vector<NamedFile> held) {
+  ModelTables tables(text, source, std::move(held));
   check_tables(tables);
   CorrectionFile file;
   file.source = source;
@@ -571,6 +515,7 @@ CorrectionFile parse_correction(std::string text, const std::string& source) {
   file.columns = read_columns(tables);
   file.control = read_export(tables, file.models);
   file.defaults = tables.defaults();
+  file.files = tables.files().list();
   file.text = std::move(text);
   return file;
 }

@@ -6,6 +6,7 @@
 #include "correction/model.h"
 #include "io/column_map.h"
 #include "io/control/settings.h"
+#include "io/named_files.h"
 
 namespace raceway::io {
 
@@ -18,16 +19,8 @@ struct CorrectionFile {
   std::vector<std::string> notes{};     ///< what else the user should know
   ColumnMap columns{};                  ///< how its measurements are written
   ControlSettings control{};            ///< what a control does with it, [export]
-  std::vector<std::string> tables{};    ///< paths of the files that it names
+  std::vector<NamedFile> files{};       ///< that it names, as they were when it was read
 };
-
-/// Whether a model file has a table [correction], or a list of them. False for what cannot be read:
-/// the reader then says why.
-[[nodiscard]] bool has_correction(const std::string& path);
-
-/// Whether a command takes the correction of a model for this record: the file has one, and no
-/// [bearing], or the record has a column of its displacement.
-[[nodiscard]] bool takes_correction(const std::string& model, const std::vector<std::string>& data);
 
 /// Reads [correction] (keys with their units: docs/files.md) into SI. Files that it names are
 /// looked for beside it.
@@ -35,8 +28,10 @@ struct CorrectionFile {
 /// Throws InputError naming file, line, key, value and allowed range.
 [[nodiscard]] CorrectionFile read_correction(const std::string& path);
 
-/// The same from text; `source` stands in messages, and names of files are relative to it.
-[[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source);
+/// The same from text; `source` stands in messages, and names of files are relative to it. Files of
+/// `held` are not read again.
+[[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source,
+                                              std::vector<NamedFile> held = {});
 
 /// A file of these models alone: channels of columns, offsets, tolerances and ranges. `comment`:
 /// its first line.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "io/bad_cells.h"
 #include "io/column_map.h"
@@ -60,8 +61,8 @@ std::size_t place_on(const std::vector<double>& axis, double value) {
 
 }  // namespace
 
-correction::FrictionTable read_friction_table(const std::string& path) {
-  const CsvTable csv = read_csv(path);
+correction::FrictionTable parse_friction_table(std::string text, const std::string& source) {
+  const CsvTable csv = parse_csv(std::move(text), source);
   BadCells bad(csv.source, csv.rows());
   const std::vector<double> speed = values_of(csv, record::speed, true, bad);
   std::vector<double> load = values_of(csv, record::axial_load, false, bad);
@@ -70,7 +71,7 @@ correction::FrictionTable read_friction_table(const std::string& path) {
   bad.throw_if_any();
   if (load.empty()) load.assign(speed.size(), 0.0);
   if (temperature.empty()) temperature.assign(speed.size(), 0.0);
-  correction::FrictionTable table{.file = path,
+  correction::FrictionTable table{.file = source,
                                   .speed = axis_of(speed),
                                   .axial_load = axis_of(load),
                                   .temperature = axis_of(temperature)};
@@ -113,9 +114,9 @@ correction::FrictionTable read_friction_table(const std::string& path) {
   return table;
 }
 
-correction::Characteristic::Table read_characteristic(const std::string& path,
-                                                      const std::string& value) {
-  const CsvTable csv = read_csv(path);
+correction::Characteristic::Table parse_characteristic(std::string text, const std::string& source,
+                                                       const std::string& value) {
+  const CsvTable csv = parse_csv(std::move(text), source);
   correction::Characteristic::Table table;
   const auto column = [&](std::string_view begin) {
     for (std::size_t c = 0; c < csv.header.size(); ++c)

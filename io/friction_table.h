@@ -12,11 +12,13 @@ namespace raceway::io {
 /// columns are welcome, as long as each point of the three stands once. A load or a temperature
 /// that has no column is one for all. Throws InputError: a column or a point of the grid that is
 /// missing, a point twice, cells that are no numbers.
-[[nodiscard]] correction::FrictionTable read_friction_table(const std::string& path);
+[[nodiscard]] correction::FrictionTable parse_friction_table(std::string text,
+                                                             const std::string& source);
 
 /// Two columns, "power_W" and `value` (in a unit of its kind), power rising: a gain or a time
 /// constant over the power loss, SI.
-[[nodiscard]] correction::Characteristic::Table read_characteristic(const std::string& path,
-                                                                    const std::string& value);
+[[nodiscard]] correction::Characteristic::Table parse_characteristic(std::string text,
+                                                                     const std::string& source,
+                                                                     const std::string& value);
 
 }  // namespace raceway::io

@@ -62,22 +62,6 @@ const toml::table* find_table(const toml::table& root, const KeyPath& path) {
   return table;
 }
 
-std::size_t line_start(std::string_view text, std::size_t line) {
-  std::size_t at = 0;
-  for (; line > 1; --line) at = text.find('\n', at) + 1;
-  return at;
-}
-
-/// Byte of a place that toml++ gives as line and column, which counts code points.
-std::size_t byte_of(std::string_view text, const toml::source_position& place) {
-  std::size_t at = line_start(text, place.line);
-  for (auto column = place.column; column > 1 && at < text.size(); --column) {
-    ++at;
-    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) ++at;
-  }
-  return at;
-}
-
 std::string_view line_end_of(std::string_view text) {
   return text.find("\r\n") != text.npos ? "\r\n" : "\n";
 }

@@ -188,7 +188,7 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
   model.free = read_free(tables, model);
   model.tolerances = read_tolerances(tables, model);
   ColumnMap columns = read_columns(tables);
-  SensorOfFile sensor = read_torque_sensor(tables);
+  std::optional<rig::TorqueSensor> sensor = read_torque_sensor(tables);
   std::vector<std::string> notes = notes_on_effects(model);
   notes.insert(notes.end(), notes_on_spindle.begin(), notes_on_spindle.end());
   note_the_implausible(model, notes);
@@ -206,12 +206,12 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
           .defaults = tables.defaults(),
           .notes = std::move(notes),
           .columns = std::move(columns),
-          .sensor = std::move(sensor.sensor),
-          .sensor_file = std::move(sensor.file)};
+          .sensor = std::move(sensor),
+          .files = tables.files().list()};
 }
 
-ModelFile parse_model(std::string text, const std::string& source) {
-  ModelTables tables(text, source);
+ModelFile parse_model(std::string text, const std::string& source, std::vector<NamedFile> held) {
+  ModelTables tables(text, source, std::move(held));
   try {
     return model_of_tables(tables, std::move(text));
   } catch (const MissingKey& first) {

@@ -9,6 +9,7 @@
 
 #include "io/catalogue_file.h"
 #include "io/column_map.h"
+#include "io/named_files.h"
 #include "model/model.h"
 #include "rig/torque_sensor.h"
 
@@ -31,7 +32,7 @@ struct ModelFile {
   ColumnMap columns = {};  ///< how its measurements are written
   /// Of the sensor that measures its torque, where it says.
   std::optional<rig::TorqueSensor> sensor = {};
-  std::string sensor_file = {};  ///< that it is read from, where that is another file
+  std::vector<NamedFile> files = {};  ///< that it names, as they were when it was read
 };
 
 /// Reads a TOML model (keys with their units: docs/files.md) into SI.
@@ -41,8 +42,10 @@ struct ModelFile {
 /// that are none.
 [[nodiscard]] ModelFile read_model(const std::string& path);
 
-/// The same from text; `source` stands in messages.
-[[nodiscard]] ModelFile parse_model(std::string text, const std::string& source);
+/// The same from text; `source` stands in messages, and names of files are relative to it. Files of
+/// `held` are not read again.
+[[nodiscard]] ModelFile parse_model(std::string text, const std::string& source,
+                                    std::vector<NamedFile> held = {});
 
 /// A new value for a number of a model file, in the unit of its key.
 struct KeyValue {

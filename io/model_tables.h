@@ -5,8 +5,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "io/model_section.h"
+#include "io/named_files.h"
 
 namespace raceway::io {
 
@@ -14,14 +16,16 @@ namespace raceway::io {
 /// readers, not for other code.
 class ModelTables {
  public:
-  ModelTables(std::string_view text, std::string source)
-      : root_(parse_toml(text, source)), source_(std::move(source)) {}
-  ModelTables(toml::table root, std::string source)
-      : root_(std::move(root)), source_(std::move(source)) {}
+  ModelTables(std::string_view text, const std::string& source, std::vector<NamedFile> held = {})
+      : ModelTables(parse_toml(text, source), source, std::move(held)) {}
+  ModelTables(toml::table root, std::string source, std::vector<NamedFile> held = {})
+      : root_(std::move(root)), source_(std::move(source)), files_(source_, std::move(held)) {}
 
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] const Names& defaults() const { return defaults_; }
+  /// That the model names.
+  [[nodiscard]] NamedFiles& files() { return files_; }
   [[nodiscard]] std::string place(const toml::key& key) const {
     return fmt::format("{}:{}", source_, key.source().begin.line);
   }
@@ -64,6 +68,7 @@ class ModelTables {
   toml::table root_;
   std::string source_;
   Names defaults_;
+  NamedFiles files_;
 };
 
 }  // namespace raceway::io

@@ -92,16 +92,20 @@ rig::TorqueSensor read_calibration(const Section& s) {
 }
 
 /// A file with [torque_sensor] alone, or another model that has one.
-rig::TorqueSensor read_file(const Section& by, const std::string& name) {
-  namespace fs = std::filesystem;
+rig::TorqueSensor read_file(const Section& by, const std::string& name, NamedFiles& files) {
   if (name.empty() || name == "-")
     by.fail("file", fmt::format("file = \"{}\": must be the name of a file", name));
-  const std::string path = (fs::path(by.source()).parent_path() / name).string();
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored))
-    by.fail("file", fmt::format("file = \"{}\": {}: no such file (names are relative to the model)",
-                                name, path));
-  const ModelTables tables(read_text(path), path);
+  const std::string path = files.shown(name);
+  const ModelTables tables(
+      [&] {
+        try {
+          return files.read(name).text;
+        } catch (const InputError& e) {
+          by.fail("file", fmt::format("file = \"{}\": {} (names are relative to the model)", name,
+                                      e.what()));
+        }
+      }(),
+      path);
   const Section s = tables.section("torque_sensor");
   if (!s.given())
     throw InputError(
@@ -116,16 +120,15 @@ rig::TorqueSensor read_file(const Section& by, const std::string& name) {
 
 }  // namespace
 
-SensorOfFile read_torque_sensor(const ModelTables& tables) {
+std::optional<rig::TorqueSensor> read_torque_sensor(ModelTables& tables) {
   const Section s = tables.section("torque_sensor");
-  if (!s.given()) return {};
+  if (!s.given()) return std::nullopt;
   const auto file = s.text("file");
-  if (!file) return {.sensor = read_calibration(s)};
+  if (!file) return read_calibration(s);
   s.allow_only({"file", "zero_V", "zero_std_V"});
-  rig::TorqueSensor sensor = read_file(s, *file);
+  rig::TorqueSensor sensor = read_file(s, *file, tables.files());
   read_zero(s, sensor);
-  std::string path = sensor.source;
-  return {.sensor = std::move(sensor), .file = std::move(path)};
+  return sensor;
 }
 
 }  // namespace raceway::io

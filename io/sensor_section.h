@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <string_view>
 
 #include "rig/sensor_calibration.h"
 
@@ -13,12 +11,7 @@
 /// of models, not for other code.
 namespace raceway::io {
 
-struct SensorOfFile {
-  std::optional<rig::TorqueSensor> sensor{};  ///< nothing where the model says none
-  std::string file{};                         ///< that the model names; empty where it names none
-};
-
-/// `file` is relative to the model. Throws InputError as read_model().
-[[nodiscard]] SensorOfFile read_torque_sensor(const ModelTables& tables);
+/// Nothing where the model says none. Throws InputError as read_model().
+[[nodiscard]] std::optional<rig::TorqueSensor> read_torque_sensor(ModelTables& tables);
 
 }  // namespace raceway::io

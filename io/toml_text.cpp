@@ -138,6 +138,22 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
   return table;
 }
 
+std::size_t line_start(std::string_view text, std::size_t line) {
+  std::size_t at = 0;
+  for (; line > 1; --line) at = text.find('\n', at) + 1;
+  return at;
+}
+
+std::size_t byte_of(std::string_view text, const toml::source_position& place) {
+  std::size_t at = line_start(text, place.line);
+  if (at == 0 && text.starts_with(utf8_mark)) at = utf8_mark.size();
+  for (auto column = place.column; column > 1 && at < text.size(); --column) {
+    ++at;
+    while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80) ++at;
+  }
+  return at;
+}
+
 std::string shown(const toml::node& node) {
   if (const auto* s = node.as_string()) return io::quoted(s->get());
   if (const auto* i = node.as_integer()) return fmt::format("{}", i->get());

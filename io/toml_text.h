@@ -22,6 +22,12 @@ inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 /// Throws InputError with `source`, line and, where known, column.
 [[nodiscard]] toml::table parse_toml(std::string_view text, std::string_view source);
 
+/// Where a line begins, counted from 1.
+[[nodiscard]] std::size_t line_start(std::string_view text, std::size_t line);
+/// Byte of a place that toml++ gives as line and column, which counts code points. A mark of UTF-8
+/// at the beginning is no column.
+[[nodiscard]] std::size_t byte_of(std::string_view text, const toml::source_position& place);
+
 /// A value as the user wrote it, near enough.
 [[nodiscard]] std::string shown(const toml::node& node);
 

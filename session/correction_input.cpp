@@ -20,9 +20,9 @@ using io::number;
 
 io::CorrectionFile open_corrections(Messages& messages, const Source& source, Defaults defaults) {
   const std::string& path = source.name;
-  io::CorrectionFile file =
-      source.text ? io::parse_correction(*source.text, path) : io::read_correction(path);
-  for (const std::string& table : file.tables) messages.reads(table);
+  io::CorrectionFile file = source.text ? io::parse_correction(*source.text, path, source.files)
+                                        : io::read_correction(path);
+  for (const io::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
     messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
@@ -52,8 +52,8 @@ record::Record open_series(Messages& messages, const Source& data,
 }
 
 SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
-                          const Reading& reading) {
-  SeriesQuestion asked{.file = open_corrections(messages, model)};
+                          const Reading& reading, Defaults defaults) {
+  SeriesQuestion asked{.file = open_corrections(messages, model, defaults)};
   asked.data = open_series(messages, data, asked.file.models, reading.options(asked.file.columns),
                            reading.period);
   return asked;
@@ -64,36 +64,6 @@ void require_readings(const correction::Model& model, const record::Record& reco
     throw io::InputError(
         fmt::format("{}: has no column {}", record.source, model.displacement->name),
         {.file = record.source, .key = std::string(model.displacement->name)});
-}
-
-CorrectionQuestion ask_correction(Messages& messages, const Source& model,
-                                  const std::vector<Source>& data, const std::string& displacement,
-                                  const Reading& reading) {
-  CorrectionQuestion asked{.file = open_corrections(messages, model)};
-  const std::vector<correction::Model>& models = asked.file.models;
-  std::vector<std::string> known;
-  for (const correction::Model& m : models) known.emplace_back(m.displacement->name);
-  if (displacement.empty() && models.size() > 1)
-    throw io::InputError(
-        fmt::format("{}: has several [[correction]]: choose one by --displacement {}",
-                    asked.file.source, fmt::join(known, " or ")),
-        {.file = asked.file.source, .key = "--displacement"});
-  for (; !displacement.empty() && asked.index < models.size(); ++asked.index)
-    if (known[asked.index] == displacement) break;
-  if (asked.index == models.size())
-    throw io::InputError(fmt::format("--displacement {}: {} models {}", displacement,
-                                     asked.file.source, io::listed(known)),
-                         {.file = asked.file.source, .key = "--displacement"});
-  if (data.size() != 1)
-    throw io::InputError(
-        "a correction is held against one record; runs of one machine are rows of one file "
-        "with their run_id",
-        {.key = "DATA"});
-  asked.model = models[asked.index];
-  asked.data = open_series(messages, data.front(), {asked.model},
-                           reading.options(asked.file.columns), reading.period);
-  require_readings(asked.model, asked.data);
-  return asked;
 }
 
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,

@@ -33,25 +33,11 @@ struct SeriesQuestion {
 };
 /// Throws io::InputError as open_corrections() and open_series().
 [[nodiscard]] SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
-                                        const Reading& reading);
+                                        const Reading& reading,
+                                        Defaults defaults = Defaults::count);
 
 /// Throws io::InputError for a record without a column of the displacement.
 void require_readings(const correction::Model& model, const record::Record& record);
-
-/// One model of a file with its record.
-struct CorrectionQuestion {
-  io::CorrectionFile file{};
-  correction::Model model{};
-  std::size_t index = 0;  ///< of the model in the file
-  record::Record data{};
-};
-
-/// Throws io::InputError: several models and none chosen, more than one record, and as
-/// open_corrections() and open_series() do.
-[[nodiscard]] CorrectionQuestion ask_correction(Messages& messages, const Source& model,
-                                                const std::vector<Source>& data,
-                                                const std::string& displacement,
-                                                const Reading& reading);
 
 /// Looks at a record before a model is fitted to it. Warns of sensors on which the model rests and
 /// that stick, leap or never vary; into the notes of the record, too, for who reads results as

@@ -30,7 +30,7 @@ io::ModelFile open_model(Messages& messages, const Source& source, Accepts accep
   const std::string& path = source.name;
   io::ModelFile file = [&] {
     try {
-      return source.text ? io::parse_model(*source.text, path) : io::read_model(path);
+      return source.text ? io::parse_model(*source.text, path, source.files) : io::read_model(path);
     } catch (const io::InputError& e) {
       if (!path.ends_with(".csv")) throw;
       throw io::InputError(
@@ -51,7 +51,7 @@ io::ModelFile open_model(Messages& messages, const Source& source, Accepts accep
                              ": has no [arrangement]: a shaft position needs one, with layout, "
                              "front, rear and preload_N",
                          {.file = path, .key = "arrangement"});
-  if (!file.sensor_file.empty()) messages.reads(file.sensor_file);
+  for (const io::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
     messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
@@ -59,15 +59,6 @@ io::ModelFile open_model(Messages& messages, const Source& source, Accepts accep
                               count == 1 ? "it" : "them"));
   for (const std::string& note : file.notes) messages.note(file.source + ": " + note);
   return file;
-}
-
-void refuse_for_spindle(const model::Model& model, const std::vector<std::string>& given) {
-  if (!model.spindle) return;
-  for (const std::string& flag : given)
-    throw io::InputError(fmt::format("{}: belongs to corrections; a spindle has one displacement, "
-                                     "whose zero is that of standstill as mounted",
-                                     flag),
-                         {.key = flag});
 }
 
 void tell_of_kelvin(Messages& messages, const std::vector<double>& temperatures_C) {

@@ -16,7 +16,8 @@ namespace raceway::session {
 /// Which models a command takes.
 enum class Accepts { rig, rig_or_shaft, shaft };
 
-/// Whether the defaults of a model are counted in a note; not where they are listed.
+/// Whether a model is told of, with a count of its defaults; not where it was before, or all are
+/// listed.
 enum class Defaults { count, keep };
 
 /// Reads a model, counts the defaults that were used, and says what is to be known of it. Throws
@@ -24,10 +25,6 @@ enum class Defaults { count, keep };
 [[nodiscard]] io::ModelFile open_model(Messages& messages, const Source& model,
                                        Accepts accepts = Accepts::rig,
                                        Defaults defaults = Defaults::count);
-
-/// Refuses flags that mean nothing for a record of a spindle; of a model of something else nothing.
-/// `given`: those that stand in the command line.
-void refuse_for_spindle(const model::Model& model, const std::vector<std::string>& given);
 
 /// What a page says of a model, with the numbers that it was used with.
 [[nodiscard]] io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used);

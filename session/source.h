@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/named_files.h"
+
 namespace raceway::session {
 
 /// A file, or a text that stands for one.
@@ -12,10 +14,14 @@ struct Source {
   std::string name;                         ///< path of the file; in messages, of the text too
   std::shared_ptr<const std::string> text;  ///< null: as it stands in the file
 
+  /// Files that the text names, as they were when it was read; others are read where they stand.
+  std::vector<io::NamedFile> files{};
+
   Source(std::string path) : name(std::move(path)) {}  // NOLINT: a path is a source
-  Source(std::string name_of_text, std::string content)
+  Source(std::string name_of_text, std::string content, std::vector<io::NamedFile> named = {})
       : name(std::move(name_of_text)),
-        text(std::make_shared<const std::string>(std::move(content))) {}
+        text(std::make_shared<const std::string>(std::move(content))),
+        files(std::move(named)) {}
 };
 
 /// Files, by their paths.

@@ -20,9 +20,9 @@ void take(session::LoopOptions& options, const std::string& name, const py::hand
   else if (name == "until")
     options.reading.period.until = value.cast<std::string>();
   else if (name == "per_record")
-    options.per_record.names = value.cast<std::vector<std::string>>();
-  else if (name == "displacement")
-    options.displacement = value.cast<std::string>();
+    options.per_record = value.cast<std::vector<std::string>>();
+  else if (name == "channel")
+    options.channel = value.cast<std::string>();
   else if (name == "tolerance")
     options.tolerance.text = value.cast<std::string>();
   else

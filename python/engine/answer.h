@@ -11,7 +11,7 @@
 #include "python/engine/heard.h"
 #include "python/engine/interruptible.h"
 #include "record/record.h"
-#include "session/loop_question.h"
+#include "session/loop_model.h"
 #include "session/source.h"
 
 namespace raceway::python {
@@ -58,9 +58,7 @@ EngineAnswer answered(const Waiting& waiting, std::atomic<bool>& cancelled,
                       const Progress& progress, const Work& work) {
   Heard heard;
   EngineAnswer answer = interruptible(cancelled, progress, waiting, [&] { return work(heard); });
-  // The defaults are counted where the model is read.
-  for (std::string& note : heard.note_lines)
-    if (note.find(": raceway check ") == note.npos) answer.notes.push_back(std::move(note));
+  answer.notes.insert(answer.notes.end(), heard.note_lines.begin(), heard.note_lines.end());
   answer.warnings.insert(answer.warnings.begin(), heard.warning_lines.begin(),
                          heard.warning_lines.end());
   return answer;

@@ -14,7 +14,6 @@
 #include "io/number_text.h"
 #include "python/engine/answer.h"
 #include "session/control_export.h"
-#include "session/correction_loop.h"
 #include "session/correction_run.h"
 #include "session/identification.h"
 #include "session/law_fit.h"
@@ -23,14 +22,11 @@
 namespace raceway::python {
 namespace {
 
-session::Source source_of(const EngineCorrection& correction) {
-  return {correction.file().source, correction.file().text};
-}
-
 /// A record with the corrections of a file. `given`: columns, drop_nan, from, until.
 session::SeriesQuestion ask(Heard& heard, const EngineCorrection& correction, const Texts& data,
                             const session::Reading& reading) {
-  return session::ask_series(heard, source_of(correction), sources(data).front(), reading);
+  return session::ask_series(heard, correction.source(), sources(data).front(), reading,
+                             session::Defaults::keep);
 }
 
 void fill_validations(EngineAnswer& answer, std::vector<io::Validation>& list, Heard& heard,
@@ -157,17 +153,6 @@ EngineAnswer learn(const EngineCorrection& correction, const Texts& data, const 
   });
 }
 
-EngineAnswer check(const EngineCorrection& correction, const Texts& data, const py::kwargs& given) {
-  const session::LoopOptions options = options_of(given);
-  return answered([&](Heard& heard) {
-    const session::CheckedCorrection checked = session::check_correction(
-        heard, source_of(correction), sources(data), options.displacement, options.reading);
-    EngineAnswer answer;
-    answer.json = checked.json();
-    return answer;
-  });
-}
-
 /// The text, with what is to be known of it, and the lines of HAL that go with it. `record`: one or
 /// none.
 py::tuple export_correction(const EngineCorrection& correction, const std::string& format,
@@ -175,7 +160,7 @@ py::tuple export_correction(const EngineCorrection& correction, const std::strin
   session::require_control_name(format, output);
   Heard heard;
   const session::ControlExport made =
-      session::export_plan(session::open_plan(heard, source_of(correction),
+      session::export_plan(session::open_plan(heard, correction.source(),
                                               record.empty() ? nullptr : &sources(record).front()),
                            format, output);
   return py::make_tuple(made.text, made.plan.notes, made.hal, made.hal_shutdown);
@@ -200,8 +185,9 @@ EngineAnswer fit_law(const std::string& name, const std::string& text, double at
 
 }  // namespace
 
-EngineCorrection::EngineCorrection(const std::string& source, const std::string& text)
-    : file_(session::open_corrections(heard_, session::Source(source, text),
+EngineCorrection::EngineCorrection(const std::string& source, const std::string& text,
+                                   const HeldFiles& held)
+    : file_(session::open_corrections(heard_, session::Source(source, text, named_files(held)),
                                       session::Defaults::keep)) {}
 
 py::list EngineCorrection::parameters() const {
@@ -230,16 +216,9 @@ py::list EngineCorrection::inputs() const {
 }
 
 void bind_correction(py::module_& module) {
-  py::class_<EngineCorrection, std::shared_ptr<EngineCorrection>>(module, "Correction")
-      .def(py::init<const std::string&, const std::string&>(), py::arg("source"), py::arg("text"))
-      .def_property_readonly("source", [](const EngineCorrection& c) { return c.file().source; })
-      .def_property_readonly("text", [](const EngineCorrection& c) { return c.file().text; })
-      .def_property_readonly("defaults",
-                             [](const EngineCorrection& c) { return c.file().defaults; })
-      .def_property_readonly("notes",
-                             [](const EngineCorrection& c) { return c.heard().note_lines; })
-      .def_property_readonly("warnings",
-                             [](const EngineCorrection& c) { return c.heard().warning_lines; })
+  py::class_<EngineCorrection, EngineFile, std::shared_ptr<EngineCorrection>>(module, "Correction")
+      .def(py::init<const std::string&, const std::string&, const HeldFiles&>(), py::arg("source"),
+           py::arg("text"), py::arg("files") = HeldFiles())
       .def_property_readonly("displacements",
                              [](const EngineCorrection& c) {
                                std::vector<std::string> names;
@@ -252,7 +231,6 @@ void bind_correction(py::module_& module) {
   module.def("identify", &identify);
   module.def("correct", &correct);
   module.def("learn", &learn);
-  module.def("check_correction", &check);
   module.def("export_correction", &export_correction);
   module.def("fit_law", &fit_law);
 }

@@ -5,26 +5,29 @@
 #include <string>
 
 #include "io/correction_file.h"
-#include "python/engine/heard.h"
+#include "python/engine/file.h"
 
 namespace raceway::python {
 
 namespace py = pybind11;
 
-/// Corrections of one file as Python holds them. They never change: several threads may ask them.
-class EngineCorrection {
+/// Corrections of one file.
+class EngineCorrection final : public EngineFile {
  public:
-  EngineCorrection(const std::string& source, const std::string& text);
+  EngineCorrection(const std::string& source, const std::string& text, const HeldFiles& held);
 
   [[nodiscard]] const io::CorrectionFile& file() const { return file_; }
-  [[nodiscard]] const Heard& heard() const { return heard_; }
+  [[nodiscard]] session::Source source() const override {
+    return {file_.source, file_.text, file_.files};
+  }
+  [[nodiscard]] session::Part part() const override { return session::Part::correction; }
+  [[nodiscard]] const std::vector<std::string>& defaults() const override { return file_.defaults; }
   /// Of all displacements.
   [[nodiscard]] py::list parameters() const;
   /// Columns that a record needs.
   [[nodiscard]] py::list inputs() const;
 
  private:
-  Heard heard_;
   io::CorrectionFile file_;
 };
 

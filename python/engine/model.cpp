@@ -165,9 +165,10 @@ std::string plain_csv(const std::string& name, const std::string& text) {
 
 }  // namespace
 
-EngineModel::EngineModel(const std::string& source, const std::string& text, const py::list& own)
+EngineModel::EngineModel(const std::string& source, const std::string& text, const py::list& own,
+                         const HeldFiles& held)
     : own_(own_effects(own)),
-      file_(session::open_model(heard_, session::Source(source, text),
+      file_(session::open_model(heard_, session::Source(source, text, named_files(held)),
                                 session::Accepts::rig_or_shaft, session::Defaults::keep)) {
   amend(file_);
   if (file_.model.shaft) return;
@@ -234,17 +235,30 @@ std::string EngineModel::with_values(const py::dict& values) const {
 }
 
 void bind_model(py::module_& module) {
-  py::class_<EngineModel, std::shared_ptr<EngineModel>>(module, "Model")
-      .def(py::init<const std::string&, const std::string&, const py::list&>(), py::arg("source"),
-           py::arg("text"), py::arg("own") = py::list())
-      .def_property_readonly("source", [](const EngineModel& m) { return m.file().source; })
-      .def_property_readonly("text", [](const EngineModel& m) { return m.file().text; })
+  py::class_<EngineFile, std::shared_ptr<EngineFile>>(module, "File")
+      .def_property_readonly("source", [](const EngineFile& f) { return f.source().name; })
+      .def_property_readonly("text", [](const EngineFile& f) { return *f.source().text; })
+      .def_property_readonly("files",
+                             [](const EngineFile& f) {
+                               HeldFiles held;
+                               for (const io::NamedFile& file : f.source().files)
+                                 held.emplace_back(file.name, file.path, file.text);
+                               return held;
+                             })
+      .def("text_for",
+           [](const EngineFile& f, const std::string& path) {
+             return io::with_names_from(*f.source().text, f.source().files, path);
+           })
+      .def_property_readonly("defaults", &EngineFile::defaults)
+      .def_property_readonly("notes", [](const EngineFile& f) { return f.heard().note_lines; })
+      .def_property_readonly("warnings",
+                             [](const EngineFile& f) { return f.heard().warning_lines; });
+  py::class_<EngineModel, EngineFile, std::shared_ptr<EngineModel>>(module, "Model")
+      .def(py::init<const std::string&, const std::string&, const py::list&, const HeldFiles&>(),
+           py::arg("source"), py::arg("text"), py::arg("own") = py::list(),
+           py::arg("files") = HeldFiles())
       .def_property_readonly("name", [](const EngineModel& m) { return m.file().model.name; })
       .def_property_readonly("kind", &EngineModel::kind)
-      .def_property_readonly("defaults", [](const EngineModel& m) { return m.file().defaults; })
-      .def_property_readonly("notes", [](const EngineModel& m) { return m.heard().note_lines; })
-      .def_property_readonly("warnings",
-                             [](const EngineModel& m) { return m.heard().warning_lines; })
       .def_property_readonly(
           "columns", [](const EngineModel& m) { return session::state_columns(m.file().model); })
       .def("parameters", &EngineModel::parameters)

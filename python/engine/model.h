@@ -10,20 +10,24 @@
 #include "io/model_file.h"
 #include "model/band.h"
 #include "python/engine/arrays.h"
-#include "python/engine/heard.h"
+#include "python/engine/file.h"
 #include "python/engine/own_effect.h"
 
 namespace raceway::python {
 
-/// A model as Python holds it. It never changes: several threads may ask it at once.
-class EngineModel {
+/// A model of a bearing, a shaft or a spindle, with effects of the user's own.
+class EngineModel final : public EngineFile {
  public:
-  EngineModel(const std::string& source, const std::string& text, const py::list& own);
+  EngineModel(const std::string& source, const std::string& text, const py::list& own,
+              const HeldFiles& held);
 
   [[nodiscard]] const io::ModelFile& file() const { return file_; }
-  [[nodiscard]] const Heard& heard() const { return heard_; }
-  /// The effects of the user's own that no file can say, put into a model.
-  void amend(io::ModelFile& file) const;
+  [[nodiscard]] session::Source source() const override {
+    return {file_.source, file_.text, file_.files};
+  }
+  [[nodiscard]] session::Part part() const override { return session::Part::bearing; }
+  [[nodiscard]] const std::vector<std::string>& defaults() const override { return file_.defaults; }
+  void amend(io::ModelFile& file) const override;
   /// Of its fitted parameters where that is wanted. Throws io::InputError where it has none.
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
   /// "rig", "shaft" or "spindle".
@@ -33,7 +37,6 @@ class EngineModel {
   [[nodiscard]] std::string with_values(const py::dict& values) const;
 
  private:
-  Heard heard_;
   std::vector<OwnEffect> own_;
   io::ModelFile file_;
 };

@@ -16,13 +16,13 @@ from typing import Any as _Any
 
 from ._engine import __version__
 from ._correction import Correction, read
-from ._correction_results import Check, CorrectionComparison, CorrectionRun, Identification, Program
+from ._correction_results import CorrectionRun, Identification, Program
 from ._effect import Effect, Number, State
 from ._errors import Doubt, InputError, NotConverged
 from ._law import KinematicLaw, fit_law
 from ._model import Model
 from ._record import Record
-from ._results import Addition, Calibration, Comparison, Diagnosis, Displacement, Solution, Table
+from ._results import Addition, Calibration, Check, Comparison, Diagnosis, Displacement, Solution, Table
 from ._sensitivity import Sensitivity
 from ._spindle import Deflection, Modes, SpindleRun, SteadyStates, StepResponses
 
@@ -42,7 +42,6 @@ __all__ = [
     "Check",
     "Comparison",
     "Correction",
-    "CorrectionComparison",
     "CorrectionRun",
     "Diagnosis",
     "Deflection",

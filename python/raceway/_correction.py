@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from . import _engine
-from ._correction_results import Check, CorrectionComparison, CorrectionRun, Identification, Program
-from ._errors import InputError, NotConverged
-from ._from_file import FromFile
-from ._given import text_of
-from ._model import Model, _is_correction, _names, _tables, _warn
+from ._correction_results import CorrectionRun, Identification, Program
+from ._errors import InputError
+from ._given import name_list, seconds, text_of, warn
+from ._loop import LoopModel, asked
+from ._model import Model, _is_correction, _tables
 from ._record import Record
-from ._results import Addition, Calibration, Diagnosis
-from ._series import lag_texts, one_record, order_text, reading, seconds
+from ._series import lag_texts, one_record, order_text
 
 FORMATS = ("python", "c", "csv", "linuxcnc")
 
 
-class Correction(FromFile):
+class Correction(LoopModel):
     """What is believed of the displacement of a machine: lags of temperatures, power, speed and feeds.
 
     One file may have several displacements, each with its model. A correction never changes; what a
@@ -41,12 +40,12 @@ class Correction(FromFile):
     5.0
     """
 
-    def __init__(self, source: str, text: str) -> None:
+    def __init__(self, source: str, text: str, files: Sequence[tuple[str, str, str]] = ()) -> None:
         tables = _tables(text_of("text", text))
         if tables and "correction" not in tables:
             raise InputError(f"{source}: has no [correction]: raceway.Model.read takes models of bearings")
-        self._engine = _engine.Correction(source, text)
-        _warn(self._engine.warnings)
+        self._engine = _engine.Correction(source, text, files)
+        warn(self._engine.warnings)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Correction:
@@ -137,20 +136,20 @@ class Correction(FromFile):
             raise ValueError(f"baseline = {baseline!r}: must be regression or arx")
         if lags_s is not None and (baseline is not None or order != (1, 3)):
             raise ValueError("lags_s: a bank has neither baseline nor order; take one of them")
-        options = reading(record, from_s, until_s)
+        texts, options = asked(one_record(record), from_s=from_s, until_s=until_s)
         answer = _engine.identify(
             self._engine,
-            [(record.name, record.text)],
+            texts,
             [] if validate is None else [(one_record(validate).name, validate.text)],
             order_text(order),
-            [] if inputs is None else _names("inputs", inputs),
+            [] if inputs is None else name_list("inputs", inputs),
             lag_texts(lags_s),
             baseline or "",
             float("inf") if time_limit_s is None else float(time_limit_s),
             progress,
             **options,
         )
-        _warn(answer.warnings)
+        warn(answer.warnings)
         return Identification(answer, self._fitted(answer, ", identified").get(""))
 
     def correct(
@@ -179,8 +178,7 @@ class Correction(FromFile):
         from_s, until_s : float, optional
             Readings that count, by the time since the first row [s].
         """
-        options = reading(record, from_s, until_s)
-        texts = [(record.name, record.text)]
+        texts, options = asked(one_record(record), from_s=from_s, until_s=until_s)
         if not learn:
             for argument, value in (("every_s", every_s), ("forget_s", forget_s)):
                 if value is not None:
@@ -189,141 +187,8 @@ class Correction(FromFile):
         else:
             durations = (seconds("every_s", every_s), seconds("forget_s", forget_s))
             answer = _engine.learn(self._engine, texts, *durations, **options)
-        _warn(answer.warnings)
+        warn(answer.warnings)
         return CorrectionRun(answer, self._fitted(answer, ", learnt").get(""))
-
-    def compare(
-        self,
-        record: Record,
-        *others: Correction,
-        displacement: str | None = None,
-        zero: str = "mean",
-        refit: str | Iterable[str] = (),
-        tolerance: str | None = None,
-        from_s: float | None = None,
-        until_s: float | None = None,
-    ) -> CorrectionComparison:
-        """Say how far it is from a record, and where; with other corrections: the ladder.
-
-        Parameters
-        ----------
-        record : Record
-        *others : Correction
-        displacement : str, optional
-            Which of several.
-        zero : {"mean", "first", "none"}
-            The constant taken off before: that which leaves least, the first reading of a run, none.
-        refit : iterable of str
-            Parameters, or groups such as ``"gains"``, that are fitted to the record before.
-        tolerance : str, optional
-            Error below which nothing matters, such as ``"2um"``.
-        """
-        if zero not in ("mean", "first", "none"):
-            raise ValueError(f"zero = {zero!r}: must be mean, first or none")
-        for other in others:
-            if not isinstance(other, Correction):
-                raise TypeError(f"a raceway.Correction is wanted, not {type(other).__name__}")
-        options = reading(record, from_s, until_s, displacement, tolerance)
-        engines = [c._engine for c in (self, *others)]
-        texts = [(record.name, record.text)]
-        answer = _engine.compare_corrections(engines, texts, _names("refit", refit), zero, **options)
-        _warn(answer.warnings)
-        return CorrectionComparison(answer, (), record)
-
-    def calibrate(self, record: Record, *, displacement: str | None = None, from_s: float | None = None, until_s: float | None = None) -> Calibration:
-        """Re-fit the free numbers (``[calibration] free``; by default gains, time constants, offset).
-
-        Raises
-        ------
-        NotConverged
-            Where the fit found no values.
-        """
-        options = reading(record, from_s, until_s, displacement)
-        answer = _engine.calibrate(self._engine, [(record.name, record.text)], False, **options)
-        if not answer.converged:
-            raise NotConverged("; ".join(["the calibration did not converge", *answer.warnings]))
-        _warn(answer.warnings)
-        return Calibration(answer, self._fitted(answer, ", calibrated"))
-
-    def diagnose(
-        self,
-        record: Record,
-        *,
-        displacement: str | None = None,
-        pairs: bool = True,
-        tried_before: int = 0,
-        tolerance: str | None = None,
-        from_s: float | None = None,
-        until_s: float | None = None,
-        time_limit_s: float | None = None,
-        progress: Callable[[float, str], None] | None = None,
-    ) -> Diagnosis:
-        """Say which effect is missing, where the error on parts held out is beyond the tolerance.
-
-        Parameters
-        ----------
-        record : Record
-        displacement : str, optional
-            Which of several.
-        pairs : bool
-            Without: single effects only, for a quick look.
-        tried_before : int
-            Explanations of your own already tried on these data.
-        tolerance : str, optional
-            Error that does not matter, such as ``"2um"``, where ``tolerance_um`` is not in the file.
-        from_s, until_s : float, optional
-            Readings that count, by the time since the first row [s].
-        time_limit_s : float, optional
-            After which it gives up with TimeoutError.
-        progress : callable, optional
-            Called with the share that is done and the step, some ten times a second.
-
-        Raises
-        ------
-        InputError
-            A record that carries no verdict, with the reason; no tolerance.
-        KeyboardInterrupt
-            Stops it; nothing is left half done.
-        """
-        options = reading(record, from_s, until_s, displacement, tolerance)
-        limit = float("inf") if time_limit_s is None else float(time_limit_s)
-        texts = [(record.name, record.text)]
-        answer = _engine.diagnose(self._engine, texts, bool(pairs), int(tried_before), limit, progress, **options)
-        _warn(answer.warnings)
-        return Diagnosis(answer)
-
-    def add(
-        self,
-        effects: str | Iterable[str],
-        record: Record,
-        *,
-        displacement: str | None = None,
-        tolerance: str | None = None,
-        from_s: float | None = None,
-        until_s: float | None = None,
-    ) -> Addition:
-        """Switch effects on, calibrated, and judge them on parts that the fit did not see.
-
-        Returns
-        -------
-        Addition
-            `Addition.refused` says why an effect does not help; `Addition.model` has it all the same.
-        """
-        options = reading(record, from_s, until_s, displacement, tolerance)
-        texts = [(record.name, record.text)]
-        ids = _names("effects", effects)
-        answer = _engine.add(self._engine, ids, texts, **options)
-        if not answer.converged:
-            raise NotConverged("; ".join(["the fit did not converge", *answer.warnings]))
-        _warn(answer.warnings)
-        return Addition(answer, self._fitted(answer, "".join(f" + {name}" for name in ids)))
-
-    def check(self, record: Record, *, displacement: str | None = None) -> Check:
-        """Say what a record can tell: time constants, the last digit of each sensor, effects."""
-        options = reading(record, None, None, displacement)
-        answer = _engine.check_correction(self._engine, [(record.name, record.text)], **options)
-        _warn(answer.warnings)
-        return Check(answer)
 
     def export(self, format: str, path: str | os.PathLike[str] | None = None, *, record: Record | None = None, overwrite: bool = False) -> Program:
         """Return it as a program that runs on a control without this package, and write that to `path`.
@@ -348,9 +213,8 @@ class Correction(FromFile):
         return program
 
     def _fitted(self, answer: _engine.Answer, fitted: str) -> dict[str, Correction]:
-        """The one that was found, under the empty name; none where there is none. A ladder tells it apart by what was fitted."""
         source = self.source if self.source.endswith(fitted) else self.source + fitted
-        return {"": Correction(source, text) for text in answer.models}
+        return {"": Correction(source, text, self._engine.files) for text in answer.models}
 
     def _repr_html_(self) -> str:
         from ._html_correction import correction_html
@@ -358,16 +222,16 @@ class Correction(FromFile):
         return correction_html(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self.source, self.text)
+        return _restored, (self.source, self._engine.text, self._engine.files)
 
     def __repr__(self) -> str:
         return f"<raceway.Correction of {', '.join(self.displacements)} from {self.source}>"
 
 
-def _restored(source: str, text: str) -> Correction:
+def _restored(source: str, text: str, files: Sequence[tuple[str, str, str]]) -> Correction:
     """A correction in another process, which does not say again what makes it doubtful."""
     correction = Correction.__new__(Correction)
-    correction._engine = _engine.Correction(source, text)
+    correction._engine = _engine.Correction(source, text, files)
     return correction
 
 

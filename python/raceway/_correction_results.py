@@ -7,7 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _engine
-from ._results import Comparison, _Answer, _first, _write
+from ._results import _Answer, _write
 
 if TYPE_CHECKING:
     import pandas
@@ -109,31 +109,6 @@ class CorrectionRun(_Answer):
 
     def __repr__(self) -> str:
         return f"<raceway.CorrectionRun over {self.data['data']}: {self.data['rows']} rows>"
-
-
-class CorrectionComparison(Comparison):
-    """How far corrections are from a record."""
-
-    def to_frame(self, measured: str | None = None) -> pandas.DataFrame:
-        """Return one row per row of the record, with ``measured``, ``predicted`` and ``error`` of the first [um].
-
-        One displacement is compared, that of `measured` where it is named.
-        """
-        import pandas
-
-        quantity = _first(self.data)["quantity"]
-        if measured not in (None, quantity, f"{quantity}_um"):
-            raise ValueError(f"measured = {measured!r}: {quantity}_um was compared")
-        return pandas.DataFrame(self._answer.rows())
-
-
-class Check(_Answer):
-    """What a record over time can tell."""
-
-    def _repr_html_(self) -> str:
-        from ._html_correction import check_html
-
-        return check_html(self)
 
 
 class Program:

@@ -31,7 +31,15 @@ class Doubt(UserWarning):
     """What makes a result doubtful; the command says it behind ``warning:``."""
 
 
-_ARGUMENTS = {"--bore": "bore_mm", "--outer-diameter": "outer_diameter_mm", "--contact-angle": "contact_angle_deg", "--balls": "ball_count"}
+_ARGUMENTS = {
+    "--bore": "bore_mm",
+    "--outer-diameter": "outer_diameter_mm",
+    "--contact-angle": "contact_angle_deg",
+    "--balls": "ball_count",
+    "--channel": "channel",
+    "--per-record": "per_record",
+    "--zero": "zero",
+}
 
 
 def in_python(words: str) -> str:

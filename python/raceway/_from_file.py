@@ -9,6 +9,8 @@ from ._results import _write
 
 
 class FromFile:
+    """A model with what its file and the files that it names held when it was read."""
+
     _engine: Any
 
     @property
@@ -18,8 +20,8 @@ class FromFile:
 
     @property
     def text(self) -> str:
-        """The file, as `save` writes it."""
-        return self._engine.text
+        """The file, as `save` writes it; names of further files lead to them from anywhere."""
+        return self._engine.text_for("")
 
     @property
     def defaults(self) -> list[str]:
@@ -32,5 +34,5 @@ class FromFile:
         return self._engine.notes
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the file; an existing one only with `overwrite`."""
-        _write(path, self.text, overwrite)
+        """Write the file, whose names of further files lead to them from there; an existing one only with `overwrite`."""
+        _write(path, self._engine.text_for(os.fspath(path)), overwrite)

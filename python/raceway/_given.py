@@ -5,6 +5,7 @@ from __future__ import annotations
 import numbers
 import warnings
 from collections.abc import Iterable
+from typing import Any
 
 import numpy
 from numpy.typing import ArrayLike
@@ -46,6 +47,27 @@ def tolerance_text(value: str) -> str:
         words = 'an error with its unit, such as "2Nmm" or "2um", is wanted'
         raise TypeError(f"tolerance: {words}, not {value!r}")
     return value
+
+
+def number_text(argument: str, value: Any) -> str:
+    if isinstance(value, bool) or not hasattr(value, "__float__"):
+        raise TypeError(f"{argument}: a number is wanted, not {type(value).__name__}")
+    return repr(float(value)).removesuffix(".0")
+
+
+def seconds(argument: str, value: float | None) -> str:
+    """A duration as the command takes it, "3600s"; nothing without."""
+    return "" if value is None else number_text(argument, value) + "s"
+
+
+def name_list(argument: str, given: str | Iterable[str]) -> list[str]:
+    if isinstance(given, str):
+        return [given]
+    listed = list(given)
+    for name in listed:
+        if not isinstance(name, str):
+            raise TypeError(f"{argument}: names are wanted, not {type(name).__name__}")
+    return listed
 
 
 def value_of(name: str, value: float) -> float:

@@ -6,10 +6,10 @@ from typing import Any
 
 from . import _engine
 from ._errors import NotConverged
-from ._model import _warn
+from ._given import warn
+from ._loop import asked
 from ._record import Record
 from ._results import _Answer
-from ._series import reading
 
 
 class KinematicLaw(_Answer):
@@ -63,9 +63,9 @@ def fit_law(curve: Record, *, at_rpm: float | None = None) -> KinematicLaw:
     ['A', 'B', 'C']
     """
     nan = float("nan")
-    options = reading(curve, None, None)
+    _, options = asked(curve)
     answer = _engine.fit_law(curve.name, curve.text, nan if at_rpm is None else float(at_rpm), **options)
     if not answer.converged:
         raise NotConverged("; ".join(["the fit of the law did not converge", *answer.warnings]))
-    _warn(answer.warnings)
+    warn(answer.warnings)
     return KinematicLaw(answer)

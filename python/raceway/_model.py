@@ -5,29 +5,27 @@ from __future__ import annotations
 import operator
 import os
 import tomllib
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, TypeAlias
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy
 from numpy.typing import ArrayLike
 
 from . import _engine
 from ._effect import Effect
-from ._errors import InputError, NotConverged, in_python
-from ._from_file import FromFile
+from ._errors import InputError, in_python
 from ._given import arrays as _arrays
 from ._given import axis as _axis
-from ._given import text_of, tolerance_text, value_of
+from ._given import name_list, text_of, value_of
 from ._given import warn as _warn
+from ._loop import LoopModel, Records, asked
 from ._record import Record
-from ._results import Addition, Calibration, Comparison, Diagnosis, Displacement, Solution, Table
+from ._results import Displacement, Solution, Table
 from ._sensitivity import SensitivityQuestion
 from ._spindle_questions import SpindleQuestions
 
-Records: TypeAlias = "Record | Sequence[Record]"
 
-
-class Model(FromFile, SpindleQuestions, SensitivityQuestion):
+class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
     """What is believed of a bearing on a rig, of the sets on a shaft or of a spindle.
 
     It never changes; what a fit finds is another model. `read`, `from_text` and `new` make one.
@@ -41,12 +39,12 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
 
     _said: Sequence[str] = ()  # when it was made
 
-    def __init__(self, source: str, text: str, effects: Iterable[Effect] = ()) -> None:
+    def __init__(self, source: str, text: str, effects: Iterable[Effect] = (), files: Sequence[tuple[str, str, str]] = ()) -> None:
         text_of("text", text)
         if _is_correction(text):
             raise InputError(f"{source}: is a correction of a machine: raceway.Correction.read takes it")
         self._effects = tuple(effects)
-        self._engine = _engine.Model(source, text, [e._for_engine() for e in self._effects])
+        self._engine = _engine.Model(source, text, [e._for_engine() for e in self._effects], files)
         _warn(self._engine.warnings)
 
     @classmethod
@@ -157,7 +155,7 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
         for effect in self._effects:
             own = {n: in_file.pop(f"{effect.id}.{n}", v.value) for n, v in effect.numbers.items()}
             effects.append(effect.with_values(list(own.values())))
-        return Model(self.source, self._engine.with_values(in_file), effects)
+        return Model(self.source, self._engine.with_values(in_file), effects, self._engine.files)
 
     def with_effect(self, effect: Effect) -> Model:
         """Return the model with an effect of your own, which `diagnose` tries and `add` calibrates.
@@ -166,7 +164,7 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
         """
         if not isinstance(effect, Effect):
             raise TypeError(f"a raceway.Effect is wanted, not {type(effect).__name__}")
-        return Model(self.source, self.text, (*self._effects, effect))
+        return Model(self.source, self._engine.text, (*self._effects, effect), self._engine.files)
 
     @property
     def effects(self) -> tuple[Effect, ...]:
@@ -233,7 +231,7 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
             moment_y_Nmm=moment_y_Nmm,
             moment_z_Nmm=moment_z_Nmm,
         )
-        wanted = _names("columns", columns)
+        wanted = name_list("columns", columns)
         names, values, status, notes, doubts = self._engine.solve(given, wanted, bool(band))
         document = None
         if not columns and all(array.ndim == 0 for array in given.values()):
@@ -313,116 +311,19 @@ class Model(FromFile, SpindleQuestions, SensitivityQuestion):
         """
         import pandas
 
-        texts, options = _asked(record, None, ())
+        texts, options = asked(record)
         return pandas.DataFrame(_engine.predict(self._engine, texts, bool(band), **options))
 
-    def compare(
-        self, record: Records, *others: Model, refit: Iterable[str] = (), per_record: Iterable[str] = (), tolerance: str | None = None
-    ) -> Comparison:
-        """Say how far the model is from a record, and where; with other models: the ladder.
-
-        Parameters
-        ----------
-        record : Record or sequence of Record
-        *others : Model
-        refit : iterable of str
-            Parameters that are fitted to the record before.
-        per_record : iterable of str
-            Those that each of several records has for itself.
-        tolerance : str, optional
-            Error below which nothing matters, such as ``"2Nmm"``.
-        """
-        texts, options = _asked(record, tolerance, per_record)
-        for other in others:
-            if not isinstance(other, Model):
-                raise TypeError(f"a raceway.Model is wanted, not {type(other).__name__}")
-        models = [m._engine for m in (self, *others)]
-        answer = _engine.compare(models, texts, _names("refit", refit), **options)
-        _warn(answer.warnings)
-        return Comparison(answer, (self, *others), record)
-
-    def calibrate(self, record: Records, *, profile: bool = False, per_record: Iterable[str] = ()) -> Calibration:
-        """Re-fit the free factors of the model (``[calibration] free``; by default f0 and z).
-
-        Parameters
-        ----------
-        record : Record or sequence of Record
-        profile : bool
-            Also 95 % intervals by profile likelihood, for `Calibration.conf_interval`: some dozens
-            of refits.
-        per_record : iterable of str
-            Parameters that each of several records has for itself.
-
-        Raises
-        ------
-        NotConverged
-            Where the fit found no values.
-        """
-        texts, options = _asked(record, None, per_record)
-        answer = _engine.calibrate(self._engine, texts, bool(profile), **options)
-        if not answer.converged:
-            raise NotConverged("; ".join(["the calibration did not converge", *answer.warnings]))
-        _warn(answer.warnings)
-        return Calibration(answer, _models(self, answer, ", calibrated"))
-
-    def diagnose(
-        self,
-        record: Records,
-        *,
-        pairs: bool = True,
-        tried_before: int = 0,
-        per_record: Iterable[str] = (),
-        tolerance: str | None = None,
-        time_limit_s: float | None = None,
-        progress: Callable[[float, str], None] | None = None,
-    ) -> Diagnosis:
-        """Say which physical effect is missing in the model, or what to measure to find out.
-
-        Parameters
-        ----------
-        record : Record or sequence of Record
-        pairs : bool
-            Without: single effects only, for a quick look.
-        tried_before : int
-            Explanations of your own already tried on these data.
-        tolerance : str, optional
-            Error below which nothing matters, such as ``"2Nmm"``.
-        time_limit_s : float, optional
-            After which it gives up with TimeoutError.
-        progress : callable, optional
-            Called with the share that is done and the step, some ten times a second.
-
-        Raises
-        ------
-        InputError
-            Data that carry no verdict, with the reason.
-        KeyboardInterrupt
-            Stops it; nothing is left half done.
-        """
-        texts, options = _asked(record, tolerance, per_record)
-        limit = float("inf") if time_limit_s is None else float(time_limit_s)
-        answer = _engine.diagnose(self._engine, texts, bool(pairs), int(tried_before), limit, progress, **options)
-        _warn(answer.warnings)
-        return Diagnosis(answer)
-
-    def add(self, effects: str | Iterable[str], record: Records, *, per_record: Iterable[str] = (), tolerance: str | None = None) -> Addition:
-        """Switch effects on, calibrated, and judge them on rows that the fit did not see.
-
-        Returns
-        -------
-        Addition
-            `Addition.refused` says why an effect does not help; `Addition.model` has it all the same.
-        """
-        texts, options = _asked(record, tolerance, per_record)
-        ids = _names("effects", effects)
-        answer = _engine.add(self._engine, ids, texts, **options)
-        if not answer.converged:
-            raise NotConverged("; ".join(["the fit did not converge", *answer.warnings]))
-        _warn(answer.warnings)
-        return Addition(answer, _models(self, answer, "".join(f" + {name}" for name in ids)))
+    def _fitted(self, answer: _engine.Answer, fitted: str) -> dict[str, Model]:
+        source = self.source if self.source.endswith(fitted) else self.source + fitted
+        models = {}
+        for record, text, own in zip(answer.records or [""], answer.models, answer.own_effects):
+            effects = [e.with_values(own[e.id]) for e in self.effects]
+            models[record] = Model(source, text, effects, self._engine.files)
+        return models
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (self.source, self.text, self._effects, list(self._said))
+        return _restored, (self.source, self._engine.text, self._effects, list(self._said), self._engine.files)
 
     def __repr__(self) -> str:
         return f"<raceway.Model {self.name} ({self.kind}) from {self.source}>"
@@ -436,11 +337,11 @@ def _tables(text: str) -> set[str]:
         return set()
 
 
-def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[str]) -> Model:
+def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[str], files: Sequence[tuple[str, str, str]]) -> Model:
     """A model in another process, which does not say again what makes it doubtful."""
     model = Model.__new__(Model)
     model._effects = tuple(effects)
-    model._engine = _engine.Model(source, text, [e._for_engine() for e in effects])
+    model._engine = _engine.Model(source, text, [e._for_engine() for e in effects], files)
     model._said = said
     return model
 
@@ -448,42 +349,3 @@ def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[
 def _is_correction(text: str) -> bool:
     tables = _tables(text)
     return "correction" in tables and "bearing" not in tables
-
-
-def _names(argument: str, names: str | Iterable[str]) -> list[str]:
-    if isinstance(names, str):
-        return [names]
-    listed = list(names)
-    for name in listed:
-        if not isinstance(name, str):
-            raise TypeError(f"{argument}: names are wanted, not {type(name).__name__}")
-    return listed
-
-
-def _asked(record: Records, tolerance: str | None, per_record: Iterable[str]) -> tuple[list[tuple[str, str]], dict[str, Any]]:
-    """What the engine takes of records and options."""
-    records = list(record) if isinstance(record, (list, tuple)) else [record]
-    for one in records:
-        if not isinstance(one, Record):
-            raise TypeError(f"a raceway.Record is wanted, not {type(one).__name__}: " "Record.read(path) or Record.from_pandas(frame)")
-    if not records:
-        raise ValueError("no record is given")
-    maps = {r._columns for r in records}
-    if len(maps) > 1:
-        raise ValueError("columns: several records of one question are read by one map")
-    options: dict[str, Any] = {"columns": maps.pop(), "drop_nan": any(r._drop_nan for r in records)}
-    if tolerance is not None:
-        options["tolerance"] = tolerance_text(tolerance)
-    if own := _names("per_record", per_record):
-        options["per_record"] = own
-    return [(r.name, r.text) for r in records], options
-
-
-def _models(of: Model, answer: _engine.Answer, fitted: str) -> dict[str, Model]:
-    """By record; one without name where it holds for all. A ladder tells them apart by what was fitted."""
-    source = of.source if of.source.endswith(fitted) else of.source + fitted
-    models = {}
-    for record, text, own in zip(answer.records or [""], answer.models, answer.own_effects):
-        effects = [e.with_values(own[e.id]) for e in of.effects]
-        models[record] = Model(source, text, effects)
-    return models

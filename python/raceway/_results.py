@@ -232,11 +232,6 @@ class Page:
 class Comparison(_Answer):
     """How far models are from a record."""
 
-    def __init__(self, answer: _engine.Answer, models: Sequence[Model], record: Any) -> None:
-        super().__init__(answer)
-        self._models = tuple(models)
-        self._record = record
-
     @property
     def rmse(self) -> float:
         """RMS error of the first model, in the unit of what is measured."""
@@ -255,7 +250,9 @@ class Comparison(_Answer):
         measured : str, optional
             Which of several measured columns, such as ``"axial_displacement_um"``; default: the first.
         """
-        frame = self._models[0].predict(self._record)
+        import pandas
+
+        frame = pandas.DataFrame(self._answer.rows())
         known = [name.removeprefix("predicted_") for name in frame if name.startswith("predicted_")]
         measured = known[0] if measured is None else measured
         if measured not in known:
@@ -267,6 +264,15 @@ class Comparison(_Answer):
 
     def __repr__(self) -> str:
         return f"<raceway.Comparison: RMS error {self.rmse:.4g} {self.unit}>"
+
+
+class Check(_Answer):
+    """What a record can tell of a model."""
+
+    def _repr_html_(self) -> str:
+        from ._html_correction import check_html
+
+        return check_html(self)
 
 
 class _Report(_Answer):

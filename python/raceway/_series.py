@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from numbers import Integral
 from typing import Any
 
-from ._given import tolerance_text
+from ._given import number_text
 from ._record import Record
 
 
@@ -17,33 +17,6 @@ def one_record(record: Any) -> Record:
             "Record.read(path) or Record.from_pandas(frame); a correction is held against one record"
         )
     return record
-
-
-def reading(
-    record: Record, from_s: float | None, until_s: float | None, displacement: str | None = None, tolerance: str | None = None
-) -> dict[str, Any]:
-    """What the engine takes of a record and of what of it counts."""
-    one_record(record)
-    options: dict[str, Any] = {
-        "columns": record._columns,
-        "drop_nan": record._drop_nan,
-        "from": seconds("from_s", from_s),
-        "until": seconds("until_s", until_s),
-        "displacement": displacement,
-        "tolerance": None if tolerance is None else tolerance_text(tolerance),
-    }
-    return {name: value for name, value in options.items() if value not in (None, "")}
-
-
-def _number(argument: str, value: Any) -> str:
-    if isinstance(value, bool) or not hasattr(value, "__float__"):
-        raise TypeError(f"{argument}: a number is wanted, not {type(value).__name__}")
-    return repr(float(value)).removesuffix(".0")
-
-
-def seconds(argument: str, value: float | None) -> str:
-    """A duration as the command takes it, "3600s"; nothing without."""
-    return "" if value is None else _number(argument, value) + "s"
 
 
 def order_text(order: int | Sequence[int]) -> str:
@@ -61,7 +34,7 @@ def lag_texts(lags_s: str | Iterable[float] | None) -> list[str]:
         return [] if lags_s is None else [lags_s]
     if not isinstance(lags_s, Iterable):
         raise TypeError(f"lags_s: time constants such as [0, 600, 3600] are wanted, not {lags_s!r}")
-    lags = [_number("lags_s", lag) for lag in lags_s]
+    lags = [number_text("lags_s", lag) for lag in lags_s]
     if not lags:
         raise ValueError('lags_s: no lag is given; "auto" takes them from the length of the record')
     return lags

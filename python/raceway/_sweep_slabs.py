@@ -146,9 +146,9 @@ def _feed(hash_: Any, value: Any) -> None:
         case Record():
             _feed(hash_, ("record", value.name, value.text, value._columns, value._drop_nan))
         case Model():
-            _feed(hash_, ("model", value.source, value.text, value.effects))
+            _feed(hash_, ("model", value.source, value._engine.text, value._engine.files, value.effects))
         case Correction():
-            _feed(hash_, ("correction", value.source, value.text))
+            _feed(hash_, ("correction", value.source, value._engine.text, value._engine.files))
         case Effect():
             _feed(hash_, ("effect", value.id, value.numbers, value.torque))
         case list() | tuple():

@@ -2,6 +2,7 @@
 
 import io
 import json
+import pickle
 import subprocess
 import sys
 import threading
@@ -240,12 +241,12 @@ def test_several_displacements(spindle):
     assert both.displacements == ["displacement_ch1_um", "displacement_ch2_um"]
     assert set(found.parameters) <= set(both.parameters)
     assert all(name.startswith("displacement_ch") for name in both.parameters)
-    with pytest.raises(raceway.InputError, match="has several .* choose one by --displacement displacement_ch1_um or"):
+    with pytest.raises(raceway.InputError, match="has several .* choose one by channel displacement_ch1_um or"):
         both.compare(spindle)
-    first, second = (both.compare(spindle, displacement=name) for name in both.displacements)
+    first, second = (both.compare(spindle, channel=name) for name in both.displacements)
     assert first.data["quantity"] == "displacement_ch1" and second.data["quantity"] == "displacement_ch2"
     assert first.rmse != second.rmse
-    calibrated = both.calibrate(spindle, displacement="displacement_ch2_um").model
+    calibrated = both.calibrate(spindle, channel="displacement_ch2_um").model
     assert calibrated.displacements == both.displacements
     assert {"predicted_displacement_ch1_um", "residual_displacement_ch2_um"} <= set(both.correct(spindle).to_frame())
 
@@ -312,9 +313,15 @@ def test_wrong_records_and_models():
     for ask in (correction.identify, correction.correct, correction.compare, correction.diagnose, correction.check):
         with pytest.raises(raceway.InputError, match="column front_bearing_temperature_C is missing"):
             ask(rig)
-        for wrong in ("train.csv", [record], None):
+        for wrong in ("train.csv", None):
             with pytest.raises(TypeError, match="Record is wanted"):
                 ask(wrong)
+    for ask in (correction.identify, correction.correct):
+        with pytest.raises(TypeError, match="Record is wanted"):
+            ask([record])
+    for ask in (correction.compare, correction.diagnose):
+        with pytest.raises(raceway.InputError, match="held against one record"):
+            ask([record, record])
     with pytest.raises(TypeError, match="Correction is wanted, not Model"):
         correction.compare(record, bearing)
     with pytest.raises(TypeError, match="Model is wanted, not Correction"):
@@ -414,3 +421,43 @@ def test_notebooks_and_pictures(spindle):
     above, below = raceway.plot.record(both.correct(spindle))
     assert above.get_ylabel() == "Displacement\nin µm" and len(below.lines) == 3  # with the line of zero
     assert raceway.plot.residuals(correction.compare(record), x="time_s", y=None).get_xlabel() == "Time in s"
+
+
+@pytest.fixture
+def moved(root, tmp_path):
+    """A correction with a friction table, read from a folder of its own, and its record."""
+    for name in ("correction.toml", "friction_table.csv"):
+        (tmp_path / name).write_text((root / POWER / name).read_text())
+    return raceway.Correction.read(tmp_path / "correction.toml"), raceway.Record.read(f"{POWER}/test.csv")
+
+
+def test_files_that_a_model_names_are_read_once(moved, tmp_path, monkeypatch):
+    correction, record = moved
+    before = correction.correct(record).data
+    text = (tmp_path / "friction_table.csv").read_text()
+    (tmp_path / "friction_table.csv").write_text(text.replace(",110.59", ",210.59", 1))
+    monkeypatch.chdir(tmp_path)
+    assert correction.correct(record).data == before
+    assert pickle.loads(pickle.dumps(correction)).correct(record).data == before
+    assert correction.export("csv").text
+    assert correction.calibrate(record).model.text.count('friction_table = "/') == 1
+
+
+def test_a_model_saved_elsewhere_finds_its_files(moved, tmp_path):
+    correction, record = moved
+    before = correction.correct(record).to_frame()
+    (tmp_path / "other").mkdir()
+    correction.save(tmp_path / "other" / "z.toml")
+    assert '"../friction_table.csv"' in (tmp_path / "other" / "z.toml").read_text()
+    correction.save(tmp_path / "beside.toml")
+    assert (tmp_path / "beside.toml").read_text() == (tmp_path / "correction.toml").read_text()
+    for again in (raceway.Correction.read(tmp_path / "other" / "z.toml"), raceway.Correction.from_text(correction.text)):
+        assert again.correct(record).to_frame().equals(before)
+
+
+def test_options_that_mean_nothing_are_refused():
+    correction, record = read(EXACT)
+    with pytest.raises(raceway.InputError, match="per_record: a correction is held against one record"):
+        correction.calibrate(record, per_record=["front.gain_1"])
+    with pytest.raises(raceway.InputError, match="channel displacement_y_um"):
+        correction.compare(record, channel="displacement_y_um")

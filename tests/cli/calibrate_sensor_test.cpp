@@ -141,15 +141,23 @@ TEST(TorqueSignalRecord, ASensorFileIsNeverWrittenOver) {
   EXPECT_EQ(file_text(sensor), text);
 }
 
-TEST(TorqueSignalRecord, AModelWrittenElsewhereIsToldToHaveLostItsSensor) {
+TEST(TorqueSignalRecord, AModelWrittenElsewhereFindsItsSensor) {
   const Rig rig;
   std::filesystem::create_directories(rig.file("sub"));
+  // Another file of that name, which it once read without a word.
+  std::ofstream(rig.file("sub/sensor.toml")) << "[torque_sensor]\n";
   const Result r =
       run("calibrate " + rig.model() + " " + signals + " -o " + rig.file("sub/m.toml"));
   ASSERT_EQ(r.status, 0) << r.err;
-  EXPECT_THAT(r.err, HasSubstr("the file of its [torque_sensor] is looked for from there"));
-  EXPECT_THAT(run("compare " + rig.file("sub/m.toml") + " " + signals).err,
-              HasSubstr("sub/sensor.toml: no such file (names are relative to the model)"));
+  EXPECT_THAT(file_text(rig.file("sub/m.toml")), HasSubstr("file = \"../sensor.toml\""));
+  const Result beside =
+      run("calibrate " + rig.model() + " " + signals + " -o " + rig.file("m.toml"));
+  ASSERT_EQ(beside.status, 0) << beside.err;
+  EXPECT_THAT(file_text(rig.file("m.toml")), HasSubstr("file = \"sensor.toml\""));
+  const auto errors = [&](const std::string& model) {
+    return parsed(run("compare " + rig.file(model) + " " + signals + " --json"))["rmse"];
+  };
+  EXPECT_EQ(errors("sub/m.toml"), errors("m.toml"));
 }
 
 TEST(TorqueSignalRecord, ModelsWithOtherSensorsAreComparedByThatOfTheFirst) {

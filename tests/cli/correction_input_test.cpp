@@ -180,27 +180,85 @@ class BesideABearing : public CorrectionInput {
   const std::string day_ = record([](int, std::string text) { return text; });
 };
 
-TEST_F(BesideABearing, TheRecordSaysWhichOfThemIsMeant) {
-  EXPECT_EQ(parsed(run("compare " + both_ + " " + rig_ + " --json"))["unit"], "Nmm");
-  EXPECT_EQ(parsed(run("compare " + both_ + " " + day_ + " --json"))["unit"], "um");
-  const json torque = parsed(run("calibrate " + both_ + " " + rig_ + " --json"));
-  EXPECT_EQ(keys(torque["parameters"]), std::set<std::string>{"f0"});
-  const json over_time = parsed(run("calibrate " + both_ + " " + day_ + " --json"));
+TEST_F(BesideABearing, AColumnSaysWhichOfThemIsMeant) {
+  const std::string torque = " --channel friction_torque_Nmm", z = " --channel displacement_z_um";
+  const std::string asks =
+      "describes a bearing and the correction of displacement_z_um: choose by "
+      "--channel";
+  for (const std::string& data : {rig_, day_}) {
+    expect_refused(run("compare " + both_ + " " + data), asks);
+    expect_refused(run("check " + both_ + " " + data), asks);
+    expect_refused(run("diagnose " + both_ + " " + data), asks);
+  }
+  EXPECT_EQ(parsed(run("compare " + both_ + " " + rig_ + torque + " --json"))["unit"], "Nmm");
+  EXPECT_EQ(parsed(run("compare " + both_ + " " + day_ + z + " --json"))["unit"], "um");
+  const json of_torque = parsed(run("calibrate " + both_ + " " + rig_ + torque + " --json"));
+  EXPECT_EQ(keys(of_torque["parameters"]), std::set<std::string>{"f0"});
+  const json over_time = parsed(run("calibrate " + both_ + " " + day_ + z + " --json"));
   EXPECT_EQ(keys(over_time["parameters"]),
             (std::set<std::string>{"front.gain_1", "front.time_constant_1"}));
-  EXPECT_EQ(parsed(run("diagnose " + both_ + " " + day_ + " --no-pairs --json"))["unit"], "um");
-  expect_refused(run("diagnose " + both_ + " " + rig_), "8 rows that can be predicted");
-  EXPECT_EQ(parsed(run("check " + both_ + " " + day_ + " --json"))["sampling_s"], 60.0);
+  EXPECT_EQ(parsed(run("diagnose " + both_ + " " + day_ + z + " --no-pairs --json"))["unit"], "um");
+  expect_refused(run("diagnose " + both_ + " " + rig_ + torque), "8 rows that can be predicted");
+  EXPECT_EQ(parsed(run("check " + both_ + " " + day_ + z + " --json"))["sampling_s"], 60.0);
   EXPECT_EQ(run("solve " + both_ + " --speed 1000 --axial-load 100").status, 0);
   EXPECT_EQ(run("correct " + both_ + " " + day_).status, 0);
-  EXPECT_EQ(run_shell("$raceway compare - " + day_ + " < " + both_).status, 0);
+  EXPECT_EQ(run_shell("$raceway compare - " + day_ + z + " < " + both_).status, 0);
+  // The flag's former name.
+  EXPECT_EQ(run("compare " + both_ + " " + day_ + " --displacement displacement_z_um").status, 0);
+}
+
+TEST_F(BesideABearing, WithoutDataBothAreChecked) {
+  const Result r = run("check " + both_);
+  EXPECT_EQ(r.status, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("correction.initial_state"));
+  EXPECT_THAT(r.out, HasSubstr("solver.tilt"));
+}
+
+/// Options that once were taken and did nothing.
+TEST_F(BesideABearing, AnOptionThatMeansNothingIsRefused) {
+  const std::string bearing = scratch_.write("bearing.toml", model_text);
+  expect_refused(run("compare " + bearing + " " + rig_ + " --channel displacement_z_um"),
+                 "--channel displacement_z_um: " + bearing + " predicts friction_torque_Nmm");
+  expect_refused(run("compare " + bearing + " " + rig_ + " --zero first"), "--zero");
+  expect_refused(run("diagnose " + model_ + " " + day_ + " --per-record front.gain_1"),
+                 "--per-record: a correction is held against one record");
+}
+
+TEST_F(CorrectionInput, AModelWrittenElsewhereFindsItsTables) {
+  scratch_.write("friction.csv",
+                 "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n"
+                 "0,500,40,1\n20000,500,40,1\n");
+  scratch_.write("K.csv", "power_W,gain_um\n0,0\n50,20\n");
+  scratch_.write("T.csv", "power_W,time_constant_min\n0,100\n50,60\n");
+  const std::string model = scratch_.write(
+      "e.toml",
+      "[correction]  # Gr\u00fc\u00dfe\ndisplacement = "
+      "\"displacement_z_um\"\n[[correction.channel]]\n"
+      "input = \"power_W\"\nfriction_table = \"friction.csv\"\naxial_load_N = 500\n"
+      "gain = { table = \"K.csv\" }  # \u00b5m\ntime_constant = { table = \"T.csv\" }\n"
+      "[calibration]\nfree = [\"offset\"]\n");
+  const std::string data = record([](int, std::string text) { return text; });
+  std::filesystem::create_directories(scratch_.file("other"));
+  // A table of that name in the other folder, which it once read without a word.
+  std::ofstream(scratch_.file("other/K.csv")) << "power_W,gain_um\n0,0\n50,2000\n";
+  const auto written = [&](const std::string& name) {
+    const Result r = run("calibrate " + model + " " + data + " --force -o " + scratch_.file(name));
+    EXPECT_EQ(r.status, 0) << r.err;
+    return parsed(run("compare " + scratch_.file(name) + " " + data + " --json"))["rmse"];
+  };
+  EXPECT_EQ(written("other/moved.toml"), written("beside.toml"));
+  const std::string moved = file_text(scratch_.file("other/moved.toml"));
+  for (const char* table :
+       {"\"../friction.csv\"", "{ table = \"../K.csv\" }  # \u00b5m", "{ table = \"../T.csv\" }"})
+    EXPECT_THAT(moved, HasSubstr(table));
 }
 
 TEST_F(BesideABearing, ANameThatNeitherKnowsIsRefused) {
   const std::string wrong =
       scratch_.write("wrong.toml", std::string(model_text) + "\n" + z_model() +
                                        "\n[calibration]\nfree = [\"f0\", \"front.gian_1\"]\n");
-  expect_refused(run("calibrate " + wrong + " " + day_), "front.gain_1");
+  expect_refused(run("calibrate " + wrong + " " + day_ + " --channel displacement_z_um"),
+                 "front.gain_1");
 }
 
 }  // namespace

@@ -137,7 +137,8 @@ TEST(TorqueSensorTable, MayStandInAFileBesideTheModel) {
       << tests::model_text << "[torque_sensor]\nfile = \"sensor.toml\"\nzero_V = 0.2\n";
   const ModelFile file = read_model((folder / "model.toml").string());
   EXPECT_EQ(file.sensor.value().zero, 0.2);
-  EXPECT_EQ(file.sensor_file, (folder / "sensor.toml").string());
+  ASSERT_EQ(file.files.size(), 1u);
+  EXPECT_EQ(file.files.front().path, (fs::weakly_canonical(folder) / "sensor.toml").string());
   std::ofstream(folder / "sensor.toml") << "[rig]\n";
   EXPECT_THAT(message_of([&] { (void)read_model((folder / "model.toml").string()); }),
               HasSubstr("sensor.toml: has no table [torque_sensor]"));

@@ -1,0 +1,294 @@
+#include "session/bearing_in_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "effects/formula.h"
+#include "fit/several_records.h"
+#include "io/error.h"
+#include "io/names.h"
+#include "io/record_report.h"
+#include "io/subject.h"
+#include "model/corrected_data.h"
+#include "model/parameters.h"
+#include "model/row.h"
+#include "rig/torque_sensor.h"
+
+namespace raceway::session {
+namespace {
+
+/// What of a covariance concerns one record, by the names of its model.
+fit::Covariance of_record(const fit::Covariance& all, const fit::SeveralRecords& several,
+                          std::size_t record) {
+  fit::Covariance own;
+  std::vector<Eigen::Index> rows;
+  for (std::size_t k = 0; k < all.names.size(); ++k)
+    if (std::string name = several.name_in(record, all.names[k]); !name.empty()) {
+      own.names.push_back(std::move(name));
+      rows.push_back(static_cast<Eigen::Index>(k));
+    }
+  own.values = all.values(rows);
+  own.matrix = all.matrix(rows, rows);
+  return own;
+}
+
+/// Names of the covariance that are no parameters of the model as it is written: data that are put
+/// right where they stand.
+std::vector<std::string> corrected(const model::Model& model) {
+  const std::vector<record::Parameter> known = model::parameters(model::with_corrected_data(model));
+  std::vector<std::string> names;
+  for (const std::string& name : model.covariance->names)
+    if (std::none_of(known.begin(), known.end(), [&](const auto& p) { return p.name == name; }))
+      names.push_back(name);
+  return names;
+}
+
+/// The model of one record as the fit has left it, with the covariance of what was fitted.
+model::Model model_of_record(const fit::Calibration& calibration, std::size_t record) {
+  const auto* const of = dynamic_cast<const fit::SeveralRecords*>(calibration.subject.get());
+  model::Model model =
+      of ? model::model_of(*of->model_of(record)) : model::model_of(*calibration.subject);
+  model.covariance = fit::covariance_of(calibration);
+  if (model.covariance && of) model.covariance = of_record(*model.covariance, *of, record);
+  return model;
+}
+
+bool is_own(const effects::Effect& effect) {
+  const effects::OwnMoment* const moment = effect.description->user_made;
+  return moment && !moment->stands_in_files();
+}
+
+/// Takes the effects out that no file can say; a covariance in which they have a part goes, too.
+std::vector<FittedTexts::OwnEffect> take_own_effects(model::Model& model) {
+  std::vector<FittedTexts::OwnEffect> own;
+  for (const effects::Effect& effect : model.effects)
+    if (is_own(effect)) own.push_back({std::string(effect.description->id), effect.values});
+  std::erase_if(model.effects, is_own);
+  const auto belongs = [&](const std::string& name) {
+    return std::any_of(own.begin(), own.end(),
+                       [&](const auto& effect) { return name.starts_with(effect.id + "."); });
+  };
+  if (model.covariance &&
+      std::any_of(model.covariance->names.begin(), model.covariance->names.end(), belongs))
+    model.covariance.reset();
+  return own;
+}
+
+/// Its numbers; those of the file where each record has its own.
+const model::Model& model_of(const fit::Subject& subject) {
+  const auto* const several = dynamic_cast<const fit::SeveralRecords*>(&subject);
+  return model::model_of(several ? several->shared() : subject);
+}
+
+/// Why the model predicts nothing for a row.
+std::string why_not_predicted(const model::Model& model, const record::Record& data,
+                              std::size_t row) {
+  if (model.spindle) return "the simulation ends there, without equilibrium or by thermal runaway";
+  if (model.shaft) return "no equilibrium";
+  const model::Row asked = model::rows_of(data)[row];
+  const model::FrictionPrediction p =
+      model::predict_friction(model, asked.point, false, asked.record);
+  return p.status() == bearing::SolveStatus::no_equilibrium ? "no equilibrium"
+                                                            : why_not_converged(model, p);
+}
+
+void tell_not_predicted(Messages& messages, const std::string& file, const model::Model& model,
+                        const std::vector<fit::Comparison>& comparisons,
+                        const record::Record& data) {
+  for (const fit::Comparison& c : comparisons)
+    if (const auto& missing = c.rows_not_predicted; !missing.empty())
+      messages.warn(fmt::format(
+          "{}: {} rows{} have no prediction and are left out, the first in {}: {}", file,
+          missing.size(), comparisons.size() > 1 ? fmt::format(" of {}", c.channel->words) : "",
+          data.place(missing.front()), why_not_predicted(model, data, missing.front())));
+}
+
+/// A model as the loop sees it: of one record, or of several that were joined. What is named has a
+/// value in each of them and is free, whether or not it is in the model.
+std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
+                                               const record::Record& data, const Names& own) {
+  const auto fail = [](const std::string& why) {
+    throw io::InputError("--per-record" + why, {.key = "--per-record"});
+  };
+  // Runs of all records of a spindle are simulated by themselves.
+  if (model.spindle && !own.empty())
+    fail(
+        ": a spindle has one set of numbers for all its records; calibrate with each record by "
+        "itself");
+  if (data.parts.empty() && !own.empty())
+    fail(
+        fmt::format(" {}: {} is one record, whose parameters are all its own; name two files of "
+                    "measurements or more",
+                    fmt::join(own, ","), data.source));
+  const std::shared_ptr<const fit::Subject> alone = io::make_subject(model);
+  if (model.spindle || data.parts.empty()) return alone;
+  // Free in the model too, so that an effect of which a number is named counts as one to be learnt.
+  model::Model wanted = model;
+  wanted.free = alone->free();
+  for (const std::string& name : own)
+    if (std::find(wanted.free.begin(), wanted.free.end(), name) == wanted.free.end())
+      wanted.free.push_back(name);
+  try {
+    (void)fit::find_parameters(*alone, own);
+    return std::make_shared<fit::SeveralRecords>(io::make_subject(wanted), data, own);
+  } catch (const std::invalid_argument& e) {
+    fail(fmt::format(": {}", e.what()));
+    throw;
+  }
+}
+
+bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+class BearingInLoop final : public LoopModel {
+ public:
+  BearingInLoop(io::ModelFile file, Defaults defaults)
+      : LoopModel({.source = file.source,
+                   .name = file.model.name,
+                   .defaults = file.defaults,
+                   .notes = file.notes,
+                   .files = file.files}),
+        file_(std::move(file)),
+        written_(io::make_subject(file_.model)),
+        defaults_(defaults) {}
+
+  std::shared_ptr<const fit::Subject> as_written() const override { return written_; }
+
+  record::Record read(Messages& messages, const std::vector<Source>& data, const Reading& reading,
+                      const LoopModels&) const override {
+    return open_records(messages, data, file_.source, *written_, reading.options(file_));
+  }
+
+  std::shared_ptr<const fit::Subject> for_fit(Messages&, record::Record& data,
+                                              const Names& per_record) const override {
+    return subject_of(file_.model, data, per_record);
+  }
+
+  Names meant(const Names& effects, const record::Record&) const override { return effects; }
+
+  void stand_beside(Messages& messages, const LoopModel& other) const override {
+    if (!file_.model.shaft && defaults_ == Defaults::count) warn_of_ignored_data(messages, file_);
+    const auto* const first = dynamic_cast<const BearingInLoop*>(&other);
+    if (!first)
+      throw io::InputError(
+          file_.source + ": has no [correction]: only corrections can be compared with one",
+          {.file = file_.source, .key = "correction"});
+    if (file_.model.spindle.has_value() != first->file_.model.spindle.has_value())
+      throw io::InputError(file_.source + ": a spindle is compared with spindles alone",
+                           {.file = file_.source});
+    warn_of_other_rig(messages, first->file_);
+  }
+
+  ComparedModel compared(Messages& messages, const record::Record& data, const CompareOptions& how,
+                         const Names& per_record) const override {
+    if (how.zero != "mean")
+      throw io::InputError(
+          "--zero: belongs to corrections; a model of bearings or of a spindle has one zero, that "
+          "of standstill as mounted",
+          {.key = "--zero"});
+    model::Model wanted = file_.model;
+    Names names = how.refit;
+    for (const std::string& own : per_record)
+      if (std::find(names.begin(), names.end(), own) == names.end()) names.push_back(own);
+    if (!names.empty()) wanted.free = names;
+    ComparedModel result{.subject = subject_of(wanted, data, per_record)};
+    int fitted = 0;
+    if (!names.empty()) {
+      const fit::Calibration calibration = refitted(messages, *result.subject, data, names);
+      result.subject = calibration.subject;
+      fitted = static_cast<int>(calibration.parameters.size());
+    }
+    result.errors = fit::compare(*result.subject, data, fitted);
+    result.facts = of_page(file_, model_of(*result.subject));
+    result.drawn = {.name = file_.source, .subject = result.subject};
+    for (const fit::Comparison& c : result.errors) result.drawn.tolerances.push_back(c.tolerance);
+    tell_not_predicted(messages, file_.source, file_.model, result.errors, data);
+    return result;
+  }
+
+  std::optional<correction::RecordCheck> over_time(const record::Record&) const override {
+    return std::nullopt;
+  }
+
+  std::string page(const record::Record& data, const fit::Diagnosis& found) const override {
+    if (written_->approximates())
+      return io::record_diagnosis_report(file_.source, data, found, {},
+                                         {of_page(file_, file_.model)});
+    return io::diagnosis_report(file_.source, *written_, data, found,
+                                {of_page(file_, file_.model)});
+  }
+
+  std::string page(const record::Record& data, const fit::AddResult& found) const override {
+    const std::vector<io::ModelOfPage> used{of_page(file_, model_of(*found.calibration.subject))};
+    if (written_->approximates()) return io::record_add_report(file_.source, data, found, {}, used);
+    return io::add_report(file_.source, data, found, used);
+  }
+
+  FittedTexts fitted_texts(const record::Record&, const fit::Calibration& found) const override {
+    FittedTexts result{.records = records_apart(*found.subject)};
+    io::ModelFile written = file_;
+    (void)take_own_effects(written.model);
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, result.records.size()); ++k) {
+      model::Model model = model_of_record(found, k);
+      // What is left without them would be another covariance.
+      if (model.covariance)
+        if (Names data = corrected(model); !data.empty()) {
+          model.covariance.reset();
+          result.corrected_data = std::move(data);
+        }
+      result.own_effects.push_back(take_own_effects(model));
+      result.texts.push_back(io::with_model(written, model));
+    }
+    return result;
+  }
+
+ private:
+  /// What the rows lack is filled in from the first model; another rig would need other rows. They
+  /// are read by its sensor, too.
+  void warn_of_other_rig(Messages& messages, const io::ModelFile& first) const {
+    const model::Rig& rig = file_.model.rig;
+    const model::Rig& of_first = first.model.rig;
+    const auto warn = [&](const std::string& what) {
+      messages.warn(fmt::format("{}: its {}", file_.source, what));
+    };
+    if (!same(rig.inertia, of_first.inertia) || !same(rig.axial_load, of_first.axial_load) ||
+        !same(rig.radial_load, of_first.radial_load) ||
+        !same(rig.temperature, of_first.temperature) ||
+        !same(rig.minimum_speed, of_first.minimum_speed))
+      warn(
+          fmt::format("[rig] differs from that of {}, which is used for all models", first.source));
+    const auto& shaft = file_.model.shaft;
+    if (shaft && first.model.shaft && shaft->external_load != first.model.shaft->external_load)
+      warn(fmt::format("external_load_N differs from that of {}, which is used for all models",
+                       first.source));
+    if (file_.sensor && !(first.sensor && rig::same_torques(*file_.sensor, *first.sensor)))
+      warn(fmt::format("[torque_sensor] is not that of {}, by which the data are read",
+                       first.source));
+  }
+
+  io::ModelFile file_;
+  std::shared_ptr<const model::ModelSubject> written_;
+  Defaults defaults_;
+};
+
+}  // namespace
+
+std::unique_ptr<LoopModel> open_bearing(Messages& messages, const Source& source,
+                                        const LoopOptions& options, std::size_t place) {
+  io::ModelFile file = open_model(messages, source, Accepts::rig_or_shaft, options.defaults);
+  if (options.amend) options.amend(file, place);
+  options.tolerance.set(file);
+  Names known;
+  for (const fit::Measured& m : io::make_subject(file.model)->measured())
+    known.emplace_back(m.channel->name);
+  if (!options.channel.empty() &&
+      std::find(known.begin(), known.end(), options.channel) == known.end())
+    throw io::InputError(fmt::format("--channel {}: {} predicts {}", options.channel, file.source,
+                                     io::listed(known)),
+                         {.file = file.source, .key = "--channel"});
+  return std::make_unique<BearingInLoop>(std::move(file), options.defaults);
+}
+
+}  // namespace raceway::session

@@ -1,0 +1,182 @@
+#include "session/loop.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "io/diagnosis_results.h"
+#include "io/error.h"
+#include "io/record_report.h"
+#include "io/results.h"
+#include "model/model_changes.h"
+
+namespace raceway::session {
+namespace {
+
+/// What the data do not allow, with the names of both files.
+template <typename Ask>
+auto with_data(const std::string& model, const record::Record& data, const Ask& ask) {
+  try {
+    return ask();
+  } catch (const std::invalid_argument& e) {
+    refuse_data(model, data, e);
+  }
+}
+
+}  // namespace
+
+LoopQuestion ask(Messages& messages, const Source& model, const std::vector<Source>& data,
+                 const LoopOptions& options) {
+  LoopQuestion asked{.model = open_loop_model(messages, model, options)};
+  asked.data = asked.model->read(messages, data, options.reading);
+  asked.subject = asked.model->for_fit(messages, asked.data, options.per_record);
+  return asked;
+}
+
+fit::Calibration calibrate(const LoopQuestion& asked, const fit::CalibrateOptions& options) {
+  fit::Calibration found = with_data(asked.source(), asked.data, [&] {
+    return fit::calibrate(*asked.subject, asked.data, options);
+  });
+  tell_of_scale(asked.data, found.messages);
+  return found;
+}
+
+fit::Diagnosis diagnose(const LoopQuestion& asked, const fit::DiagnoseOptions& options) {
+  fit::Diagnosis found = with_data(asked.source(), asked.data, [&] {
+    return fit::diagnose(*asked.subject, asked.data, options);
+  });
+  tell_of_scale(asked.data, found.messages);
+  return found;
+}
+
+fit::AddResult add(const LoopQuestion& asked, const Names& effects) {
+  fit::AddResult found = with_data(asked.source(), asked.data, [&] {
+    return fit::add(*asked.subject, asked.model->meant(effects, asked.data), asked.data);
+  });
+  tell_of_scale(asked.data, found.messages);
+  return found;
+}
+
+std::vector<double> predict(const LoopQuestion& asked) {
+  return with_data(asked.source(), asked.data, [&] {
+    asked.subject->require(asked.data);
+    return fit::predict(*asked.subject, asked.data);
+  });
+}
+
+std::string json(const LoopQuestion& asked, const fit::Calibration& found) {
+  return io::calibration_json(found, asked.data);
+}
+
+std::string json(const LoopQuestion& asked, const fit::Diagnosis& found) {
+  return io::diagnosis_json(asked.source(), asked.data, found);
+}
+
+std::string json(const LoopQuestion& asked, const fit::AddResult& found) {
+  return io::add_json(asked.source(), asked.data, found);
+}
+
+std::string page(const LoopQuestion& asked, const fit::Diagnosis& found) {
+  return asked.model->page(asked.data, found);
+}
+
+std::string page(const LoopQuestion& asked, const fit::AddResult& found) {
+  return asked.model->page(asked.data, found);
+}
+
+FittedTexts fitted_texts(const LoopQuestion& asked, const fit::Calibration& found) {
+  return asked.model->fitted_texts(asked.data, found);
+}
+
+std::vector<std::vector<fit::Comparison>> ComparedModels::errors() const {
+  std::vector<std::vector<fit::Comparison>> list;
+  for (const ComparedModel& model : models) list.push_back(model.errors);
+  return list;
+}
+
+std::string ComparedModels::json() const {
+  std::vector<correction::Beyond> beyond;
+  for (const ComparedModel& model : models)
+    if (model.beyond) beyond.push_back(*model.beyond);
+  return io::comparison_json(names, errors(), data, beyond);
+}
+
+std::string ComparedModels::page() const {
+  std::vector<io::ModelOfPage> facts;
+  std::vector<model::Model> used;
+  std::vector<io::DrawnModel> drawn;
+  for (const ComparedModel& model : models) {
+    drawn.push_back(model.drawn);
+    if (!model.facts) continue;
+    facts.push_back(*model.facts);
+    used.push_back(model.facts->model);
+  }
+  if (models.back().subject->approximates())
+    return io::record_report("compare", json(), data, drawn, facts, model::changes_between(used));
+  return io::comparison_report(names, used, errors(), data, facts);
+}
+
+ComparedModels compare(Messages& messages, const std::vector<Source>& models,
+                       const std::vector<Source>& data, const CompareOptions& how,
+                       const LoopOptions& options) {
+  LoopModels opened;
+  for (const Source& source : models) {
+    opened.push_back(open_loop_model(messages, source, options, opened.size()));
+    opened.back()->stand_beside(messages, *opened.front());
+  }
+  ComparedModels result{.data = opened.front()->read(messages, data, options.reading, opened)};
+  for (const auto& model : opened) {
+    const std::string& source = model->about().source;
+    result.names.push_back(source);
+    result.models.push_back(with_data(source, result.data, [&] {
+      return model->compared(messages, result.data, how, options.per_record);
+    }));
+  }
+  // The noise is that of the data: one for all models, by the last.
+  for (ComparedModel& model : result.models)
+    fit::estimate_unknown_noise(*result.models.back().subject, result.data, model.errors);
+  if (!how.refit.empty())
+    messages.note(fmt::format("{} refitted to {} in each model; all else as in the files",
+                              fmt::join(how.refit, " and "), result.data.source));
+  if (!options.per_record.empty())
+    messages.note(fmt::format("{} refitted to each record by itself in each model",
+                              fmt::join(options.per_record, " and ")));
+  return result;
+}
+
+std::string CheckedModel::json() const {
+  return io::check_json(model.name, check, model.defaults, notes,
+                        over_time ? &*over_time : nullptr);
+}
+
+CheckedModel check(Messages& messages, const Source& source, const Source& data,
+                   const LoopOptions& options) {
+  const std::unique_ptr<LoopModel> model = open_loop_model(messages, source, options);
+  CheckedModel result{.model = model->about(),
+                      .data = model->read(messages, {data}, options.reading)};
+  result.over_time = model->over_time(result.data);
+  result.check = with_data(result.model.source, result.data, [&] {
+    const std::shared_ptr<const fit::Subject> written = model->as_written();
+    const auto informed = result.over_time ? written->informed_by(result.data) : nullptr;
+    return fit::check(informed ? *informed : *written, result.data);
+  });
+  result.notes = result.model.notes;
+  result.notes.insert(result.notes.end(), result.data.notes.begin(), result.data.notes.end());
+  const auto doubt = [&](const std::string& line) {
+    messages.warn(line);
+    result.notes.push_back(line);
+  };
+  if (!result.check.problem.empty()) doubt(result.check.problem);
+  if (result.over_time)
+    messages.warnings(result.over_time->warnings);  // of which the document has a list
+  else if (!result.check.runs_coincide_with.empty())
+    doubt(fmt::format(
+        "each run has its own {0}: what depends on it cannot be told from a rig that was "
+        "set up anew; before measuring more, plan two runs or more for each level, or "
+        "all levels within each run",
+        result.check.runs_coincide_with));
+  return result;
+}
+
+}  // namespace raceway::session

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/add.h"
+#include "fit/calibrate.h"
+#include "fit/check.h"
+#include "fit/diagnose.h"
+#include "record/record.h"
+#include "session/loop_model.h"
+#include "session/messages.h"
+#include "session/source.h"
+
+/// The loop, as the command, Python and programs ask it, whatever a model file describes: how far a
+/// model is from what was measured, which effect is missing, what adding it buys.
+namespace raceway::session {
+
+/// A model with its measurements, ready for a fit.
+struct LoopQuestion {
+  std::shared_ptr<const LoopModel> model;
+  record::Record data{};
+  std::shared_ptr<const fit::Subject> subject{};  ///< as it is held against the data
+
+  [[nodiscard]] const std::string& source() const { return model->about().source; }
+};
+
+/// Opens both and says what is to be known of them. Throws io::InputError as open_loop_model(),
+/// LoopModel::read() and LoopModel::for_fit().
+[[nodiscard]] LoopQuestion ask(Messages& messages, const Source& model,
+                               const std::vector<Source>& data, const LoopOptions& options);
+
+/// As those of fit, and io::InputError for what the data do not allow. `effects`: as people name
+/// them.
+[[nodiscard]] fit::Calibration calibrate(const LoopQuestion& asked,
+                                         const fit::CalibrateOptions& options = {});
+[[nodiscard]] fit::Diagnosis diagnose(const LoopQuestion& asked,
+                                      const fit::DiagnoseOptions& options = {});
+[[nodiscard]] fit::AddResult add(const LoopQuestion& asked, const Names& effects);
+[[nodiscard]] std::vector<double> predict(const LoopQuestion& asked);
+
+/// What was found as JSON, and as one page.
+[[nodiscard]] std::string json(const LoopQuestion& asked, const fit::Calibration& found);
+[[nodiscard]] std::string json(const LoopQuestion& asked, const fit::Diagnosis& found);
+[[nodiscard]] std::string json(const LoopQuestion& asked, const fit::AddResult& found);
+[[nodiscard]] std::string page(const LoopQuestion& asked, const fit::Diagnosis& found);
+[[nodiscard]] std::string page(const LoopQuestion& asked, const fit::AddResult& found);
+
+/// The texts of the models that a fit found.
+[[nodiscard]] FittedTexts fitted_texts(const LoopQuestion& asked, const fit::Calibration& found);
+
+/// Models held against one record, in the order given.
+struct ComparedModels {
+  record::Record data{};
+  Names names{};  ///< of the models, by their files
+  std::vector<ComparedModel> models{};
+
+  /// Of each model, by measured channel.
+  [[nodiscard]] std::vector<std::vector<fit::Comparison>> errors() const;
+  [[nodiscard]] std::string json() const;
+  /// The report, as one page.
+  [[nodiscard]] std::string page() const;
+};
+
+/// Compares them with the same rows, which are read by the columns and the sensor of the first.
+/// What `how` names, and what each record has for itself, is fitted before. Throws io::InputError,
+/// also for models of different kinds.
+[[nodiscard]] ComparedModels compare(Messages& messages, const std::vector<Source>& models,
+                                     const std::vector<Source>& data, const CompareOptions& how,
+                                     const LoopOptions& options);
+
+/// What a record can tell of a model.
+struct CheckedModel {
+  LoopModel::About model{};
+  record::Record data{};
+  fit::Check check{};
+  std::optional<correction::RecordCheck> over_time{};
+  std::vector<std::string> notes{};  ///< of the model and of the record
+
+  [[nodiscard]] std::string json() const;
+};
+[[nodiscard]] CheckedModel check(Messages& messages, const Source& model, const Source& data,
+                                 const LoopOptions& options);
+
+}  // namespace raceway::session

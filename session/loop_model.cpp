@@ -1,0 +1,88 @@
+#include "session/loop_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "fit/several_records.h"
+#include "io/error.h"
+#include "io/model_parts.h"
+#include "io/names.h"
+#include "session/bearing_in_loop.h"
+#include "session/correction_in_loop.h"
+#include "session/correction_input.h"
+
+namespace raceway::session {
+namespace {
+
+io::ModelParts parts_of(const Source& file) {
+  return file.text ? io::parts_of(*file.text) : io::parts_of_file(file.name);
+}
+
+/// The part that a column belongs to; of a file with one part that. A file with two asks.
+Part part_of(const io::ModelParts& parts, const Source& file, const LoopOptions& options) {
+  if (options.part != Part::any) return options.part;
+  if (parts.displacements.empty()) return Part::bearing;
+  if (!parts.bearing) return Part::correction;
+  if (options.channel.empty())
+    throw io::InputError(
+        fmt::format("{}: describes a bearing and the correction of {}: choose by --channel, of the "
+                    "bearing --channel friction_torque_Nmm",
+                    file.name, io::listed(parts.displacements)),
+        {.file = file.name, .key = "--channel"});
+  return std::find(parts.displacements.begin(), parts.displacements.end(), options.channel) ==
+                 parts.displacements.end()
+             ? Part::bearing
+             : Part::correction;
+}
+
+}  // namespace
+
+LoopModel::About describe(Messages& messages, const Source& file, const LoopOptions& options) {
+  const io::ModelParts parts = parts_of(file);
+  LoopModel::About about;
+  const auto add = [&](const auto& part, std::string name) {
+    about.source = part.source;
+    if (about.name.empty()) about.name = std::move(name);
+    about.defaults.insert(about.defaults.end(), part.defaults.begin(), part.defaults.end());
+    about.notes.insert(about.notes.end(), part.notes.begin(), part.notes.end());
+  };
+  if (parts.bearing || parts.displacements.empty()) {
+    const io::ModelFile model = open_model(messages, file, Accepts::rig_or_shaft, options.defaults);
+    add(model, model.model.name);
+  }
+  if (!parts.displacements.empty()) {
+    const io::CorrectionFile corrections = open_corrections(messages, file, options.defaults);
+    Names names;
+    for (const correction::Model& m : corrections.models) names.push_back(m.name);
+    add(corrections, io::listed(names));
+  }
+  return about;
+}
+
+Names records_apart(const fit::Subject& subject) {
+  const auto* const several = dynamic_cast<const fit::SeveralRecords*>(&subject);
+  if (!several || several->own().empty()) return {};
+  return several->records();
+}
+
+fit::Calibration refitted(Messages& messages, const fit::Subject& subject,
+                          const record::Record& data, const Names& names) {
+  fit::Calibration found = fit::calibrate(subject, data);
+  if (!found.converged())
+    throw std::invalid_argument(
+        fmt::format("the refit of {} does not converge", fmt::join(names, ", ")));
+  messages.warnings(found.messages);
+  return found;
+}
+
+std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
+                                           const LoopOptions& options, std::size_t place) {
+  return part_of(parts_of(file), file, options) == Part::correction
+             ? open_correction(messages, file, options)
+             : open_bearing(messages, file, options, place);
+}
+
+}  // namespace raceway::session

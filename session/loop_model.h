@@ -1,0 +1,156 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "correction/range.h"
+#include "correction/record_check.h"
+#include "fit/add.h"
+#include "fit/calibrate.h"
+#include "fit/compare.h"
+#include "fit/diagnosis.h"
+#include "fit/subject.h"
+#include "io/model_file.h"
+#include "io/record_report.h"
+#include "io/report.h"
+#include "record/record.h"
+#include "session/messages.h"
+#include "session/open_input.h"
+#include "session/reading.h"
+#include "session/source.h"
+#include "session/tolerance.h"
+
+namespace raceway::session {
+
+class LoopModel;
+using LoopModels = std::vector<std::unique_ptr<LoopModel>>;
+using Names = std::vector<std::string>;
+
+/// Which part of a file is asked.
+enum class Part { any, bearing, correction };
+
+/// What a question of the loop may ask for beside models and data.
+struct LoopOptions {
+  Reading reading{};
+  Names per_record{};  ///< parameters that each of several records has for itself
+  Tolerance tolerance{};
+  /// Of a file that describes several things: a column that the wanted one predicts.
+  std::string channel{};
+  Part part = Part::any;
+  Defaults defaults = Defaults::count;
+  /// Gives the model of that place among several what no file can say; may be empty.
+  std::function<void(io::ModelFile&, std::size_t)> amend{};
+};
+
+/// How models are held against a record.
+struct CompareOptions {
+  Names refit{};  ///< parameters that are fitted to it before
+  /// The constant that is taken off each run of a correction: "mean", "first" or "none".
+  std::string zero = "mean";
+};
+
+/// Texts of the models that a fit found: one, or one for each record where records have values of
+/// their own.
+struct FittedTexts {
+  Names records{};  ///< empty where one model holds for all
+  std::vector<std::string> texts{};
+  /// Numbers of the covariance that stand as corrected data, for which no covariance is written.
+  Names corrected_data{};
+  /// Of every text the effects that no file can say, with their numbers.
+  struct OwnEffect {
+    std::string id;
+    std::vector<double> values;
+  };
+  std::vector<std::vector<OwnEffect>> own_effects{};
+};
+
+/// A model held against a record.
+struct ComparedModel {
+  std::shared_ptr<const fit::Subject> subject{};
+  std::vector<fit::Comparison> errors{};       ///< by measured channel
+  std::optional<correction::Beyond> beyond{};  ///< of a correction: what its numbers never saw
+  io::DrawnModel drawn{};
+  std::optional<io::ModelOfPage> facts{};  ///< of all else
+};
+
+/// What a file describes, opened for the loop: a bearing on its rig, the sets on a shaft, a
+/// spindle, or the correction of one displacement.
+class LoopModel {
+ public:
+  /// What its file says of itself.
+  struct About {
+    std::string source;  ///< file name, for messages
+    std::string name;
+    std::vector<std::string> defaults{};  ///< that were used
+    std::vector<std::string> notes{};
+    std::vector<io::NamedFile> files{};  ///< that it names
+  };
+
+  explicit LoopModel(About about) : about_(std::move(about)) {}
+  virtual ~LoopModel() = default;
+
+  [[nodiscard]] const About& about() const { return about_; }
+  [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written() const = 0;
+
+  /// Reads measurements of it and of those that it is compared with, and says what is to be known
+  /// of them. Several files are joined to one record. Throws io::InputError.
+  [[nodiscard]] virtual record::Record read(Messages& messages, const std::vector<Source>& data,
+                                            const Reading& reading,
+                                            const LoopModels& compared_with = {}) const = 0;
+  /// As a fit takes it. What is doubtful of its inputs is said, and stands in the notes of the
+  /// record. Throws io::InputError for what the record does not allow, and for `per_record`.
+  [[nodiscard]] virtual std::shared_ptr<const fit::Subject> for_fit(
+      Messages& messages, record::Record& data, const Names& per_record) const = 0;
+  /// The effects that a person means by these names. Throws std::invalid_argument where one name
+  /// means several.
+  [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
+
+  /// Says what is to be known of it beside the first of several that are compared. Throws
+  /// io::InputError where they cannot be.
+  virtual void stand_beside(Messages& messages, const LoopModel& first) const = 0;
+  /// Held against a record, after a fit of what `how` and `per_record` name. Throws
+  /// std::invalid_argument for what the record does not allow.
+  [[nodiscard]] virtual ComparedModel compared(Messages& messages, const record::Record& data,
+                                               const CompareOptions& how,
+                                               const Names& per_record) const = 0;
+  /// What a record over time can tell of it; none where its rows are no course in time.
+  [[nodiscard]] virtual std::optional<correction::RecordCheck> over_time(
+      const record::Record& data) const = 0;
+
+  /// The report, as one page.
+  [[nodiscard]] virtual std::string page(const record::Record& data,
+                                         const fit::Diagnosis& found) const = 0;
+  [[nodiscard]] virtual std::string page(const record::Record& data,
+                                         const fit::AddResult& found) const = 0;
+  /// The text of its file with what a fit found.
+  [[nodiscard]] virtual FittedTexts fitted_texts(const record::Record& data,
+                                                 const fit::Calibration& found) const = 0;
+
+ private:
+  About about_;
+};
+
+/// What a file says of itself, of all that it describes. Throws io::InputError as the readers.
+[[nodiscard]] LoopModel::About describe(Messages& messages, const Source& file,
+                                        const LoopOptions& options);
+
+/// Names of the records that have values of their own; empty where one model holds for all.
+[[nodiscard]] Names records_apart(const fit::Subject& subject);
+
+/// The subject fitted to a record, for a comparison after it. `names`: what was asked to be fitted.
+/// Throws std::invalid_argument for a fit that does not converge.
+[[nodiscard]] fit::Calibration refitted(Messages& messages, const fit::Subject& subject,
+                                        const record::Record& data, const Names& names);
+
+/// Opens the part of a file that is asked, which `place` of several it is, and says what is to be
+/// known of it. Throws io::InputError as the readers and Tolerance, and for a file with several
+/// parts of which none is chosen.
+[[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
+                                                         const LoopOptions& options,
+                                                         std::size_t place = 0);
+
+}  // namespace raceway::session
