@@ -34,11 +34,12 @@ int run(const ExportFlags& flags) {
       session::open_plan(messages(), flags.model, flags.record.empty() ? nullptr : &record),
       flags.format, flags.output);
   if (to_file) {
-    io::write_text(flags.output, text, if_exists);
+    std::vector<io::OutputFile> files{{flags.output, text}};
     if (with_hal) {
-      io::write_text(hal.start, hal_start, if_exists);
-      io::write_text(hal.shutdown, hal_shutdown, if_exists);
+      files.push_back({hal.start, hal_start});
+      files.push_back({hal.shutdown, hal_shutdown});
     }
+    io::write_files(files, if_exists);
     std::size_t parts = 0;
     for (const io::ControlAxis& a : plan.axes)
       parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.kinematics.size();

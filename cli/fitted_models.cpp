@@ -37,7 +37,7 @@ std::string FittedModels::names(const fit::Subject& subject) const {
 
 void FittedModels::require_writable(const fit::Subject& subject) const {
   const std::vector<std::string> list = files(subject);
-  check_outputs(list);
+  if (list.size() > 1) check_outputs(list);
   for (const std::string& file : list) io::require_writable(file, if_exists_);
 }
 
@@ -51,12 +51,12 @@ void FittedModels::write(const session::LoopQuestion& asked,
         {fmt::format("{} {} written as a corrected datum, so no covariance is: calibrate "
                      "{} for one",
                      io::listed(data), data.size() == 1 ? "is" : "are", paths.front())});
-  for (std::size_t k = 0; k < paths.size(); ++k) {
-    io::write_text(paths[k],
-                   io::with_names_from(fitted.texts[k], asked.model->about().files, paths[k]),
-                   if_exists_);
-    say(paths[k] + " written");
-  }
+  std::vector<io::OutputFile> files;
+  for (std::size_t k = 0; k < paths.size(); ++k)
+    files.push_back(
+        {paths[k], io::with_names_from(fitted.texts[k], asked.model->about().files, paths[k])});
+  io::write_files(files, if_exists_);
+  for (const std::string& path : paths) say(path + " written");
 }
 
 }  // namespace raceway::cli

@@ -113,6 +113,11 @@ void check_outputs(const std::vector<std::string>& outputs) {
     for (std::size_t j = 0; j < k; ++j)
       if (same_file(outputs[j], outputs[k]))
         throw io::InputError(outputs[k] + ": two records would be written into it; rename one");
+    for (const std::string& named : files_of_run().outputs)
+      if (same_file(named, outputs[k]))
+        throw io::InputError(named +
+                             ": this run writes another file of that name, too; name "
+                             "another one");
   }
 }
 

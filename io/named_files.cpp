@@ -52,7 +52,8 @@ std::string with_names_from(std::string text, const std::vector<NamedFile>& file
   for (const NamedFile& file : files) {
     if (fs::path(file.name).is_absolute()) continue;
     const fs::path at(file.path);
-    const fs::path relative = path.empty() ? at : at.lexically_relative(from_root(fs::path(path).parent_path()));
+    const fs::path relative =
+        path.empty() ? at : at.lexically_relative(from_root(fs::path(path).parent_path()));
     names[file.name] = (relative.empty() ? at : relative).generic_string();
   }
   // From the last to the first, so that places before them stay.
@@ -66,8 +67,8 @@ std::string with_names_from(std::string text, const std::vector<NamedFile>& file
     for (const auto& [key, value] : *table) {
       look(value);
       const auto name = value.value<std::string>();
-      if (!name || std::find(keys_of_files.begin(), keys_of_files.end(), key.str()) ==
-                       keys_of_files.end())
+      if (!name ||
+          std::find(keys_of_files.begin(), keys_of_files.end(), key.str()) == keys_of_files.end())
         continue;
       const auto known = names.find(*name);
       if (known == names.end() ||

@@ -1,11 +1,13 @@
 #include "io/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <mutex>
 #include <set>
@@ -28,13 +30,17 @@ bool is_stream(const fs::file_status& status) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+InputError cannot_write(const std::string& path) {
+  return InputError(path + ": cannot be written: " + reason(), {.file = path});
+}
+
 void write_all(std::FILE* file, std::string_view text, const std::string& path) {
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const int error = errno;
   const bool closed = std::fclose(file) == 0;
   if (written && closed) return;
   if (!written) errno = error;
-  throw InputError(path + ": cannot be written: " + reason(), {.file = path});
+  throw cannot_write(path);
 }
 
 /// What this process has under way. Never destroyed: it may be told to stop while it ends.
@@ -106,6 +112,60 @@ std::string exists_already(const std::string& path, IfExists if_exists) {
   return path + ": exists already; " + (force ? "--force" : "--replace") + " replaces it";
 }
 
+/// All of a file, beside the place that it takes.
+class WholeFile {
+ public:
+  WholeFile(const std::string& path, std::string_view text)
+      : path_(path), target_(target_of(path)), part_(folder_of(target_)) {
+    if (!part_.file()) throw cannot_write(path);
+    write_all(part_.file(), text, path);
+    std::error_code ignored;
+    if (const fs::file_status old = fs::status(path, ignored); fs::exists(old))
+      fs::permissions(part_.path(), old.permissions(), ignored);
+  }
+
+  [[nodiscard]] fs::path folder() const { return folder_of(target_); }
+
+  void take_name(IfExists if_exists) {
+    if (part_.take_name(target_, if_exists, path_)) return;
+    if (errno == EEXIST)
+      throw InputError(exists_already(path_, if_exists) + " (it came during this run)",
+                       {.file = path_});
+    throw cannot_write(path_);
+  }
+
+ private:
+  /// A link stays one: its target is what is written.
+  static fs::path target_of(const std::string& path) {
+    std::error_code error;
+    if (!fs::exists(fs::status(path, error))) return path;
+    fs::path target = fs::canonical(path, error);
+    return error ? fs::path(path) : target;
+  }
+
+  std::string path_;
+  fs::path target_;
+  Part part_;
+};
+
+/// Files of one folder take their names without those of another run in between. Nothing for an
+/// empty path, and on file systems that cannot lock.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder)
+      : file_(folder.empty() ? -1 : ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (file_ >= 0) (void)::flock(file_, LOCK_EX);
+  }
+  ~FolderLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
+
 }  // namespace
 
 void require_writable(const std::string& path, IfExists if_exists) {
@@ -129,28 +189,26 @@ void require_writable(const std::string& path, IfExists if_exists) {
 }
 
 void write_text(const std::string& path, std::string_view text, IfExists if_exists) {
-  require_writable(path, if_exists);
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (is_stream(status)) {
-    std::FILE* const stream = std::fopen(path.c_str(), "wb");
-    if (!stream) throw InputError(path + ": cannot be written: " + reason(), {.file = path});
-    write_all(stream, text, path);
-    return;
+  write_files({{path, std::string(text)}}, if_exists);
+}
+
+void write_files(const std::vector<OutputFile>& files, IfExists if_exists) {
+  for (const OutputFile& file : files) require_writable(file.path, if_exists);
+  std::deque<WholeFile> whole;
+  for (const OutputFile& file : files) {
+    std::error_code error;
+    if (!is_stream(fs::status(file.path, error))) {
+      whole.emplace_back(file.path, file.text);
+      continue;
+    }
+    std::FILE* const stream = std::fopen(file.path.c_str(), "wb");
+    if (!stream) throw cannot_write(file.path);
+    write_all(stream, file.text, file.path);
   }
-  // A link stays one: its target is what is written.
-  fs::path target = path;
-  if (fs::exists(status)) target = fs::canonical(path, error);
-  if (error) target = path;
-  Part part(folder_of(target));
-  if (!part.file()) throw InputError(path + ": cannot be written: " + reason(), {.file = path});
-  write_all(part.file(), text, path);
-  if (fs::exists(status)) fs::permissions(part.path(), status.permissions(), error);
-  if (part.take_name(target, if_exists, path)) return;
-  if (errno == EEXIST)
-    throw InputError(exists_already(path, if_exists) + " (it came during this run)",
-                     {.file = path});
-  throw InputError(path + ": cannot be written: " + reason(), {.file = path});
+  const FolderLock lock(files.size() > 1 && !whole.empty() ? whole.front().folder() : fs::path());
+  if (if_exists != IfExists::replace && whole.size() > 1)
+    for (const OutputFile& file : files) require_writable(file.path, if_exists);
+  for (WholeFile& file : whole) file.take_name(if_exists);
 }
 
 std::vector<std::string> stop_writing() {

@@ -211,9 +211,10 @@ StepCorrection step_correction(const correction::Model& model, const std::string
 
 void write_step_correction(const StepCorrection& correction, const std::string& path,
                            bool replace) {
-  const auto if_exists = replace ? IfExists::replace : IfExists::refuse;
-  for (const auto& [table, text] : correction.tables) write_text(table, text, if_exists);
-  write_text(path, correction.model, if_exists);
+  std::vector<OutputFile> files;
+  for (const auto& [table, text] : correction.tables) files.push_back({table, text});
+  files.push_back({path, correction.model});
+  write_files(files, replace ? IfExists::replace : IfExists::refuse);
 }
 
 }  // namespace raceway::io

@@ -170,6 +170,17 @@ TEST(StepResponseCommand, MakesACorrectionOfASpindle) {
   EXPECT_GT(step["highest_front_force_N"], step["front_force_N"]);
 }
 
+TEST(StepResponseCommand, ItsFilesDoNotWriteOverEachOther) {
+  const ScratchFolder scratch;
+  const std::string table = scratch.file("z_fast.csv");
+  const Result r =
+      run("step-response " + scratch.write("spindle.toml", small_spindle) + " --speed 3000 -o " +
+          table + " --correction " + scratch.file("z.toml") + " --force");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_THAT(r.err, HasSubstr(table + ": this run writes another file of that name, too"));
+  EXPECT_FALSE(std::filesystem::exists(table));
+}
+
 TEST(StepResponseCommand, SaysWhatIsMissing) {
   const ScratchFolder scratch;
   const std::string fe = scratch.write(

@@ -154,5 +154,41 @@ TEST_F(OutputFile, OneThatIsStoppedLeavesNoPart) {
   }
 }
 
+TEST_F(OutputFile, OfTwoRunsOneHasWrittenAllOfASet) {
+  constexpr int writers = 6;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<pid_t> children;
+    for (int k = 0; k < writers; ++k) {
+      const pid_t child = ::fork();
+      if (child == 0) {
+        const std::string text(20'000, static_cast<char>('a' + k));
+        write_files({{path("1"), text}, {path("2"), text}, {path("3"), text}}, IfExists::replace);
+        ::_exit(0);
+      }
+      children.push_back(child);
+    }
+    for (const pid_t child : children) ::waitpid(child, nullptr, 0);
+    EXPECT_EQ(read_text(path("1")), read_text(path("2")));
+    EXPECT_EQ(read_text(path("1")), read_text(path("3")));
+    EXPECT_EQ(files(), 3);
+  }
+}
+
+TEST_F(OutputFile, WhereOneOfASetCannotBeWrittenNoneIs) {
+  write_text(path("2"), "old", IfExists::refuse);
+  EXPECT_THAT(message_of([&] {
+                write_files({{path("1"), "new"}, {path("2"), "new"}}, IfExists::refuse);
+              }),
+              HasSubstr("2: exists already"));
+  EXPECT_EQ(files(), 1);
+  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  const std::string much(100'000, 'x');
+  EXPECT_THAT(message_of([&] {
+                write_files({{path("2"), much}, {"/dev/full", much}}, IfExists::replace);
+              }),
+              HasSubstr("cannot be written"));
+  EXPECT_EQ(read_text(path("2")), "old");
+}
+
 }  // namespace
 }  // namespace raceway::io
