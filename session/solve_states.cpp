@@ -9,6 +9,7 @@
 #include <cstring>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 #include "fit/problem.h"
 #include "io/error.h"
@@ -17,7 +18,10 @@
 #include "io/plausible.h"
 #include "io/units.h"
 #include "model/prediction.h"
+#include "record/digits.h"
 #include "session/bands.h"
+#include "session/shaft_answers.h"
+#include "session/solve_point.h"
 #include "session/table_columns.h"
 
 namespace raceway::session {
@@ -281,6 +285,38 @@ SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const S
             (places[c] == 0 ? result.friction_moment : result.columns[places[c] - 1]) / units[c];
     }
   });
+  return solved;
+}
+
+SolvedStates solve_state(Messages& messages, const io::ModelFile& file, const StateArrays& states,
+                         const model::Band* band) {
+  const model::Model& model = file.model;
+  const bearing::OperatingPoint point = single_state(messages, file, states);
+  SolvedStates solved{.columns = state_columns(model), .values = {}, .status = {}};
+  if (band)
+    for (std::string& name : band_columns(model)) solved.columns.push_back(std::move(name));
+  solved.values.assign(solved.columns.size(), unset);
+  friction::TablePoint result{.columns = std::span(solved.values).subspan(1)};
+  if (model.shaft) {
+    const shaft::ShaftPoint asked = shaft_points({&point, 1}).front();
+    const auto predictions = shaft::predict_shaft(model, {&asked, 1});
+    messages.warnings(shaft_warnings(model, {&asked, 1}, predictions));
+    fill_shaft_state(model, predictions.front(), result);
+  } else {
+    const PointAnswer answer = solve_point(model, point);
+    fill_state(model, point, answer.friction, result);
+    result.status = answer.status;
+    if (answer.converged()) {
+      messages.notes(notes_on_point(model, point, answer));
+      messages.warnings(warnings_on_point(model, answer));
+    }
+  }
+  if (band) fill_band(model, *band, {&point, 1}, {&result, 1});
+  solved.values.front() = result.friction_moment;
+  solved.status = {result.status};
+  for (std::size_t c = 0; c < solved.columns.size(); ++c)
+    solved.values[c] =
+        record::with_digits(solved.values[c] / io::column_unit(solved.columns[c]), 15);
   return solved;
 }
 

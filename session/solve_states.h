@@ -55,6 +55,13 @@ struct SolvedStates {
                                         const std::atomic<bool>* cancelled = nullptr,
                                         const model::Band* band = nullptr);
 
+/// All columns of one state by itself, with the 15 digits that `raceway solve` shows, and what is
+/// to be known of it. Many states are solved side by side, and differ by what docs/speed.md says.
+/// Throws as solve_states(), and for more than one state.
+[[nodiscard]] SolvedStates solve_state(Messages& messages, const io::ModelFile& file,
+                                       const StateArrays& states,
+                                       const model::Band* band = nullptr);
+
 /// The operating point of arrays of one number each; throws as solve_states(), and for more.
 [[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const io::ModelFile& file,
                                                    const StateArrays& states);

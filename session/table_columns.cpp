@@ -164,6 +164,16 @@ void fill_table_line(const model::Model& model, std::span<const bearing::Operati
     fill_bearing_point(model, points[i], predictions[i], which, out[i]);
 }
 
+void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
+                const model::FrictionPrediction& prediction, friction::TablePoint& out) {
+  fill_bearing_point(model, point, prediction, Columns::of_states, out);
+}
+
+void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,
+                      friction::TablePoint& out) {
+  fill_shaft_point(model, prediction, out);
+}
+
 std::vector<std::string> table_notes(const model::Model& model,
                                      const friction::StribeckTable& table) {
   LoadNotes notes;

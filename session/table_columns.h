@@ -22,6 +22,12 @@ enum class Columns { of_tables, of_states };
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,
                      std::span<friction::TablePoint> out, Columns which = Columns::of_tables);
 
+/// The same of a single state whose prediction is there.
+void fill_state(const model::Model& model, const bearing::OperatingPoint& point,
+                const model::FrictionPrediction& prediction, friction::TablePoint& out);
+void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& prediction,
+                      friction::TablePoint& out);
+
 /// The points of a table as those of a shaft.
 [[nodiscard]] std::vector<shaft::ShaftPoint> shaft_points(
     std::span<const bearing::OperatingPoint> points);

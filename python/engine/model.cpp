@@ -10,10 +10,12 @@
 #include "io/csv_form.h"
 #include "io/input_file.h"
 #include "io/missing_cell.h"
+#include "io/output_file.h"
 #include "io/results.h"
 #include "io/shaft_results.h"
 #include "io/text_encoding.h"
 #include "model/parameters.h"
+#include "python/engine/answer.h"
 #include "python/engine/interruptible.h"
 #include "session/bands.h"
 #include "session/new_model.h"
@@ -21,6 +23,7 @@
 #include "session/shaft_answers.h"
 #include "session/solve_point.h"
 #include "session/solve_states.h"
+#include "session/table_columns.h"
 #include "shaft/shaft_prediction.h"
 
 namespace raceway::python {
@@ -50,6 +53,17 @@ Named named(const py::dict& given) {
 }
 
 /// Columns as one array of [column, ...shape], and the status of each state by its number.
+py::tuple solved_arrays(session::SolvedStates solved, const std::vector<std::size_t>& shape,
+                        const Heard& heard) {
+  std::vector<std::size_t> of_values = shape;
+  of_values.insert(of_values.begin(), solved.columns.size());
+  std::vector<std::uint8_t> status;
+  status.reserve(solved.status.size());
+  for (const bearing::SolveStatus s : solved.status) status.push_back(static_cast<std::uint8_t>(s));
+  return py::make_tuple(solved.columns, owned(std::move(solved.values), of_values),
+                        owned(std::move(status), shape), heard.note_lines, heard.warning_lines);
+}
+
 py::tuple solve(const EngineModel& model, const py::dict& given,
                 const std::vector<std::string>& columns, bool with_band) {
   const Named arrays = named(given);  // keeps them alive
@@ -66,17 +80,17 @@ py::tuple solve(const EngineModel& model, const py::dict& given,
     const py::gil_scoped_release others;
     return work();
   };
+  if (states.size() == 1 && states.shape.empty() && columns.empty()) {
+    const session::SolvedStates one = [&] {
+      const py::gil_scoped_release others;
+      return session::solve_state(heard, model.file(), states, band ? &*band : nullptr);
+    }();
+    return solved_arrays(one, states.shape, heard);
+  }
   constexpr std::size_t few = 2000;  // over before anybody wants to interrupt
   session::SolvedStates solved =
       states.size() <= few ? at_once() : interruptible(cancelled, Progress(), Waiting(), work);
-  std::vector<std::size_t> shape = states.shape;
-  shape.insert(shape.begin(), solved.columns.size());
-  std::vector<std::uint8_t> status;
-  status.reserve(solved.status.size());
-  for (const bearing::SolveStatus s : solved.status) status.push_back(static_cast<std::uint8_t>(s));
-  return py::make_tuple(solved.columns, owned(std::move(solved.values), shape),
-                        owned(std::move(status), states.shape), heard.note_lines,
-                        heard.warning_lines);
+  return solved_arrays(std::move(solved), states.shape, heard);
 }
 
 /// Where the numbers of these arrays are read, and by what strides, as solve() does.
@@ -92,40 +106,25 @@ py::list views(const py::dict& given) {
   return result;
 }
 
-/// One state as the document of `raceway solve --json`, with what is said of it.
-py::tuple solve_document(const EngineModel& model, const py::dict& given, bool with_band) {
+/// One state as the document of `raceway solve --json`.
+std::string solve_document(const EngineModel& model, const py::dict& given, bool with_band) {
   const Named arrays = named(given);
   const session::StateArrays states = state_arrays(arrays);
-  Heard heard;
-  std::string document;
-  {
-    const py::gil_scoped_release others;
-    const bearing::OperatingPoint point = session::single_state(heard, model.file(), states);
-    const model::Model& m = model.file().model;
-    const std::optional<model::Band> band = model.band(with_band);
-    if (band) heard.note("band: " + session::band_statement(*band));
-    std::optional<io::BandOfResult> half_widths;
-    const auto of_band = [&] { return half_widths ? &*half_widths : nullptr; };
-    if (m.shaft) {
-      const shaft::ShaftPoint asked{.speed = point.speed,
-                                    .external_load = point.axial_load,
-                                    .temperature = point.temperature};
-      const auto predictions = shaft::predict_shaft(m, {&asked, 1});
-      heard.warnings(session::shaft_warnings(m, {&asked, 1}, predictions));
-      if (band) half_widths = session::shaft_band(*band, {&asked, 1});
-      document = io::shaft_solve_json(m, asked, predictions[0], of_band());
-    } else {
-      const session::PointAnswer answer = session::solve_point(m, point);
-      if (answer.converged()) {
-        heard.notes(session::notes_on_point(m, point, answer));
-        heard.warnings(session::warnings_on_point(m, answer));
-      }
-      if (band) half_widths = session::point_band(*band, point);
-      document =
-          io::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat, of_band());
-    }
+  const std::optional<model::Band> band = model.band(with_band);
+  const py::gil_scoped_release others;
+  Heard said;  // with the state itself
+  const bearing::OperatingPoint point = session::single_state(said, model.file(), states);
+  const model::Model& m = model.file().model;
+  std::optional<io::BandOfResult> half_widths;
+  const auto of_band = [&] { return half_widths ? &*half_widths : nullptr; };
+  if (!m.shaft) {
+    if (band) half_widths = session::point_band(*band, point);
+    const session::PointAnswer answer = session::solve_point(m, point);
+    return io::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat, of_band());
   }
-  return py::make_tuple(document, heard.note_lines, heard.warning_lines);
+  const shaft::ShaftPoint asked = session::shaft_points({&point, 1}).front();
+  if (band) half_widths = session::shaft_band(*band, {&asked, 1});
+  return io::shaft_solve_json(m, asked, shaft::predict_shaft(m, {&asked, 1})[0], of_band());
 }
 
 /// Python has UTF-8: what Excel writes of umlauts becomes that.
@@ -268,6 +267,11 @@ void bind_model(py::module_& module) {
   module.def("views", &views);
   module.def("read_text", &read_text);
   module.def("plain_csv", &plain_csv);
+  module.def("write_files", [](const Texts& texts, bool overwrite) {
+    std::vector<io::OutputFile> files;
+    for (const auto& [path, text] : texts) files.push_back({path, text});
+    io::write_files(files, overwrite ? io::IfExists::replace : io::IfExists::refuse);
+  });
   module.def(
       "new_model",
       [](const std::string& bearing, const std::string& law, const std::string& ball_material,

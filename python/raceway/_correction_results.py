@@ -7,7 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _engine
-from ._results import _Answer, _write
+from ._results import _Answer, _write, write_files
 
 if TYPE_CHECKING:
     import pandas
@@ -137,11 +137,7 @@ class Program:
         files = [(os.fspath(path), self.text)]
         if self.hal:
             files += [(stem + ".hal", self.hal), (stem + "_shutdown.hal", self.hal_shutdown)]
-        for name, _ in files:
-            if not overwrite and os.path.exists(name):
-                raise FileExistsError(f"{name} exists: save(path, overwrite=True) replaces it")
-        for name, text in files:
-            _write(name, text, overwrite)
+        write_files(files, overwrite)
 
     def __str__(self) -> str:
         return self.text

@@ -24,6 +24,8 @@ def arrays(**given: ArrayLike | None) -> dict[str, numpy.ndarray]:
     for name, value in given.items():
         if value is None:
             continue
+        if numpy.ma.is_masked(value):
+            raise ValueError(f"{name}: has masked values, which are no numbers; take them out, or fill them by hand")
         try:
             array = numpy.asarray(value)
         except ValueError:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import operator
 import os
 import tomllib
@@ -235,7 +236,8 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         names, values, status, notes, doubts = self._engine.solve(given, wanted, bool(band))
         document = None
         if not columns and all(array.ndim == 0 for array in given.values()):
-            document, notes, doubts = self._engine.solve_document(given, bool(band))
+            alone = {name: array.copy() for name, array in given.items()}  # as they are now
+            document = functools.partial(self._engine.solve_document, alone, bool(band))
         _warn(doubts)
         return Solution(names, values, status, given, notes, document)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy
@@ -27,8 +27,6 @@ class Solution(Mapping[str, numpy.ndarray]):
 
     Attributes
     ----------
-    data : dict or None
-        Of a single state the document of ``raceway solve --json``.
     notes : list of str
         What a user should know of it.
     """
@@ -40,19 +38,25 @@ class Solution(Mapping[str, numpy.ndarray]):
         status: numpy.ndarray,
         given: Mapping[str, numpy.ndarray],
         notes: list[str],
-        document: str | None,
+        document: Callable[[], str] | None,
     ) -> None:
         self._places = {name: place for place, name in enumerate(names)}
         self._values = values
         self._status = status
         self._given = dict(given)
         self.notes = notes
-        self.data: dict[str, Any] | None = None if document is None else json.loads(document)
-        if self.data is not None:
-            # The document is solved by itself, to the last digit; many states go side by side.
-            for name, place in self._places.items():
-                if isinstance(self.data.get(name), float):
-                    self._values[place] = self.data[name]
+        self._document = document
+        self._data: dict[str, Any] | None = None
+
+    @property
+    def data(self) -> dict[str, Any] | None:
+        """Of a single state the document of ``raceway solve --json``, made when it is asked for; else None."""
+        if self._data is None and self._document is not None:
+            self._data = json.loads(self._document())
+        return self._data
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_data": self.data, "_document": None}
 
     def __getitem__(self, name: str) -> numpy.ndarray:
         try:
@@ -402,5 +406,13 @@ def _first(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def _write(path: str | os.PathLike[str], text: str, overwrite: bool) -> None:
-    with open(path, "w" if overwrite else "x", encoding="utf-8", newline="") as file:
-        file.write(text)
+    write_files([(path, text)], overwrite)
+
+
+def write_files(files: Iterable[tuple[str | os.PathLike[str], str]], overwrite: bool) -> None:
+    """All of them, each whole, or none. A path is text or a path: a number would be a stream of the process."""
+    named = [(os.fsdecode(path), text) for path, text in files]
+    for name, _ in named:
+        if not overwrite and os.path.lexists(name):
+            raise FileExistsError(f"{name} exists: overwrite=True replaces it")
+    _engine.write_files(named, overwrite)

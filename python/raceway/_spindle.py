@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _engine
 from ._record import Record
-from ._results import Page, _Document, _write
+from ._results import Page, _Document, _write, write_files
 
 if TYPE_CHECKING:
     import pandas
@@ -204,11 +204,7 @@ class StepResponses(_OfSpindle):
         text, tables, notes = self._answer.correction(target, law, lags)
         folder = os.path.dirname(target)
         files = [(os.path.join(folder, name), table) for name, table in tables] + [(target, text)]
-        for name, _ in files:
-            if not overwrite and os.path.exists(name):
-                raise FileExistsError(f"{name}: exists; overwrite=True replaces it")
-        for name, content in files:
-            _write(name, content, overwrite)
+        write_files(files, overwrite)
         return notes
 
     def superposition(self, correction: str | os.PathLike[str], programme: Record) -> dict[str, Any]:

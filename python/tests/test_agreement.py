@@ -1,6 +1,7 @@
 """What Python says is what the command says."""
 
 import json
+import pickle
 import math
 import subprocess
 import warnings
@@ -144,3 +145,9 @@ def test_a_page_is_that_of_the_command(program, root, tmp_path):
 def test_a_spindle_is_known_as_one():
     model = raceway.Model.read("data/spindles/small.toml")
     assert model.kind == "spindle"
+
+
+def test_a_single_state_goes_to_other_processes():
+    state = raceway.Model.new("S 6014 C").solve(6000, 300)
+    again = pickle.loads(pickle.dumps(state))
+    assert again.data == state.data and float(again.friction_torque_Nmm) == float(state.friction_torque_Nmm)

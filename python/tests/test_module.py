@@ -334,3 +334,25 @@ def test_a_record_is_a_frame_in_whatever_form_it_was_written(root):
     assert frame.loc[0, ["Drehzahl", "Axialkraft", "Reibmoment"]].tolist() == [12983, 0.15, 0.5205]
     odd = pandas.DataFrame({"n, rpm": [1, 2], "what": ['say "no"', "a;b"]})
     assert raceway.Record.from_pandas(odd).to_frame().equals(odd)
+
+
+@pytest.mark.parametrize("path", [True, 1])
+def test_a_number_is_no_file(model, path):
+    with pytest.raises(TypeError):
+        model.save(path)
+    print("standard output is still open", flush=True)
+
+
+def test_masked_values_are_refused(model):
+    with pytest.raises(ValueError, match="speed_rpm: has masked values"):
+        model.solve(numpy.ma.masked_greater([1000.0, 9000.0], 5000), 300)
+    assert model.solve(numpy.ma.masked_greater([1000.0, 2000.0], 5000), 300).converged.all()
+
+
+def test_a_file_that_cannot_be_written_leaves_what_was_there(model, tmp_path):
+    (tmp_path / "m.toml").write_text("before")
+    with pytest.raises(FileExistsError, match="overwrite=True"):
+        model.save(tmp_path / "m.toml")
+    with pytest.raises(raceway.InputError, match="no folder"):
+        model.save(tmp_path / "none" / "m.toml")
+    assert (tmp_path / "m.toml").read_text() == "before"
