@@ -36,13 +36,12 @@ void BadCells::throw_if_any() const {
 
 ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
                        const CellRange& range, BadCells& bad) {
-  const std::string_view cell = table.cell(row, column);
-  ParsedNumber number = parse_number(cell, table.separator != ',');
+  ParsedNumber number = table.parsed(row, column);
   if (!number.problem.empty())
-    bad.add(table.line(row), range.column, cell, number.problem);
+    bad.add(table.line(row), range.column, table.shown(row, column), number.problem);
   else if (!(number.value >= range.lower && number.value <= range.upper))
     bad.add(
-        table.line(row), range.column, cell,
+        table.line(row), range.column, table.shown(row, column),
         fmt::format("must be from {:.10g} to {:.10g} {}", range.lower, range.upper, range.unit));
   return number;
 }

@@ -18,13 +18,13 @@ std::vector<double> ColumnReader::numbers(
   std::vector<double> list;
   list.reserve(table_.rows());
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    const std::string_view text = table_.cell(row, source.column);
-    if (text.empty() && may_be_empty(row)) {
+    if (table_.is_empty(row, source.column) && may_be_empty(row)) {
       list.push_back(unset);
       continue;
     }
     const ParsedNumber number = si_of_cell(table_, row, source, with_sign, bad);
-    keep_mark(number.decimal_mark, row, text);
+    if (number.decimal_mark != '\0')
+      keep_mark(number.decimal_mark, row, table_.cell(row, source.column));
     list.push_back(number.value);
   }
   return list;
@@ -32,20 +32,21 @@ std::vector<double> ColumnReader::numbers(
 
 bool ColumnReader::is_stamped(const ColumnSource& source) const {
   return *source.channel == record::time &&
-         (source.excel_date || parse_timestamp(table_.cell(0, source.column)).has_value());
+         (source.excel_date || (!table_.is_numeric(source.column) &&
+                                parse_timestamp(table_.cell(0, source.column)).has_value()));
 }
 
 std::vector<double> ColumnReader::times(const ColumnSource& source) {
   std::vector<double> list;
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    const std::string_view text = table_.cell(row, source.column);
-    std::optional<double> time = parse_timestamp(text);
+    std::optional<double> time;
+    if (!table_.is_numeric(source.column)) time = parse_timestamp(table_.cell(row, source.column));
     if (!time && source.excel_date) {
-      const ParsedNumber days = parse_number(text, table_.separator != ',');
+      const ParsedNumber days = table_.parsed(row, source.column);
       if (days.problem.empty()) time = seconds_of_excel(days.value);
     }
     if (!time)
-      bad.add(table_.line(row), source.name, text,
+      bad.add(table_.line(row), source.name, table_.shown(row, source.column),
               "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
     list.push_back(time.value_or(unset));
   }
@@ -64,7 +65,7 @@ std::vector<double> ColumnReader::named(const ColumnSource& source,
   std::vector<double> list;
   list.reserve(table_.rows());
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    const std::string_view text = table_.cell(row, source.column);
+    const std::string text = table_.shown(row, source.column);
     if (text.empty()) bad.add(table_.line(row), source.channel->name, text, "is empty");
     const auto [entry, is_new] = index.emplace(text, names.size());
     if (is_new) names.emplace_back(text);
@@ -74,7 +75,6 @@ std::vector<double> ColumnReader::named(const ColumnSource& source,
 }
 
 void ColumnReader::keep_mark(char mark, std::size_t row, std::string_view text) {
-  if (mark == '\0') return;
   Mark& first = mark == ',' ? comma_ : point_;
   if (first.line == 0) first = {table_.line(row), std::string(text)};
 }

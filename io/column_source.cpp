@@ -184,13 +184,10 @@ ParsedNumber si_of_cell(const CsvTable& table, std::size_t row, const ColumnSour
   return number;
 }
 
-CsvTable read_measurements(const std::string& path, const ReadOptions& options) {
-  return read_csv(path, finder(options));
-}
-
-CsvTable parse_measurements(std::string text, const std::string& source, const ReadOptions& options,
-                            bool byte_order_mark) {
-  return parse_csv(std::move(text), source, byte_order_mark, finder(options));
+CsvTable read_measurements(const Source& source, const ReadOptions& options) {
+  if (source.table) return *source.table;
+  return source.text ? parse_csv(*source.text, source.name, false, finder(options))
+                     : read_csv(source.name, finder(options));
 }
 
 std::string drop_empty_rows(CsvTable& table, const std::vector<ColumnSource>& columns) {
@@ -200,7 +197,8 @@ std::string drop_empty_rows(CsvTable& table, const std::vector<ColumnSource>& co
   constexpr std::size_t shown = 5;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     remove[row] = std::any_of(columns.begin(), columns.end(), [&](const ColumnSource& source) {
-      return is_missing(table.cell(row, source.column));
+      return table.is_numeric(source.column) ? !table.parsed(row, source.column).problem.empty()
+                                             : is_missing(table.cell(row, source.column));
     });
     if (!remove[row] || ++count > shown) continue;
     lines += fmt::format("{}{}", lines.empty() ? "" : ", ", table.line(row));

@@ -7,6 +7,7 @@
 #include "io/bad_cells.h"
 #include "io/column_map.h"
 #include "io/csv.h"
+#include "io/source.h"
 
 /// Files of measurements: which column of a file holds which channel, in which unit; shared by the
 /// readers of measurements, not for other code.
@@ -46,9 +47,7 @@ struct Recognised {
 
 /// The rows of a file, with its titles skipped and its row of units found by the names of our
 /// columns and by those of the map.
-[[nodiscard]] CsvTable read_measurements(const std::string& path, const ReadOptions& options);
-[[nodiscard]] CsvTable parse_measurements(std::string text, const std::string& source,
-                                          const ReadOptions& options, bool byte_order_mark = false);
+[[nodiscard]] CsvTable read_measurements(const Source& source, const ReadOptions& options);
 
 /// Takes rows out in which one of these columns is empty, "nan", "#N/A" or the like, and says how
 /// many and which; nothing where there is none.

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "io/error.h"
 #include "io/input_file.h"
@@ -116,13 +119,60 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
 }
 
 double CsvTable::number(std::size_t row, std::size_t column) const {
-  const std::string_view text = cell(row, column);
-  const ParsedNumber parsed = parse_number(text, separator != ',');
-  if (!parsed.problem.empty())
+  const ParsedNumber number = parsed(row, column);
+  if (!number.problem.empty())
     throw InputError(fmt::format("{}:{}: {} = {}: {}", source, line(row), header[column],
-                                 quoted(text), parsed.problem),
+                                 quoted(shown(row, column)), number.problem),
                      {source, line(row), header[column]});
-  return parsed.value;
+  return number.value;
+}
+
+std::string CsvTable::shown(std::size_t row, std::size_t column) const {
+  if (!is_numeric(column)) return std::string(cell(row, column));
+  const double value = columns_[column].numbers[row];
+  return std::isnan(value) ? std::string() : fmt::format("{}", value);
+}
+
+bool CsvTable::is_empty(std::size_t row, std::size_t column) const {
+  return is_numeric(column) ? std::isnan(columns_[column].numbers[row]) : cell(row, column).empty();
+}
+
+ParsedNumber CsvTable::parsed(std::size_t row, std::size_t column) const {
+  if (!is_numeric(column)) return parse_number(cell(row, column), separator != ',');
+  const double value = columns_[column].numbers[row];
+  if (std::isfinite(value)) return {value, '\0', {}};
+  return {std::numeric_limits<double>::quiet_NaN(), '\0',
+          std::isnan(value) ? "is empty" : "is not a finite number"};
+}
+
+CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns) {
+  CsvTable table;
+  table.source = std::move(source);
+  table.header_line = 1;
+  std::size_t rows = 0;
+  for (const DataColumn& column : columns) {
+    if (column.name.empty())
+      throw InputError(table.source + ": a column has no name", {.file = table.source});
+    if (table.column(column.name))
+      throw InputError(
+          fmt::format("{}: two columns are named {}", table.source, printable(column.name)),
+          {.file = table.source, .key = column.name});
+    const auto refuse_control = [&](const std::string& text) {
+      if (const auto code = control_character(text))
+        throw InputError(fmt::format("{}: column {} holds the control character {}", table.source,
+                                     printable(column.name), *code),
+                         {.file = table.source, .key = printable(column.name)});
+    };
+    refuse_control(column.name);
+    for (const std::string& text : column.texts) refuse_control(text);
+    table.header.push_back(column.name);
+    rows = std::max(column.numbers.size(), column.texts.size());
+  }
+  if (rows == 0) throw InputError(table.source + ": has no rows", {.file = table.source});
+  table.lines_.resize(rows);
+  std::iota(table.lines_.begin(), table.lines_.end(), 2);
+  table.columns_ = std::move(columns);
+  return table;
 }
 
 CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_mark,
@@ -307,17 +357,21 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
 }
 
 void CsvTable::remove_rows(const std::vector<bool>& remove) {
-  const std::size_t columns = header.size();
-  std::size_t kept = 0;
-  for (std::size_t row = 0; row < lines_.size(); ++row) {
-    if (remove[row]) continue;
-    lines_[kept] = lines_[row];
-    std::copy_n(cells_.begin() + static_cast<std::ptrdiff_t>(row * columns), columns,
-                cells_.begin() + static_cast<std::ptrdiff_t>(kept * columns));
-    ++kept;
-  }
-  lines_.resize(kept);
-  cells_.resize(kept * columns);
+  const auto keep = [&](auto& list, std::size_t width) {
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < remove.size(); ++row) {
+      if (remove[row]) continue;
+      std::move(list.begin() + static_cast<std::ptrdiff_t>(row * width),
+                list.begin() + static_cast<std::ptrdiff_t>((row + 1) * width),
+                list.begin() + static_cast<std::ptrdiff_t>(kept * width));
+      ++kept;
+    }
+    list.resize(kept * width);
+  };
+  keep(lines_, 1);
+  if (columns_.empty()) return keep(cells_, header.size());
+  for (DataColumn& column : columns_)
+    column.texts.empty() ? keep(column.numbers, 1) : keep(column.texts, 1);
 }
 
 CsvTable read_csv(const std::string& path, const FormFinder& find_form) {

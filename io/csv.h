@@ -18,6 +18,20 @@ struct CsvForm {
   char separator = '\0';  ///< '\0': as found in the header
 };
 
+/// A number, or why a cell is none.
+struct ParsedNumber {
+  double value;              ///< NaN unless `problem` is empty
+  char decimal_mark = '\0';  ///< '.' or ',' where there was one
+  std::string_view problem;  ///< "is not a number", ...: to be put after the cell's text
+};
+
+/// A column of a table that is no file.
+struct DataColumn {
+  std::string name;
+  std::vector<double> numbers{};  ///< NaN where there is none; empty of texts
+  std::vector<std::string> texts{};
+};
+
 /// Finds it in a text of UTF-8.
 using FormFinder = std::function<CsvForm(std::string_view)>;
 
@@ -40,10 +54,21 @@ class CsvTable {
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] int line(std::size_t row) const { return lines_[row]; }
+  /// Of a column of text.
   [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
+    if (!columns_.empty()) return columns_[column].texts[row];
     const Cell& c = cells_[row * header.size() + column];
     return std::string_view(text_).substr(c.begin, c.size);
   }
+  /// Whether a column came as numbers, not as text.
+  [[nodiscard]] bool is_numeric(std::size_t column) const {
+    return !columns_.empty() && columns_[column].texts.empty();
+  }
+  /// A cell as messages and names have it, whatever the column came as; empty for no number.
+  [[nodiscard]] std::string shown(std::size_t row, std::size_t column) const;
+  [[nodiscard]] bool is_empty(std::size_t row, std::size_t column) const;
+  /// The number in a cell, or why there is none.
+  [[nodiscard]] ParsedNumber parsed(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
   /// Where the header is wrong, in that column.
   [[nodiscard]] Place header_place(std::string_view name = {}) const {
@@ -61,10 +86,17 @@ class CsvTable {
     std::size_t begin;
     std::size_t size;
   };
+  friend CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
   std::string text_;
-  std::vector<Cell> cells_;  // row by row
+  std::vector<Cell> cells_;          // row by row
+  std::vector<DataColumn> columns_;  // in place of both, where it came as columns
   std::vector<int> lines_;
 };
+
+/// The same of columns that are numbers already, or texts; all of one length. Rows are counted as
+/// lines of a CSV with one line of names. Throws InputError: no columns, no rows, a column twice or
+/// without name.
+[[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
 
 /// Reads a file. Throws InputError: unreadable, a control character, no header, no rows, more than
 /// 10 000 columns, a column twice or without name, a row with more or fewer cells than the header,
@@ -74,13 +106,6 @@ class CsvTable {
 /// The same from text; `source` stands in messages.
 [[nodiscard]] CsvTable parse_csv(std::string text, const std::string& source,
                                  bool byte_order_mark = false, const FormFinder& find_form = {});
-
-/// A number, or why a cell is none.
-struct ParsedNumber {
-  double value;              ///< NaN unless `problem` is empty
-  char decimal_mark = '\0';  ///< '.' or ',' where there was one
-  std::string_view problem;  ///< "is not a number", ...: to be put after the cell's text
-};
 
 /// Reads a whole cell as a number, whatever the locale. Nothing may follow or be left out: no
 /// blanks, no thousands separators, no hexadecimal, "nan" or "inf". A comma is a decimal mark only

@@ -83,8 +83,8 @@ class Reader {
         record::channels.begin())];
   }
   [[nodiscard]] bool has(const Channel& channel) const { return columns_.find(channel); }
-  [[nodiscard]] std::string_view cell(const DataColumns::Place& place, std::size_t row) const {
-    return table_.cell(row, place.column);
+  [[nodiscard]] std::string cell(const DataColumns::Place& place, std::size_t row) const {
+    return table_.shown(row, place.column);
   }
 
   /// Beside other sensors one need not have read; then nothing is known of its scatter either.
@@ -92,7 +92,7 @@ class Reader {
     if (!columns_.keeps(channel)) return true;  // measured, but not what the model predicts
     if (columns_.measured.size() < 2) return false;
     if (channel.role != Role::deviation) return channel.role == Role::measured;
-    return cell(*columns_.find(*record::find_channel(channel.of)), row).empty();
+    return table_.is_empty(row, columns_.find(*record::find_channel(channel.of))->column);
   }
 
   /// Of a column that stands for channel `c`.
@@ -310,14 +310,9 @@ class Reader {
 
 }  // namespace
 
-Record read_record(const std::string& path, const model::ModelSubject& subject,
+Record read_record(const Source& source, const model::ModelSubject& subject,
                    const ReadOptions& options) {
-  return Reader(read_measurements(path, options), subject, options).read();
-}
-
-Record parse_record(std::string text, const std::string& source, const model::ModelSubject& subject,
-                    const ReadOptions& options) {
-  return Reader(parse_measurements(std::move(text), source, options), subject, options).read();
+  return Reader(read_measurements(source, options), subject, options).read();
 }
 
 }  // namespace raceway::io

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/column_map.h"
+#include "io/source.h"
 #include "model/model_subject.h"
 #include "record/record.h"
 
@@ -22,13 +23,7 @@ namespace raceway::io {
 /// Throws InputError: a required or no measured column missing, a column that looks misspelt, every
 /// cell that is empty, no number or impossible (all of them in one message, the first ten in full),
 /// and a coast-down that gives no torque.
-[[nodiscard]] record::Record read_record(const std::string& path,
-                                         const model::ModelSubject& subject,
+[[nodiscard]] record::Record read_record(const Source& source, const model::ModelSubject& subject,
                                          const ReadOptions& options = {});
-
-/// The same from text; `source` stands in messages.
-[[nodiscard]] record::Record parse_record(std::string text, const std::string& source,
-                                          const model::ModelSubject& subject,
-                                          const ReadOptions& options = {});
 
 }  // namespace raceway::io

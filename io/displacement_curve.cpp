@@ -67,7 +67,7 @@ std::vector<std::string> notes_on_others(const CsvTable& table, const Places& re
     const bool condition =
         table.header[c] == record::preload.name || table.header[c] == record::axial_load.name;
     for (std::size_t row = 1; condition && row < table.rows(); ++row)
-      if (table.cell(row, c) != table.cell(0, c)) {
+      if (table.shown(row, c) != table.shown(0, c)) {
         notes.push_back(
             fmt::format("{} changes from row to row, and the law knows speed alone: "
                         "fit each curve by itself",
@@ -97,8 +97,8 @@ DisplacementCurve curve_of(CsvTable table, const ReadOptions& options) {
   BadCells bad(table.source, table.rows());
   std::size_t without = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (status && table.cell(row, read[displacement]->column).empty() &&
-        table.cell(row, *status) != "converged") {
+    if (status && table.is_empty(row, read[displacement]->column) &&
+        table.shown(row, *status) != "converged") {
       ++without;
       continue;
     }
@@ -120,13 +120,8 @@ DisplacementCurve curve_of(CsvTable table, const ReadOptions& options) {
 
 }  // namespace
 
-DisplacementCurve read_displacement_curve(const std::string& path, const ReadOptions& options) {
-  return curve_of(read_measurements(path, options), options);
-}
-
-DisplacementCurve parse_displacement_curve(std::string text, const std::string& source,
-                                           const ReadOptions& options) {
-  return curve_of(parse_measurements(std::move(text), source, options), options);
+DisplacementCurve read_displacement_curve(const Source& source, const ReadOptions& options) {
+  return curve_of(read_measurements(source, options), options);
 }
 
 std::string displacement_table_text(const shaft::DisplacementTable& table,

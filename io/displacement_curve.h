@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/column_map.h"
+#include "io/source.h"
 #include "shaft/displacement_table.h"
 
 namespace raceway::io {
@@ -22,13 +23,8 @@ struct DisplacementCurve {
 ///
 /// Throws InputError as read_csv(), for a missing column, and for every other cell that is empty,
 /// no number or impossible (all of them in one message).
-[[nodiscard]] DisplacementCurve read_displacement_curve(const std::string& path,
+[[nodiscard]] DisplacementCurve read_displacement_curve(const Source& source,
                                                         const ReadOptions& options = {});
-
-/// The same from text; `source` stands in messages.
-[[nodiscard]] DisplacementCurve parse_displacement_curve(std::string text,
-                                                         const std::string& source,
-                                                         const ReadOptions& options = {});
 
 /// A table as CSV: speed_rpm, axial_displacement_um, slope_um_rpm, with how to interpolate.
 /// `source` is the curve that it was made from.

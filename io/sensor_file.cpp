@@ -84,13 +84,8 @@ Lists lists_of(const rig::SensorCalibration& c) {
 
 }  // namespace
 
-SensorReadings read_sensor_readings(const std::string& path, const ReadOptions& options) {
-  return readings_of(read_measurements(path, options), options);
-}
-
-SensorReadings parse_sensor_readings(std::string text, const std::string& source,
-                                     const ReadOptions& options) {
-  return readings_of(parse_measurements(std::move(text), source, options), options);
+SensorReadings read_sensor_readings(const Source& source, const ReadOptions& options) {
+  return readings_of(read_measurements(source, options), options);
 }
 
 std::string coefficient_unit(int coefficient) {

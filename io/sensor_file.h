@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/column_map.h"
+#include "io/source.h"
 #include "rig/sensor_calibration.h"
 
 /// The calibration of a torque sensor: its readings, and what was made of them.
@@ -20,11 +21,8 @@ struct SensorReadings {
 /// Reads `reference_Nm` and `signal_V`, or `torque_signal_V` as in a record, of a CSV; "-" is
 /// standard input. Other columns are not read, and `notes` says so. Throws InputError as
 /// read_csv(), for a missing column and for every cell that is empty, no number or impossible.
-[[nodiscard]] SensorReadings read_sensor_readings(const std::string& path,
+[[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
                                                   const ReadOptions& options = {});
-/// The same from text; `source` stands in messages.
-[[nodiscard]] SensorReadings parse_sensor_readings(std::string text, const std::string& source,
-                                                   const ReadOptions& options = {});
 
 /// The table [torque_sensor], to be put into a model or a file of its own; it reads back.
 [[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,

@@ -154,7 +154,7 @@ class SeriesReader {
     for (std::size_t row = 1; row < time.size(); ++row) {
       if (result.run_of(row) != result.run_of(row - 1) || !(time[row] <= time[row - 1])) continue;
       cells_.bad.add(
-          table_.line(row), record::time.name, table_.cell(row, source->column),
+          table_.line(row), record::time.name, table_.shown(row, source->column),
           time[row] == time[row - 1]
               ? "stands twice within a run: time must rise"
               : "goes back within a run: sort the rows, or tell the runs apart by run_id");
@@ -210,15 +210,9 @@ class SeriesReader {
 
 }  // namespace
 
-record::Record read_series(const std::string& path, const Channels& wanted, const Channels& needed,
+record::Record read_series(const Source& source, const Channels& wanted, const Channels& needed,
                            const ReadOptions& options) {
-  return SeriesReader(read_measurements(path, over_time(options)), wanted, needed, options).read();
-}
-
-record::Record parse_series(std::string text, const std::string& source, const Channels& wanted,
-                            const Channels& needed, const ReadOptions& options) {
-  return SeriesReader(parse_measurements(std::move(text), source, over_time(options)), wanted,
-                      needed, options)
+  return SeriesReader(read_measurements(source, over_time(options)), wanted, needed, options)
       .read();
 }
 

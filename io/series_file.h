@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/column_map.h"
+#include "io/source.h"
 #include "record/record.h"
 
 namespace raceway::io {
@@ -17,14 +18,9 @@ namespace raceway::io {
 /// Throws InputError: time_s missing, going back or standing still within a run; a column of
 /// `needed` missing; a column that looks misspelt; cells that are empty, no numbers or impossible,
 /// all in one message.
-[[nodiscard]] record::Record read_series(const std::string& path,
+[[nodiscard]] record::Record read_series(const Source& source,
                                          const std::vector<const record::Channel*>& wanted,
                                          const std::vector<const record::Channel*>& needed,
                                          const ReadOptions& options = {});
-/// The same from text; `source` stands in messages.
-[[nodiscard]] record::Record parse_series(std::string text, const std::string& source,
-                                          const std::vector<const record::Channel*>& wanted,
-                                          const std::vector<const record::Channel*>& needed,
-                                          const ReadOptions& options = {});
 
 }  // namespace raceway::io

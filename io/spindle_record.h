@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include "io/column_map.h"
+#include "io/source.h"
 #include "model/spindle.h"
 #include "record/record.h"
 
@@ -14,12 +13,8 @@ namespace raceway::io {
 ///
 /// An empty cell of what is measured was not read then; everywhere else it is an error. Throws as
 /// read_series(), and for a column that is a misspelt sensor.
-[[nodiscard]] record::Record read_spindle_record(const std::string& path,
+[[nodiscard]] record::Record read_spindle_record(const Source& source,
                                                  const model::Spindle& spindle,
                                                  const ReadOptions& options = {});
-/// The same from text; `source` stands in messages.
-[[nodiscard]] record::Record parse_spindle_record(std::string text, const std::string& source,
-                                                  const model::Spindle& spindle,
-                                                  const ReadOptions& options = {});
 
 }  // namespace raceway::io

@@ -88,7 +88,7 @@ struct Proposal {
 bool all_cells(const CsvTable& table, std::size_t column, auto&& holds) {
   bool any = false;
   for (std::size_t row = 0; row < std::min<std::size_t>(table.rows(), 20); ++row) {
-    const std::string_view cell = table.cell(row, column);
+    const std::string cell = table.shown(row, column);
     if (is_missing(cell)) continue;
     if (!holds(cell)) return false;
     any = true;
@@ -214,13 +214,8 @@ std::string text_of(const CsvTable& table, const model::ModelSubject& subject) {
 
 }  // namespace
 
-std::string suggested_columns(const std::string& path, const model::ModelSubject& subject) {
-  return text_of(read_measurements(path, {}), subject);
-}
-
-std::string suggested_columns_of(std::string text, const std::string& source,
-                                 const model::ModelSubject& subject) {
-  return text_of(parse_measurements(std::move(text), source, {}), subject);
+std::string suggested_columns(const Source& source, const model::ModelSubject& subject) {
+  return text_of(read_measurements(source, {}), subject);
 }
 
 }  // namespace raceway::io

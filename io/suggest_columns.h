@@ -2,17 +2,14 @@
 
 #include <string>
 
+#include "io/source.h"
 #include "model/model_subject.h"
 
 namespace raceway::io {
 
 /// A table [columns] (TOML) for a file of somebody else, by the words and units in its header and
 /// its row of units; what was not found stands in it as a comment. Throws InputError as read_csv().
-[[nodiscard]] std::string suggested_columns(const std::string& path,
+[[nodiscard]] std::string suggested_columns(const Source& source,
                                             const model::ModelSubject& subject);
-
-/// The same from text; `source` stands in messages.
-[[nodiscard]] std::string suggested_columns_of(std::string text, const std::string& source,
-                                               const model::ModelSubject& subject);
 
 }  // namespace raceway::io

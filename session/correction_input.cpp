@@ -44,8 +44,7 @@ record::Record open_series(Messages& messages, const Source& data,
     for (const record::Channel* c : correction::inputs_of(m))
       if (std::find(needed.begin(), needed.end(), c) == needed.end()) needed.push_back(c);
   }
-  record::Record record = data.text ? io::parse_series(*data.text, path, wanted, needed, options)
-                                    : io::read_series(path, wanted, needed, options);
+  record::Record record = io::read_series(data, wanted, needed, options);
   period.apply(record, wanted);
   messages.notes(record.notes);
   return record;

@@ -33,9 +33,7 @@ std::string LawFit::json(const std::string& table) const {
 
 LawFit fit_law(Messages& messages, const Source& curve, const Reading& reading, double at_rpm) {
   LawFit result;
-  result.curve = curve.text
-                     ? io::parse_displacement_curve(*curve.text, curve.name, reading.options())
-                     : io::read_displacement_curve(curve.name, reading.options());
+  result.curve = io::read_displacement_curve(curve, reading.options());
   messages.notes(result.curve.notes);
   try {
     result.fit = shaft::fit_kinematic_law(result.curve.points);

@@ -104,15 +104,12 @@ record::Record open_one(Messages& messages, const Source& source,
   if (path.ends_with(".toml"))
     throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
   if (const auto& spindle = subject.model().spindle) {
-    record::Record data = source.text
-                              ? io::parse_spindle_record(*source.text, path, *spindle, options)
-                              : io::read_spindle_record(path, *spindle, options);
+    record::Record data = io::read_spindle_record(source, *spindle, options);
     put(messages, data, std::exchange(data.notes, {}), of_several ? path : std::string(),
         &Messages::notes);
     return data;
   }
-  record::Record data = source.text ? io::parse_record(*source.text, path, subject, options)
-                                    : io::read_record(path, subject, options);
+  record::Record data = io::read_record(source, subject, options);
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(std::move(note));
   const std::string from = of_several ? path : std::string();

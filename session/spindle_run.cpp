@@ -20,11 +20,7 @@ namespace raceway::session {
 namespace {
 
 record::Record read_programme(const RunQuestion& q, const io::ModelFile& file) {
-  const io::ReadOptions options = q.reading.options(file);
-  const model::Spindle& spindle = *file.model.spindle;
-  return q.programme.text
-             ? io::parse_spindle_record(*q.programme.text, q.programme.name, spindle, options)
-             : io::read_spindle_record(q.programme.name, spindle, options);
+  return io::read_spindle_record(q.programme, *file.model.spindle, q.reading.options(file));
 }
 
 /// Of a temperature that the spindle is to run under, the first row tells.

@@ -192,9 +192,7 @@ io::Superposition superposition_of_steps(const SpindleSteps& steps,
                                          const Source& programme,
                                          const std::atomic<bool>* cancelled) {
   const std::vector<const record::Channel*> wanted{&record::time, &record::speed};
-  const record::Record record = programme.text
-                                    ? io::parse_series(*programme.text, programme.name, {}, wanted)
-                                    : io::read_series(programme.name, {}, wanted);
+  const record::Record record = io::read_series(programme, {}, wanted);
   return io::superposition(*steps.model(), correction, record, conditions_of(steps), cancelled);
 }
 

@@ -41,7 +41,7 @@ record::Record record_of(const ControlPlan& plan, const Rows& rows) {
   for (const ControlCheck::Row& r : rows)
     text += fmt::format("{:.15g}{}{:.15g}\n", r.time_s, r.inputs.empty() ? "" : ",",
                         fmt::join(r.inputs, ","));
-  return parse_series(text, "check record", {}, needed);
+  return read_series({"check record", text}, {}, needed);
 }
 
 /// Fills in the displacements; ends before the first row at which a model cannot say one.

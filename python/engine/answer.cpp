@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include "io/csv.h"
 #include "io/error.h"
 #include "io/number_text.h"
 #include "python/engine/arrays.h"
@@ -35,6 +36,24 @@ auto made(const Make& make, const char* missing) {
   if (!make) throw io::InputError(missing);
   const py::gil_scoped_release others;
   return make();
+}
+
+/// Columns of numbers, or lists of text.
+std::shared_ptr<session::Source> data_of_columns(const std::string& name, const py::dict& given) {
+  std::vector<io::DataColumn> columns;
+  for (const auto& [key, values] : given) {
+    io::DataColumn column{.name = key.cast<std::string>()};
+    if (py::isinstance<py::array>(values)) {
+      const auto numbers =
+          values.cast<py::array_t<double, py::array::c_style | py::array::forcecast>>();
+      column.numbers.assign(numbers.data(), numbers.data() + numbers.size());
+    } else {
+      column.texts = values.cast<std::vector<std::string>>();
+    }
+    columns.push_back(std::move(column));
+  }
+  return std::make_shared<session::Source>(
+      std::make_shared<const io::CsvTable>(io::table_of_columns(name, std::move(columns))));
 }
 
 py::list own_effects_of(const EngineAnswer& answer) {
@@ -84,6 +103,9 @@ py::dict arrays_of(NamedColumns columns) {
 }
 
 void bind_answer(py::module_& module) {
+  py::class_<session::Source, std::shared_ptr<session::Source>>(module, "Data")
+      .def(py::init<std::string, std::string>(), py::arg("name"), py::arg("text"))
+      .def(py::init(&data_of_columns), py::arg("name"), py::arg("columns"));
   py::class_<EngineAnswer>(module, "Answer")
       .def_readonly("json", &EngineAnswer::json)
       .def_readonly("notes", &EngineAnswer::notes)

@@ -18,7 +18,8 @@ namespace raceway::python {
 
 namespace py = pybind11;
 
-using Texts = std::vector<std::pair<std::string, std::string>>;  // names with what they hold
+/// Measurements as Python keeps them; null for none.
+using Data = std::shared_ptr<session::Source>;
 
 /// Columns by name, in the units of files.
 using NamedColumns = std::vector<std::pair<std::string, std::vector<double>>>;
@@ -35,9 +36,9 @@ struct EngineAnswer {
   session::FittedTexts fitted{};
 };
 
-inline std::vector<session::Source> sources(const Texts& texts) {
+inline std::vector<session::Source> sources(const std::vector<Data>& data) {
   std::vector<session::Source> list;
-  for (const auto& [name, text] : texts) list.emplace_back(name, text);
+  for (const Data& one : data) list.push_back(*one);
   return list;
 }
 

@@ -23,18 +23,16 @@ namespace raceway::python {
 namespace {
 
 /// A record with the corrections of a file. `given`: columns, drop_nan, from, until.
-session::SeriesQuestion ask(Heard& heard, const EngineCorrection& correction, const Texts& data,
+session::SeriesQuestion ask(Heard& heard, const EngineCorrection& correction, const Data& data,
                             const session::Reading& reading) {
-  return session::ask_series(heard, correction.source(), sources(data).front(), reading,
-                             session::Defaults::keep);
+  return session::ask_series(heard, correction.source(), *data, reading, session::Defaults::keep);
 }
 
 void fill_validations(EngineAnswer& answer, std::vector<io::Validation>& list, Heard& heard,
-                      const std::vector<correction::Model>& models, const Texts& validate,
+                      const std::vector<correction::Model>& models, const Data& validate,
                       const io::ReadOptions& options) {
-  if (validate.empty()) return;
-  const record::Record other =
-      session::open_series(heard, sources(validate).front(), models, options);
+  if (!validate) return;
+  const record::Record other = session::open_series(heard, *validate, models, options);
   for (const correction::Model& model : models) {
     session::Validated one = session::validated(model, other);
     list.push_back(std::move(one.validation));
@@ -42,7 +40,7 @@ void fill_validations(EngineAnswer& answer, std::vector<io::Validation>& list, H
   }
 }
 
-EngineAnswer arx(Heard& heard, const EngineCorrection& correction, const Texts& data,
+EngineAnswer arx(Heard& heard, const EngineCorrection& correction, const Data& data,
                  const session::IdentifyChoices& choices, const session::Reading& reading) {
   const session::SeriesQuestion asked = ask(heard, correction, data, reading);
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
@@ -57,8 +55,8 @@ EngineAnswer arx(Heard& heard, const EngineCorrection& correction, const Texts& 
 }
 
 /// Sections, a bank of lags or a regression, with the file of the models that were found.
-EngineAnswer identified(Heard& heard, const EngineCorrection& correction, const Texts& data,
-                        const Texts& validate, const session::IdentifyChoices& choices,
+EngineAnswer identified(Heard& heard, const EngineCorrection& correction, const Data& data,
+                        const Data& validate, const session::IdentifyChoices& choices,
                         const session::Reading& reading) {
   session::SeriesQuestion asked = ask(heard, correction, data, reading);
   std::vector<correction::Identification> found;
@@ -78,7 +76,7 @@ EngineAnswer identified(Heard& heard, const EngineCorrection& correction, const 
   return answer;
 }
 
-EngineAnswer identify(const EngineCorrection& correction, const Texts& data, const Texts& validate,
+EngineAnswer identify(const EngineCorrection& correction, const Data& data, const Data& validate,
                       const std::string& order, const std::vector<std::string>& inputs,
                       const std::vector<std::string>& lags, const std::string& baseline,
                       double time_limit_s, const py::object& progress_of_caller,
@@ -114,7 +112,7 @@ NamedColumns course(const session::SeriesQuestion& asked, const Predicted& predi
   return columns;
 }
 
-EngineAnswer correct(const EngineCorrection& correction, const Texts& data,
+EngineAnswer correct(const EngineCorrection& correction, const Data& data,
                      const py::kwargs& given) {
   const session::Reading reading = options_of(given).reading;
   return answered([&](Heard& heard) {
@@ -132,7 +130,7 @@ EngineAnswer correct(const EngineCorrection& correction, const Texts& data,
   });
 }
 
-EngineAnswer learn(const EngineCorrection& correction, const Texts& data, const std::string& every,
+EngineAnswer learn(const EngineCorrection& correction, const Data& data, const std::string& every,
                    const std::string& forget, const py::kwargs& given) {
   const session::Reading reading = options_of(given).reading;
   const session::LearningChoices choices{.every = every, .forget = forget};
@@ -156,22 +154,19 @@ EngineAnswer learn(const EngineCorrection& correction, const Texts& data, const 
 /// The text, with what is to be known of it, and the lines of HAL that go with it. `record`: one or
 /// none.
 py::tuple export_correction(const EngineCorrection& correction, const std::string& format,
-                            const std::string& output, const Texts& record) {
+                            const std::string& output, const Data& record) {
   session::require_control_name(format, output);
   Heard heard;
-  const session::ControlExport made =
-      session::export_plan(session::open_plan(heard, correction.source(),
-                                              record.empty() ? nullptr : &sources(record).front()),
-                           format, output);
+  const session::ControlExport made = session::export_plan(
+      session::open_plan(heard, correction.source(), record.get()), format, output);
   return py::make_tuple(made.text, made.plan.notes, made.hal, made.hal_shutdown);
 }
 
-EngineAnswer fit_law(const std::string& name, const std::string& text, double at_rpm,
-                     const py::kwargs& given) {
+EngineAnswer fit_law(const Data& curve, double at_rpm, const py::kwargs& given) {
   const session::Reading reading = options_of(given).reading;
   return answered([&](Heard& heard) {
-    const auto found = std::make_shared<const session::LawFit>(
-        session::fit_law(heard, {name, text}, reading, at_rpm));
+    const auto found =
+        std::make_shared<const session::LawFit>(session::fit_law(heard, *curve, reading, at_rpm));
     EngineAnswer answer;
     answer.json = found->json("-o FILE writes it");
     answer.converged = found->fit.converged();

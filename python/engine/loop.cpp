@@ -29,7 +29,7 @@ session::LoopOptions loop_options(const std::vector<const EngineFile*>& models,
 
 /// A question for pages that are asked for later.
 std::shared_ptr<const session::LoopQuestion> ask(Heard& heard, const EngineFile& model,
-                                                 const Texts& data,
+                                                 const std::vector<Data>& data,
                                                  const session::LoopOptions& options) {
   return std::make_shared<const session::LoopQuestion>(
       session::ask(heard, model.source(), sources(data), options));
@@ -47,9 +47,9 @@ NamedColumns rows_of(const session::ComparedModels& compared) {
   return columns;
 }
 
-EngineAnswer compare(const std::vector<std::shared_ptr<EngineFile>>& models, const Texts& data,
-                     const std::vector<std::string>& refit, const std::string& zero,
-                     const py::kwargs& given) {
+EngineAnswer compare(const std::vector<std::shared_ptr<EngineFile>>& models,
+                     const std::vector<Data>& data, const std::vector<std::string>& refit,
+                     const std::string& zero, const py::kwargs& given) {
   std::vector<const EngineFile*> files;
   for (const auto& model : models) files.push_back(model.get());
   const session::LoopOptions options = loop_options(files, given);
@@ -66,7 +66,7 @@ EngineAnswer compare(const std::vector<std::shared_ptr<EngineFile>>& models, con
   });
 }
 
-EngineAnswer calibrate(const EngineFile& model, const Texts& data, bool profile,
+EngineAnswer calibrate(const EngineFile& model, const std::vector<Data>& data, bool profile,
                        const py::kwargs& given) {
   const session::LoopOptions options = loop_options({&model}, given);
   return answered([&](Heard& heard) {
@@ -81,8 +81,8 @@ EngineAnswer calibrate(const EngineFile& model, const Texts& data, bool profile,
   });
 }
 
-EngineAnswer diagnose(const EngineFile& model, const Texts& data, bool pairs, int tried_before,
-                      double time_limit_s, const py::object& progress_of_caller,
+EngineAnswer diagnose(const EngineFile& model, const std::vector<Data>& data, bool pairs,
+                      int tried_before, double time_limit_s, const py::object& progress_of_caller,
                       const py::kwargs& given) {
   const session::LoopOptions options = loop_options({&model}, given);
   std::atomic<bool> cancelled = false;
@@ -104,7 +104,7 @@ EngineAnswer diagnose(const EngineFile& model, const Texts& data, bool pairs, in
 }
 
 EngineAnswer add(const EngineFile& model, const std::vector<std::string>& effects,
-                 const Texts& data, const py::kwargs& given) {
+                 const std::vector<Data>& data, const py::kwargs& given) {
   const session::LoopOptions options = loop_options({&model}, given);
   return answered([&](Heard& heard) {
     const auto asked = ask(heard, model, data, options);
@@ -120,18 +120,18 @@ EngineAnswer add(const EngineFile& model, const std::vector<std::string>& effect
   });
 }
 
-EngineAnswer check(const EngineFile& model, const Texts& data, const py::kwargs& given) {
+EngineAnswer check(const EngineFile& model, const Data& data, const py::kwargs& given) {
   const session::LoopOptions options = loop_options({&model}, given);
   return answered([&](Heard& heard) {
     EngineAnswer answer;
-    answer.json = session::check(heard, model.source(), sources(data).front(), options).json();
+    answer.json = session::check(heard, model.source(), *data, options).json();
     return answer;
   });
 }
 
 /// The record as it was understood, column by column in the units of files, with what the model
 /// says of each measured channel, with its band where that is wanted.
-py::dict predict(const EngineModel& model, const Texts& data, bool with_band,
+py::dict predict(const EngineModel& model, const std::vector<Data>& data, bool with_band,
                  const py::kwargs& given) {
   const session::LoopOptions options = loop_options({&model}, given);
   const std::optional<model::Band> band = model.band(with_band);
@@ -178,10 +178,9 @@ void bind_loop(py::module_& module) {
   module.def("add", &add);
   module.def("check", &check);
   module.def("predict", &predict);
-  module.def("suggest_columns",
-             [](const EngineModel& model, const std::string& name, const std::string& text) {
-               return io::suggested_columns_of(text, name, *io::make_subject(model.file().model));
-             });
+  module.def("suggest_columns", [](const EngineModel& model, const Data& data) {
+    return io::suggested_columns(*data, *io::make_subject(model.file().model));
+  });
 }
 
 }  // namespace raceway::python

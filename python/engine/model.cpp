@@ -267,11 +267,12 @@ void bind_model(py::module_& module) {
   module.def("views", &views);
   module.def("read_text", &read_text);
   module.def("plain_csv", &plain_csv);
-  module.def("write_files", [](const Texts& texts, bool overwrite) {
-    std::vector<io::OutputFile> files;
-    for (const auto& [path, text] : texts) files.push_back({path, text});
-    io::write_files(files, overwrite ? io::IfExists::replace : io::IfExists::refuse);
-  });
+  module.def("write_files",
+             [](const std::vector<std::pair<std::string, std::string>>& texts, bool overwrite) {
+               std::vector<io::OutputFile> files;
+               for (const auto& [path, text] : texts) files.push_back({path, text});
+               io::write_files(files, overwrite ? io::IfExists::replace : io::IfExists::refuse);
+             });
   module.def(
       "new_model",
       [](const std::string& bearing, const std::string& law, const std::string& ball_material,

@@ -14,6 +14,7 @@
 #include "io/number_text.h"
 #include "io/plausible.h"
 #include "io/step_correction.h"
+#include "python/engine/answer.h"
 #include "python/engine/interruptible.h"
 #include "python/engine/model.h"
 #include "session/spindle_deflection.h"
@@ -100,12 +101,12 @@ SpindleAnswer steady(const EngineModel& model, const std::vector<double>& speed_
   return answer;
 }
 
-SpindleAnswer simulate(const EngineModel& model, const NamedText& programme,
+SpindleAnswer simulate(const EngineModel& model, const Data& programme,
                        const std::optional<std::string>& columns, bool drop_nan,
                        const std::optional<NamedText>& start, bool coolant,
                        double ambient_temperature_C, double time_limit_s) {
   Heard heard;
-  session::RunQuestion question{.programme = session::Source(programme.first, programme.second),
+  session::RunQuestion question{.programme = *programme,
                                 .ambient_temperature = ambient_of(heard, ambient_temperature_C),
                                 .coolant_on = coolant};
   question.reading.columns_text = columns.value_or("");
@@ -244,7 +245,7 @@ py::tuple correction_files(const StepAnswer& answer, const std::string& path,
 /// A correction that was written against the whole simulation, over a programme: the document with
 /// its superposition.
 std::string superposition(const StepAnswer& answer, const std::string& correction,
-                          const NamedText& programme) {
+                          const Data& programme) {
   if (!answer.steps->simulated)
     throw io::InputError(answer.steps->source +
                          ": load cases were read, and there is no simulation of them");
@@ -253,11 +254,10 @@ std::string superposition(const StepAnswer& answer, const std::string& correctio
     const io::CorrectionFile written = io::read_correction(correction);
     try {
       const io::Superposition error = session::superposition_of_steps(
-          *answer.steps, written.models.front(), session::Source(programme.first, programme.second),
-          &cancelled);
+          *answer.steps, written.models.front(), *programme, &cancelled);
       return answer.steps->json(&error);
     } catch (const std::invalid_argument& e) {
-      throw io::InputError(programme.first + ": " + e.what(), {.file = programme.first});
+      throw io::InputError(programme->name + ": " + e.what(), {.file = programme->name});
     }
   });
 }

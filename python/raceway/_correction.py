@@ -136,11 +136,11 @@ class Correction(LoopModel):
             raise ValueError(f"baseline = {baseline!r}: must be regression or arx")
         if lags_s is not None and (baseline is not None or order != (1, 3)):
             raise ValueError("lags_s: a bank has neither baseline nor order; take one of them")
-        texts, options = asked(one_record(record), from_s=from_s, until_s=until_s)
+        data, options = asked(one_record(record), from_s=from_s, until_s=until_s)
         answer = _engine.identify(
             self._engine,
-            texts,
-            [] if validate is None else [(one_record(validate).name, validate.text)],
+            data[0],
+            None if validate is None else one_record(validate)._data,
             order_text(order),
             [] if inputs is None else name_list("inputs", inputs),
             lag_texts(lags_s),
@@ -178,15 +178,15 @@ class Correction(LoopModel):
         from_s, until_s : float, optional
             Readings that count, by the time since the first row [s].
         """
-        texts, options = asked(one_record(record), from_s=from_s, until_s=until_s)
+        data, options = asked(one_record(record), from_s=from_s, until_s=until_s)
         if not learn:
             for argument, value in (("every_s", every_s), ("forget_s", forget_s)):
                 if value is not None:
                     raise ValueError(f"{argument}: belongs to learn=True")
-            answer = _engine.correct(self._engine, texts, **options)
+            answer = _engine.correct(self._engine, data[0], **options)
         else:
             durations = (seconds("every_s", every_s), seconds("forget_s", forget_s))
-            answer = _engine.learn(self._engine, texts, *durations, **options)
+            answer = _engine.learn(self._engine, data[0], *durations, **options)
         warn(answer.warnings)
         return CorrectionRun(answer, self._fitted(answer, ", learnt").get(""))
 
@@ -206,7 +206,7 @@ class Correction(LoopModel):
         if format not in FORMATS:
             raise ValueError(f"format = {format!r}: must be python, c, csv or linuxcnc")
         output = "" if path is None else os.fspath(path)
-        stored = [] if record is None else [(record.name, record.text)]
+        stored = None if record is None else record._data
         program = Program(format, *_engine.export_correction(self._engine, format, output, stored))
         if path is not None:
             program.save(path, overwrite=overwrite)

@@ -63,8 +63,8 @@ def fit_law(curve: Record, *, at_rpm: float | None = None) -> KinematicLaw:
     ['A', 'B', 'C']
     """
     nan = float("nan")
-    _, options = asked(curve)
-    answer = _engine.fit_law(curve.name, curve.text, nan if at_rpm is None else float(at_rpm), **options)
+    data, options = asked(curve)
+    answer = _engine.fit_law(data[0], nan if at_rpm is None else float(at_rpm), **options)
     if not answer.converged:
         raise NotConverged("; ".join(["the fit of the law did not converge", *answer.warnings]))
     warn(answer.warnings)

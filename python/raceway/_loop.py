@@ -23,7 +23,7 @@ def asked(
     tolerance: str | None = None,
     from_s: float | None = None,
     until_s: float | None = None,
-) -> tuple[list[tuple[str, str]], dict[str, Any]]:
+) -> tuple[list[_engine.Data], dict[str, Any]]:
     """What the engine takes of records and options."""
     records = list(record) if isinstance(record, (list, tuple)) else [record]
     for one in records:
@@ -43,7 +43,7 @@ def asked(
         "from": seconds("from_s", from_s),
         "until": seconds("until_s", until_s),
     }
-    return [(r.name, r.text) for r in records], {name: value for name, value in options.items() if value not in (None, "", [])}
+    return [r._data for r in records], {name: value for name, value in options.items() if value not in (None, "", [])}
 
 
 class LoopModel(FromFile):
@@ -90,9 +90,9 @@ class LoopModel(FromFile):
         for other in others:
             if not isinstance(other, type(self)):
                 raise TypeError(f"a raceway.{type(self).__name__} is wanted, not {type(other).__name__}")
-        texts, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
+        data, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
         engines = [m._engine for m in (self, *others)]
-        answer = _engine.compare(engines, texts, name_list("refit", refit), zero, **options)
+        answer = _engine.compare(engines, data, name_list("refit", refit), zero, **options)
         warn(answer.warnings)
         return Comparison(answer)
 
@@ -125,8 +125,8 @@ class LoopModel(FromFile):
         NotConverged
             Where the fit found no values.
         """
-        texts, options = asked(record, channel=channel, per_record=per_record, from_s=from_s, until_s=until_s)
-        answer = _engine.calibrate(self._engine, texts, bool(profile), **options)
+        data, options = asked(record, channel=channel, per_record=per_record, from_s=from_s, until_s=until_s)
+        answer = _engine.calibrate(self._engine, data, bool(profile), **options)
         if not answer.converged:
             raise NotConverged("; ".join(["the calibration did not converge", *answer.warnings]))
         warn(answer.warnings)
@@ -171,9 +171,9 @@ class LoopModel(FromFile):
         KeyboardInterrupt
             Stops it; nothing is left half done.
         """
-        texts, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
+        data, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
         limit = float("inf") if time_limit_s is None else float(time_limit_s)
-        answer = _engine.diagnose(self._engine, texts, bool(pairs), int(tried_before), limit, progress, **options)
+        answer = _engine.diagnose(self._engine, data, bool(pairs), int(tried_before), limit, progress, **options)
         warn(answer.warnings)
         return Diagnosis(answer)
 
@@ -197,9 +197,9 @@ class LoopModel(FromFile):
         Addition
             `Addition.refused` says why an effect does not help; `Addition.model` has it all the same.
         """
-        texts, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
+        data, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
         ids = name_list("effects", effects)
-        answer = _engine.add(self._engine, ids, texts, **options)
+        answer = _engine.add(self._engine, ids, data, **options)
         if not answer.converged:
             raise NotConverged("; ".join(["the fit did not converge", *answer.warnings]))
         warn(answer.warnings)
@@ -207,9 +207,9 @@ class LoopModel(FromFile):
 
     def check(self, record: Record, *, channel: str | None = None) -> Check:
         """Say what a record can tell of the model: levels, noise, what can be fitted, which effects."""
-        texts, options = asked(record, channel=channel)
-        if len(texts) > 1:
+        data, options = asked(record, channel=channel)
+        if len(data) > 1:
             raise TypeError("check: one record is looked at at a time")
-        answer = _engine.check(self._engine, texts, **options)
+        answer = _engine.check(self._engine, data[0], **options)
         warn(answer.warnings)
         return Check(answer)

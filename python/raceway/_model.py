@@ -302,7 +302,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         """
         if not isinstance(record, Record):
             raise TypeError(f"a raceway.Record is wanted, not {type(record).__name__}")
-        return in_python(_engine.suggest_columns(self._engine, record.name, record.text))
+        return in_python(_engine.suggest_columns(self._engine, record._data))
 
     def predict(self, record: Records, *, band: bool = False) -> Any:
         """Return what the model says of every row of a record, as a pandas.DataFrame.
@@ -313,8 +313,8 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         """
         import pandas
 
-        texts, options = asked(record)
-        return pandas.DataFrame(_engine.predict(self._engine, texts, bool(band), **options))
+        data, options = asked(record)
+        return pandas.DataFrame(_engine.predict(self._engine, data, bool(band), **options))
 
     def _fitted(self, answer: _engine.Answer, fitted: str) -> dict[str, Model]:
         source = self.source if self.source.endswith(fitted) else self.source + fitted

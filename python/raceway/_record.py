@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from numbers import Real
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy
+from numpy.typing import ArrayLike
+
+from . import _engine
 from ._errors import InputError
 
 if TYPE_CHECKING:
@@ -50,9 +54,24 @@ class Record:
         if not isinstance(text, str):
             raise TypeError(f"text: a str with the content of a CSV is wanted, not {type(text).__name__}")
         self._name = str(name)
-        self._text = text
+        self._own: str | dict[str, numpy.ndarray | list[str]] = text
+        self._data = _engine.Data(self._name, text=text)
         self._columns = _column_map(columns)
         self._drop_nan = bool(drop_nan)
+
+    @classmethod
+    def _of(cls, name: str, own: dict[str, numpy.ndarray | list[str]], columns: Mapping[str, str] | str | None, drop_nan: bool) -> Record:
+        record = cls.__new__(cls)
+        record.__setstate__((str(name), own, _column_map(columns), bool(drop_nan)))
+        return record
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        return self._name, self._own, self._columns, self._drop_nan
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        self._name, self._own, self._columns, self._drop_nan = state
+        own = self._own
+        self._data = _engine.Data(self._name, text=own) if isinstance(own, str) else _engine.Data(self._name, columns=own)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str], *, columns: Mapping[str, str] | str | None = None, drop_nan: bool = False) -> Record:
@@ -63,8 +82,6 @@ class Record:
         InputError
             For a file that cannot be read. What stands in it is looked at with a model.
         """
-        from . import _engine
-
         return cls(os.fspath(path), _engine.read_text(os.fspath(path)), columns=columns, drop_nan=drop_nan)
 
     @classmethod
@@ -99,7 +116,40 @@ class Record:
         if len(twice) > 0:
             raise InputError(f"{name}: two columns are named {twice[0]}")
         _refuse_decimal_commas(frame, name)
-        return cls(name, frame.to_csv(index=False), columns=columns, drop_nan=drop_nan)
+        return cls._of(name, {str(column): _frame_column(frame[column]) for column in frame}, columns, drop_nan)
+
+    @classmethod
+    def from_arrays(
+        cls,
+        arrays: Mapping[str, ArrayLike | Sequence[str]],
+        *,
+        columns: Mapping[str, str] | str | None = None,
+        name: str = "arrays",
+        drop_nan: bool = False,
+    ) -> Record:
+        """Take arrays of one length by the names of their columns.
+
+        Parameters
+        ----------
+        arrays : mapping of str to array
+            Numbers, NaN or masked where nothing was read; texts for `run_id` and dates.
+        columns, name, drop_nan
+            As in `from_pandas`.
+
+        Raises
+        ------
+        InputError
+            No arrays, or arrays of different lengths.
+
+        Examples
+        --------
+        >>> record = Record.from_arrays({"speed_rpm": numpy.array([0.0, 3000.0]), "friction_torque_Nm": [0.01, 0.21]})
+        """
+        own = {str(column): _array_column(str(column), values) for column, values in arrays.items()}
+        lengths = {len(values) for values in own.values()}
+        if len(lengths) != 1:
+            raise InputError(f"{name}: arrays of one length are wanted, not of {sorted(lengths)}")
+        return cls._of(name, own, columns, drop_nan)
 
     @property
     def name(self) -> str:
@@ -109,7 +159,11 @@ class Record:
     @property
     def text(self) -> str:
         """The record as CSV."""
-        return self._text
+        if isinstance(self._own, str):
+            return self._own
+        import pandas
+
+        return pandas.DataFrame(self._own).to_csv(index=False)
 
     def to_frame(self) -> pandas.DataFrame:
         """Return the columns under their own names, numbers in their own units.
@@ -121,12 +175,42 @@ class Record:
 
         import pandas
 
-        from . import _engine
-
-        return pandas.read_csv(io.StringIO(_engine.plain_csv(self._name, self._text)))
+        return pandas.read_csv(io.StringIO(_engine.plain_csv(self._name, self.text)))
 
     def __repr__(self) -> str:
         return f"<raceway.Record {self._name}>"
+
+
+def _numbers(values: numpy.ndarray) -> numpy.ndarray:
+    """A copy. A number of single precision counts as its digits say: 0.1 is a tenth."""
+    if values.dtype in (numpy.float32, numpy.float16):
+        return numpy.array([float(str(value)) for value in values])
+    return numpy.array(values)
+
+
+def _array_column(name: str, values: ArrayLike | Sequence[str]) -> numpy.ndarray | list[str]:
+    array = values if isinstance(values, numpy.ma.MaskedArray) else numpy.asarray(values)
+    if array.ndim != 1:
+        raise ValueError(f"{name}: a list of numbers is wanted, not an array of shape {array.shape}")
+    if isinstance(array, numpy.ma.MaskedArray):
+        array = numpy.ma.filled(array.astype(numpy.float64), numpy.nan)
+    return _numbers(array) if array.dtype.kind in "fiu" else _texts(array.tolist() if array.dtype.kind != "M" else array.astype(str).tolist())
+
+
+def _frame_column(series: pandas.Series[Any]) -> numpy.ndarray | list[str]:
+    from pandas.api.types import is_bool_dtype, is_complex_dtype, is_integer_dtype, is_numeric_dtype
+
+    if is_numeric_dtype(series) and not is_bool_dtype(series) and not is_complex_dtype(series):
+        if isinstance(series.dtype, numpy.dtype):
+            return _numbers(series.to_numpy())
+        if is_integer_dtype(series) and not series.hasnans:
+            return series.to_numpy(dtype=numpy.int64)
+        return series.to_numpy(dtype=numpy.float64, na_value=numpy.nan)
+    return _texts(series.where(series.notna(), None).astype(object).tolist())
+
+
+def _texts(values: Sequence[Any]) -> list[str]:
+    return ["" if value is None or value != value else str(value).strip() for value in values]
 
 
 def _refuse_decimal_commas(frame: pandas.DataFrame, name: str) -> None:

@@ -231,7 +231,7 @@ class StepResponses(_OfSpindle):
         if not isinstance(programme, Record):
             wrong = type(programme).__name__
             raise TypeError(f"programme: a raceway.Record is wanted, not {wrong}")
-        text = self._answer.superposition(os.fspath(correction), (programme.name, programme.text))
+        text = self._answer.superposition(os.fspath(correction), programme._data)
         return json.loads(text)["superposition"]
 
     def __repr__(self) -> str:

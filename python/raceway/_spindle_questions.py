@@ -125,7 +125,7 @@ class SpindleQuestions:
             raise TypeError(f"profile: a raceway.Record is wanted, not {type(profile).__name__}: " "Record.read(path) or Record.from_pandas(frame)")
         answer = _engine.simulate(
             self._engine,
-            (profile.name, profile.text),
+            profile._data,
             profile._columns,
             profile._drop_nan,
             start_of(start),

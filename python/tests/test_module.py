@@ -2,6 +2,7 @@
 
 import gc
 import os
+import pickle
 import resource
 import signal
 import subprocess
@@ -356,3 +357,51 @@ def test_a_file_that_cannot_be_written_leaves_what_was_there(model, tmp_path):
     with pytest.raises(raceway.InputError, match="no folder"):
         model.save(tmp_path / "none" / "m.toml")
     assert (tmp_path / "m.toml").read_text() == "before"
+
+
+def test_arrays_frames_and_text_are_one_record(root):
+    model = raceway.Model.read(root / RIG / "model.toml")
+    text = raceway.Record.read(root / RIG / "train.csv")
+    frame = text.to_frame()
+    arrays = {name: frame[name].to_numpy() for name in frame}
+    expected = model.compare(text).data
+    for record in (
+        raceway.Record.from_pandas(frame, name=text.name),
+        raceway.Record.from_pandas(frame.convert_dtypes(), name=text.name),
+        raceway.Record.from_arrays(arrays, name=text.name),
+        pickle.loads(pickle.dumps(raceway.Record.from_arrays(arrays, name=text.name))),
+    ):
+        assert model.compare(record).data == expected
+        assert record.to_frame().equals(frame)
+
+
+def test_cells_without_a_number_are_named_by_their_row(model):
+    given = {"speed_rpm": [1000.0, 2000.0, 3000.0], "axial_load_N": [100, 100, 100]}
+    for torque in ([1.0, numpy.nan, 3.0], numpy.ma.masked_equal([1.0, 2.0, 3.0], 2.0)):
+        record = raceway.Record.from_arrays({**given, "friction_torque_Nmm": torque}, name="mine")
+        with pytest.raises(raceway.InputError, match='mine:3: friction_torque_Nmm = "": is empty') as e:
+            model.compare(record)
+        assert e.value.line == 3
+        dropped = raceway.Record.from_arrays({**given, "friction_torque_Nmm": torque}, name="mine", drop_nan=True)
+        assert len(model.predict(dropped)) == 2
+    with pytest.raises(raceway.InputError, match="arrays of one length"):
+        raceway.Record.from_arrays({"speed_rpm": [1.0], "friction_torque_Nmm": [1.0, 2.0]})
+    with pytest.raises(raceway.InputError, match="column speed_rpm is missing"):
+        model.compare(raceway.Record.from_arrays({"friction_torque_Nmm": [1.0, 2.0]}))
+    single = raceway.Record.from_arrays({k: numpy.float32(v) for k, v in {**given, "friction_torque_Nmm": [0.1, 0.2, 0.3]}.items()})
+    assert model.predict(single)["friction_torque_Nmm"].tolist() == [0.1, 0.2, 0.3]
+
+
+def test_runs_and_dates_of_a_frame(root):
+    frame = pandas.DataFrame(
+        {
+            "time_s": pandas.date_range("2024-03-12 08:15", periods=40, freq="60s"),
+            "front_bearing_temperature_C": numpy.linspace(20, 30, 40),
+            "ambient_temperature_C": numpy.linspace(20, 21, 40),
+            "displacement_z_um": numpy.linspace(0, 12, 40),
+            "run_id": [1] * 40,
+        }
+    )
+    correction = raceway.Correction.read(root / "data/corrections/exact/correction.toml")
+    notes = correction.correct(raceway.Record.from_pandas(frame)).notes
+    assert any("time_s counts from 2024-03-12" in note for note in notes)

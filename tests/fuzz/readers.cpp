@@ -54,9 +54,9 @@ void data(const std::string& text) {
   static const Subject shaft =
       subject("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n");
   for (const Subject& of : {rig, shaft})
-    refusable([&] { (void)io::parse_record(text, "data.csv", *of); });
+    refusable([&] { (void)io::read_record({"data.csv", text}, *of); });
   refusable([&] {
-    const io::SensorReadings read = io::parse_sensor_readings(text, "data.csv");
+    const io::SensorReadings read = io::read_sensor_readings({"data.csv", text});
     try {
       (void)rig::calibrate_sensor(read.readings);
     } catch (const std::invalid_argument&) {  // said by the command, with the file
@@ -79,7 +79,7 @@ void table(const std::string& text) {
 }
 
 void curve(const std::string& text) {
-  refusable([&] { (void)io::parse_displacement_curve(text, "curve.csv"); });
+  refusable([&] { (void)io::read_displacement_curve({"curve.csv", text}); });
 }
 
 /// A table of coefficients that is taken is written again as it then reads.
@@ -103,7 +103,7 @@ void columns(const std::string& text) {
     const io::ColumnMap map = io::parse_column_map(text, "map.toml");
     for (const bool drop_nan : {false, true})
       refusable([&] {
-        (void)io::parse_record(rows, "rows.csv", *rig, {.columns = map, .drop_nan = drop_nan});
+        (void)io::read_record({"rows.csv", rows}, *rig, {.columns = map, .drop_nan = drop_nan});
       });
   });
 }

@@ -23,7 +23,7 @@ TEST(Doubts, AreNotRaisedByHiddenEffects) {
       const Rig rig = make_rig(trial.setup);
       const auto subject = io::make_subject(io::parse_model(model_text(rig), "model.toml").model);
       const record::Record data =
-          io::parse_record(measurement_text(rig, rig.train), "train.csv", *subject);
+          io::read_record({"train.csv", measurement_text(rig, rig.train)}, *subject);
       for (const std::string& doubt : io::doubts(*subject, data))
         ADD_FAILURE() << block.id << ", seed " << trial.setup.seed << ": " << doubt;
       ++rigs;

@@ -55,7 +55,7 @@ std::shared_ptr<const model::ModelSubject> subject_of(const std::string& model_t
 }
 
 record::Record read(const std::string& csv, const model::ModelSubject& subject) {
-  return io::parse_record(csv, "train.csv", subject);
+  return io::read_record({"train.csv", csv}, subject);
 }
 
 /// A suggested point in the generator's units.

@@ -47,7 +47,7 @@ TEST_P(InputChannels, AreFoundWhereverInputsAreLookedFor) {
   const Channel& channel = *GetParam();
   const std::string name(channel.name);
   const auto subject = make_subject(fit::synthetic_model());
-  const record::Record record = parse_record(file_with(channel), "d.csv", *subject);
+  const record::Record record = read_record({"d.csv", file_with(channel)}, *subject);
   ASSERT_TRUE(record.has(channel));
   EXPECT_TRUE(record.varies(channel));
 

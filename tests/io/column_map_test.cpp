@@ -23,8 +23,8 @@ std::shared_ptr<const model::ModelSubject> rig(double inertia = unset) {
 
 Record read(const std::string& text, const std::string& map = "[columns]\n",
             bool drop_nan = false) {
-  return parse_record(text, "d.csv", *rig(),
-                      {.columns = parse_column_map(map, "map.toml"), .drop_nan = drop_nan});
+  return read_record({"d.csv", text}, *rig(),
+                     {.columns = parse_column_map(map, "map.toml"), .drop_nan = drop_nan});
 }
 
 std::string map_error(const std::string& text, const std::string& map) {

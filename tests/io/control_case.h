@@ -131,7 +131,7 @@ struct Case {
       wanted.push_back(m.displacement);
       for (const record::Channel* c : correction::inputs_of(m)) needed.push_back(c);
     }
-    data = parse_series(record, "record.csv", wanted, needed);
+    data = read_series({"record.csv", record}, wanted, needed);
     plan = control_plan(file.models, file.control, file.source);
   }
 

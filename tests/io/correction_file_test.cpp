@@ -206,7 +206,7 @@ TEST(CorrectionFile, ARangeIsOfAnInputOrOfThePowerOfAChannel) {
 const std::string displacement_header = "time_s,speed_rpm,front_temperature_C,displacement_z_um\n";
 
 record::Record series(const std::string& text) {
-  return parse_series(text, "r.csv", {record::series_channel("displacement_z_um")}, {});
+  return read_series({"r.csv", text}, {record::series_channel("displacement_z_um")}, {});
 }
 
 TEST(SeriesFile, AnEmptyDisplacementWasNotRead) {

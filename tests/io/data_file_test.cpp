@@ -42,7 +42,7 @@ model::Rig flywheel() {
 }
 
 Record record_of(const std::string& text, const model::Rig& rig = loaded_rig()) {
-  return parse_record(text, "d.csv", *on(rig));
+  return read_record({"d.csv", text}, *on(rig));
 }
 
 std::string data_error(const std::string& text, const model::Rig& rig = loaded_rig()) {
@@ -118,7 +118,7 @@ TEST(DataFile, ForAShaftTheAxialLoadIsTheExternalOne) {
   model::Model model = fit::two_against_one();
   model.shaft->external_load = 70;
   const auto shaft = make_subject(model);
-  const auto read = [&](const std::string& text) { return parse_record(text, "d.csv", *shaft); };
+  const auto read = [&](const std::string& text) { return read_record({"d.csv", text}, *shaft); };
   const Record filled = read("speed_rpm,axial_displacement_um\n1000,2\n");
   EXPECT_DOUBLE_EQ(filled.value(record::axial_load, 0), 70);
   EXPECT_THAT(filled.notes, Contains("no column axial_load_N: 70 N for all rows, from "
@@ -142,7 +142,7 @@ TEST(DataFile, BesideAnotherSensorACellMayBeEmpty) {
   const std::string text =
       "speed_rpm,friction_torque_Nmm,std_Nmm,axial_displacement_um\n"
       "1000,50,1,\n2000,,,3\n3000,60,1,4\n";
-  const Record r = parse_record(text, "d.csv", TwoSensors());
+  const Record r = read_record({"d.csv", text}, TwoSensors());
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.05);
   EXPECT_TRUE(std::isnan(r.value(record::friction_torque, 1)));
   EXPECT_TRUE(std::isnan(r.value(record::torque_deviation, 1)));
@@ -151,9 +151,10 @@ TEST(DataFile, BesideAnotherSensorACellMayBeEmpty) {
   EXPECT_TRUE(r.notes.empty());
   const auto refused = [](const std::string& cells, const model::ModelSubject& subject) {
     return message_of([&] {
-      (void)parse_record(
-          "speed_rpm,axial_load_N,friction_torque_Nmm,std_Nmm,axial_displacement_um\n" + cells,
-          "d.csv", subject);
+      (void)read_record(
+          {"d.csv",
+           "speed_rpm,axial_load_N,friction_torque_Nmm,std_Nmm,axial_displacement_um\n" + cells},
+          subject);
     });
   };
   // What was read has a deviation, inputs stand in every row, and a channel alone is always read.

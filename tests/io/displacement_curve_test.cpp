@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 DisplacementCurve parsed(const std::string& text) {
-  return parse_displacement_curve(text, "u.csv");
+  return read_displacement_curve({"u.csv", text});
 }
 
 std::string problem(const std::string& text) {

@@ -35,7 +35,7 @@ std::vector<Row> rows_of_a_rig() {
   for (const Row& r : list)
     text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature, r.torque);
   const auto of = subject();
-  const std::vector<double> torque = fit::predict(*of, parse_record(text, "d.csv", *of));
+  const std::vector<double> torque = fit::predict(*of, read_record({"d.csv", text}, *of));
   for (std::size_t i = 0; i < list.size(); ++i)
     list[i].torque = torque[i] / N_mm * (1.1 + 0.3 * list[i].speed / 12000.0);
   return list;
@@ -50,7 +50,7 @@ std::vector<std::string> after(const Change& change) {
     text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature, r.torque);
   }
   const auto of = subject();
-  return doubts(*of, parse_record(text, "d.csv", *of));
+  return doubts(*of, read_record({"d.csv", text}, *of));
 }
 
 TEST(Doubts, ThereAreNoneAboutWhatAModelMayMiss) {
@@ -79,7 +79,7 @@ TEST(Doubts, ALongRecordIsNotLookedAtInStepWithWhatRepeatsInIt) {
                         k % 5 == 0 ? r.torque : 1e-3 * r.torque);
   }
   const auto of = subject();
-  EXPECT_THAT(doubts(*of, parse_record(text, "d.csv", *of)),
+  EXPECT_THAT(doubts(*of, read_record({"d.csv", text}, *of)),
               ElementsAre(HasSubstr("N m in a column of N mm")));
 }
 

@@ -14,10 +14,11 @@ TEST(RecordText, ReadsBackAsItIs) {
   model::Model model = fit::synthetic_model();
   model.rig.axial_load = 100;
   const auto subject = make_subject(model);
-  const record::Record first = parse_record(
-      "run_id;speed_1_s;temperature_F;friction_torque_Nm\n\"a, b\";10;104;0,25\nc;20;113;0,3\n",
-      "d.csv", *subject);
-  const record::Record again = parse_record(record_text(first), "e.csv", *subject);
+  const record::Record first = read_record(
+      {"d.csv",
+       "run_id;speed_1_s;temperature_F;friction_torque_Nm\n\"a, b\";10;104;0,25\nc;20;113;0,3\n"},
+      *subject);
+  const record::Record again = read_record({"e.csv", record_text(first)}, *subject);
   ASSERT_EQ(again.rows(), 2u);
   EXPECT_EQ(again.runs, first.runs);
   for (const record::Column& column : first.columns) {
@@ -36,9 +37,9 @@ TEST(RecordText, OfACoastDownItHasTheTorques) {
   std::string text = "time_s,speed_rpm\n";
   for (int i = 0; i < 200; ++i)  // with the last digit of a counter
     text += fmt::format("{},{}\n", i, 6000 - 20 * i + (i * 7 % 5 - 2) * 0.1);
-  const record::Record torques = parse_record(text, "d.csv", *subject);
+  const record::Record torques = read_record({"d.csv", text}, *subject);
   EXPECT_THAT(record_text(torques), testing::HasSubstr("friction_torque_Nmm,std_Nmm"));
-  const record::Record again = parse_record(record_text(torques), "e.csv", *subject);
+  const record::Record again = read_record({"e.csv", record_text(torques)}, *subject);
   EXPECT_EQ(again.rows(), torques.rows());
   // J dw/dt of 20 rpm in a second
   EXPECT_NEAR(again.value(record::friction_torque, 3), 0.1 * 20 * rpm, 0.02 * 0.1 * 20 * rpm);

@@ -26,7 +26,7 @@ const model::Spindle& spindle_of_records() {
 }
 
 record::Record read_rows(const std::string& text) {
-  return parse_spindle_record(text, "day.csv", spindle_of_records());
+  return read_spindle_record({"day.csv", text}, spindle_of_records());
 }
 
 std::string rows_error(const std::string& text) {

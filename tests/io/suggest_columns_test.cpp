@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string suggested(const std::string& text) {
-  return suggested_columns_of(text, "d.csv", *make_subject(fit::synthetic_model()));
+  return suggested_columns({"d.csv", text}, *make_subject(fit::synthetic_model()));
 }
 
 TEST(SuggestColumns, AGermanExportIsRecognised) {
@@ -34,7 +34,7 @@ TEST(SuggestColumns, AGermanExportIsRecognised) {
   // As it stands it is a map.
   const auto subject = make_subject(fit::synthetic_model());
   const record::Record r =
-      parse_record(text, "d.csv", *subject, {.columns = parse_column_map(map, "map.toml")});
+      read_record({"d.csv", text}, *subject, {.columns = parse_column_map(map, "map.toml")});
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 1), 0.17);
   EXPECT_DOUBLE_EQ(r.value(record::axial_load, 1), 300);
 }

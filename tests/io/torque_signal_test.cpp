@@ -23,7 +23,7 @@ const std::string weights =
     "reference_Nm,signal_V\n0,0.101\n0.5,2.6\n1,5.102\n0.5,2.602\n0,0.1\n0.5,2.601\n1,5.099\n";
 
 rig::SensorCalibration calibration(const std::string& text = weights) {
-  return rig::calibrate_sensor(parse_sensor_readings(text, "weights.csv").readings);
+  return rig::calibrate_sensor(read_sensor_readings({"weights.csv", text}).readings);
 }
 
 ModelFile model_with(const std::string& table) {
@@ -37,8 +37,8 @@ std::string model_problem(const std::string& table) {
 const std::string table = torque_sensor_text(calibration(), "weights.csv");
 
 record::Record record_by(const ModelFile& file, const std::string& text) {
-  return parse_record(text, "d.csv", *make_subject(file.model),
-                      {.columns = file.columns, .sensor = file.sensor});
+  return read_record({"d.csv", text}, *make_subject(file.model),
+                     {.columns = file.columns, .sensor = file.sensor});
 }
 
 std::string record_problem(const ModelFile& file, const std::string& text) {
@@ -53,7 +53,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST(SensorReadings, AreReadIntoSiWithTheirLines) {
   const SensorReadings read =
-      parse_sensor_readings("# weights\nreference_Nm,signal_V,who\n0,0.1,A\n2.5,1.6,B\n", "w.csv");
+      read_sensor_readings({"w.csv", "# weights\nreference_Nm,signal_V,who\n0,0.1,A\n2.5,1.6,B\n"});
   ASSERT_EQ(read.readings.size(), 2U);
   EXPECT_DOUBLE_EQ(read.readings[1].torque, 2.5);
   EXPECT_DOUBLE_EQ(read.readings[1].signal, 1.6);
@@ -63,27 +63,28 @@ TEST(SensorReadings, AreReadIntoSiWithTheirLines) {
 
 TEST(SensorReadings, AreReadInOtherUnitsAsAGermanExcelWritesThem) {
   const std::string german = "Kalibrierung vom Montag\n\nreference;signal\nNmm;mV\n250;1248,1\n";
-  const SensorReadings read =
-      parse_sensor_readings(german, "w.csv",
-                            {.columns = parse_column_map("[columns]\nreference_Nm = \"reference\"\n"
-                                                         "signal_V = \"signal\"\n",
-                                                         "map.toml")});
+  const SensorReadings read = read_sensor_readings(
+      {"w.csv", german}, {.columns = parse_column_map("[columns]\nreference_Nm = \"reference\"\n"
+                                                      "signal_V = \"signal\"\n",
+                                                      "map.toml")});
   EXPECT_DOUBLE_EQ(read.readings.at(0).torque, 0.25);
   EXPECT_DOUBLE_EQ(read.readings.at(0).signal, 1.2481);
   EXPECT_THAT(read.notes, Contains(HasSubstr("1 mV = 0.001 V")));
   const SensorReadings named =
-      parse_sensor_readings("reference_Nmm;torque_signal_mV\n250;1248,1\n", "w.csv");
+      read_sensor_readings({"w.csv", "reference_Nmm;torque_signal_mV\n250;1248,1\n"});
   EXPECT_DOUBLE_EQ(named.readings.at(0).torque, 0.25);
   EXPECT_DOUBLE_EQ(named.readings.at(0).signal, 1.2481);
 }
 
 TEST(SensorReadings, SayWhichColumnIsMissing) {
-  EXPECT_THAT(
-      message_of([] { (void)parse_sensor_readings("reference_Nm,Signal\n0,0\n", "w.csv"); }),
-      HasSubstr("w.csv:1: column signal_V is missing"));
-  EXPECT_THAT(
-      message_of([] { (void)parse_sensor_readings("reference_Nm,signal_V\n0,-\n", "w.csv"); }),
-      HasSubstr("w.csv:2: signal_V = \"-\": is not a number"));
+  EXPECT_THAT(message_of([] {
+                (void)read_sensor_readings({"w.csv", "reference_Nm,Signal\n0,0\n"});
+              }),
+              HasSubstr("w.csv:1: column signal_V is missing"));
+  EXPECT_THAT(message_of([] {
+                (void)read_sensor_readings({"w.csv", "reference_Nm,signal_V\n0,-\n"});
+              }),
+              HasSubstr("w.csv:2: signal_V = \"-\": is not a number"));
 }
 
 TEST(TorqueSensorTable, ReadsBackAsItWas) {
@@ -160,7 +161,7 @@ TEST(TorqueSignal, IsFrictionTorqueWithItsStandardDeviation) {
 TEST(TorqueSignal, WrittenAsRowsIsReadBackAsTorque) {
   const ModelFile file = model_with(table);
   const record::Record r = record_by(file, "speed_rpm,torque_signal_V\n1000,0.6\n2000,1.1\n");
-  const record::Record again = parse_record(record_text(r), "rows.csv", *make_subject(file.model));
+  const record::Record again = read_record({"rows.csv", record_text(r)}, *make_subject(file.model));
   EXPECT_NEAR(again.value(record::friction_torque, 1), r.value(record::friction_torque, 1), 1e-12);
   EXPECT_NEAR(again.value(record::torque_deviation, 1), r.value(record::torque_deviation, 1),
               1e-12);
@@ -227,8 +228,8 @@ TEST(TorqueSignal, BadCellsAreNamed) {
 TEST(TorqueSignal, RowsWithoutOneAreDroppedWhereThatIsAskedFor) {
   const ModelFile file = model_with(table);
   const record::Record r =
-      parse_record("speed_rpm,torque_signal_V\n1000,0.6\n2000,nan\n", "d.csv",
-                   *make_subject(file.model), {.sensor = file.sensor, .drop_nan = true});
+      read_record({"d.csv", "speed_rpm,torque_signal_V\n1000,0.6\n2000,nan\n"},
+                  *make_subject(file.model), {.sensor = file.sensor, .drop_nan = true});
   EXPECT_EQ(r.rows(), 1U);
 }
 
