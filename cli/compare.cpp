@@ -1,24 +1,17 @@
-#include "fit/compare.h"
-
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
-#include "cli/error_text.h"
+#include "cli/comparison_text.h"
 #include "cli/messages.h"
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
-#include "cli/text_bars.h"
-#include "cli/text_table.h"
 #include "io/error.h"
 #include "session/loop.h"
 
 namespace raceway::cli {
 namespace {
-
-using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured channel
 
 struct CompareFlags {
   std::vector<std::string> files;  // models, then data
@@ -27,201 +20,6 @@ struct CompareFlags {
   bool json = false, force = false;
   ReportFlag report;
 };
-
-/// Values beside an error show its decimals: rounding noise reads 0.
-std::string rounded(double value, const fit::Comparison& c, bool sign) {
-  return beside(value, c.rmse / c.channel->factor, 3, sign);
-}
-
-std::string difference(double error, const fit::Comparison& c, bool sign = true) {
-  return rounded(error / c.channel->factor, c, sign);
-}
-
-std::string range_text(const fit::ErrorRange& r) {
-  if (r.is_run())
-    return r.run.empty() ? "no run_id" : fmt::format("{} {}", r.channel->words, r.run);
-  const record::Channel& of = *r.channel;
-  const std::string low = fmt::format("{:.4g}", of.in_unit(r.from));
-  const std::string high = fmt::format("{:.4g}", of.in_unit(r.to));
-  return low == high ? fmt::format("{} {} {}", of.words, low, of.unit)
-                     : fmt::format("{} {} to {} {}", of.words, low, high, of.unit);
-}
-
-/// The column that declares the noise of a channel, empty where there is none.
-std::string_view deviation_column(const record::Channel& measured) {
-  for (const record::Channel& c : record::channels)
-    if (c.of == measured.name) return c.name;
-  return {};
-}
-
-std::string noise_text(const fit::Comparison& c) {
-  const record::Channel& of = *c.channel;
-  if (!std::isnan(c.noise.rms))
-    return fmt::format("{} {} ({})", error_text(c.noise.rms, of, 3), error_unit(of),
-                       fit::name(c.noise.source));
-  const std::string_view column = deviation_column(of);
-  return fmt::format(
-      "not known ({}){}",
-      record::find_channel(of.name) == nullptr  // of a record over time
-          ? "none declared, and readings stand far apart"
-          : fmt::format("{}no repeated rows",
-                        column.empty() ? "" : fmt::format("no column {}, ", column)),
-      std::isnan(c.estimated_noise)
-          ? ""
-          : fmt::format("; estimated {} {}", error_text(c.estimated_noise, of, 3), error_unit(of)));
-}
-
-void print_summary(const fit::Comparison& c) {
-  const std::string unit = error_unit(*c.channel);
-  fmt::print("RMS error       {:>10} {}   mean error (bias) {:>10} {}\n",
-             error_text(c.rmse, *c.channel), unit, difference(c.bias, c), unit);
-  fmt::print("mean abs error  {:>10} {}   largest error     {:>10} {}\n",
-             error_text(c.mae, *c.channel), unit, error_text(c.max_abs, *c.channel), unit);
-  if (!std::isnan(c.fit_percent))
-    fmt::print("fit             {:>10} %\n", number(c.fit_percent, 3));
-  fmt::print("noise of the data: {}\n", noise_text(c));
-  if (!std::isnan(c.lack_of_fit.p_value))
-    fmt::print("lack of fit: {} = {}, {}\n",
-               c.noise.source == fit::NoiseSource::repeats ? "F" : "chi2/dof",
-               number(c.lack_of_fit.statistic, 3), fit::p_value_text(c.lack_of_fit.p_value));
-}
-
-/// Each of several records by itself.
-void print_records(const fit::Comparison& c) {
-  if (c.records.empty()) return;
-  const std::string unit = error_unit(*c.channel);
-  TextTable records({{"record", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
-  for (const fit::ErrorRange& r : c.records)
-    records.add(
-        {r.run, fmt::format("{}", r.rows), difference(r.rmse, c, false), difference(r.bias, c)});
-  fmt::print("\n{}", records.text(terminal_width()));
-}
-
-void print_where(const fit::Comparison& c) {
-  if (c.where.empty()) return;
-  const std::string unit = error_unit(*c.channel);
-  TextTable where({{"where it fails", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
-  for (std::size_t i = 0; i < std::min<std::size_t>(c.where.size(), 8); ++i) {
-    const fit::ErrorRange& r = c.where[i];
-    where.add({range_text(r), fmt::format("{}", r.rows), difference(r.rmse, c, false),
-               difference(r.bias, c)});
-  }
-  fmt::print("\n{}", where.text(terminal_width()));
-}
-
-void print_worst(const fit::Comparison& c, const record::Record& data) {
-  const std::string unit(c.channel->unit);
-  TextTable worst({{"worst rows", "", true},
-                   {"predicted", unit},
-                   {"measured", unit},
-                   {"difference", error_unit(*c.channel)},
-                   {"in sigma", ""}});
-  for (const fit::RowError& r : c.worst)
-    worst.add({data.place(r.row), rounded(c.channel->in_unit(r.predicted), c, false),
-               rounded(c.channel->in_unit(r.measured), c, false), difference(r.residual, c),
-               std::isnan(r.sigmas) ? "-" : fmt::format("{:+.1f}", r.sigmas)});
-  fmt::print("\n{}", worst.text(terminal_width()));
-}
-
-/// All channels of one model at a glance.
-void print_channels(const Comparisons& comparisons) {
-  TextTable table({{"channel", "", true},
-                   {"rows", ""},
-                   {"RMS", ""},
-                   {"bias", ""},
-                   {"largest", ""},
-                   {"noise", ""},
-                   {"tolerance", ""},
-                   {"unit", "", true},
-                   {"", "", true}});
-  for (const fit::Comparison& c : comparisons) {
-    const record::Channel& of = *c.channel;
-    const bool tolerated = !std::isnan(c.tolerance);
-    table.add({std::string(of.words), fmt::format("{}", c.rows), error_text(c.rmse, of),
-               difference(c.bias, c), error_text(c.max_abs, of), error_text(c.noise.rms, of, 2),
-               tolerated ? error_text(c.tolerance, of, 3) : "-", error_unit(of),
-               !tolerated              ? ""
-               : c.rmse <= c.tolerance ? "within"
-                                       : "beyond"});
-  }
-  fmt::print("{}\n", table.text(terminal_width()));
-}
-
-/// Of many channels those that stand out of what is tolerated, or else the one that is nearest to
-/// it: the others have their line in print_channels().
-std::vector<const fit::Comparison*> told_in_full(const Comparisons& comparisons) {
-  std::vector<const fit::Comparison*> told;
-  const auto share = [](const fit::Comparison& c) {
-    return c.rmse / (std::isnan(c.tolerance) ? c.noise.rms : c.tolerance);
-  };
-  const fit::Comparison* worst = &comparisons.front();
-  for (const fit::Comparison& c : comparisons) {
-    if (comparisons.size() < many_channels || !(share(c) <= 1.0)) told.push_back(&c);
-    if (share(c) > share(*worst)) worst = &c;
-  }
-  if (told.empty()) told.push_back(worst);
-  return told;
-}
-
-void print(const std::string& model, const Comparisons& comparisons, const record::Record& data) {
-  if (comparisons.size() >= many_channels) print_channels(comparisons);
-  const std::vector<const fit::Comparison*> told = told_in_full(comparisons);
-  for (const fit::Comparison* one : told) {
-    const fit::Comparison& c = *one;
-    if (one != told.front()) fmt::print("\n");
-    fmt::print("{} against {}: {} row{}, {}\n\n", model, data.source, c.rows,
-               c.rows == 1 ? "" : "s", c.channel->words);
-    print_summary(c);
-    print_records(c);
-    print_where(c);
-    print_worst(c, data);
-    fmt::print("\n{}\n",
-               in_colour(c.statement,
-                         c.judgement == fit::Judgement::structure ? Colour::bad : Colour::good));
-  }
-}
-
-struct Rung {
-  std::string model;
-  fit::Comparison comparison;
-};
-
-/// Models against one measured channel.
-void print_ladder(const std::vector<Rung>& rungs) {
-  constexpr std::size_t bar_width = 24;
-  const fit::Comparison& first = rungs.front().comparison;
-  const std::string unit = error_unit(*first.channel);
-  TextTable ladder({{"model", "", true},
-                    {"RMS", unit},
-                    {"bias", unit},
-                    {"fit", "%"},
-                    {"", std::isnan(first.noise.rms) ? "" : "| noise", true}});
-  double worst = 0.0;
-  for (const Rung& rung : rungs) worst = std::max(worst, rung.comparison.rmse);
-  for (const auto& [model, c] : rungs) {
-    ladder.add({model, error_text(c.rmse, *c.channel), difference(c.bias, c),
-                number(c.fit_percent, 3), bar(c.rmse, worst, bar_width, c.noise.rms)});
-    for (const fit::ErrorRange& r : c.records)
-      ladder.add({"  " + r.run, difference(r.rmse, c, false), difference(r.bias, c), "",
-                  bar(r.rmse, worst, bar_width, c.noise.rms)});
-  }
-  fmt::print("{}noise of the data: {}\n", ladder.text(terminal_width()), noise_text(first));
-}
-
-/// One for each channel of the first model.
-void print_ladders(const std::vector<std::string>& models,
-                   const std::vector<Comparisons>& comparisons) {
-  const Comparisons& first = comparisons.front();
-  for (const fit::Comparison& of : first) {
-    if (first.size() > 1)
-      fmt::print("{}{}\n", &of == &first.front() ? "" : "\n", of.channel->words);
-    std::vector<Rung> rungs;
-    for (std::size_t i = 0; i < models.size(); ++i)
-      for (const fit::Comparison& c : comparisons[i])
-        if (*c.channel == *of.channel) rungs.push_back({models[i], c});
-    print_ladder(rungs);
-  }
-}
 
 /// Models come first; data begin with the first name that ends in .csv, else are the last.
 std::size_t first_data(const std::vector<std::string>& files) {

@@ -10,8 +10,7 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/progress.h"
-#include "cli/text_table.h"
-#include "io/names.h"
+#include "cli/sensitivity_text.h"
 #include "session/open_input.h"
 
 namespace raceway::cli {
@@ -54,122 +53,6 @@ session::SensitivityQuestion question_of(const SensitivityFlags& f) {
     q.spreads.insert(q.spreads.end(), more.begin(), more.end());
   }
   return q;
-}
-
-constexpr std::size_t narrowest = 116;  // columns of a table that is one piece
-
-std::string with_sign(double value) {
-  return std::isfinite(value) && value > 0.0 ? "+" + number(value, 3) : number(value, 3);
-}
-
-std::string with_error(double value, double error) {
-  if (!std::isfinite(value)) return "-";
-  const double shown = std::fabs(value) < 0.0005 ? 0.0 : value;
-  return fmt::format("{:.3f} +-{:.3f}", shown, error);
-}
-
-std::string remark(const io::LocalSensitivity& local) {
-  std::string words;
-  const auto add = [&](const char* more) {
-    words += (words.empty() ? "" : ", ") + std::string(more);
-  };
-  if (local.kink) add("kink");
-  if (local.steps_disagree && !local.kink) add("steps disagree");
-  if (local.one_sided) add("to one side");
-  if (!std::isfinite(local.derivative)) add("no value beside it");
-  return words;
-}
-
-/// A line of names in lines of the terminal.
-void print_words(const std::string& words) {
-  for (const std::string& line : filled(words, std::max(terminal_width(), narrowest)))
-    fmt::print("{}\n", line);
-}
-
-/// Names behind the reason that they share.
-void print_reasons(std::string_view what,
-                   const std::vector<std::pair<std::string, std::string>>& reasons) {
-  std::vector<std::string> told;
-  for (const auto& [first, why] : reasons) {
-    if (std::find(told.begin(), told.end(), why) != told.end()) continue;
-    told.push_back(why);
-    std::vector<std::string> names;
-    for (const auto& [name, other] : reasons)
-      if (other == why) names.push_back(name);
-    print_words(fmt::format("{}: {} ({})", what, io::listed(names), why));
-  }
-}
-
-constexpr std::size_t most_named = 12;
-constexpr double least_share = 0.001;  // what a table lists, of the squares of the changes
-
-void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity& p, bool all) {
-  fmt::print("{} = {} at {}\n\n", p.name, number(p.value), session::words_of_state(s, p.state));
-  std::vector<TextTable::Column> heads{{"datum", "", true}, {"value", ""}, {"+-", ""}};
-  for (const char* name : {"derivative", "% per %", "change", "share %"})
-    heads.push_back({name, ""});
-  if (p.global) {
-    heads.push_back({"first order", ""});
-    heads.push_back({"total", ""});
-  }
-  heads.push_back({"", "", true});
-  TextTable table(heads);
-  std::vector<std::string> left_out;
-  for (const std::size_t k : p.order) {
-    const io::VariedDatum& d = s.data[k];
-    const io::LocalSensitivity& local = p.local[k];
-    const auto at = std::find(s.sampled.begin(), s.sampled.end(), k);
-    const fit::SobolIndex* const global =
-        p.global && at != s.sampled.end()
-            ? &p.global->inputs[static_cast<std::size_t>(at - s.sampled.begin())]
-            : nullptr;
-    const bool small = local.share < least_share && !(global && global->total >= least_share);
-    if (small && !all) {
-      left_out.push_back(d.name);
-      continue;
-    }
-    std::vector<std::string> row{
-        d.name,
-        fmt::format("{:.6g}", d.value),
-        fmt::format("{:.3g}", d.spread),
-        number(local.derivative),
-        number(local.elasticity, 3),
-        with_sign(local.change),
-        std::isnan(local.share) ? "-" : fmt::format("{:.1f}", 100.0 * local.share)};
-    if (p.global) {
-      row.push_back(global ? with_error(global->first, global->first_error) : "-");
-      row.push_back(global ? with_error(global->total, global->total_error) : "-");
-    }
-    row.push_back(remark(local));
-    table.add(row);
-  }
-  fmt::print("{}",
-             table.text(std::max<std::size_t>(terminal_width(), narrowest + (p.global ? 30 : 0))));
-  if (!left_out.empty())
-    print_words(fmt::format("below 0.1 % each: {}",
-                            left_out.size() > most_named
-                                ? fmt::format("{} data, which --all lists", left_out.size())
-                                : io::listed(left_out)));
-  if (p.global) {
-    double alone = 0.0;
-    for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;
-    fmt::print(
-        "of samples: mean {}, standard deviation {}; {:.3f} of the variance by one datum alone\n",
-        number(p.global->mean), number(p.global->std, 3), alone);
-  }
-  for (const std::string& line : p.cannot_tell) fmt::print("{}\n", line);
-}
-
-void print(const io::Sensitivity& s, bool all) {
-  fmt::print("What matters of {}\n", s.model);
-  for (const io::PredictionSensitivity& p : s.predictions) {
-    fmt::print("\n");
-    print_prediction(s, p, all);
-  }
-  fmt::print("\n");
-  if (!s.does_not_enter.empty()) print_words("does not enter: " + io::listed(s.does_not_enter));
-  print_reasons("not varied", s.not_varied);
-  print_reasons("not sampled", s.not_sampled);
 }
 
 int run(const SensitivityFlags& flags) {

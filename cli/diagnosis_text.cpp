@@ -1,0 +1,273 @@
+#include "cli/diagnosis_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/error_text.h"
+#include "cli/messages.h"
+#include "cli/text_bars.h"
+#include "cli/text_table.h"
+
+namespace raceway::cli {
+namespace {
+
+constexpr int error_digits = 3;
+
+/// Of one channel; "-" where there is none.
+std::string channel_error(const std::vector<double>& errors, std::size_t k,
+                          const fit::Diagnosis& d) {
+  return k < errors.size() ? error_text(errors[k], d.channels[k].channel(), error_digits) : "-";
+}
+
+std::string size_text(const std::vector<fit::Parameter>& parameters) {
+  std::string text;
+  for (const fit::Parameter& p : parameters) {
+    if (!text.empty()) text += ", ";
+    text += number(p.value, 3);
+    if (!std::isnan(p.std)) text += " +- " + number(p.std, 2);
+    if (p.unit != "1") text += " " + p.unit;
+    if (p.at_bound != fit::Bound::none) text += " (at its bound)";
+    if (!p.plausible) text += " (implausible)";
+  }
+  return text;
+}
+
+/// Where a tolerance alone decides there is no likelihood.
+bool has_gains(const fit::Diagnosis& d) { return !std::isnan(d.needed_gain); }
+
+/// The channel that errs most on rows left out, of what is tolerated or else of its noise.
+struct WorstChannel {
+  double share = unset;
+  std::string_view words = {};
+};
+
+WorstChannel worst_channel(const std::vector<double>& errors, const fit::Diagnosis& d) {
+  WorstChannel worst;
+  for (std::size_t k = 0; k < std::min(errors.size(), d.channels.size()); ++k) {
+    const fit::ChannelDiagnosis& c = d.channels[k];
+    const double share = errors[k] / (d.tolerance_limited() ? c.tolerance : c.noise.rms);
+    if (std::isnan(worst.share) || share > worst.share) worst = {share, c.channel().words};
+  }
+  return worst;
+}
+
+/// Errors of every channel, then what it is and how much it gains.
+TextTable effects_table(const fit::Diagnosis& d) {
+  std::vector<TextTable::Column> columns{{"effect", "", true}, {"", "", true}};
+  if (has_gains(d)) columns.push_back({"gain", ""});
+  if (d.channels.size() >= many_channels) {
+    columns.push_back({"held out", d.tolerance_limited() ? "of tolerance" : "of noise"});
+    columns.push_back({"worst in", "", true});
+  } else {
+    for (const fit::ChannelDiagnosis& c : d.channels) {
+      columns.push_back({"RMS", error_unit(c.channel())});
+      columns.push_back({"held out", error_unit(c.channel())});
+    }
+  }
+  columns.push_back({"size", "", true});
+  if (has_gains(d)) columns.push_back({"gain, | needed", "", true});
+  return TextTable(columns);
+}
+
+void print_effects(const fit::Diagnosis& d) {
+  TextTable table = effects_table(d);
+  constexpr std::size_t bar_width = 16;
+  double best = 0.0;
+  for (const fit::RankedEffect& e : d.effects) best = std::max(best, e.gain);
+  std::size_t shown = 0;
+  for (const fit::RankedEffect& e : d.effects) {
+    if (!e.in_verdict && shown >= 8) break;
+    ++shown;
+    const std::string gain_bar = bar(e.gain, best, bar_width, d.needed_gain);
+    // Rounding of a gain is no gain.
+    const double gain = std::abs(e.gain) < 0.005 ? 0.0 : e.gain;
+    std::vector<std::string> row{e.id, e.in_verdict ? "<-" : ""};
+    if (has_gains(d)) row.push_back(number(gain, 3));
+    if (d.channels.size() >= many_channels) {
+      const WorstChannel worst = worst_channel(e.rmse_held_out, d);
+      row.push_back(number(worst.share, 3));
+      row.emplace_back(worst.words);
+    } else {
+      for (std::size_t k = 0; k < d.channels.size(); ++k) {
+        row.push_back(channel_error(e.rmse, k, d));
+        row.push_back(channel_error(e.rmse_held_out, k, d));
+      }
+    }
+    row.push_back(size_text(e.parameters));
+    if (has_gains(d)) row.push_back(e.in_verdict ? in_colour(gain_bar, Colour::good) : gain_bar);
+    table.add(std::move(row));
+  }
+  if (shown == 0) return;
+  fmt::print("\n{}", table.text(terminal_width()));
+  if (!has_gains(d)) return;
+  fmt::print("gain: fall of -2 ln L; {} needed ({} explanations tried, {} rows)\n",
+             number(d.needed_gain, 3), d.candidates_tried, d.rows);
+}
+
+std::string range_text(double lower, double upper) {
+  return std::isfinite(upper)   ? fmt::format("{} to {}", number(lower, 3), number(upper, 3))
+         : std::isfinite(lower) ? fmt::format("{} or more", number(lower, 3))
+                                : "any value";
+}
+
+void print_intervals(const fit::Diagnosis& d) {
+  for (const fit::RankedEffect& e : d.effects)
+    for (const fit::Parameter& p : e.parameters)
+      if (e.in_verdict && !std::isnan(p.interval.lower))
+        fmt::print("{}.{}: {}{}{} (95 % interval; in practice {})\n", e.id, p.name,
+                   range_text(p.interval.lower, p.interval.upper), p.unit == "1" ? "" : " ",
+                   p.unit == "1" ? "" : p.unit, range_text(p.plausible_lower, p.plausible_upper));
+  if (d.sets.empty()) return;
+  for (const fit::Parameter& b : d.base)
+    fmt::print("{}: {} without, {} with what is missing{}\n", b.name, number(b.start),
+               number(b.value), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
+}
+
+void print_hold_out(const fit::Diagnosis& d) {
+  for (const fit::HoldOut& h : d.hold_out)
+    for (std::size_t k = 0; k < d.channels.size(); ++k) {
+      const record::Channel& of = d.channels[k].channel();
+      fmt::print("held out by {}{}: {} {} before, {} {} after\n", h.variable,
+                 d.channels.size() > 1 ? fmt::format(", {}", of.words) : "",
+                 channel_error(h.rmse_before, k, d), error_unit(of),
+                 channel_error(h.rmse_after, k, d), error_unit(of));
+    }
+}
+
+void print_shape(const fit::Shape& shape) {
+  fmt::print("\nShape of what is missing: {}\n  {} = \"{}\"\n", shape.statement, shape.key,
+             shape.formula);
+  for (const fit::Parameter& c : shape.coefficients)
+    fmt::print("  {} = {}\n", c.name, number(c.value, 4));
+}
+
+std::string setting_text(const fit::Setting& s) {
+  return std::isnan(s.value) ? "as it is"
+                             : number(s.channel->in_unit(s.value), s.channel->ratio ? 4 : 3);
+}
+
+/// Values of the axes that are told, point by point.
+void print_next_points(const fit::Diagnosis& d) {
+  if (d.suggested_measurements.empty()) return;
+  std::vector<TextTable::Column> columns;
+  for (const fit::Axis& axis : d.axes)
+    if (axis.told)
+      columns.push_back(
+          {(columns.empty() ? "measure next: " : "") + std::string(axis.channel->words),
+           std::string(axis.channel->unit)});
+  columns.push_back({"repeats", ""});
+  columns.push_back({"separates", "", true});
+  TextTable points(columns);
+  for (const fit::SuggestedMeasurement& m : d.suggested_measurements) {
+    std::vector<std::string> row;
+    for (std::size_t i = 0; i < d.axes.size(); ++i)
+      if (d.axes[i].told) row.push_back(setting_text(m.point[i]));
+    row.push_back(fmt::format("{}", m.repeats));
+    row.push_back(m.separates);
+    points.add(std::move(row));
+  }
+  fmt::print("\n{}", points.text(terminal_width()));
+}
+
+void print_verdict_details(const fit::Diagnosis& d) {
+  print_intervals(d);
+  print_hold_out(d);
+  if (d.tolerance_limited() && !d.significant_but_immaterial.empty())
+    fmt::print("certain, but within the tolerance: {}\n",
+               fmt::join(d.significant_but_immaterial, ", "));
+  if (d.shape) print_shape(*d.shape);
+  print_next_points(d);
+  for (const std::string& record : d.records_needed) fmt::print("record: {}\n", record);
+}
+
+void print_limits(const fit::Diagnosis& d) {
+  const bool torque = d.channels.front().channel() == record::friction_torque;
+  TextTable found({{"would have been found: effect", "", true},
+                   {"from", ""},
+                   {"unit", "", true},
+                   {torque ? "% of torque" : "% of reading", ""}});
+  for (const fit::DetectableSize& s : d.would_have_been_found)
+    found.add({s.id, number(s.size, 2), s.unit == "1" ? "-" : s.unit,
+               number(100.0 * s.share_of_reading, 2)});
+  if (!d.would_have_been_found.empty()) fmt::print("\n{}", found.text(terminal_width()));
+  if (!d.not_testable.empty()) fmt::print("\ncould not have been found:\n");
+  for (const fit::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
+}
+
+/// Errors of one channel against the noise; against what is tolerated, which is judged on rows that
+/// no fit saw, where that decides.
+void print_ladder(const fit::Diagnosis& d, const fit::ChannelDiagnosis& c) {
+  constexpr std::size_t bar_width = 40;
+  const record::Channel& of = c.channel();
+  const double tolerance = d.tolerance_limited() ? c.tolerance : unset;
+  const bool tolerated = !std::isnan(tolerance);
+  TextTable ladder(
+      {{d.channels.size() > 1 ? fmt::format("RMS error of {}", of.words) : "RMS error", "", true},
+       {"", error_unit(of)},
+       {"", tolerated ? "| noise, : tolerance" : "| noise", true}});
+  std::vector<std::pair<const char*, double>> rungs{{"before", c.rmse_before}};
+  if (c.rmse_after < c.rmse_before) rungs.emplace_back("after", c.rmse_after);
+  if (tolerated) {
+    rungs.emplace_back("held out, before", c.rmse_held_out_before);
+    rungs.emplace_back("held out, after", c.rmse_held_out_after);
+    std::erase_if(rungs, [](const auto& rung) { return std::isnan(rung.second); });
+  }
+  double widest = std::fmax(0.0, tolerance);
+  for (const auto& [_, error] : rungs) widest = std::max(widest, error);
+  for (const auto& [name, error] : rungs)
+    ladder.add({name, error_text(error, of, error_digits),
+                bar(error, widest, bar_width, c.noise.rms, tolerance)});
+  ladder.add({"noise", error_text(c.noise.rms, of, error_digits), ""});
+  if (tolerated) ladder.add({"tolerance", error_text(tolerance, of, error_digits), ""});
+  fmt::print("{}", ladder.text(terminal_width()));
+}
+
+/// The same of many channels, a line each.
+void print_channels(const fit::Diagnosis& d) {
+  const bool tolerated = d.tolerance_limited();
+  std::vector<TextTable::Column> columns{{"RMS error", "", true}, {"before", ""}, {"after", ""}};
+  if (tolerated) {
+    columns.push_back({"held out,", "before"});
+    columns.push_back({"held out,", "after"});
+  }
+  columns.push_back({"noise", ""});
+  if (tolerated) columns.push_back({"tolerance", ""});
+  columns.push_back({"unit", "", true});
+  TextTable table(columns);
+  for (const fit::ChannelDiagnosis& c : d.channels) {
+    const record::Channel& of = c.channel();
+    const auto text = [&](double error) { return error_text(error, of, error_digits); };
+    std::vector<std::string> row{std::string(of.words), text(c.rmse_before), text(c.rmse_after)};
+    if (tolerated) {
+      row.push_back(text(c.rmse_held_out_before));
+      row.push_back(text(c.rmse_held_out_after));
+    }
+    row.push_back(text(c.noise.rms));
+    if (tolerated) row.push_back(text(c.tolerance));
+    row.emplace_back(error_unit(of));
+    table.add(std::move(row));
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+}  // namespace
+
+void print(const fit::Diagnosis& d) {
+  fmt::print("{}\n{}\n\n", in_colour(d.headline, Colour::strong), d.sentence);
+  fmt::print("verdict: {}{}\n\n", fit::name(d.verdict),
+             std::isnan(d.p_value) ? ""
+             : d.p_value < 1e-300  ? " (p of the misfit < 1e-300)"
+                                   : fmt::format(" (p of the misfit {:.1g})", d.p_value));
+  if (d.channels.size() >= many_channels)
+    print_channels(d);
+  else
+    for (const fit::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
+  print_effects(d);
+  fmt::print("\n");
+  print_verdict_details(d);
+  print_limits(d);
+}
+
+}  // namespace raceway::cli
