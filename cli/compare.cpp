@@ -42,7 +42,7 @@ int run(const CompareFlags& flags) {
   if (flags.json)
     put_document(compared.json());
   else if (compared.models.size() == 1)
-    print(compared.names.front(), compared.models.front().errors, compared.data);
+    print_comparison(compared.names.front(), compared.models.front().errors, compared.data);
   else
     print_ladders(compared.names, compared.errors());
   flags.report.write([&] { return compared.page(); }, flags.force);

@@ -179,7 +179,8 @@ void print_ladder(const std::vector<Rung>& rungs) {
 
 }  // namespace
 
-void print(const std::string& model, const Comparisons& comparisons, const record::Record& data) {
+void print_comparison(const std::string& model, const Comparisons& comparisons,
+                      const record::Record& data) {
   if (comparisons.size() >= many_channels) print_channels(comparisons);
   const std::vector<const fit::Comparison*> told = told_in_full(comparisons);
   for (const fit::Comparison* one : told) {

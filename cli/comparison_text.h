@@ -10,8 +10,8 @@ namespace raceway::cli {
 
 /// Errors of models in a terminal.
 /// One model against each measured channel.
-void print(const std::string& model, const std::vector<fit::Comparison>& comparisons,
-           const record::Record& data);
+void print_comparison(const std::string& model, const std::vector<fit::Comparison>& comparisons,
+                      const record::Record& data);
 /// Several, a ladder for each channel of the first.
 void print_ladders(const std::vector<std::string>& models,
                    const std::vector<std::vector<fit::Comparison>>& comparisons);

@@ -80,7 +80,7 @@ int run(const DiagnoseFlags& flags) {
   if (flags.json) {
     put_document(session::json(asked, diagnosis));
   } else {
-    print(diagnosis);
+    print_diagnosis(diagnosis);
   }
   warn(diagnosis.messages);
   flags.report.write([&] { return session::page(asked, diagnosis); }, flags.force);

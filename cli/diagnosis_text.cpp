@@ -254,7 +254,7 @@ void print_channels(const fit::Diagnosis& d) {
 
 }  // namespace
 
-void print(const fit::Diagnosis& d) {
+void print_diagnosis(const fit::Diagnosis& d) {
   fmt::print("{}\n{}\n\n", in_colour(d.headline, Colour::strong), d.sentence);
   fmt::print("verdict: {}{}\n\n", fit::name(d.verdict),
              std::isnan(d.p_value) ? ""

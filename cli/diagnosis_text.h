@@ -5,6 +5,6 @@
 namespace raceway::cli {
 
 /// A verdict in a terminal: headline, errors against the noise, effects, what to measure next.
-void print(const fit::Diagnosis& diagnosis);
+void print_diagnosis(const fit::Diagnosis& diagnosis);
 
 }  // namespace raceway::cli

@@ -17,6 +17,7 @@
 #include "session/bands.h"
 #include "session/law_statement.h"
 #include "session/open_input.h"
+#include "session/operating_point.h"
 #include "session/shaft_answers.h"
 #include "shaft/shaft_balance.h"
 
@@ -31,19 +32,27 @@ struct DisplacementFlags {
   BandFlag band;
 };
 
-std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const model::Model& model) {
-  const std::vector<double> speeds = axis(f.speed, "--speed");
-  require_all(speeds, speed_range, "--speed");
-  if (speeds.size() > 1000000)
-    throw io::InputError(fmt::format("raceway displacement: {} speeds: at most 1e6", speeds.size()),
-                         {.key = "--speed"});
-  session::tell_of_kelvin(messages(), {f.temperature});
+/// One value of an axis; none where the flag is not given.
+std::vector<double> given(double value) {
+  return std::isnan(value) ? std::vector<double>() : std::vector{value};
+}
+
+std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const io::ModelFile& file) {
+  const friction::TableAxes axes = session::table_axes(messages(), file,
+                                                       {.speed_rpm = axis(f.speed, "--speed"),
+                                                        .axial_load_N = given(f.axial_load),
+                                                        .radial_load_N = {},
+                                                        .temperature_C = given(f.temperature)},
+                                                       session::Wording::flags);
+  if (axes.speed.size() > 1000000)
+    throw io::InputError(
+        fmt::format("raceway displacement: {} speeds: at most 1e6", axes.speed.size()),
+        {.key = "--speed"});
   std::vector<shaft::ShaftPoint> result;
-  for (const double speed : speeds)
-    result.push_back(
-        {.speed = speed * rpm,
-         .external_load = std::isnan(f.axial_load) ? model.shaft->external_load : f.axial_load,
-         .temperature = std::isnan(f.temperature) ? model.rig.temperature : kelvin(f.temperature)});
+  for (const double speed : axes.speed)
+    result.push_back({.speed = speed,
+                      .external_load = axes.axial_load.front(),
+                      .temperature = axes.temperature.front()});
   return result;
 }
 
@@ -129,7 +138,7 @@ int run(const DisplacementFlags& flags) {
   flags.report.check(flags.force);
   const io::ModelFile file = session::open_model(messages(), flags.model, session::Accepts::shaft);
   const model::Model& model = file.model;
-  const std::vector<shaft::ShaftPoint> asked = points(flags, model);
+  const std::vector<shaft::ShaftPoint> asked = points(flags, file);
   const std::optional<model::Band> band = flags.band.of(file);
   const std::vector<shaft::ShaftPrediction> predictions = shaft::predict_shaft(model, asked);
   std::optional<io::BandOfResult> half_widths;

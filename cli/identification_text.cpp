@@ -71,7 +71,7 @@ void print_ladder(const correction::Identification& found) {
 
 }  // namespace
 
-void print(const correction::Identification& found, const record::Record& record) {
+void print_identification(const correction::Identification& found, const record::Record& record) {
   if (found.is_bank()) {
     fmt::print("{} of {}: every input through the same lags\n\n", found.model.displacement->name,
                record.source);
@@ -98,8 +98,8 @@ void print(const correction::Identification& found, const record::Record& record
       number(found.noise / um, 2), found.condition, found.correlation_time / 60.0);
 }
 
-void print(const record::Channel& displacement, const correction::ArxBaseline& a,
-           const record::Record& record) {
+void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& a,
+                    const record::Record& record) {
   fmt::print("{} of {}: ARX from {} on {} points every {:.4g} s\n\n", displacement.name,
              record.source, io::listed(a.inputs), a.rows, a.sampling);
   TextTable table({{"order", ""},

@@ -7,9 +7,9 @@
 namespace raceway::cli {
 
 /// What was identified, in a terminal: lags and gains, and how far they are from the record.
-void print(const correction::Identification& found, const record::Record& record);
+void print_identification(const correction::Identification& found, const record::Record& record);
 /// The same of a baseline that is shown and not written.
-void print(const record::Channel& displacement, const correction::ArxBaseline& found,
-           const record::Record& record);
+void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& found,
+                    const record::Record& record);
 
 }  // namespace raceway::cli

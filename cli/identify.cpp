@@ -61,7 +61,7 @@ int run_arx(const IdentifyFlags& flags) {
   std::vector<std::pair<const record::Channel*, correction::ArxBaseline>> found;
   for (const correction::Model& model : asked.file.models) {
     found.emplace_back(model.displacement, session::arx_baseline(asked, model, flags.choices));
-    if (!flags.json) print(*model.displacement, found.back().second, asked.data);
+    if (!flags.json) print_baseline(*model.displacement, found.back().second, asked.data);
     warn(found.back().second.messages);
   }
   if (flags.json) put_document(io::arx_json(asked.file.source, asked.data, found));
@@ -100,7 +100,7 @@ int run(const IdentifyFlags& flags) {
     models.push_back(found.back().model);
     if (!flags.json) {
       if (found.size() > 1) fmt::print("\n");
-      print(found.back(), asked.data);
+      print_identification(found.back(), asked.data);
     }
     warn(found.back().messages);
   }

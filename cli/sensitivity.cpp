@@ -71,7 +71,7 @@ int run(const SensitivityFlags& flags) {
   if (flags.json)
     put_document(io::sensitivity_json(found));
   else
-    print(found, flags.all);
+    print_sensitivity(found, flags.all);
   warn(session::sensitivity_warnings(found));
   return found.converged() ? done : not_converged;
 }

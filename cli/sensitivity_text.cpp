@@ -119,7 +119,7 @@ void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity&
 
 }  // namespace
 
-void print(const io::Sensitivity& s, bool all) {
+void print_sensitivity(const io::Sensitivity& s, bool all) {
   fmt::print("What matters of {}\n", s.model);
   for (const io::PredictionSensitivity& p : s.predictions) {
     fmt::print("\n");

@@ -5,6 +5,6 @@
 namespace raceway::cli {
 
 /// Which datum matters most, in a terminal; `all`: with those that hardly do.
-void print(const io::Sensitivity& sensitivity, bool all);
+void print_sensitivity(const io::Sensitivity& sensitivity, bool all);
 
 }  // namespace raceway::cli

@@ -110,8 +110,8 @@ void print_shoulders(const bearing::Bearing& bearing, const bearing::BearingEqui
 
 }  // namespace
 
-void print(const model::Model& model, const bearing::OperatingPoint& p,
-           const session::PointAnswer& answer) {
+void print_state(const model::Model& model, const bearing::OperatingPoint& p,
+                 const session::PointAnswer& answer) {
   const bearing::BearingEquilibrium& e = answer.equilibrium;
   const model::FrictionPrediction& friction = answer.friction;
   fmt::print("{} at {:.6g} rpm, axial load {:.6g} N, radial load {:.6g} N, {:.4g} C\n", model.name,

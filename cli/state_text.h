@@ -10,8 +10,8 @@
 namespace raceway::cli {
 
 /// A bearing at one operating point in a terminal: balls, stiffness, pressures, friction, life.
-void print(const model::Model& model, const bearing::OperatingPoint& point,
-           const session::PointAnswer& answer);
+void print_state(const model::Model& model, const bearing::OperatingPoint& point,
+                 const session::PointAnswer& answer);
 void print_band(const model::Band& band, const std::vector<double>& half_widths);
 
 }  // namespace raceway::cli

@@ -2,37 +2,30 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <map>
+#include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
 #include "cli/messages.h"
-#include "cli/number_flag.h"
 #include "cli/progress.h"
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
+#include "cli/stribeck_text.h"
 #include "cli/table_memory.h"
-#include "cli/text_table.h"
-#include "friction/stribeck_table.h"
 #include "io/csv.h"
 #include "io/error.h"
 #include "io/output_file.h"
 #include "io/report.h"
-#include "io/results.h"
 #include "io/subject.h"
-#include "io/table_exchange.h"
-#include "io/table_file.h"
 #include "io/table_plot.h"
 #include "session/bands.h"
-#include "session/contact_statement.h"
 #include "session/open_input.h"
 #include "session/reading.h"
-#include "session/shaft_answers.h"
-#include "session/table_columns.h"
+#include "session/table_question.h"
 
 namespace raceway::cli {
 namespace {
@@ -47,33 +40,9 @@ struct TableFlags {
   session::Reading reading;
 };
 
-friction::TableAxes axes(const TableFlags& f, const model::Model& model) {
-  const model::Rig& rig = model.rig;
-  const double axial_load = model.shaft ? model.shaft->external_load : rig.axial_load;
-  if (model.shaft && !f.radial_load.empty())
-    throw io::InputError(
-        "raceway table: " + f.model + " has an [arrangement]: a shaft takes --axial-load alone",
-        {.file = f.model, .key = "--radial-load"});
-  friction::TableAxes a;
-  a.speed = axis(f.speed, "--speed");
-  require_all(a.speed, speed_range, "--speed");
-  for (double& v : a.speed) v *= rpm;
-  if (f.axial_load.empty() && std::isnan(axial_load))
-    throw io::InputError("raceway table: --axial-load is missing, and " + f.model +
-                             " has no axial_load_N under [rig]",
-                         {.file = f.model, .key = "--axial-load"});
-  a.axial_load =
-      f.axial_load.empty() ? std::vector{axial_load} : axis(f.axial_load, "--axial-load");
-  require_all(a.axial_load, model.shaft ? signed_load_range : load_range, "--axial-load");
-  a.radial_load = f.radial_load.empty() ? std::vector{model.shaft ? 0.0 : rig.radial_load}
-                                        : axis(f.radial_load, "--radial-load");
-  require_all(a.radial_load, load_range, "--radial-load");
-  a.temperature = f.temperature.empty() ? std::vector{celsius(rig.temperature)}
-                                        : axis(f.temperature, "--temperature");
-  require_all(a.temperature, temperature_range, "--temperature");
-  if (!f.temperature.empty()) session::tell_of_kelvin(messages(), a.temperature);
-  for (double& v : a.temperature) v = kelvin(v);
-  return a;
+/// Values of the flag of an axis; none where it is not given.
+std::vector<double> values(const std::string& text, const std::string& flag) {
+  return text.empty() ? std::vector<double>() : axis(text, flag);
 }
 
 /// "2/4" is the second of four.
@@ -94,107 +63,6 @@ friction::TableSlab slab(const std::string& text) {
         "--slab: " + io::quoted(text) + ": write i/N with i from 1 to N, N up to a million, as 2/4",
         {.key = "--slab"});
   return {.index = index - 1, .count = count};
-}
-
-/// Speed down, axial load across, a block for each radial load and temperature.
-void print(const model::Model& model, const friction::StribeckTable& t) {
-  fmt::print("Friction torque [N mm] of {}\n", model.name);
-  const auto of_band = static_cast<std::size_t>(
-      std::find(t.columns.begin(), t.columns.end(), "friction_torque_band_Nmm") -
-      t.columns.begin());
-  const auto torque = [&](std::size_t point) {
-    const std::string text = number(t.friction_moment[point] / N_mm, 4);
-    if (of_band == t.columns.size() || std::isnan(t.friction_moment[point])) return text;
-    return text + " " + band_text(t.row(point)[of_band], N_mm);
-  };
-  for (std::size_t k = 0; k < t.axes.temperature.size(); ++k) {
-    for (std::size_t r = 0; r < t.axes.radial_load.size(); ++r) {
-      fmt::print("\nradial load {:.6g} N, {:.4g} C, axial load across\n", t.axes.radial_load[r],
-                 celsius(t.axes.temperature[k]));
-      std::vector<TextTable::Column> heads{{"speed", "rpm"}};
-      for (const double load : t.axes.axial_load)
-        heads.push_back({fmt::format("{:.6g} N", load), "N mm"});
-      TextTable table(heads);
-      for (std::size_t s = 0; s < t.axes.speed.size(); ++s) {
-        std::vector<std::string> row{fmt::format("{:.6g}", t.axes.speed[s] / rpm)};
-        for (std::size_t a = 0; a < t.axes.axial_load.size(); ++a)
-          row.push_back(torque(t.index(s, a, r, k)));
-        table.add(row);
-      }
-      fmt::print("{}", table.text(terminal_width()));
-    }
-  }
-}
-
-/// At most `most` values of an axis, evenly spread, both ends among them.
-std::vector<double> spread(const std::vector<double>& values, std::size_t most) {
-  if (values.size() <= most) return values;
-  std::vector<double> few;
-  for (std::size_t i = 0; i < most; ++i)
-    few.push_back(values[i * (values.size() - 1) / (most - 1)]);
-  return few;
-}
-
-/// Points whose balls a report draws: some speeds at some pairs of loads. None for a shaft, whose
-/// bearings do not carry the loads of the grid.
-io::BearingStates states_to_draw(const model::Model& model, const friction::TableAxes& grid) {
-  if (model.shaft) return {};
-  std::vector<bearing::OperatingPoint> points;
-  for (const double radial : spread(grid.radial_load, 3))
-    for (const double axial : spread(grid.axial_load, 4))
-      for (const double speed : spread(grid.speed, 25))
-        points.push_back({.speed = speed,
-                          .axial_load = axial,
-                          .radial_load = radial,
-                          .temperature = grid.temperature.front()});
-  std::vector<model::FrictionPrediction> predictions(points.size());
-  model::predict_sweep(model, points, predictions, true);
-  io::BearingStates states;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (predictions[i].equilibrium && predictions[i].equilibrium->report.converged())
-      states.emplace_back(points[i], std::move(predictions[i]));
-  return states;
-}
-
-std::string why(const model::Model& model, const bearing::OperatingPoint& point,
-                bearing::SolveStatus status) {
-  if (model.shaft || status != bearing::SolveStatus::not_finite)
-    return std::string(bearing::name(status));
-  return why_not_converged(model, model::predict_friction(model, point, true));
-}
-
-/// Says how many points have not converged, and why; gives the exit status. A torque without
-/// balance is one, where the law needs no balls.
-int tell_of_failures(const model::Model& model, const friction::StribeckTable& table) {
-  struct Failure {
-    std::size_t points = 0, first = 0;
-  };
-  std::map<std::pair<bool, bearing::SolveStatus>, Failure> failures;  // with a torque or without
-  for (std::size_t i = 0; i < table.points(); ++i) {
-    if (table.status[i] == bearing::SolveStatus::converged) continue;
-    const bool torque = !std::isnan(table.friction_moment[i]);
-    ++failures.try_emplace({torque, table.status[i]}, Failure{0, i}).first->second.points;
-  }
-  int result = done;
-  for (const auto& [kind, failure] : failures) {
-    const bearing::OperatingPoint p = table.point(table.first() + failure.first);
-    const auto& [torque, status] = kind;
-    warn(
-        {fmt::format("{} of {} points have no {}: {}, the first at {:.6g} rpm, {:.6g} N axial, "
-                     "{:.6g} N radial",
-                     failure.points, table.points(),
-                     torque ? "balance, but a torque, which needs none" : "value",
-                     why(model, p, status), p.speed / rpm, p.axial_load, p.radial_load)});
-    if (!torque) result = not_converged;
-  }
-  return result;
-}
-
-std::string text_of(const TableFlags& flags, const friction::StribeckTable& table,
-                    const io::ModelFile& file, const std::function<void(double)>& progress) {
-  if (flags.format == "plain") return io::plain_table_text(table);
-  if (flags.format == "modelica") return io::modelica_table_text(table, file.model.name);
-  return io::table_text(table, file.model.name, file.text, progress);
 }
 
 int run(const TableFlags& flags) {
@@ -227,16 +95,19 @@ int run(const TableFlags& flags) {
   if (!flags.data.empty())
     measured = session::open_data(messages(), flags.data, *io::make_subject(model),
                                   flags.reading.options(file));
-  const friction::TableAxes grid = axes(flags, model);
-  const std::optional<model::Band> band = flags.band.of(file);
-  std::vector<std::string> names = session::table_columns(model);
-  if (band)
-    for (std::string& name : session::band_columns(model)) names.push_back(std::move(name));
-  require_memory(grid, part, names.size(),
+  const session::TableQuestion question{
+      .axes = {values(flags.speed, "--speed"), values(flags.axial_load, "--axial-load"),
+               values(flags.radial_load, "--radial-load"),
+               values(flags.temperature, "--temperature")},
+      .slab = part,
+      .band = flags.band.of(file),
+      .wording = session::Wording::flags};
+  session::TablePlan plan = session::plan_table(messages(), file, question);
+  require_memory(plan.axes, part, plan.columns.size(),
                  flags.json             ? TableForm::json
                  : flags.output.empty() ? TableForm::text
                                         : TableForm::file);
-  const std::size_t points = part.points(grid.size());
+  const std::size_t points = part.points(plan.axes.size());
   std::optional<Progress> bar;
   if (shows_progress() && points >= 20000) bar.emplace();
   // Of the time a file takes, as measured: solving, making the text, and the disk.
@@ -246,15 +117,11 @@ int run(const TableFlags& flags) {
       bar->show(std::min(from + share * (to - from), 0.999), step);
     };
   };
-  const friction::StribeckTable table = friction::build_stribeck_table(
-      grid, std::move(names),
-      [&](auto given, auto out) {
-        session::fill_table_line(model, given, out);
-        if (band) session::fill_band(model, *band, given, out);
-      },
-      progress(0.0, solved, {}), part);
+  const session::TableAnswer answer =
+      session::make_table(file, question, std::move(plan), progress(0.0, solved, {}));
+  const friction::StribeckTable& table = answer.table;
   if (!flags.output.empty()) {
-    const std::string text = text_of(flags, table, file, progress(solved, made, "writing"));
+    const std::string text = answer.text(file, flags.format, progress(solved, made, "writing"));
     if (to_file)
       io::write_text(flags.output, text, if_exists);
     else
@@ -268,28 +135,24 @@ int run(const TableFlags& flags) {
     say(flags.plot + " written");
   }
   if (flags.json) {
-    const io::BandOfResult of_band{.parameters = band ? band->fitted() : std::vector<std::string>(),
-                                   .names = {},
-                                   .half_widths = {}};
-    put_document(io::table_json(model, table, band ? &of_band : nullptr));
+    put_document(answer.json(model));
   } else if (flags.output.empty()) {
-    print(model, table);
-    if (band) fmt::print("\n+-: {}\n", session::band_statement(*band));
+    print_table(model, table);
+    if (answer.band) fmt::print("\n+-: {}\n", session::band_statement(*answer.band));
   }
-  if (band && (flags.json || !flags.output.empty()))
-    tell({"band: " + session::band_statement(*band)});
+  if (answer.band && (flags.json || !flags.output.empty()))
+    tell({"band: " + session::band_statement(*answer.band)});
   flags.report.write(
       [&] {
-        return io::table_report(file.source, model, table, states_to_draw(model, grid),
+        return io::table_report(file.source, model, table,
+                                session::states_to_draw(model, table.axes),
                                 measured ? &*measured : nullptr, {session::of_page(file, model)});
       },
       flags.force);
-  tell(session::table_notes(model, table));
-  if (table.points() > 0)  // at the highest speed of the first loads
-    if (const std::string why = session::balls_statement(model, table.point(grid.speed.size() - 1));
-        !why.empty())
-      tell({why});
-  return tell_of_failures(model, table);
+  tell(answer.notes(model));
+  const session::TableFailures failed = session::failures(model, table);
+  warn(failed.lines);
+  return failed.without_torque ? not_converged : done;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "io/names.h"
 #include "io/subject.h"
 #include "model/heat_split.h"
+#include "session/operating_point.h"
 #include "session/shaft_answers.h"
 #include "session/table_columns.h"
 

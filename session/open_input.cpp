@@ -8,7 +8,6 @@
 #include "io/data_file.h"
 #include "io/doubts.h"
 #include "io/error.h"
-#include "io/plausible.h"
 #include "io/spindle_record.h"
 #include "model/ignored_data.h"
 #include "model/steps.h"
@@ -59,12 +58,6 @@ io::ModelFile open_model(Messages& messages, const Source& source, Accepts accep
                               count == 1 ? "it" : "them"));
   for (const std::string& note : file.notes) messages.note(file.source + ": " + note);
   return file;
-}
-
-void tell_of_kelvin(Messages& messages, const std::vector<double>& temperatures_C) {
-  for (const double value : temperatures_C)
-    if (const std::string note = io::looks_like_kelvin("--temperature", value); !note.empty())
-      return messages.note(note);
 }
 
 void warn_of_ignored_data(Messages& messages, const io::ModelFile& file) {

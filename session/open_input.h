@@ -54,7 +54,4 @@ void warn_of_ignored_data(Messages& messages, const io::ModelFile& file);
 /// so.
 void tell_of_scale(const record::Record& data, std::vector<std::string>& messages);
 
-/// A note where a temperature of the flag --temperature looks like kelvin.
-void tell_of_kelvin(Messages& messages, const std::vector<double>& temperatures_C);
-
 }  // namespace raceway::session

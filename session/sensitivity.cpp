@@ -21,6 +21,7 @@
 #include "io/units.h"
 #include "model/bearing_life.h"
 #include "model/parameters.h"
+#include "session/operating_point.h"
 #include "session/solve_states.h"
 #include "session/spindle_steady.h"
 #include "session/table_columns.h"
@@ -61,17 +62,11 @@ std::vector<Axis> axes_of(const SensitivityQuestion& q, bool shaft) {
 /// Numbers of one state; NaN: as the model says.
 using State = std::array<double, 4>;
 
-bearing::OperatingPoint point_of(const State& state, const model::Model& model) {
-  const auto or_else = [](double asked, double of_model) {
-    return std::isnan(asked) ? of_model : asked;
-  };
-  bearing::OperatingPoint point;
-  point.speed = state[0] * rpm;
-  point.axial_load =
-      or_else(state[1], model.shaft ? model.shaft->external_load : model.rig.axial_load);
-  point.radial_load = or_else(state[2], model.shaft ? 0.0 : model.rig.radial_load);
-  point.temperature = std::isnan(state[3]) ? model.rig.temperature : kelvin(state[3]);
-  return point;
+bearing::OperatingPoint point_of_state(const State& state, const model::Model& model) {
+  return point_of(model, {.speed_rpm = state[0],
+                          .axial_load_N = state[1],
+                          .radial_load_N = state[2],
+                          .temperature_C = state[3]});
 }
 
 std::vector<std::string> known_columns(const model::Model& model, bool steady) {
@@ -124,7 +119,7 @@ class Predictor {
   [[nodiscard]] std::vector<double> at_once(const model::Model& model,
                                             const std::vector<State>& states) const {
     std::vector<bearing::OperatingPoint> points;
-    for (const State& s : states) points.push_back(point_of(s, model));
+    for (const State& s : states) points.push_back(point_of_state(s, model));
     std::vector<double> columns(points.size() * columns_, unset);
     std::vector<friction::TablePoint> solved(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -20,6 +20,7 @@
 #include "model/prediction.h"
 #include "record/digits.h"
 #include "session/bands.h"
+#include "session/operating_point.h"
 #include "session/shaft_answers.h"
 #include "session/solve_point.h"
 #include "session/table_columns.h"
@@ -111,44 +112,17 @@ void check(Messages& messages, const Input& input, const StateArrays& states, bo
   }
 }
 
-/// What holds where an array is not given.
-bearing::OperatingPoint default_point(const io::ModelFile& file, const StateArrays& states) {
-  const model::Model& model = file.model;
-  if (!states.speed_rpm.given()) throw io::InputError("speed_rpm is missing", {.key = "speed_rpm"});
-  bearing::OperatingPoint point;
-  point.axial_load = model.shaft ? model.shaft->external_load : model.rig.axial_load;
-  point.radial_load = model.shaft ? 0.0 : model.rig.radial_load;
-  point.temperature = model.rig.temperature;
-  if (std::isnan(point.axial_load) && !states.axial_load_N.given())
-    throw io::InputError(
-        fmt::format("axial_load_N is missing, and {} has no axial_load_N under [rig]", file.source),
-        {.file = file.source, .key = "axial_load_N"});
-  return point;
-}
-
-void require_bearing(const io::ModelFile& file, const StateArrays& states) {
-  if (!file.model.shaft) return;
-  for (const Input& input : inputs())
-    if ((states.*input.array).given() && input.array != &StateArrays::speed_rpm &&
-        input.array != &StateArrays::axial_load_N && input.array != &StateArrays::temperature_C)
-      throw io::InputError(
-          fmt::format("{}: {} has an [arrangement]: a shaft takes axial_load_N alone", input.name,
-                      file.source),
-          {.file = file.source, .key = std::string(input.name)});
-}
-
 /// What holds where an array is not given, of arrays that are in order.
 bearing::OperatingPoint checked(Messages& messages, const io::ModelFile& file,
                                 const StateArrays& states) {
-  require_bearing(file, states);
-  const bearing::OperatingPoint otherwise = default_point(file, states);
+  if (!states.speed_rpm.given()) throw io::InputError("speed_rpm is missing", {.key = "speed_rpm"});
+  require_loads(messages, file,
+                {.axial_load = states.axial_load_N.given(),
+                 .radial_load = states.radial_load_N.given(),
+                 .moments = states.moment_y_Nmm.given() || states.moment_z_Nmm.given()},
+                Wording::arguments);
+  const bearing::OperatingPoint otherwise = point_of(file.model);
   for (const Input& input : inputs()) check(messages, input, states, file.model.shaft.has_value());
-  const model::Model& model = file.model;
-  if ((states.moment_y_Nmm.given() || states.moment_z_Nmm.given()) &&
-      model.solver.tilt == bearing::Tilt::locked)
-    messages.warn(file.source +
-                  ": moment_y_Nmm and moment_z_Nmm change nothing where the shaft holds the tilt; "
-                  "[solver] tilt = \"free\" lets the balls carry them");
   return otherwise;
 }
 

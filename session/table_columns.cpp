@@ -12,6 +12,7 @@
 #include "model/heat_split.h"
 #include "model/prediction.h"
 #include "session/load_notes.h"
+#include "session/operating_point.h"
 
 namespace raceway::session {
 namespace {
@@ -141,14 +142,6 @@ void fill_bearing_point(const model::Model& model, const bearing::OperatingPoint
 
 std::vector<std::string> table_columns(const model::Model& model, Columns which) {
   return model.shaft ? shaft_columns(model) : bearing_columns(model, which);
-}
-
-std::vector<shaft::ShaftPoint> shaft_points(std::span<const bearing::OperatingPoint> points) {
-  std::vector<shaft::ShaftPoint> asked;
-  for (const bearing::OperatingPoint& p : points)
-    asked.push_back(
-        {.speed = p.speed, .external_load = p.axial_load, .temperature = p.temperature});
-  return asked;
 }
 
 void fill_table_line(const model::Model& model, std::span<const bearing::OperatingPoint> points,

@@ -20,10 +20,10 @@
 #include "session/bands.h"
 #include "session/new_model.h"
 #include "session/open_input.h"
+#include "session/operating_point.h"
 #include "session/shaft_answers.h"
 #include "session/solve_point.h"
 #include "session/solve_states.h"
-#include "session/table_columns.h"
 #include "shaft/shaft_prediction.h"
 
 namespace raceway::python {

@@ -152,10 +152,9 @@ class Table(_Document):
 
     def save(self, path: str | os.PathLike[str], *, format: str = "csv", overwrite: bool = False) -> None:
         """Write the table: ``"csv"`` with its model, ``"plain"`` or ``"modelica"``."""
-        writers = {"csv": self._engine.csv, "plain": self._engine.plain, "modelica": self._engine.modelica}
-        if format not in writers:
+        if format not in ("csv", "plain", "modelica"):
             raise ValueError(f"format = {format!r}: must be csv, plain or modelica")
-        _write(path, writers[format](), overwrite)
+        _write(path, self._engine.text(format), overwrite)
 
     def __repr__(self) -> str:
         return f"<raceway.Table of {self._engine.bearing}: {self._engine.points} points>"

@@ -1,0 +1,42 @@
+#include "cli/stribeck_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/band_flag.h"
+#include "cli/text_table.h"
+
+namespace raceway::cli {
+
+void print_table(const model::Model& model, const friction::StribeckTable& t) {
+  fmt::print("Friction torque [N mm] of {}\n", model.name);
+  const auto of_band = static_cast<std::size_t>(
+      std::find(t.columns.begin(), t.columns.end(), "friction_torque_band_Nmm") -
+      t.columns.begin());
+  const auto torque = [&](std::size_t point) {
+    const std::string text = number(t.friction_moment[point] / N_mm, 4);
+    if (of_band == t.columns.size() || std::isnan(t.friction_moment[point])) return text;
+    return text + " " + band_text(t.row(point)[of_band], N_mm);
+  };
+  for (std::size_t k = 0; k < t.axes.temperature.size(); ++k) {
+    for (std::size_t r = 0; r < t.axes.radial_load.size(); ++r) {
+      fmt::print("\nradial load {:.6g} N, {:.4g} C, axial load across\n", t.axes.radial_load[r],
+                 celsius(t.axes.temperature[k]));
+      std::vector<TextTable::Column> heads{{"speed", "rpm"}};
+      for (const double load : t.axes.axial_load)
+        heads.push_back({fmt::format("{:.6g} N", load), "N mm"});
+      TextTable table(heads);
+      for (std::size_t s = 0; s < t.axes.speed.size(); ++s) {
+        std::vector<std::string> row{fmt::format("{:.6g}", t.axes.speed[s] / rpm)};
+        for (std::size_t a = 0; a < t.axes.axial_load.size(); ++a)
+          row.push_back(torque(t.index(s, a, r, k)));
+        table.add(row);
+      }
+      fmt::print("{}", table.text(terminal_width()));
+    }
+  }
+}
+
+}  // namespace raceway::cli

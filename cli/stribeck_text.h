@@ -1,0 +1,12 @@
+#pragma once
+
+#include "friction/stribeck_table.h"
+#include "model/model.h"
+
+namespace raceway::cli {
+
+/// A Stribeck table in a terminal: speed down, axial load across, a block for each radial load and
+/// temperature.
+void print_table(const model::Model& model, const friction::StribeckTable& table);
+
+}  // namespace raceway::cli

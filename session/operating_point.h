@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bearing/operating_point.h"
+#include "friction/stribeck_table.h"
+#include "io/model_file.h"
+#include "session/messages.h"
+#include "session/wording.h"
+#include "shaft/shaft_prediction.h"
+
+/// The points at which a model is asked: what it says where a question does not, in which range a
+/// number is one, and what a shaft takes. Numbers are in the units of files.
+namespace raceway::session {
+
+/// NaN where the model says: the axial load of its rig, on a shaft the external one; the radial
+/// load and the temperature of its rig.
+struct AskedPoint {
+  double speed_rpm = unset, axial_load_N = unset, radial_load_N = unset, temperature_C = unset,
+         moment_y_Nmm = unset, moment_z_Nmm = unset;
+};
+
+/// What a model says, without a speed. The axial load is NaN where it says none.
+[[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model);
+/// The same with what is asked.
+[[nodiscard]] bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& asked);
+
+/// What of a point stands in a question.
+struct GivenLoads {
+  bool axial_load = false, radial_load = false, moments = false;
+};
+
+/// Throws io::InputError for an axial load that neither the question nor the model has, and for
+/// what a shaft does not take. Warns of moments that change nothing.
+void require_loads(Messages& messages, const io::ModelFile& file, const GivenLoads& given,
+                   Wording wording);
+
+/// A point that is asked, with its numbers in their ranges. Throws io::InputError as
+/// require_loads(), and for a number out of its range.
+[[nodiscard]] bearing::OperatingPoint operating_point(Messages& messages, const io::ModelFile& file,
+                                                      const AskedPoint& asked, Wording wording);
+
+/// Axes of a table, each rising; an empty one has the one value of the model.
+struct AskedAxes {
+  std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
+};
+
+/// Throws io::InputError as operating_point(), for no speed and for an axis that does not rise.
+[[nodiscard]] friction::TableAxes table_axes(Messages& messages, const io::ModelFile& file,
+                                             const AskedAxes& asked, Wording wording);
+
+/// The points of an operating point as those of a shaft.
+[[nodiscard]] std::vector<shaft::ShaftPoint> shaft_points(
+    std::span<const bearing::OperatingPoint> points);
+
+}  // namespace raceway::session
