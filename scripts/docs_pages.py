@@ -328,9 +328,21 @@ def python_pages():
         "models": ("Models and records", ["Model", "Record", "read"]),
         "results": (
             "Results",
-            ["Solution", "Table", "Displacement", "Comparison", "Calibration", "Diagnosis", "Addition", "Sensitivity", "KinematicLaw", "fit_law"],
+            [
+                "Solution",
+                "Table",
+                "Displacement",
+                "Comparison",
+                "Check",
+                "Calibration",
+                "Diagnosis",
+                "Addition",
+                "Sensitivity",
+                "KinematicLaw",
+                "fit_law",
+            ],
         ),
-        "correction": ("Corrections of machines", ["Correction", "Identification", "CorrectionRun", "CorrectionComparison", "Check", "Program"]),
+        "correction": ("Corrections of machines", ["Correction", "Identification", "CorrectionRun", "Program"]),
         "spindle": ("Spindles", ["SteadyStates", "SpindleRun", "Modes", "Deflection", "StepResponses"]),
         "effect": ("Effects of your own, errors", ["Effect", "Number", "State", "InputError", "NotConverged", "Doubt"]),
     }
@@ -362,7 +374,8 @@ def entry(module, name, shown, page):
     one = getattr(module, name)
     expect(shown, f"reference/python/{page}", "python")
     if inspect.isclass(one):
-        for member in vars(one):
+        own = [c for c in one.__mro__ if c.__module__.startswith("raceway")]
+        for member in dict.fromkeys(member for c in own for member in vars(c)):
             if not member.startswith("_") and inspect.getdoc(getattr(one, member, None)):
                 expect(f"{shown}.{member}", f"reference/python/{page}", "python")
     kind = "class" if inspect.isclass(one) else "function"
