@@ -80,7 +80,7 @@ int run(const CorrectFlags& flags) {
     run_learning(std::move(asked), flags.learning, {flags.output, flags.json, if_exists});
     return done;
   }
-  const session::CorrectionRun run = session::run_corrections(std::move(asked));
+  const session::CorrectionRun run = session::correct(std::move(asked));
   if (!flags.output.empty()) {
     const std::string csv = run.csv();
     if (to_file) {

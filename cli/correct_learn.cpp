@@ -96,7 +96,7 @@ void LearnFlags::check(io::IfExists if_exists) const {
 
 void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
                   const CorrectOutput& output) {
-  const session::LearningRun run = session::learn_corrections(std::move(asked), flags.choices);
+  const session::LearningRun run = session::learn(std::move(asked), flags.choices);
   const record::Record& record = run.asked.data;
   tell(run.notes);
   if (!output.csv.empty()) {

@@ -170,7 +170,7 @@ std::string CorrectionRun::page() const {
   return io::record_report("correct", json(), asked.data, drawn(asked));
 }
 
-CorrectionRun run_corrections(SeriesQuestion asked) {
+CorrectionRun correct(SeriesQuestion asked) {
   CorrectionRun run{.asked = std::move(asked)};
   for (const correction::Model& model : run.asked.file.models)
     run.corrected.push_back(
@@ -197,7 +197,7 @@ std::string LearningRun::text() const {
   return io::with_corrections(asked.file, models);
 }
 
-LearningRun learn_corrections(SeriesQuestion asked, const LearningChoices& choices) {
+LearningRun learn(SeriesQuestion asked, const LearningChoices& choices) {
   LearningRun run{.asked = std::move(asked)};
   const correction::LearningOptions options = options_of(choices);
   for (const correction::Model& model : run.asked.file.models) {

@@ -23,7 +23,7 @@ struct CorrectionRun {
 };
 
 /// Throws io::InputError for what the record does not allow.
-[[nodiscard]] CorrectionRun run_corrections(SeriesQuestion asked);
+[[nodiscard]] CorrectionRun correct(SeriesQuestion asked);
 
 /// How a correction learns from the readings of a record, as durations with their unit ("4h");
 /// empty: as LearningOptions has it.
@@ -48,6 +48,6 @@ struct LearningRun {
 };
 
 /// Throws io::InputError for what the record does not allow.
-[[nodiscard]] LearningRun learn_corrections(SeriesQuestion asked, const LearningChoices& choices);
+[[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

@@ -117,7 +117,7 @@ EngineAnswer correct(const EngineCorrection& correction, const Data& data,
   const session::Reading reading = options_of(given).reading;
   return answered([&](Heard& heard) {
     const auto run = std::make_shared<const session::CorrectionRun>(
-        session::run_corrections(ask(heard, correction, data, reading)));
+        session::correct(ask(heard, correction, data, reading)));
     EngineAnswer answer;
     answer.json = run->json();
     answer.warnings = run->warnings;
@@ -137,7 +137,7 @@ EngineAnswer learn(const EngineCorrection& correction, const Data& data, const s
   choices.check();
   return answered([&](Heard& heard) {
     const auto run = std::make_shared<const session::LearningRun>(
-        session::learn_corrections(ask(heard, correction, data, reading), choices));
+        session::learn(ask(heard, correction, data, reading), choices));
     EngineAnswer answer;
     answer.json = run->json();
     answer.notes = run->notes;

@@ -11,7 +11,7 @@ from ._correction_results import CorrectionRun, Identification, Program
 from ._errors import InputError
 from ._given import name_list, seconds, text_of, warn
 from ._loop import LoopModel, asked
-from ._model import Model, _is_correction, _tables
+from ._model import Model, _only_corrects, _tables
 from ._record import Record
 from ._series import lag_texts, one_record, order_text
 
@@ -247,4 +247,4 @@ def read(path: str | os.PathLike[str]) -> Model | Correction:
     'rig'
     """
     text = _engine.read_text(os.fspath(path))
-    return (Correction if _is_correction(text) else Model)(os.fspath(path), text)
+    return (Correction if _only_corrects(text) else Model)(os.fspath(path), text)

@@ -42,7 +42,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     def __init__(self, source: str, text: str, effects: Iterable[Effect] = (), files: Sequence[tuple[str, str, str]] = ()) -> None:
         text_of("text", text)
-        if _is_correction(text):
+        if _only_corrects(text):
             raise InputError(f"{source}: is a correction of a machine: raceway.Correction.read takes it")
         self._effects = tuple(effects)
         self._engine = _engine.Model(source, text, [e._for_engine() for e in self._effects], files)
@@ -348,6 +348,6 @@ def _restored(source: str, text: str, effects: Sequence[Effect], said: Sequence[
     return model
 
 
-def _is_correction(text: str) -> bool:
+def _only_corrects(text: str) -> bool:
     tables = _tables(text)
     return "correction" in tables and "bearing" not in tables
