@@ -134,8 +134,8 @@ void print_channels(const Comparisons& comparisons) {
   fmt::print("{}\n", table.text(terminal_width()));
 }
 
-/// Of many channels those that stand out of what is tolerated, or else the one that is nearest to
-/// it: the others have their line in print_channels().
+/// Channels that are shown in full: of many, those beyond their tolerance, or else the one nearest
+/// to it. print_channels() has a line for each of the others.
 std::vector<const fit::Comparison*> told_in_full(const Comparisons& comparisons) {
   std::vector<const fit::Comparison*> told;
   const auto share = [](const fit::Comparison& c) {

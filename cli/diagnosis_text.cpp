@@ -15,7 +15,7 @@ namespace {
 
 constexpr int error_digits = 3;
 
-/// Of one channel; "-" where there is none.
+/// The error of one channel; "-" where it has none.
 std::string channel_error(const std::vector<double>& errors, std::size_t k,
                           const fit::Diagnosis& d) {
   return k < errors.size() ? error_text(errors[k], d.channels[k].channel(), error_digits) : "-";
@@ -34,7 +34,7 @@ std::string size_text(const std::vector<fit::Parameter>& parameters) {
   return text;
 }
 
-/// Where a tolerance alone decides there is no likelihood.
+/// Gains are falls of the likelihood; a verdict by tolerance alone has none.
 bool has_gains(const fit::Diagnosis& d) { return !std::isnan(d.needed_gain); }
 
 /// The channel that errs most on rows left out, of what is tolerated or else of its noise.
@@ -224,7 +224,7 @@ void print_ladder(const fit::Diagnosis& d, const fit::ChannelDiagnosis& c) {
   fmt::print("{}", ladder.text(terminal_width()));
 }
 
-/// The same of many channels, a line each.
+/// One line for each of many channels.
 void print_channels(const fit::Diagnosis& d) {
   const bool tolerated = d.tolerance_limited();
   std::vector<TextTable::Column> columns{{"RMS error", "", true}, {"before", ""}, {"after", ""}};

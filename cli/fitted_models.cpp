@@ -51,10 +51,11 @@ void FittedModels::write(const session::LoopQuestion& asked,
         {fmt::format("{} {} written as a corrected datum, so no covariance is: calibrate "
                      "{} for one",
                      io::listed(data), data.size() == 1 ? "is" : "are", paths.front())});
-  std::vector<io::OutputFile> files;
+  std::vector<std::string> texts;
   for (std::size_t k = 0; k < paths.size(); ++k)
-    files.push_back(
-        {paths[k], io::with_names_from(fitted.texts[k], asked.model->about().files, paths[k])});
+    texts.push_back(io::with_names_from(fitted.texts[k], asked.model->about().files, paths[k]));
+  std::vector<io::OutputFile> files;
+  for (std::size_t k = 0; k < paths.size(); ++k) files.push_back({paths[k], texts[k]});
   io::write_files(files, if_exists_);
   for (const std::string& path : paths) say(path + " written");
 }

@@ -23,7 +23,7 @@ void print_bank(const correction::Identification& found) {
   for (const double lag : lags) head.push_back({fmt::format("{:g} s", lag), "um"});
   TextTable table(std::move(head));
   for (const correction::DrivenChannel& c : found.model.channels) {
-    // Of a speed the gain of a thousand rpm reads better.
+    // A gain per 1000 rpm is easier to read than one per rpm.
     const bool of_speed = c.input.unit() == "rpm";
     const double unit = c.input.factor() * (of_speed ? 1000.0 : 1.0);
     std::vector<std::string> cells{c.name, of_speed ? "1000 rpm" : std::string(c.input.unit()),
@@ -39,7 +39,7 @@ void print_bank(const correction::Identification& found) {
   fmt::print("{}", table.text(terminal_width()));
 }
 
-/// What fits to the first part leave of the rest.
+/// Errors on the rest of the record, of fits to its first part.
 void print_ahead(const correction::Identification& found) {
   TextTable table({{"fitted to", "h"}, {"RMS of the rest", "um"}});
   for (const correction::AheadError& e : found.ahead)
@@ -92,8 +92,8 @@ void print_identification(const correction::Identification& found, const record:
   }
   print_sections(found);
   fmt::print(
-      "\nRMS {} um, held out {} um, noise {} um; condition {:.2g}; what is left forgets itself "
-      "in {:.3g} min\n",
+      "\nRMS {} um, held out {} um, noise {} um; condition {:.2g}; residuals are correlated "
+      "over {:.3g} min\n",
       number(found.metrics.rms / um, 3), number(found.rms_held_out / um, 3),
       number(found.noise / um, 2), found.condition, found.correlation_time / 60.0);
 }

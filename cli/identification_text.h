@@ -6,7 +6,7 @@
 
 namespace raceway::cli {
 
-/// What was identified, in a terminal: lags and gains, and how far they are from the record.
+/// The text of an identification: lags, gains, and the error they leave.
 void print_identification(const correction::Identification& found, const record::Record& record);
 /// The same of a baseline that is shown and not written.
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& found,

@@ -149,8 +149,16 @@ CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns) {
   CsvTable table;
   table.source = std::move(source);
   table.header_line = 1;
-  std::size_t rows = 0;
+  const auto length = [](const DataColumn& column) {
+    return std::max(column.numbers.size(), column.texts.size());
+  };
+  const std::size_t rows = columns.empty() ? 0 : length(columns.front());
   for (const DataColumn& column : columns) {
+    if (length(column) != rows)
+      throw InputError(fmt::format("{}: column {} has {} values, and {} has {}", table.source,
+                                   printable(column.name), length(column),
+                                   printable(columns.front().name), rows),
+                       {.file = table.source, .key = printable(column.name)});
     if (column.name.empty())
       throw InputError(table.source + ": a column has no name", {.file = table.source});
     if (table.column(column.name))
@@ -166,7 +174,6 @@ CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns) {
     refuse_control(column.name);
     for (const std::string& text : column.texts) refuse_control(text);
     table.header.push_back(column.name);
-    rows = std::max(column.numbers.size(), column.texts.size());
   }
   if (rows == 0) throw InputError(table.source + ": has no rows", {.file = table.source});
   table.lines_.resize(rows);

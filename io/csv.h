@@ -54,7 +54,7 @@ class CsvTable {
 
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
   [[nodiscard]] int line(std::size_t row) const { return lines_[row]; }
-  /// Of a column of text.
+  /// Only for a column of text: is_numeric() is false.
   [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
     if (!columns_.empty()) return columns_[column].texts[row];
     const Cell& c = cells_[row * header.size() + column];
@@ -93,9 +93,9 @@ class CsvTable {
   std::vector<int> lines_;
 };
 
-/// The same of columns that are numbers already, or texts; all of one length. Rows are counted as
-/// lines of a CSV with one line of names. Throws InputError: no columns, no rows, a column twice or
-/// without name.
+/// A table of columns that are numbers or texts. Rows are counted as lines of a CSV with one line
+/// of names. Throws InputError: no columns, no rows, columns of different lengths, a column twice
+/// or without name, a control character.
 [[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
 
 /// Reads a file. Throws InputError: unreadable, a control character, no header, no rows, more than

@@ -189,7 +189,7 @@ void require_writable(const std::string& path, IfExists if_exists) {
 }
 
 void write_text(const std::string& path, std::string_view text, IfExists if_exists) {
-  write_files({{path, std::string(text)}}, if_exists);
+  write_files({{path, text}}, if_exists);
 }
 
 void write_files(const std::vector<OutputFile>& files, IfExists if_exists) {

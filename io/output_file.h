@@ -19,12 +19,14 @@ void require_writable(const std::string& path, IfExists if_exists);
 /// replaced. Throws InputError as above, and where the disk is full.
 void write_text(const std::string& path, std::string_view text, IfExists if_exists);
 
+/// A file to be written; its text must live until it is.
 struct OutputFile {
-  std::string path, text;
+  std::string path;
+  std::string_view text;
 };
-/// Several files that belong together: all are whole beside their places before the first takes its
-/// name, and of two runs that write the same files the last one wrote all. Throws as write_text();
-/// what stood there before is then still there, unless a disk fails in between.
+/// Writes files that belong together. All of them are whole before the first takes its name. Where
+/// two runs write the same files, all are those of the later run. Throws as write_text(); the old
+/// files are then still there, unless the disk fails between two names.
 void write_files(const std::vector<OutputFile>& files, IfExists if_exists);
 
 /// For a process that is told to stop: removes what is half written, and lets nothing more be

@@ -184,10 +184,8 @@ class BearingInLoop final : public LoopModel {
   ComparedModel compared(Messages& messages, const record::Record& data, const CompareOptions& how,
                          const Names& per_record) const override {
     if (how.zero != "mean")
-      throw io::InputError(
-          "--zero: belongs to corrections; a model of bearings or of a spindle has one zero, that "
-          "of standstill as mounted",
-          {.key = "--zero"});
+      throw io::InputError("--zero: belongs to corrections; all else is compared as it is",
+                           {.key = "--zero"});
     model::Model wanted = file_.model;
     Names names = how.refit;
     for (const std::string& own : per_record)

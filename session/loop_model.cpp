@@ -8,6 +8,7 @@
 
 #include "fit/several_records.h"
 #include "io/error.h"
+#include "io/input_file.h"
 #include "io/model_parts.h"
 #include "io/names.h"
 #include "session/bearing_in_loop.h"
@@ -42,6 +43,9 @@ Part part_of(const io::ModelParts& parts, const Source& file, const LoopOptions&
 
 LoopModel::About describe(Messages& messages, const Source& file, const LoopOptions& options) {
   const io::ModelParts parts = parts_of(file);
+  const bool both = parts.bearing && !parts.displacements.empty();
+  if (both && !file.text)  // standard input is read once
+    return describe(messages, {io::input_name(file.name), io::read_text(file.name)}, options);
   LoopModel::About about;
   const auto add = [&](const auto& part, std::string name) {
     about.source = part.source;

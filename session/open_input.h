@@ -16,8 +16,8 @@ namespace raceway::session {
 /// Which models a command takes.
 enum class Accepts { rig, rig_or_shaft, shaft };
 
-/// Whether a model is told of, with a count of its defaults; not where it was before, or all are
-/// listed.
+/// Whether opening a model counts its defaults in a note. A command that lists them does not count
+/// them, and a model that was opened before is not told of again.
 enum class Defaults { count, keep };
 
 /// Reads a model, counts the defaults that were used, and says what is to be known of it. Throws

@@ -212,6 +212,9 @@ TEST_F(BesideABearing, WithoutDataBothAreChecked) {
   EXPECT_EQ(r.status, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("correction.initial_state"));
   EXPECT_THAT(r.out, HasSubstr("solver.tilt"));
+  const Result piped = run_shell("$raceway check - < " + both_);
+  EXPECT_EQ(piped.status, 0) << piped.err;
+  EXPECT_THAT(piped.out, HasSubstr("correction.initial_state"));
 }
 
 /// Options that once were taken and did nothing.
