@@ -9,70 +9,14 @@
 #include "spindle/heat_flow.h"
 #include "spindle/spindle.h"
 #include "spindle/thermometer.h"
+#include "spindle/time_steps.h"
 
 namespace raceway::spindle {
 namespace {
 
-/// First step after a change of inputs, shortest one, and longest one unless the model says [s].
-constexpr double first_step = 10.0, shortest_step = 1e-3, longest_step = 600.0;
 /// Error of a step, of the warmest body; where a run only shows where it leads to [K].
 constexpr double step_tolerance = 0.01, tolerance_of_the_way = 1.0;
-/// Room, machine and coolant may wander by this between two rows without a step boundary [K].
-constexpr double wandering = 0.5;
 constexpr int most_time_steps = 200000, most_steps_of_the_way = 3000;
-
-bool near(double a, double b) {
-  return (std::isnan(a) && std::isnan(b)) || std::abs(a - b) <= wandering;
-}
-bool same(double a, double b) { return (std::isnan(a) && std::isnan(b)) || a == b; }
-
-/// Whether inputs go on without a jump.
-bool goes_on(const Inputs& a, const Inputs& b) {
-  return a.speed == b.speed && a.coolant_on == b.coolant_on && a.axial_load == b.axial_load &&
-         a.radial_load == b.radial_load && same(a.motor_heat, b.motor_heat) &&
-         near(a.ambient_temperature, b.ambient_temperature) &&
-         near(a.machine_temperature, b.machine_temperature) &&
-         near(a.coolant_inlet, b.coolant_inlet);
-}
-
-/// Rows of a programme over time: each holds from the row before it.
-class Programme {
- public:
-  Programme(std::span<const ProfileRow> rows, double start) : rows_(rows), start_(start) {}
-
-  [[nodiscard]] double begin_of(std::size_t row) const {
-    return row == 0 ? start_ : rows_[row - 1].time;
-  }
-  /// The row after the last one that goes on from `row` without a jump.
-  [[nodiscard]] std::size_t jump_after(std::size_t row) const {
-    std::size_t next = row + 1;
-    while (next < rows_.size() && goes_on(rows_[next - 1].inputs, rows_[next].inputs)) ++next;
-    return next;
-  }
-  /// Inputs of a step, wandering temperatures as their mean over it. `row` holds at `from`.
-  [[nodiscard]] Inputs mean(std::size_t row, double from, double to) const {
-    Inputs inputs = rows_[row].inputs;
-    double ambient = 0.0, machine = 0.0, inlet = 0.0, length = 0.0;
-    for (std::size_t k = row; k < rows_.size() && begin_of(k) < to; ++k) {
-      const double part = std::min(rows_[k].time, to) - std::max(begin_of(k), from);
-      if (!(part > 0.0)) continue;
-      length += part;
-      ambient += part * rows_[k].inputs.ambient_temperature;
-      machine += part * rows_[k].inputs.machine_temperature;
-      inlet += part * rows_[k].inputs.coolant_inlet;
-    }
-    if (length > 0.0) {
-      inputs.ambient_temperature = ambient / length;
-      inputs.machine_temperature = machine / length;
-      inputs.coolant_inlet = inlet / length;
-    }
-    return inputs;
-  }
-
- private:
-  std::span<const ProfileRow> rows_;
-  double start_;
-};
 
 /// Cubic between two states with their rates.
 Vector between(const Vector& from, const Vector& to, const Vector& rate_from, const Vector& rate_to,
@@ -260,43 +204,157 @@ struct Simulator::Parts {
   }
 };
 
-namespace {
-
-/// Step sizes: short after a jump, then as the error allows.
-class StepSizes {
+/// One run through the rows of a programme.
+class Simulator::Passage {
  public:
-  StepSizes(double longest, double tolerance, std::span<const double> given)
-      : longest_(longest), tolerance_(tolerance), given_(given) {}
-
-  void jump() { next_ = std::min(first_step, longest_); }
-  void shrink() { next_ *= 0.3; }
-  [[nodiscard]] bool too_short() const { return next_ < shortest_step; }
-  [[nodiscard]] bool held() const { return !given_.empty(); }
-  /// The step from `time` on, none beyond `end` and no stump left before it.
-  [[nodiscard]] double take(double time, double end) {
-    while (place_ < given_.size() && given_[place_] <= time * (1.0 + 1e-14)) ++place_;
-    if (place_ < given_.size()) return std::min(given_[place_], end) - time;
-    const double left = end - time;
-    if (next_ >= left) return left;
-    return next_ > 0.5 * left ? 0.5 * left : next_;
+  Passage(Parts& parts, std::span<const ProfileRow> profile, std::span<const double> step_ends,
+          std::span<const double> keep)
+      : p_(parts),
+        flow_(parts.flow),
+        profile_(profile),
+        keep_(keep),
+        programme_(profile, parts.last.time),
+        sizes_(std::isnan(parts.model.spindle->step) ? StepSizes::longest_unless_given
+                                                     : parts.model.spindle->step,
+               parts.tolerance, step_ends),
+        time_(parts.last.time) {
+    run_.report.energy_error = 0.0;
   }
-  [[nodiscard]] bool accept(double dt, double error) {
-    const double factor = 0.85 * std::cbrt(tolerance_ / std::max(error, 1e-6 * tolerance_));
-    if (!held() && error > 2.0 * tolerance_ && dt > 10.0 * shortest_step) {
-      next_ = dt * std::clamp(factor, 0.2, 0.7);
-      return false;
+
+  Run run() {
+    Status status = Status::converged;
+    for (std::size_t row = 0; row < profile_.size() && status == Status::converged;) {
+      const std::size_t after = programme_.jump_after(row);
+      Section section{.row = row, .after = after, .end = profile_[after - 1].time};
+      status = pass(section);
+      row = after;
     }
-    next_ = std::min(dt * std::clamp(factor, 0.3, 2.5), longest_);
-    return true;
+    run_.report.status = status;
+    if (status != Status::converged) run_.report.message = words(status);
+    p_.remember(time_);
+    run_.end = p_.last;
+    return std::move(run_);
   }
 
  private:
-  double longest_, tolerance_, next_ = first_step;
-  std::span<const double> given_;
-  std::size_t place_ = 0;
-};
+  /// Rows without a jump between them.
+  struct Section {
+    std::size_t row, after;
+    double end;  // [s]
+    std::size_t written = row, holding = row;
+    Vector before{};       // temperatures at the beginning of the last step
+    double last_dt = 0.0;  // 0 where there is no last step
+  };
 
-}  // namespace
+  Status pass(Section& s) {
+    if (!flow_.set_inputs(profile_[s.row].inputs)) return Status::no_equilibrium;
+    sizes_.jump();
+    if (!(s.end > time_)) {  // rows at the very beginning have nothing before them
+      const Vector seen = p_.watched * flow_.temperatures();
+      const auto out = flow_.paths().outflow(flow_.temperatures());
+      if (!write(
+              s, s.end, [&](double) { return seen; }, [&](double) { return out; }))
+        return Status::no_equilibrium;
+    }
+    Status status = Status::converged;
+    while (time_ < s.end && status == Status::converged) status = step(s);
+    return status;
+  }
+
+  /// One step, or one attempt.
+  Status step(Section& s) {
+    Report& report = run_.report;
+    p_.stop_if_cancelled();
+    if (report.steps + report.rejected > p_.most_steps) return Status::step_limit;
+    while (s.holding + 1 < s.after && profile_[s.holding].time <= time_) ++s.holding;
+    const double dt = sizes_.take(time_, s.end);
+    const double drift = p_.last.structure_time + (time_ - p_.last.time);
+    const Inputs inputs = programme_.mean(s.holding, time_, time_ + dt);
+    const Vector from = flow_.temperatures();
+    Vector films = from;
+    if (s.last_dt > 0.0) films += 0.5 * std::min(dt / s.last_dt, 1.0) * (from - s.before);
+    const HeatFlow::Step taken =
+        flow_.advance(inputs, p_.machine_rise(drift, drift + dt), dt, films);
+    if (taken.status != Status::converged) {
+      ++report.rejected;
+      sizes_.shrink();
+      if (sizes_.held() || sizes_.too_short()) return taken.status;
+      s.last_dt = 0.0;
+      return again(s);
+    }
+    if (!sizes_.accept(dt, taken.error)) {
+      ++report.rejected;
+      flow_.start(from);
+      return again(s);
+    }
+    ++report.steps;
+    report.energy_error = std::max(report.energy_error, taken.energy_error);
+    const double began = time_;
+    time_ = s.end - (time_ + dt) < 1e-9 * dt ? s.end : time_ + dt;
+    run_.step_ends.push_back(time_);
+    while (run_.kept.size() < keep_.size() && keep_[run_.kept.size()] <= time_) {
+      p_.remember(time_);
+      run_.kept.push_back(p_.last);
+    }
+    if (flow_.coupling()) follow_force(flow_.coupling()->sets().sets().front_force, time_);
+    if (!write_within(s, taken, from, began, dt)) return Status::no_equilibrium;
+    if (flow_.coupling() &&
+        flow_.felt().head(flow_.felt().size() - 1).maxCoeff() > HeatFlow::hottest_ring)
+      return Status::thermal_runaway;
+    s.before = from;
+    s.last_dt = dt;
+    return Status::converged;
+  }
+
+  Status again(const Section& s) {
+    return flow_.set_inputs(profile_[s.row].inputs) ? Status::converged : Status::no_equilibrium;
+  }
+
+  /// Writes the rows within a step; false where the sets have no balance at one of them.
+  bool write_within(Section& s, const HeatFlow::Step& taken, const Vector& from, double began,
+                    double dt) {
+    const Vector seen = p_.watched * from, seen_after = p_.watched * flow_.temperatures();
+    const Vector rate = p_.watched * taken.rate_before, rate_after = p_.watched * taken.rate_after;
+    return write(
+        s, time_,
+        [&](double at) {
+          return between(seen, seen_after, rate, rate_after, dt, (at - began) / dt);
+        },
+        [&](double at) {
+          std::array<double, reservoirs> out{};
+          const double t = (at - began) / dt;
+          for (std::size_t r = 0; r < reservoirs; ++r)
+            out[r] = (1.0 - t) * taken.out_before[r] + t * taken.out_after[r];
+          return out;
+        });
+  }
+  template <typename Seen, typename Out>
+  bool write(Section& s, double until, const Seen& seen_at, const Out& out_at) {
+    for (; s.written < s.after && profile_[s.written].time <= until; ++s.written) {
+      Moment m;
+      const double at = profile_[s.written].time;
+      if (!p_.moment_at(at, profile_[s.written].inputs, seen_at(at), out_at(at), m)) return false;
+      run_.moments.push_back(std::move(m));
+      follow_force(run_.moments.back().front_force, at);
+    }
+    return true;
+  }
+
+  void follow_force(double force, double at) {
+    if (!(force > run_.highest_front_force)) return;
+    run_.highest_front_force = force;
+    run_.time_of_highest_force = at;
+  }
+
+  Parts& p_;
+  HeatFlow& flow_;
+  std::span<const ProfileRow> profile_;
+  std::span<const double> keep_;
+  Programme programme_;
+  StepSizes sizes_;
+  double time_;  // [s]
+  Run run_;
+};
 
 Simulator::Simulator(const model::Model& model)
     : Simulator(model, effects::spindle_condition(model.effects)) {}
@@ -315,116 +373,8 @@ void Simulator::stop_on(const std::atomic<bool>* cancelled) { parts_->cancelled 
 
 Run Simulator::simulate(std::span<const ProfileRow> profile, const State* start,
                         std::span<const double> step_ends, std::span<const double> keep) {
-  Parts& p = *parts_;
-  HeatFlow& flow = p.flow;
-  Run run;
-  Report& report = run.report;
-  p.begin(start, profile);
-  const Programme programme(profile, p.last.time);
-  StepSizes sizes(std::isnan(p.model.spindle->step) ? longest_step : p.model.spindle->step,
-                  p.tolerance, step_ends);
-  double time = p.last.time;
-  report.energy_error = 0.0;
-  const auto end_with = [&](Status status) {
-    report.status = status;
-    if (status != Status::converged) report.message = words(status);
-    p.remember(time);
-    run.end = p.last;
-    return std::move(run);
-  };
-  const auto follow_force = [&](double force, double at) {
-    if (force > run.highest_front_force) {
-      run.highest_front_force = force;
-      run.time_of_highest_force = at;
-    }
-  };
-  for (std::size_t row = 0; row < profile.size();) {
-    const std::size_t after = programme.jump_after(row);
-    const double end = profile[after - 1].time;
-    if (!flow.set_inputs(profile[row].inputs)) return end_with(Status::no_equilibrium);
-    sizes.jump();
-    Vector films = flow.temperatures(), before = films;
-    double last_dt = 0.0;
-    std::size_t written = row;
-    // Rows at the very beginning have nothing before them.
-    const auto write = [&](double until, const auto& seen_at, const auto& out_at) {
-      for (; written < after && profile[written].time <= until; ++written) {
-        Moment m;
-        const double at = profile[written].time;
-        if (!p.moment_at(at, profile[written].inputs, seen_at(at), out_at(at), m)) return false;
-        run.moments.push_back(std::move(m));
-        follow_force(run.moments.back().front_force, at);
-      }
-      return true;
-    };
-    if (!(end > time)) {
-      const Vector seen = p.watched * flow.temperatures();
-      const auto out = flow.paths().outflow(flow.temperatures());
-      if (!write(
-              end, [&](double) { return seen; }, [&](double) { return out; }))
-        return end_with(Status::no_equilibrium);
-    }
-    std::size_t holding = row;
-    while (time < end) {
-      p.stop_if_cancelled();
-      if (report.steps + report.rejected > p.most_steps) return end_with(Status::step_limit);
-      while (holding + 1 < after && profile[holding].time <= time) ++holding;
-      const double dt = sizes.take(time, end);
-      const double drift = p.last.structure_time + (time - p.last.time);
-      const Inputs inputs = programme.mean(holding, time, time + dt);
-      const Vector from = flow.temperatures();
-      films = from;
-      if (last_dt > 0.0) films += 0.5 * std::min(dt / last_dt, 1.0) * (from - before);
-      const HeatFlow::Step step =
-          flow.advance(inputs, p.machine_rise(drift, drift + dt), dt, films);
-      if (step.status != Status::converged) {
-        ++report.rejected;
-        sizes.shrink();
-        if (sizes.held() || sizes.too_short()) return end_with(step.status);
-        if (!flow.set_inputs(profile[row].inputs)) return end_with(Status::no_equilibrium);
-        last_dt = 0.0;
-        continue;
-      }
-      ++report.steps;
-      if (!sizes.accept(dt, step.error)) {
-        ++report.rejected, --report.steps;
-        flow.start(from);
-        if (!flow.set_inputs(profile[row].inputs)) return end_with(Status::no_equilibrium);
-        continue;
-      }
-      report.energy_error = std::max(report.energy_error, step.energy_error);
-      const Vector seen = p.watched * from, seen_after = p.watched * flow.temperatures();
-      const Vector rate = p.watched * step.rate_before, rate_after = p.watched * step.rate_after;
-      const double began = time;
-      time = end - (time + dt) < 1e-9 * dt ? end : time + dt;
-      run.step_ends.push_back(time);
-      while (run.kept.size() < keep.size() && keep[run.kept.size()] <= time) {
-        p.remember(time);
-        run.kept.push_back(p.last);
-      }
-      if (flow.coupling()) follow_force(flow.coupling()->sets().sets().front_force, time);
-      const bool written_all = write(
-          time,
-          [&](double at) {
-            return between(seen, seen_after, rate, rate_after, dt, (at - began) / dt);
-          },
-          [&](double at) {
-            std::array<double, reservoirs> out{};
-            const double t = (at - began) / dt;
-            for (std::size_t r = 0; r < reservoirs; ++r)
-              out[r] = (1.0 - t) * step.out_before[r] + t * step.out_after[r];
-            return out;
-          });
-      if (!written_all) return end_with(Status::no_equilibrium);
-      if (flow.coupling() &&
-          flow.felt().head(flow.felt().size() - 1).maxCoeff() > HeatFlow::hottest_ring)
-        return end_with(Status::thermal_runaway);
-      before = from;
-      last_dt = dt;
-    }
-    row = after;
-  }
-  return end_with(Status::converged);
+  parts_->begin(start, profile);
+  return Passage(*parts_, profile, step_ends, keep).run();
 }
 
 Moment Simulator::steady(const Inputs& inputs, Report& report) {

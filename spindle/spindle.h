@@ -144,6 +144,7 @@ class Simulator {
 
  private:
   struct Parts;
+  class Passage;
   std::unique_ptr<Parts> parts_;
 };
 
