@@ -26,11 +26,11 @@ constexpr std::array<std::string_view, 8> contact_columns{
     "inner_ring_heat_W", "outer_ring_heat_W", "life_h"};
 
 /// Of single states, behind all others.
-constexpr std::array<std::string_view, 5> state_columns{
+constexpr std::array<std::string_view, 5> columns_of_a_state{
     "radial_displacement_z_um", "axial_stiffness_N_um", "radial_stiffness_N_um", "inner_load_max_N",
     "outer_load_max_N"};
 
-std::array<double, state_columns.size()> state_values(const bearing::BearingEquilibrium& e) {
+std::array<double, columns_of_a_state.size()> state_values(const bearing::BearingEquilibrium& e) {
   double inner = 0.0, outer = 0.0;
   for (const bearing::BallEquilibrium& ball : e.balls.distinct()) {
     inner = std::fmax(inner, ball.inner_load);
@@ -52,7 +52,7 @@ std::vector<std::string> bearing_columns(const model::Model& model, Columns whic
   if (model.law == friction::FrictionLaw::contact)
     names.insert(names.end(), contact_columns.begin(), contact_columns.end());
   if (which == Columns::of_states)
-    names.insert(names.end(), state_columns.begin(), state_columns.end());
+    names.insert(names.end(), columns_of_a_state.begin(), columns_of_a_state.end());
   return names;
 }
 
