@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/effects_text.h"
 #include "cli/messages.h"
-#include "cli/text_table.h"
 #include "correction/catalogue.h"
 #include "effects/catalogue.h"
 #include "io/error.h"
@@ -21,157 +20,6 @@ namespace raceway::cli {
 namespace {
 
 using effects::Description;
-using effects::Form;
-
-std::string unit_of(const effects::Parameter& p) {
-  return p.unit == "1" ? "-" : std::string(p.unit);
-}
-
-/// A number as short as it can be said.
-std::string plain(double value) { return fmt::format("{:.6g}", value); }
-
-/// Words filled into lines, behind a heading in the left margin.
-void paragraph(std::string heading, std::string_view words) {
-  constexpr std::size_t margin = 14;
-  const std::size_t width = std::max<std::size_t>(terminal_width(), 50);
-  for (const std::string& line : filled(words, width - margin)) {
-    fmt::print("{:<{}}{}\n", heading, margin, line);
-    heading.clear();
-  }
-}
-
-/// What an effect changes, in the forms that it has: the torque of a rig, the displacement of a
-/// shaft, temperatures and displacement of a spindle.
-std::string changes(std::string_view id) {
-  const auto moves = [&](Form form) { return effects::find(id, form)->moves(form); };
-  std::string text = moves(Form::rig) ? moves(Form::shaft) ? "both" : "torque" : "";
-  if (text.empty() && moves(Form::shaft)) text = "displacement";
-  if (moves(Form::spindle)) text += text.empty() ? "spindle" : ", spindle";
-  return text;
-}
-
-std::string_view step_explained(const Description& d) {
-  if (d.entry) return "entry: what was entered or read, corrected before anything acts on it";
-  if (d.condition)
-    return d.for_rig ? "condition: what the bearing really sees, before its equilibrium"
-                     : "condition: what the sets on the shaft really see, before their balance";
-  if (d.lubricant) return "lubricant: viscosity and film at the contacts, before the base law";
-  if (d.has_moment()) return "moment: added to the moments of the base law";
-  if (d.spindle) return "spindle: conductances and heat, before its temperatures are solved for";
-  return d.reads(record::friction_torque)
-             ? "reading: what the rig makes of the torque of its bearings"
-             : "reading: what is read of the position of the shaft";
-}
-
-std::string needs_of(const Description& d) {
-  std::string text;
-  const auto add = [&](std::string_view need) {
-    text += text.empty() ? "" : "; ";
-    text += need;
-  };
-  for (const effects::Need need : d.needs) add(effects::text(need));
-  for (const record::Channel* channel : d.channels) add(effects::text(*channel));
-  if (!text.empty() && d.for_rig && d.moves(Form::shaft))
-    return "on a rig: " + text + "; on a shaft: nothing beside the displacement";
-  if (!text.empty()) return text;
-  if (d.spindle) return "nothing beside temperatures or displacement";
-  return d.for_rig ? "nothing beside the torque" : "nothing beside the displacement";
-}
-
-void print_list(std::span<const Description> list) {
-  TextTable table({{"effect", "", true},
-                   {"acts at", "", true},
-                   {"changes", "", true},
-                   {"what it is", "", true, true}});
-  for (const Description& d : list)
-    table.add({std::string(d.id), std::string(d.step()), changes(d.id), std::string(d.title)});
-  fmt::print("{}", table.text(terminal_width()));
-}
-
-/// Effects on a displacement over time, which have a catalogue of their own.
-void print_cards(std::span<const correction::EffectCard> cards) {
-  TextTable table({{"effect on a record over time", "", true}, {"what it is", "", true, true}});
-  for (const correction::EffectCard& card : cards)
-    table.add({std::string(card.id), std::string(card.title)});
-  fmt::print("\n{}", table.text(terminal_width()));
-}
-
-void print_page(const correction::EffectCard& card) {
-  fmt::print("{}: {}\n\n", card.id, card.title);
-  paragraph("changes", "displacement of a machine over time, of a model with [correction]");
-  paragraph("formula", card.form);
-  paragraph("needs", card.needs);
-  paragraph("looks like", card.confused);
-  if (card.of_reading)
-    paragraph("belongs", "to the record: it is carried neither to another one nor to a control");
-  if (card.evidence) paragraph("told", "by raceway check; it has no number");
-  if (card.numbers.empty()) return;
-  fmt::print("\n");
-  TextTable table({{"parameter", "", true},
-                   {"lower", ""},
-                   {"upper", ""},
-                   {"no effect at", ""},
-                   {"unit", "", true}});
-  const auto bound = [](double value) {
-    return std::isfinite(value) ? plain(value) : std::string("-");
-  };
-  for (const record::NumberCard& n : card.numbers)
-    table.add({std::string(n.name), bound(n.lower), bound(n.upper), bound(n.neutral),
-               n.unit == "1"      ? "-"
-               : n.unit == "um/u" ? "um per unit of the input"
-                                  : std::string(n.unit)});
-  fmt::print("{}", table.text(terminal_width()));
-}
-
-void print_page(const Description& d) {
-  fmt::print("{}: {}\n\n", d.id, d.title);
-  std::string changed = d.of_spindles_alone() ? ""
-                        : d.for_rig && d.for_shaft
-                            ? d.moves(Form::shaft)
-                                  ? "friction torque of a bearing on a rig, displacement of a shaft"
-                                  : "friction torque"
-                        : d.for_rig ? "friction torque of a bearing on a rig"
-                                    : "displacement of a shaft with an [arrangement]";
-  if (d.moves(Form::spindle))
-    changed += changed.empty() ? "temperatures and displacement of a spindle, with [shaft] and "
-                                 "[housing]"
-                               : "; temperatures and displacement of a spindle";
-  paragraph("changes", changed);
-  paragraph("mechanism", d.mechanism);
-  paragraph("formula", d.formula);
-  paragraph("source", d.source);
-  paragraph("acts at", step_explained(d));
-  paragraph("needs", needs_of(d));
-  if (!d.supplies.empty())
-    paragraph("lubricated", fmt::format("by {}; no candidate where [lubricant] supply is another",
-                                        effects::text(d.supplies)));
-  if (!d.within_contacts.empty())
-    paragraph("not with",
-              fmt::format("law = \"contact\", which has it itself, as {}", d.within_contacts));
-  std::string others;
-  for (const std::string_view other : d.confused_with)
-    others += (others.empty() ? "" : ", ") + std::string(other);
-  paragraph("looks like", others);
-  fmt::print("\n");
-  TextTable table({{"parameter", "", true},
-                   {"start", ""},
-                   {"lower", ""},
-                   {"upper", ""},
-                   {"usual", ""},
-                   {"no effect at", ""},
-                   {"unit", "", true}});
-  for (const effects::Parameter& p : d.parameters)
-    table.add({std::string(p.name), plain(p.initial), plain(p.lower), plain(p.upper),
-               fmt::format("{} to {}", plain(p.plausible_lower), plain(p.plausible_upper)),
-               std::isnan(p.neutral) ? "-" : plain(p.neutral), unit_of(p)});
-  fmt::print("{}", table.text(terminal_width()));
-  if (d.size_power != 0.0)
-    fmt::print("usual: at a pitch diameter of {:g} mm; it goes with the power {:g} of it\n",
-               effects::size_of_ranges / mm, d.size_power);
-  fmt::print("\nin a model file:\n\n  [[effect]]\n  id = \"{}\"\n", d.id);
-  for (const effects::Parameter& p : d.parameters)
-    fmt::print("  {} = {}\n", p.name, plain(p.initial));
-}
 
 /// Effects with these words in their id, title or texts, upper and lower case alike.
 std::vector<Description> matching(const std::string& words) {
@@ -219,10 +67,10 @@ int explain(const std::vector<Description>& forms, const correction::EffectCard*
   }
   for (const Description& d : forms) {
     if (&d != &forms.front()) fmt::print("\n");
-    print_page(d);
+    print_effect_card(d);
   }
   if (card && !forms.empty()) fmt::print("\n");
-  if (card) print_page(*card);
+  if (card) print_effect_card(*card);
   return done;
 }
 
@@ -241,8 +89,8 @@ int list(std::span<const Description> found, std::span<const correction::EffectC
     put_document(io::effects_json(found, cards));
     return done;
   }
-  if (!found.empty()) print_list(found);
-  if (!cards.empty()) print_cards(cards);
+  if (!found.empty()) print_effect_list(found);
+  if (!cards.empty()) print_effect_list(cards);
   fmt::print("\nraceway effects ID explains one of them.\n");
   return done;
 }

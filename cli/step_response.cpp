@@ -9,7 +9,7 @@
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
 #include "cli/run_files.h"
-#include "cli/text_table.h"
+#include "cli/step_response_text.h"
 #include "io/correction_file.h"
 #include "io/error.h"
 #include "io/output_file.h"
@@ -76,47 +76,6 @@ session::SpindleSteps simulated_steps(const StepFlags& flags, const io::ModelFil
   require_all(question.speeds, speed_range, "--speed");
   for (double& speed : question.speeds) speed *= rpm;
   return session::simulated_steps(messages(), file, question);
-}
-
-void print_steps(const session::SpindleSteps& steps) {
-  const spindle::StepResponses& responses = steps.responses;
-  const spindle::PowerLaws& laws = steps.laws;
-  fmt::print("Step responses of {}: u = kinematic + K (1 - exp(-t/T)), P at the end\n\n",
-             steps.source);
-  TextTable table({{"step", "", true},
-                   {"power", "W"},
-                   {"kinematic", "um"},
-                   {"K", "um"},
-                   {"T", "min"},
-                   {"left", "um"},
-                   {"K1", "um"},
-                   {"T1", "min"},
-                   {"K2", "um"},
-                   {"T2", "min"},
-                   {"left", "um"}});
-  for (const spindle::StepResponse& s : responses.steps) {
-    const spindle::StepFit& f = s.fit;
-    table.add({session::name_of(s), number(s.power_end), number(s.kinematic / um),
-               number(f.one.gain / um), number(f.one.time_constant / spindle::one_minute),
-               number(f.rms / um, 2), number(f.fast.gain / um),
-               number(f.fast.time_constant / spindle::one_minute, 3), number(f.slow.gain / um),
-               number(f.slow.time_constant / spindle::one_minute, 3),
-               number(f.rms_of_two / um, 2)});
-  }
-  fmt::print("{}", table.text(terminal_width()));
-  if (responses.cool_down.known())
-    fmt::print("back to rest from the fastest: T = {} min\n",
-               number(responses.cool_down.one / spindle::one_minute));
-  if (std::isnan(laws.gain_line.slope)) return;
-  fmt::print("\nK = {} um/W P + {} um, T = {} min/W P + {} min\n",
-             number(laws.gain_line.slope / um), number(laws.gain_line.offset / um),
-             number(laws.time_line.slope / spindle::one_minute),
-             number(laws.time_line.offset / spindle::one_minute));
-  if (!std::isnan(laws.gain_power.exponent))
-    fmt::print("K = {} um (P/W)^{}, T = {} min (P/W)^{}\n", number(laws.gain_power.factor / um),
-               number(laws.gain_power.exponent),
-               number(laws.time_power.factor / spindle::one_minute),
-               number(laws.time_power.exponent));
 }
 
 void write_correction_of(const StepFlags& flags, const session::SpindleSteps& steps) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "correction/catalogue.h"
+#include "effects/effect.h"
+
+/// The catalogue of effects as text for a terminal.
+namespace raceway::cli {
+
+/// One line for each effect.
+void print_effect_list(std::span<const effects::Description> list);
+/// One line for each effect on a displacement over time.
+void print_effect_list(std::span<const correction::EffectCard> cards);
+
+/// Everything that the catalogue knows about one effect.
+void print_effect_card(const effects::Description& effect);
+void print_effect_card(const correction::EffectCard& card);
+
+}  // namespace raceway::cli
