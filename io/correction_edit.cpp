@@ -6,6 +6,7 @@
 #include "correction/numbers.h"
 #include "correction/own_effect.h"
 #include "io/correction_file.h"
+#include "io/format_number.h"
 #include "io/model_file.h"
 #include "io/number_text.h"
 
@@ -196,7 +197,7 @@ std::string head_text(const Model& m) {
 }  // namespace
 
 std::string new_corrections(const std::vector<Model>& models, const std::string& comment) {
-  std::string text = "# " + comment + "\n";
+  std::string text = fmt::format("# {}\n{}", comment, format_line);
   for (const Model& m : models) {
     text += models.size() > 1 ? "\n[[correction]]\n" : "[correction]\n";
     text += head_text(m);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "io/format_number.h"
 #include "io/units.h"
 #include "model/band.h"
 #include "record/units.h"
@@ -53,9 +54,12 @@ void append(std::string& out, const json& value, int indent, int depth) {
 }  // namespace
 
 std::string text(const json& document) {
-  std::string out;
-  append(out, document, 2, 0);
-  return out + "\n";
+  std::string out = fmt::format("{{\n  \"format\": {}", format_number);
+  for (const auto& [key, element] : document.items()) {
+    out += ",\n  " + scalar_text(key) + ": ";
+    append(out, element, 2, 1);
+  }
+  return out + "\n}\n";
 }
 
 std::string line_text(const json& value) {

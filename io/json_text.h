@@ -13,11 +13,12 @@ namespace raceway::io {
 
 using json = nlohmann::ordered_json;
 
-/// Two blanks of indent, 15 digits (see with_15_digits()). Numbers that are not finite become null;
-/// bytes that are no UTF-8 (file names) are replaced.
+/// Text of a document: the number of its format, then its members. Two blanks of indent, 15 digits
+/// (see with_15_digits()). Numbers that are not finite become null; bytes that are no UTF-8 (file
+/// names) are replaced.
 [[nodiscard]] std::string text(const json& document);
 
-/// The same on one line, without a line end.
+/// Text of a value on one line, without a line end.
 [[nodiscard]] std::string line_text(const json& value);
 
 [[nodiscard]] json report_json(const bearing::SolveReport& report);

@@ -3,6 +3,7 @@
 #include "friction/contact/contact_data.h"
 #include "friction/friction_law.h"
 #include "io/catalogue_defaults.h"
+#include "io/format_number.h"
 #include "io/model_file.h"
 #include "model/parameters.h"
 
@@ -103,7 +104,7 @@ std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks)
   const auto number = [](double value) { return fmt::format("{:.10g}", value); };
   const bool known = !row.maker.empty();
   const std::string name = known ? row.full_name() : row.designation;
-  std::string text = fmt::format("# {}\n\n", remarks.title);
+  std::string text = fmt::format("# {}\n\n{}\n", remarks.title, format_line);
   text +=
       known ? fmt::format("[bearing]                          # same as catalogue = \"{}\"\n", name)
             : "[bearing]\n";

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/error.h"
+#include "io/format_number.h"
 #include "io/input_file.h"
 #include "io/json_text.h"
 #include "io/spindle_results.h"
@@ -31,6 +32,8 @@ spindle::State parse_spindle_state(const std::string& text, const std::string& s
   if (document.is_discarded()) fail("is no JSON; raceway spindle --end-state writes a state");
   if (!document.is_object() || !document.contains("spindle_state"))
     fail("is no state of a spindle; raceway spindle --end-state writes one");
+  if (const json format = document.value("format", json(format_number)); format != format_number)
+    fail(fmt::format("format = {}: {}", format.dump(), other_format));
   const auto number = [&](const char* key) {
     if (!document.contains(key) || !document[key].is_number())
       fail(fmt::format("{} is missing or no number", key));

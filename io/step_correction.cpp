@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "io/format_number.h"
 #include "io/names.h"
 #include "io/number_text.h"
 #include "io/output_file.h"
@@ -177,8 +178,8 @@ StepCorrection step_correction(const correction::Model& model, const std::string
   result.tables.emplace_back(friction, step_friction_text(*model.channels.front().input.table));
   result.model = fmt::format(
       "# Delay elements by step responses: gain and time constant go with the friction power at "
-      "the\n# speed; all bearings together.\n[correction]\nname = {}\ndisplacement = \"{}\"\n",
-      in_quotes(model.name), model.displacement->name);
+      "the\n# speed; all bearings together.\n{}[correction]\nname = {}\ndisplacement = \"{}\"\n",
+      format_line, in_quotes(model.name), model.displacement->name);
   for (const correction::DrivenChannel& channel : model.channels) {
     result.model += fmt::format(
         "\n[[correction.channel]]\nname = \"{}\"\ninput = \"power_W\"\nfriction_table = {}\n",

@@ -5,6 +5,7 @@
 
 #include "io/csv.h"
 #include "io/error.h"
+#include "io/format_number.h"
 #include "io/printable.h"
 
 // Last: see io/toml_text.h.
@@ -109,6 +110,19 @@ void require_usable(const toml::node& node, std::string_view source) {
     }
 }
 
+/// Takes the number of the format out of a file.
+void take_format(toml::table& table, std::string_view source) {
+  const toml::node* const format = table.get("format");
+  if (!format) return;
+  if (format->value<double>() != format_number)
+    throw InputError(fmt::format("{}:{}: format = {}: {}", source, format->source().begin.line,
+                                 shown(*format), other_format),
+                     {.file = std::string(source),
+                      .line = static_cast<int>(format->source().begin.line),
+                      .key = "format"});
+  table.erase("format");
+}
+
 toml::table parsed(std::string_view text, std::string_view source) {
   try {
     return toml::parse(text, source);
@@ -135,6 +149,7 @@ toml::table parse_toml(std::string_view text, std::string_view source) {
   require_short_keys(text, source);
   toml::table table = parsed(text, source);
   require_usable(table, source);
+  take_format(table, source);
   return table;
 }
 

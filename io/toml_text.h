@@ -19,7 +19,8 @@ namespace raceway::io {
 
 inline constexpr std::string_view utf8_mark = "\xef\xbb\xbf";
 
-/// Throws InputError with `source`, line and, where known, column.
+/// Tables of a file without the number of its format. Throws InputError with `source`, line and,
+/// where known, column.
 [[nodiscard]] toml::table parse_toml(std::string_view text, std::string_view source);
 
 /// Where a line begins, counted from 1.

@@ -5,6 +5,7 @@
 #include "io/control/formats.h"
 #include "io/control/programs.h"
 #include "io/control/text.h"
+#include "io/format_number.h"
 
 namespace raceway::io {
 namespace {
@@ -157,6 +158,7 @@ std::string program_with(const ControlPlan& plan, std::string_view usage, std::s
                                  {"CHECK", check},
                                  {"TOLERANCE", control_tolerance},
                                  {"MAIN", std::string(main)},
+                                 {"FORMAT", fmt::format("{}", format_number)},
                                  {"STAMP", fmt::format("{}", stamp(plan))},
                                  {"INPUTS", inputs},
                                  {"TOGETHER", together},

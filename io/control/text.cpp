@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "io/control/formats.h"
+#include "io/format_number.h"
 
 namespace raceway::io {
 
@@ -37,7 +38,7 @@ std::uint32_t stamp(const ControlPlan& plan) {
   bare.source.clear();
   bare.notes.clear();
   bare.check = {};
-  std::uint32_t hash = 2166136261U;  // FNV-1a
+  std::uint32_t hash = 2166136261U + format_number - 1;  // FNV-1a; another format, another stamp
   for (const char c : control_csv(bare)) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
   return hash;
 }

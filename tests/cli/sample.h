@@ -63,7 +63,7 @@ inline json page_document(const std::string& page) {
 inline void expect_refused(const Result& result, const std::string& message) {
   EXPECT_EQ(result.status, 1) << result.err;
   if (!result.out.empty()) {
-    EXPECT_EQ(keys(parsed(result)), std::set<std::string>{"error"});
+    EXPECT_EQ(keys(parsed(result)), (std::set<std::string>{"format", "error"}));
   }
   EXPECT_THAT(result.err, testing::HasSubstr(message));
 }

@@ -38,7 +38,7 @@ TEST(Messages, DefaultsAreOneShortNoteAndCheckListsThem) {
   EXPECT_THAT(run("check " + files.model + " " + files.data).out,
               HasSubstr("solver.tilt = \"locked\""));
   const json document = parsed(run("check " + files.model + " --json"));
-  EXPECT_EQ(keys(document), keys(json{{"model", 0}, {"defaults", 0}, {"notes", 0}}));
+  EXPECT_EQ(keys(document), keys(json{{"format", 1}, {"model", 0}, {"defaults", 0}, {"notes", 0}}));
   EXPECT_FALSE(document["defaults"].empty());
 }
 
@@ -121,7 +121,7 @@ TEST(Messages, JsonErrorsSayWhere) {
     const Result r = run(w.arguments + " --json");
     EXPECT_EQ(r.status, 1);
     const json document = parsed(r);
-    ASSERT_EQ(keys(document), std::set<std::string>{"error"});
+    ASSERT_EQ(keys(document), (std::set<std::string>{"format", "error"}));
     const json& error = document["error"];
     EXPECT_EQ(error["file"], w.file);
     EXPECT_EQ(error["line"], w.line);
@@ -137,7 +137,7 @@ TEST(Messages, AnErrorBehindTheResultLeavesOneDocument) {
       run("table " + files.model + " --speed 1000 --axial-load 100 --json --report /dev/full");
   if (!has_reports()) GTEST_SKIP();
   EXPECT_EQ(r.status, 1);
-  EXPECT_EQ(keys(parsed(r)), std::set<std::string>{"error"});
+  EXPECT_EQ(keys(parsed(r)), (std::set<std::string>{"format", "error"}));
 }
 
 TEST(StandardInput, StandsForEveryFileThatIsRead) {

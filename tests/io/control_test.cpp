@@ -247,6 +247,20 @@ TEST(ControlState, OfAnotherModelIsRefused) {
       "the state is of another model\n");
 }
 
+TEST(ControlState, OfAnotherFormatIsRefusedWithAdvice) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n",
+      "time_s,front_temperature_C\n0,20\n100,30\n");
+  (void)c.folder.write("a.py", control_python(c.plan));
+  EXPECT_EQ(c.folder.shell("python3 -c '\nimport a\nstate = a.Correction().state()\n"
+                           "state.pop(\"format\")\na.Correction().restore(state)\n"
+                           "state[\"format\"] = 2\ntry:\n  a.Correction().restore(state)\n"
+                           "except ValueError as e: print(e)'"),
+            "the state has format 2, this program reads 1; start without it\n");
+}
+
 TEST(ControlPython, RunsOverARecordByHand) {
   const Case c(everything);
   (void)c.folder.write("machine.py", control_python(c.plan));

@@ -56,7 +56,7 @@ TEST(Results, AComparisonOfOneChannelHasItAtTheTop) {
   const std::string text =
       comparison_json({"m.toml"}, {{compared(record::friction_torque)}}, two_sensors());
   const json d = json::parse(text);
-  EXPECT_EQ(keys(d), (std::set<std::string>{"model", "quantity", "unit", "rows",
+  EXPECT_EQ(keys(d), (std::set<std::string>{"format", "model", "quantity", "unit", "rows",
                                             "rows_not_predicted", "rmse", "mae", "max_abs", "bias",
                                             "fit_percent", "noise", "lack_of_fit", "statement",
                                             "where", "worst_rows", "data", "notes"}));
@@ -225,8 +225,8 @@ TEST(Results, WhatAddBoughtHoldsItsCalibration) {
   r.calibration.channels = {{&record::friction_torque, 0.01, 0.002}};
   const json d = json::parse(add_json("m.toml", two_sensors(), r));
   EXPECT_EQ(keys(d),
-            (std::set<std::string>{"model", "data", "refused", "reason", "gain", "unit", "before",
-                                   "after", "rmse_held_out_before", "rmse_held_out_after",
+            (std::set<std::string>{"format", "model", "data", "refused", "reason", "gain", "unit",
+                                   "before", "after", "rmse_held_out_before", "rmse_held_out_after",
                                    "hold_out", "calibration", "messages", "notes"}));
   EXPECT_DOUBLE_EQ(d["rmse_held_out_after"].get<double>(), 3.0);
   EXPECT_DOUBLE_EQ(d["calibration"]["rmse"].get<double>(), 2.0);
@@ -247,8 +247,8 @@ TEST(Results, ACheckListsColumnsInTheirUnits) {
       {.id = "churning", .ruled_out = "another supply", .missing = "", .levels = ""}};
   const json d = json::parse(check_json("7014", check, {"a = 1"}, {"b"}));
   EXPECT_EQ(keys(d),
-            (std::set<std::string>{"model", "quantity", "rows", "runs", "unit", "noise", "columns",
-                                   "free_parameters", "effects", "defaults", "notes"}));
+            (std::set<std::string>{"format", "model", "quantity", "rows", "runs", "unit", "noise",
+                                   "columns", "free_parameters", "effects", "defaults", "notes"}));
   EXPECT_EQ(d["columns"][0]["name"], "temperature_C");
   EXPECT_EQ(d["columns"][0]["from"], 25.61);
   EXPECT_EQ(d["columns"][0]["to"], 65.67);
