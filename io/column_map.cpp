@@ -56,13 +56,10 @@ void read_unit(const Section& s, const toml::key& key, const std::string& text, 
   if (rule.excel_date) return;
   if (own) rule.unit = find_unit(text, own->dimension);
   if (rule.unit) return;
-  Names known;
-  for (const Unit& unit : units())
-    if (own && unit.dimension == own->dimension) known.emplace_back(unit.suffix);
-  if (*rule.channel == record::time) known.emplace_back("excel");
+  const std::string known = own ? "must be " + listed_units(own->dimension) : "it has none";
   throw InputError(
-      fmt::format("{}: [columns] {}: unit = \"{}\": {}", place_of(s, key).text(), key.str(), text,
-                  own ? "must be " + listed(known, "or") : "it has none"),
+      fmt::format("{}: [columns] {}: unit = \"{}\": {}{}", place_of(s, key).text(), key.str(), text,
+                  known, *rule.channel == record::time ? ", or excel for its dates" : ""),
       place_of(s, key));
 }
 

@@ -10,6 +10,8 @@
 #include "io/error.h"
 #include "io/missing_cell.h"
 #include "io/names.h"
+#include "io/timestamp.h"
+#include "io/units.h"
 #include "record/spindle_channel.h"
 
 namespace raceway::io {
@@ -17,21 +19,60 @@ namespace {
 
 using record::Channel;
 
-/// The unit in the row of units, where there is one and it is of this kind.
-const Unit* in_unit_row(const CsvTable& table, std::size_t column, const Unit* own) {
-  if (!own || column >= table.units.size()) return nullptr;
-  return find_unit(table.units[column], own->dimension);
+/// Texts in the place of a unit that state none.
+bool states_no_unit(std::string_view text) {
+  return text.empty() || text == "-" || text == "[-]" || text == "(-)";
+}
+
+/// The unit that a file states for a column of a channel. Throws InputError where it is not known,
+/// or measures something else.
+const Unit& stated_unit(std::string_view text, const Channel& channel, const CsvTable& table,
+                        std::size_t column) {
+  const Unit& own = *unit_of(channel);
+  if (const Unit* const unit = find_unit(text, own.dimension)) return *unit;
+  const std::string& header = table.header[column];
+  throw InputError(
+      fmt::format("{}: column {}: {} is no known unit of {}: {}. State it in [columns]: {} = {{ "
+                  "column = {}, unit = \"...\" }}",
+                  table.header_place().text(), in_quotes(header), in_quotes(std::string(text)),
+                  channel.words, listed_units(own.dimension), channel.name, in_quotes(header)),
+      table.header_place(header));
+}
+
+/// The unit in the row of units, null where it states none.
+const Unit* in_unit_row(const CsvTable& table, std::size_t column, const Channel& channel) {
+  if (column >= table.units.size() || states_no_unit(table.units[column])) return nullptr;
+  return &stated_unit(table.units[column], channel, table, column);
+}
+
+/// The unit in a header: in brackets, where it must be known; behind "in", "/", a blank or "_",
+/// where it is one of this kind.
+const Unit* in_header(const CsvTable& table, std::size_t column, const Channel& channel) {
+  const std::string_view header = table.header[column];
+  if (const std::string_view stated = in_brackets(header); !states_no_unit(stated))
+    return &stated_unit(stated, channel, table, column);
+  const Dimension own = unit_of(channel)->dimension;
+  const std::string_view ending = header_parts(header).unit;
+  const Unit* const unit = ending.empty() ? nullptr : find_unit(ending, own);
+  return unit ? unit : unit_at_end(header, own);
+}
+
+/// Brackets behind a column of dates hold their form: "Time (UTC)", "Zeit [TT.MM.JJJJ]".
+bool has_dates(const CsvTable& table, std::size_t column) {
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (!table.is_empty(row, column))
+      return !table.is_numeric(column) && parse_timestamp(table.cell(row, column)).has_value();
+  return false;
 }
 
 /// Of a column that a rule names: what the rule says, else the header, else the row of units, else
 /// the key.
 const Unit* unit_by_rule(const ColumnRule& rule, const CsvTable& table, std::size_t column) {
-  const Unit* const own = unit_of(*rule.channel);
-  if (rule.unit || !own) return rule.unit;
-  const std::string_view written = header_parts(rule.header).unit;
-  if (const Unit* const unit = written.empty() ? nullptr : find_unit(written, own->dimension))
-    return unit;
-  if (const Unit* const unit = in_unit_row(table, column, own)) return unit;
+  const Channel& channel = *rule.channel;
+  if (rule.unit || rule.excel_date || !unit_of(channel)) return rule.unit;
+  if (channel == record::time && has_dates(table, column)) return nullptr;
+  if (const Unit* const unit = in_header(table, column, channel)) return unit;
+  if (const Unit* const unit = in_unit_row(table, column, channel)) return unit;
   return rule.key_unit;
 }
 
@@ -39,7 +80,7 @@ const Unit* unit_by_rule(const ColumnRule& rule, const CsvTable& table, std::siz
 const Unit* unit_by_name(const NamedChannel& named, const CsvTable& table, std::size_t column) {
   const Unit* const own = unit_of(*named.channel);
   const Unit* const ending = named.unit ? named.unit : own;
-  const Unit* const below = in_unit_row(table, column, own);
+  const Unit* const below = own ? in_unit_row(table, column, *named.channel) : nullptr;
   if (below && below != ending)
     throw InputError(fmt::format("{}: column {} has {} in the row of units below it; mend one",
                                  table.header_place().text(), table.header[column], below->words),
@@ -93,6 +134,17 @@ CellRange range_of(const ColumnSource& source, bool with_sign) {
 std::optional<NamedChannel> named_column(std::string_view name, bool over_time, bool of_spindle) {
   if (of_spindle) return named_spindle_channel(name);
   return over_time ? named_series_channel(name) : named_channel(name, file_channels());
+}
+
+/// The channel of a name that ends in a unit in brackets which is not known: "axial load [lbz]".
+const Channel* channel_without_unit(std::string_view header, bool over_time, bool of_spindle) {
+  if (states_no_unit(in_brackets(header))) return nullptr;
+  const std::string_view name = header_parts(header).name;
+  for (const Unit& unit : units())
+    if (const auto named =
+            named_column(fmt::format("{} [{}]", name, unit.suffix), over_time, of_spindle))
+      return named->channel;
+  return nullptr;
 }
 
 FormFinder finder(const ReadOptions& options) {
@@ -151,6 +203,12 @@ Recognised recognise(const CsvTable& table, const ColumnMap& map, bool over_time
       add({named->channel, c, name, {unit_by_name(*named, table, c)}}, table, result);
     else
       result.others.push_back(name);
+  }
+  for (std::size_t c = 0; c < table.header.size(); ++c) {
+    const std::string& name = table.header[c];
+    if (map.find(name) || named_column(name, over_time, of_spindle)) continue;
+    const Channel* const meant = channel_without_unit(name, over_time, of_spindle);
+    if (meant && !result.find(*meant)) (void)stated_unit(in_brackets(name), *meant, table, c);
   }
   require_columns(table, map, result);
   for (const ColumnSource& source : result.columns) note_unit(source, result);

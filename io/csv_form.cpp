@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/missing_cell.h"
 #include "io/names.h"
 #include "io/timestamp.h"
 #include "io/units.h"
@@ -63,6 +64,18 @@ bool is_unit_row(const std::vector<std::string_view>& cells) {
   return units > 0;
 }
 
+/// The row below a header that is known: half of its cells are units, and none is a reading. What
+/// the others are is asked where their columns are read.
+bool is_unit_row_below(const std::vector<std::string_view>& cells) {
+  std::size_t units = 0, others = 0;
+  for (const std::string_view cell : cells) {
+    if (cell.empty() || cell == "-" || cell == "[-]" || cell == "1") continue;
+    if (is_reading(cell) || is_missing(cell)) return false;
+    ++(find_unit(cell) ? units : others);
+  }
+  return units > 0 && units >= others;
+}
+
 bool is_row_of_readings(const std::vector<std::string_view>& cells) {
   const auto numbers =
       static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), is_reading));
@@ -78,7 +91,7 @@ bool may_be_header(const std::vector<std::string_view>& cells, std::size_t colum
 /// The header at one of the lines, and the row of units below it.
 CsvForm form_at(const std::vector<Line>& lines, std::size_t header, char separator) {
   CsvForm form{.header_line = lines[header].number, .separator = separator};
-  if (header + 1 < lines.size() && is_unit_row(cells_of(lines[header + 1].text, separator)))
+  if (header + 1 < lines.size() && is_unit_row_below(cells_of(lines[header + 1].text, separator)))
     form.unit_line = lines[header + 1].number;
   return form;
 }

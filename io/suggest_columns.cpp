@@ -80,7 +80,8 @@ std::size_t match(std::string_view name, std::string_view words) {
 struct Proposal {
   const Channel* channel;
   std::size_t column;
-  const Unit* unit;  ///< null where none was found
+  const Unit* unit;          ///< null where none was found
+  std::string unknown_unit;  ///< as the file states it; empty where it states none, or a known one
   bool excel_date = false, stamped = false;
   std::size_t score;
 };
@@ -107,7 +108,11 @@ std::optional<Proposal> proposal(const CsvTable& table, std::size_t column, cons
   Proposal p{.channel = words.channel,
              .column = column,
              .unit = own ? find_unit(written, own->dimension) : nullptr,
+             .unknown_unit = {},
              .score = match(plain(parts.name), words.words)};
+  if (own && parts.unit.empty() && !p.unit)
+    p.unit = unit_at_end(table.header[column], own->dimension);
+  if (own && !p.unit && !some_unit) p.unknown_unit = std::string(written);
   // A unit of another kind: "Last [mm]" is no load.
   if (p.score == 0 || (some_unit && !p.unit)) return std::nullopt;
   // Any sensor has a signal.
@@ -161,6 +166,10 @@ std::string line_of(const CsvTable& table, const Proposal& p) {
   if (p.excel_date)
     return fmt::format("{} = {{ column = {}, unit = \"excel\" }}", p.channel->name, header);
   if (p.stamped || !own) return fmt::format("{} = {}", p.channel->name, header);
+  if (!p.unknown_unit.empty())
+    return fmt::format(
+        "# {} = {{ column = {}, unit = \"...\" }}  # the file has {}, which is not known: {}?",
+        p.channel->name, header, in_quotes(p.unknown_unit), listed_units(own->dimension));
   std::string line = fmt::format("{} = {{ column = {}, unit = \"{}\" }}", p.channel->name, header,
                                  p.unit ? p.unit->suffix : own->suffix);
   if (!p.unit) line += "  # no unit in the file: is it this one?";

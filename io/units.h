@@ -33,6 +33,7 @@ struct Unit {
   double offset = 0.0;  ///< [K] of temperatures
   /// How else it is written, between blanks, as in_short() makes it of what stands in a file.
   std::string_view spellings = {};
+  std::string_view names = {};  ///< further spellings, in small letters, read in any case
 
   [[nodiscard]] constexpr double to_SI(double value) const { return value * factor + offset; }
   [[nodiscard]] constexpr double in_unit(double si) const { return (si - offset) / factor; }
@@ -41,10 +42,14 @@ struct Unit {
 /// All of them; the first of a dimension that names of channels have is that of this program.
 [[nodiscard]] std::span<const Unit> units();
 
-/// The unit of that spelling: "Nm", "N m", "N·m", "[1/min]", "min-1", "°C", "µm", "rad_s"; upper
-/// and lower case differ. Null where there is none of that dimension, or of any.
+/// The unit of that spelling: "Nm", "N m", "N·m", "[1/min]", "min-1", "°C", "µm", "rad_s",
+/// "minutes". Upper and lower case differ in symbols (mN, MN) and not in words. Null where there is
+/// none of that dimension, or of any.
 [[nodiscard]] const Unit* find_unit(std::string_view spelling,
                                     std::optional<Dimension> dimension = std::nullopt);
+
+/// Units of a dimension, for messages: "rpm, 1_s, rad_s or krpm".
+[[nodiscard]] std::string listed_units(Dimension dimension);
 
 /// A unit in another one, for notes: "1 N m = 1000 N mm", "C = K - 273.15".
 [[nodiscard]] std::string conversion(const Unit& from, const Unit& to);
@@ -56,6 +61,13 @@ struct HeaderParts {
   std::string_view name, unit;
 };
 [[nodiscard]] HeaderParts header_parts(std::string_view header);
+
+/// The text in the brackets at the end of a header: "1/min" of "Drehzahl [1/min]"; empty without.
+[[nodiscard]] std::string_view in_brackets(std::string_view header);
+
+/// The unit of that dimension behind the last blanks or the last comma of a header, of two letters
+/// or more: "Torque, N m", "Speed rad/s". Null without.
+[[nodiscard]] const Unit* unit_at_end(std::string_view header, Dimension dimension);
 
 /// SI value of one unit of a column, by the end of its name: 1e-3 for "load_Nmm", 1 where the name
 /// ends in no unit (or in one that is SI already).

@@ -94,6 +94,56 @@ TEST(ColumnMap, UnitAndFactorOfARuleComeBeforeTheHeader) {
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.25);
 }
 
+constexpr const char* american = R"([columns]
+speed_rpm = "Speed (rad/sec)"
+axial_load_N = "Load (lbs)"
+temperature_C = "Temp (C)"
+friction_torque_Nmm = "Torque (ozf·in)"
+)";
+
+TEST(ColumnMap, UnitsInBracketsOfTheirHeadersAreRead) {
+  const Record r =
+      read("Speed (rad/sec);Load (lbs);Temp (C);Torque (ozf·in)\n62.8;45;30;16\n62.8;135;30;19\n",
+           american);
+  EXPECT_DOUBLE_EQ(r.value(record::speed, 0), 62.8);
+  EXPECT_NEAR(r.value(record::axial_load, 0), 45 * 4.4482216152605, 1e-9);
+  EXPECT_NEAR(r.value(record::friction_torque, 0), 16 * 7.0615518e-3, 1e-8);
+}
+
+TEST(ColumnMap, AUnitThatIsNotKnownIsAnError) {
+  EXPECT_EQ(map_error("n (bananas),M\n1,2\n",
+                      "[columns]\nspeed_rpm = \"n (bananas)\"\nfriction_torque_Nmm = \"M\"\n"),
+            "d.csv:1: column \"n (bananas)\": \"bananas\" is no known unit of speed: rpm, 1_s, "
+            "rad_s, deg_s or krpm. State it in [columns]: speed_rpm = { column = \"n (bananas)\", "
+            "unit = \"...\" }");
+  // Of another kind, in a row of units, and without a map.
+  const std::string map =
+      "[columns]\nspeed_rpm = \"n\"\nfriction_torque_Nmm = \"M [V]\"\naxial_load_N = \"F\"\n";
+  EXPECT_THAT(map_error("n,M [V],F\n1,2,3\n", map), HasSubstr("\"V\" is no known unit of"));
+  EXPECT_THAT(map_error("n,M [V],F\nrpm,,stones\n1,2,3\n", map), HasSubstr("\"V\" is no known"));
+  EXPECT_THAT(map_error("n,M,F\nrpm,Nm,stones\n1,2,3\n",
+                        "[columns]\nspeed_rpm = \"n\"\nfriction_torque_Nmm = \"M\"\n"
+                        "axial_load_N = \"F\"\n"),
+              HasSubstr("column \"F\": \"stones\" is no known unit of axial load"));
+  EXPECT_THAT(map_error("speed_rpm,axial load [lbz],friction_torque_Nmm\n1,2,3\n", "[columns]\n"),
+              HasSubstr("\"lbz\" is no known unit of axial load"));
+}
+
+TEST(ColumnMap, AStatedUnitAnswersForAHeader) {
+  const Record r = read("n (bananas),M\n1000,2\n",
+                        "[columns]\nspeed_rpm = {column = \"n (bananas)\", unit = \"rpm\"}\n"
+                        "friction_torque_Nmm = \"M\"\n");
+  EXPECT_DOUBLE_EQ(r.value(record::speed, 0), 1000 * rpm);
+}
+
+TEST(ColumnMap, BracketsBehindDatesAreNoUnit) {
+  const Record r = read(
+      "Time (UTC),speed_rpm,friction_torque_Nmm\n2024-03-12T08:15:00,1,1\n"
+      "2024-03-12T08:15:05,2,1\n",
+      "[columns]\ntime_s = \"Time (UTC)\"\n");
+  EXPECT_DOUBLE_EQ(r.value(record::time, 1), 5);
+}
+
 TEST(ColumnMap, DatesOfExcelAreDays) {
   const Record r = read("Zeit,speed_rpm,friction_torque_Nmm\n45363.34375,1,1\n45363.34381,2,1\n",
                         "[columns]\ntime_s = {column = \"Zeit\", unit = \"excel\"}\n");
@@ -118,7 +168,7 @@ TEST(ColumnMap, WhatIsWrongInItIsNamedWithItsLine) {
               HasSubstr("map.toml:2: [columns] speed_rpn = \"n\": no column of this program; did "
                         "you mean speed_rpm?"));
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = {column = \"n\", unit = \"Nm\"}\n"),
-              HasSubstr("unit = \"Nm\": must be rpm, 1_s, rad_s or krpm"));
+              HasSubstr("unit = \"Nm\": must be rpm, 1_s, rad_s, deg_s or krpm"));
   EXPECT_THAT(map_error(data, "[columns]\naxial_load_N = 1e12\n"), HasSubstr("must be from 0 to"));
   EXPECT_THAT(map_error(data, "[columns]\nfriction_torque_Nmm = 3\n"), HasSubstr("no number"));
   EXPECT_THAT(map_error(data, "[columns]\nspeed_rpm = \"n\"\nspeed_rad_s = \"m\"\n"),

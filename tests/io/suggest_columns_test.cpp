@@ -55,6 +55,14 @@ TEST(SuggestColumns, VoltsOfATorqueAreTheSignalOfItsSensor) {
   EXPECT_THAT(map, Not(HasSubstr("friction_torque_Nmm")));
 }
 
+TEST(SuggestColumns, AUnitThatIsNotKnownIsShownAndAsked) {
+  const std::string map =
+      suggested("Speed (rad/sec),Load (bananas),Torque (oz-in)\n1,2,3\n2,3,4\n");
+  EXPECT_THAT(map, HasSubstr("speed_rpm = { column = \"Speed (rad/sec)\", unit = \"rad_s\" }\n"));
+  EXPECT_THAT(map, HasSubstr("# axial_load_N = { column = \"Load (bananas)\", unit = \"...\" }  # "
+                             "the file has \"bananas\", which is not known: N, kN"));
+}
+
 TEST(SuggestColumns, AColumnOfAnotherKindOfUnitIsNotTaken) {
   EXPECT_THAT(suggested("speed [rpm],load [mm],torque [Nm]\n1,2,3\n2,3,4\n"),
               HasSubstr("# not used: \"load [mm]\"\n"));

@@ -27,7 +27,48 @@ TEST(Units, AreFoundHoweverTheyAreWritten) {
   EXPECT_EQ(suffix("mm²/s"), "mm2_s");
   EXPECT_EQ(suffix("rad/s"), "rad_s");
   EXPECT_EQ(suffix("furlong"), "none");
+  EXPECT_EQ(suffix("bananas"), "none");
   EXPECT_EQ(suffix(""), "none");
+}
+
+/// Factors by the definitions of the pound, 0.45359237 kg, the inch, 25.4 mm, and standard gravity.
+TEST(Units, CommonSpellingsOfLoggersAreKnown) {
+  constexpr double g = 9.80665, lb = 0.45359237;
+  struct Case {
+    const char* text;
+    Dimension dimension;
+    double si;
+  };
+  for (const Case& c : {Case{"rad/sec", Dimension::speed, 1.0},
+                        {"deg/s", Dimension::speed, pi / 180.0},
+                        {"°/s", Dimension::speed, pi / 180.0},
+                        {"kRPM", Dimension::speed, 2000.0 * pi / 60.0},
+                        {"1/sec", Dimension::speed, 2.0 * pi},
+                        {"rev/sec", Dimension::speed, 2.0 * pi},
+                        {"lbs", Dimension::force, lb * g},
+                        {"KN", Dimension::force, 1000.0},
+                        {"mN", Dimension::force, 1e-3},
+                        {"kg", Dimension::force, g},
+                        {"ozf·in", Dimension::moment, lb / 16.0 * g * 0.0254},
+                        {"oz-in", Dimension::moment, lb / 16.0 * g * 0.0254},
+                        {"lb-ft", Dimension::moment, lb * g * 12.0 * 0.0254},
+                        {"kgf cm", Dimension::moment, g * 0.01},
+                        {"gf cm", Dimension::moment, 1e-3 * g * 0.01},
+                        {"cNm", Dimension::moment, 0.01},
+                        {"N•m", Dimension::moment, 1.0},
+                        {"N∙mm", Dimension::moment, 1e-3},
+                        {"minutes", Dimension::time, 60.0},
+                        {"msec", Dimension::time, 1e-3},
+                        {"ns", Dimension::time, 1e-9},
+                        {"Hours", Dimension::time, 3600.0},
+                        {"Millimeter", Dimension::length, 1e-3},
+                        {"Micrometers", Dimension::length, 1e-6}}) {
+    const Unit* const unit = find_unit(c.text, c.dimension);
+    ASSERT_NE(unit, nullptr) << c.text;
+    EXPECT_NEAR(unit->to_SI(1.0), c.si, 1e-12 * c.si) << c.text;
+  }
+  for (const char* fahrenheit : {"Deg F", "°F", "deg f", "Fahrenheit"})
+    EXPECT_NEAR(find_unit(fahrenheit, Dimension::temperature)->to_SI(212.0), 373.15, 1e-9);
 }
 
 TEST(Units, ConvertToSI) {
@@ -67,6 +108,13 @@ TEST(Units, AHeaderIsANameAndAUnit) {
   EXPECT_EQ(parts("friction_torque_Nm"), "friction_torque|Nm");
   EXPECT_EQ(parts("axial_rigidity_N_um"), "axial_rigidity|N_um");
   EXPECT_EQ(parts("Bemerkung"), "Bemerkung|");
+}
+
+TEST(Units, AUnitAtTheEndOfAHeaderIsFoundWhereItsKindIsKnown) {
+  EXPECT_EQ(unit_at_end("Torque, N m", Dimension::moment)->suffix, "Nm");
+  EXPECT_EQ(unit_at_end("Speed rad/s", Dimension::speed)->suffix, "rad_s");
+  EXPECT_EQ(unit_at_end("Temperature F", Dimension::temperature), nullptr);  // the front one
+  EXPECT_EQ(unit_at_end("Temperature min", Dimension::temperature), nullptr);
 }
 
 TEST(Units, TheNumbersOfAResultAreConvertedByTheEndOfTheirName) {
