@@ -10,8 +10,11 @@
 #include <unordered_map>
 #include <utility>
 
+#include "io/csv_form.h"
 #include "io/error.h"
 #include "io/input_file.h"
+#include "io/missing_cell.h"
+#include "io/names.h"
 #include "io/printable.h"
 #include "io/text_encoding.h"
 
@@ -55,6 +58,22 @@ char separator_of_header(std::string_view header, const std::string& place, cons
     found = separator;
   }
   return found == '\0' ? ',' : found;
+}
+
+/// A line below the header that begins with `#`: a row where its cells fit and say something, or
+/// where the first one is an error of a spreadsheet; else a comment. A model stands behind "#|".
+bool is_row(std::string_view line, char separator, std::size_t columns, bool trailing_separator) {
+  if (line.starts_with("#|")) return false;
+  const std::size_t end = line.find(separator);
+  std::string_view first = trimmed(line.substr(0, end));
+  if (first.size() > 1 && first.front() == '"' && first.back() == '"')
+    first = first.substr(1, first.size() - 2);
+  if (is_missing(first)) return true;
+  if (end == line.npos) return false;
+  const std::size_t cells = count_separators(line, separator) + 1;
+  const auto says_something = [&](char c) { return c != separator && !blank(c); };
+  return (cells == columns || (trailing_separator && cells == columns + 1)) &&
+         std::any_of(line.begin() + static_cast<std::ptrdiff_t>(end), line.end(), says_something);
 }
 
 }  // namespace
@@ -241,6 +260,42 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
   bool trailing_separator = false;
   std::size_t empty_rows = 0;
   int titles = 0;
+  struct {
+    int line = 0;
+    std::size_t begin = 0;
+  } comment;  // the last one
+  const auto read_header = [&](int at_line, std::size_t first, std::size_t last) {
+    table.header_line = at_line;
+    const std::string place = fmt::format("{}:{}", source, at_line);
+    split(first, last, place);
+    trailing_separator = cells.size() > 1 && cells.back().size == 0;
+    if (trailing_separator) cells.pop_back();
+    constexpr std::size_t most = 10000;
+    if (cells.size() > most)
+      throw InputError(
+          fmt::format("{}: {} columns: at most {} are read", place, cells.size(), most),
+          {.file = source, .line = at_line});
+    std::unordered_map<std::string, std::size_t> seen;
+    bool all_numbers = true;
+    for (const auto& cell : cells) {
+      const std::string name = all.substr(cell.begin, cell.size);
+      const std::size_t position = table.header.size() + 1;
+      if (name.empty())
+        throw InputError(fmt::format("{}: column {} has no name", place, position),
+                         {.file = source, .line = at_line});
+      // Equal numbers side by side are rows without a header, told below.
+      const auto [twin, is_new] = seen.emplace(name, position);
+      if (!is_new && !parse_number(name, true).problem.empty())
+        throw InputError(fmt::format("{}: column {} stands twice, as columns {} and {}", place,
+                                     name, twin->second, position),
+                         {source, at_line, name});
+      all_numbers = all_numbers && parse_number(name, true).problem.empty();
+      table.header.push_back(name);
+    }
+    if (all_numbers)
+      throw InputError(place + ": a header with the names of the columns is missing",
+                       {.file = source, .line = at_line});
+  };
   for (std::size_t begin = 0, next = 0; begin < all.size(); begin = next) {
     ++line;
     std::size_t end = std::min(all.find_first_of("\r\n", begin), all.size());
@@ -257,8 +312,11 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
           fmt::format("{}:{}: holds the control character {}, so it is not a text file", source,
                       line, *code),
           {.file = source, .line = line});
-    if (whole[start] == '#' || whole.substr(start).starts_with("\"#")) {
+    if ((whole[start] == '#' || whole.substr(start).starts_with("\"#")) &&
+        (table.header.empty() ||
+         !is_row(whole.substr(start), table.separator, table.header.size(), trailing_separator))) {
       table.comments.emplace_back(whole.substr(start));
+      comment = {line, begin + start};
       continue;
     }
     if (line < form.header_line) {
@@ -268,39 +326,24 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     const std::string place = table.header.empty() ? fmt::format("{}:{}", source, line) : "";
 
     if (table.header.empty()) {
-      table.separator = form.separator != '\0'
-                            ? form.separator
-                            : separator_of_header(whole, place, {.file = source, .line = line});
-      table.header_line = line;
-      split(begin, end, place);
-      trailing_separator = cells.size() > 1 && cells.back().size == 0;
-      if (trailing_separator) cells.pop_back();
-      constexpr std::size_t most = 10000;
-      if (cells.size() > most)
-        throw InputError(
-            fmt::format("{}: {} columns: at most {} are read", place, cells.size(), most),
-            {.file = source, .line = line});
-      std::unordered_map<std::string, std::size_t> seen;
-      bool all_numbers = true;
-      for (const auto& cell : cells) {
-        const std::string name = all.substr(cell.begin, cell.size);
-        const std::size_t position = table.header.size() + 1;
-        if (name.empty())
-          throw InputError(fmt::format("{}: column {} has no name", place, position),
-                           {.file = source, .line = line});
-        // Equal numbers side by side are rows without a header, told below.
-        const auto [twin, is_new] = seen.emplace(name, position);
-        if (!is_new && !parse_number(name, true).problem.empty())
-          throw InputError(fmt::format("{}: column {} stands twice, as columns {} and {}", place,
-                                       name, twin->second, position),
-                           {source, line, name});
-        all_numbers = all_numbers && parse_number(name, true).problem.empty();
-        table.header.push_back(name);
+      const auto commented =
+          table.comments.empty()
+              ? std::nullopt
+              : separator_of_commented_header(table.comments.back(), whole.substr(start));
+      if (commented) {
+        table.separator = *commented;
+        const std::string_view names = behind_hash(table.comments.back());
+        const std::size_t first =
+            comment.begin + static_cast<std::size_t>(names.data() - table.comments.back().data());
+        read_header(comment.line, first, first + names.size());
+        table.comments.pop_back();
+      } else {
+        table.separator = form.separator != '\0'
+                              ? form.separator
+                              : separator_of_header(whole, place, {.file = source, .line = line});
+        read_header(line, begin, end);
+        continue;
       }
-      if (all_numbers)
-        throw InputError(place + ": a header with the names of the columns is missing",
-                         {.file = source, .line = line});
-      continue;
     }
 
     const std::size_t columns = table.header.size();

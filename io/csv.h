@@ -37,13 +37,15 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 
 /// A delimited text file as it stands: names of columns and cells of text, with their lines.
 ///
-/// Separator: comma, semicolon or tab, as found in the header. `#` lines are comments, blank lines
-/// and rows of empty cells are skipped. A cell may be quoted ("a ""b"""), not broken over lines.
+/// Separator: comma, semicolon or tab, as found in the header. Lines that begin with `#` are
+/// comments; the last one above the data is the header where its cells fit the first row, and below
+/// the header a line whose cells fit is a row ("#N/A,20,0.1"). Blank lines and rows of empty cells
+/// are skipped. A cell may be quoted ("a ""b"""), not broken over lines.
 /// Blanks around cells are dropped. Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
   std::string source;                 ///< file name, for messages
-  std::vector<std::string> comments;  ///< `#` lines as they stand, wherever they stood
+  std::vector<std::string> comments;  ///< as they stand, wherever they stood
   std::vector<std::string> header;
   std::vector<std::string> units;  ///< of the row of units, empty without
   int header_line = 0;             ///< counted from 1

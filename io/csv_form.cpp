@@ -1,6 +1,7 @@
 #include "io/csv_form.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,35 @@ CsvForm form_at(const std::vector<Line>& lines, std::size_t header, char separat
 }
 
 }  // namespace
+
+std::string_view behind_hash(std::string_view comment) {
+  comment = trimmed(comment);
+  const std::size_t begin = comment.find_first_not_of("# \t");
+  // A column of row numbers may be named "#".
+  if (begin == comment.npos ||
+      std::find(std::begin(tried), std::end(tried), comment[begin]) != std::end(tried))
+    return comment;
+  return comment.substr(begin);
+}
+
+std::optional<char> separator_of_commented_header(std::string_view comment, std::string_view row) {
+  const std::string_view names_of = behind_hash(comment);
+  const auto separators = [](std::string_view line, char separator) {
+    return std::count(line.begin(), line.end(), separator);
+  };
+  const bool single = std::none_of(std::begin(tried), std::end(tried),
+                                   [&](char c) { return separators(row, c) > 0; });
+  for (const char separator : tried) {
+    if (separators(row, separator) != separators(names_of, separator)) continue;
+    if (separators(row, separator) == 0 && !(single && separator == ',')) continue;
+    const auto names = cells_of(names_of, separator), cells = cells_of(row, separator);
+    const auto readings = std::count_if(cells.begin(), cells.end(), is_reading);
+    if (readings > 0 && 2 * static_cast<std::size_t>(readings) >= cells.size() && !names.empty() &&
+        may_be_header(names, cells.size()))
+      return separator;
+  }
+  return std::nullopt;
+}
 
 bool is_reading(std::string_view cell) {
   return parse_number(cell, true).problem.empty() || parse_timestamp(cell).has_value();

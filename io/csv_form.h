@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "io/csv.h"
@@ -12,6 +13,14 @@ namespace raceway::io {
 /// of units alone, below it, is its row of units.
 [[nodiscard]] CsvForm find_form(std::string_view text,
                                 const std::function<bool(std::string_view)>& known);
+
+/// The separator of a comment that is the header of the row below it: as many cells, all of them
+/// names, above a row of which half is readings. Nothing where it is no header.
+[[nodiscard]] std::optional<char> separator_of_commented_header(std::string_view comment,
+                                                                std::string_view row);
+
+/// The text of a comment behind its `#`.
+[[nodiscard]] std::string_view behind_hash(std::string_view comment);
 
 /// Whether a cell is a number with a point or a comma, or a time (io/timestamp.h).
 [[nodiscard]] bool is_reading(std::string_view cell);

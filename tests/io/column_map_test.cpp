@@ -187,6 +187,13 @@ TEST(ColumnMap, StandsInAModelToo) {
   EXPECT_EQ(file.columns.rules[0].header, "Drehzahl [1/min]");
 }
 
+TEST(DropNan, AnErrorOfASpreadsheetInTheFirstCellIsNoComment) {
+  const std::string text = "speed_rpm,friction_torque_Nmm\n#N/A,5\n2,6\n";
+  EXPECT_THAT(message_of([&] { (void)read(text); }),
+              HasSubstr("d.csv:2: speed_rpm = \"#N/A\": is not a number"));
+  EXPECT_EQ(read(text, "[columns]\n", true).rows(), 1u);
+}
+
 TEST(DropNan, RowsWithoutANumberAreLeftOutAndCounted) {
   const std::string text =
       "speed_rpm,friction_torque_Nmm,remark\n1,5,\n2,nan,x\n3,,\n4,#N/A,\n5,6,\n";

@@ -85,6 +85,40 @@ TEST(Csv, AMissingHeaderIsNoticed) {
   EXPECT_THAT(error_of("100,100\n3,4\n"), HasSubstr("a header with the names of the columns"));
 }
 
+TEST(Csv, ARowWhoseFirstCellBeginsWithAHashIsARow) {
+  const CsvTable t = parse_csv("speed_rpm,duration_s\n#N/A,10\n1000,20\n#WERT!,30\n", "d.csv");
+  ASSERT_EQ(t.rows(), 3u);
+  EXPECT_EQ(t.cell(0, 0), "#N/A");
+  EXPECT_EQ(t.line(2), 4);
+  EXPECT_TRUE(t.comments.empty());
+  // In one column, in quotes, with a separator at the end of each line.
+  EXPECT_EQ(parse_csv("speed_rpm\n#N/A\n1\n", "d.csv").rows(), 2u);
+  EXPECT_EQ(parse_csv("run_id,a\n\"# 7\",1\n", "d.csv").cell(0, 0), "# 7");
+  EXPECT_EQ(parse_csv("a,b,\n#N/A,1,\n2,3,\n", "d.csv").rows(), 2u);
+}
+
+TEST(Csv, RemarksAmongTheRowsAreComments) {
+  const CsvTable t = parse_csv(
+      "a,b,c\n# one remark\n1,2,3\n# oil changed, again\n#| [bearing],x,y\n# filled up,,\n4,5,6\n",
+      "d.csv");
+  EXPECT_EQ(t.rows(), 2u);
+  EXPECT_EQ(t.comments.size(), 4u);
+}
+
+TEST(Csv, TheLastCommentAboveTheDataIsTheHeaderWhereItsCellsFit) {
+  const CsvTable t = parse_csv("# group: run\n# time_s, n (rpm) \n0,100\n60,200\n", "d.csv");
+  EXPECT_EQ(t.header, (std::vector<std::string>{"time_s", "n (rpm)"}));
+  EXPECT_EQ(t.header_line, 2);
+  ASSERT_EQ(t.rows(), 2u);
+  EXPECT_EQ(t.line(0), 3);
+  EXPECT_EQ(t.comments, (std::vector<std::string>{"# group: run"}));
+  EXPECT_EQ(parse_csv("#;a;b\n1;0,5;2\n", "d.csv").header,
+            (std::vector<std::string>{"#", "a", "b"}));
+  // Cells that do not fit, and a header of its own.
+  EXPECT_THAT(error_of("# a,b,c\n1,2\n"), HasSubstr("a header with the names of the columns"));
+  EXPECT_EQ(parse_csv("# x,y\na,b\n1,2\n", "d.csv").header, (std::vector<std::string>{"a", "b"}));
+}
+
 TEST(Csv, RowsWithMoreOrFewerCellsAreErrors) {
   EXPECT_EQ(error_of("a,b\n1,2\n3\n"), "d.csv:3: 1 cell, but the header (line 1) has 2 columns");
   EXPECT_THAT(error_of("a,b\n1,5,2,5\n"), HasSubstr("decimal commas need semicolons or tabs"));
