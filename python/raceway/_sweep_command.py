@@ -30,6 +30,7 @@ from ._sweep_slabs import (
     refuse_other_cut,
     refuse_other_input,
     slab_files,
+    storable,
     work_on,
     write_slab,
 )
@@ -120,7 +121,7 @@ def _one_slab(asked: argparse.Namespace, work: Callable[[Any], Any], names: list
                 return f"{path}: is there already, {slab.last - slab.first} items"
         except CutOff:
             pass  # this one is made again, another by its own task
-    outcomes = work_on(work, items[slab.first : slab.last], asked.threads)
+    outcomes = storable(work_on(work, items[slab.first : slab.last], asked.threads))
     write_slab(asked.folder, slab, made_from, names[slab.first : slab.last], outcomes, len(items))
     sweep._said(sweep.Sweep(names[slab.first : slab.last], outcomes))
     return f"{path}: {slab.last - slab.first} items"

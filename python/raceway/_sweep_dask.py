@@ -6,6 +6,7 @@ import functools
 import pickle
 import sys
 import sysconfig
+import tempfile
 import time
 import types
 import uuid
@@ -35,22 +36,56 @@ def _dask() -> Any:
     return distributed
 
 
+def _security() -> Any:
+    """Keys that this process makes for its own workers alone, so that no other user of the computer can give them work."""
+    distributed = _dask()
+    try:
+        return distributed.security.Security.temporary()
+    except ImportError:
+        warnings.warn(
+            "other users of this computer can give work to these workers: apt install python3-cryptography", Doubt, stacklevel=5
+        )
+        return None
+
+
 @contextmanager
-def local_workers(count: int) -> Iterator[Any]:
-    """A client of worker processes on this computer, ended behind."""
+def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
+    """A client of worker processes on this computer, ended behind. They listen on the loopback and keep files in a private folder."""
     distributed = _dask()
     import dask
 
+    class QuietNanny(distributed.Nanny):
+        """Starts a worker without a dashboard of its own, which LocalCluster asks for with an address."""
+
+        def __init__(self, *given: Any, **named: Any) -> None:
+            super().__init__(*given, **{**named, "dashboard": False})
+
     # For short items: ticks and samples of a profile come 50 and 100 times a second, and a worker gives memory back to the
     # system after each of them, to ask for it again (a seventh of the time of an identification).
-    calm = {
+    calm: dict[str, Any] = {
         "distributed.admin.tick.interval": "500ms",
         "distributed.worker.profile.interval": "500ms",
         "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": 2**27,
         "distributed.nanny.pre-spawn-environ.MALLOC_MMAP_THRESHOLD_": 2**25,
+        "distributed.worker.http.routes": [],
     }
-    with dask.config.set(calm), distributed.LocalCluster(
-        n_workers=count, threads_per_worker=1, processes=True, host="tcp://127.0.0.1", dashboard_address=None
+    if not dashboard:
+        calm["distributed.scheduler.http.routes"] = []
+    # An HTTP server is always there: without an address it would listen on all interfaces.
+    loopback = "127.0.0.1:0"
+    security = _security()
+    with tempfile.TemporaryDirectory(prefix="raceway-") as private, dask.config.set(calm), distributed.LocalCluster(
+        n_workers=count,
+        threads_per_worker=1,
+        processes=True,
+        worker_class=QuietNanny,
+        host="127.0.0.1",
+        protocol="tcp://" if security is None else "tls://",
+        security=security,
+        dashboard_address=loopback,
+        worker_dashboard_address=loopback,
+        scheduler_kwargs={"dashboard": dashboard},
+        local_directory=private,
     ) as cluster, distributed.Client(cluster) as client:
         yield client
 

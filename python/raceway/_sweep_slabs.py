@@ -27,16 +27,18 @@ from ._effect import Effect
 from ._errors import Doubt, InputError
 from ._model import Model
 from ._record import Record
+from ._sweep_data import KINDS, NoData, decode, encode
 
 ENDING = ".sweep"
-_FORM = 1
+_FORM = 2
+_LONGEST_HEADER = 65536
 
 
 @dataclasses.dataclass(frozen=True)
 class Outcome:
-    """What came of one item: its value as a pickle, or what it raised; and what made it doubtful."""
+    """What came of one item: its value, packed, or what it raised; and what made it doubtful."""
 
-    value: bytes | None
+    value: bytes | None  #: a pickle, for the processes of one sweep alone; slabs on disk hold data
     error: tuple[str, str, str] | None  #: kind, message, traceback
     doubts: tuple[str, ...]
 
@@ -217,10 +219,26 @@ def path_of(folder: str | os.PathLike[str], slab: Slab) -> pathlib.Path:
     return pathlib.Path(folder) / f"slab-{slab.number}-of-{slab.of}{ENDING}"
 
 
+def storable(outcomes: Sequence[Outcome]) -> list[Outcome]:
+    """Outcomes as a slab on disk holds them: a value that is more than data is an error of its item."""
+    return [_storable(outcome) for outcome in outcomes]
+
+
+def _storable(outcome: Outcome) -> Outcome:
+    if outcome.value is None:
+        return outcome
+    try:
+        encode(pickle.loads(outcome.value))
+    except NoData as e:
+        error = ("TypeError", f"what it gave {e}, which a folder of slabs does not hold: return {KINDS}", "")
+        return Outcome(None, error, outcome.doubts)
+    return outcome
+
+
 def write_slab(folder: str | os.PathLike[str], slab: Slab, made_from: str, names: Sequence[str], outcomes: Sequence[Outcome], items: int) -> None:
     """All of the file at once or nothing: it is written beside its place and then moved there."""
-    parts = [(o.value, o.error, o.doubts) for o in outcomes]
-    content = pickle.dumps((list(names), parts), 5)
+    parts = [(None if o.value is None else pickle.loads(o.value), o.error, o.doubts) for o in outcomes]
+    content = encode((list(names), parts))
     header = {
         "raceway_sweep": _FORM,
         "version": _engine.__version__,
@@ -262,27 +280,46 @@ def _header(path: pathlib.Path, first: bytes) -> dict[str, Any]:
     try:
         header = json.loads(first)
         form, version = header["raceway_sweep"], header["version"]
-    except (ValueError, KeyError, TypeError):
+    except (ValueError, KeyError, TypeError, RecursionError):
         raise CutOff(f"{path}: is no slab of a sweep, or was cut off") from None
-    if form != _FORM or version != _engine.__version__:
+    if version != _engine.__version__:
         raise InputError(f"{path}: was made by raceway {version}, this is {_engine.__version__}: make the slab again")
+    if form != _FORM:
+        raise InputError(f"{path}: is a slab of form {form}, and this version reads form {_FORM}: make the slab again")
+    numbers = all(type(header.get(name)) is int for name in ("slab", "slabs", "items"))
+    texts = all(type(header.get(name)) is str for name in ("instruction_set", "input", "sha256"))
+    if not (numbers and texts and 1 <= header["slab"] <= header["slabs"]):
+        raise InputError(f"{path}: has a header that no sweep writes: remove the file")
     return header
 
 
 def read_header(path: pathlib.Path) -> dict[str, Any]:
     with open(path, "rb") as file:
-        return _header(path, file.readline())
+        return _header(path, file.readline(_LONGEST_HEADER))
 
 
 def read_slab(path: pathlib.Path) -> SlabFile:
-    """Read a slab that this user has made: its values are pickles, which can run code."""
+    """Read a slab, whoever made it: it is data, and whatever else is refused."""
     with open(path, "rb") as file:
-        header = _header(path, file.readline())
+        header = _header(path, file.readline(_LONGEST_HEADER))
         content = file.read()
     if hashlib.sha256(content).hexdigest() != header["sha256"]:
         raise CutOff(f"{path}: was cut off or changed after it was made: make the slab again")
-    names, parts = pickle.loads(content)
-    return SlabFile(path, header, names, [Outcome(*part) for part in parts])
+    try:
+        names, parts = decode(content)
+        outcomes = [_outcome(*part) for part in parts]
+        if not all(type(name) is str for name in names) or len(names) != len(outcomes):
+            raise ValueError("holds other names than items")
+    except (ValueError, TypeError) as e:
+        raise InputError(f"{path}: is refused: {e}") from None
+    return SlabFile(path, header, names, outcomes)
+
+
+def _outcome(value: Any, error: Any, doubts: Any) -> Outcome:
+    texts = [*(error or ()), *doubts]
+    if not all(type(text) is str for text in texts) or (error is not None and len(error) != 3):
+        raise ValueError("holds an item that no sweep makes")
+    return Outcome(None if error else pickle.dumps(value, 5), error and tuple(error), tuple(doubts))
 
 
 def slab_files(folder: str | os.PathLike[str]) -> list[pathlib.Path]:

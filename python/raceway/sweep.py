@@ -39,7 +39,7 @@ from ._given import arrays as _arrays
 from ._given import warn as _warn
 from ._model import Model
 from ._results import Solution
-from ._sweep_slabs import Outcome, Slab, cut, input_of, read_all, refuse_other_cut, slabs_there, work_on, write_slab
+from ._sweep_slabs import Outcome, Slab, cut, input_of, read_all, refuse_other_cut, slabs_there, storable, work_on, write_slab
 
 if TYPE_CHECKING:
     import pandas
@@ -187,7 +187,8 @@ def run(
         Workers of Dask (`workers` makes some), or the address of their scheduler
         (``"tcp://10.0.0.1:8786"``); this process without. Each worker process works on one item at a time: one process per core is best.
     folder : path, optional
-        Where every slab is kept as soon as it is done. The same sweep asked again begins with what is
+        Where every slab is kept as soon as it is done, as data: values are numbers, arrays, text, or
+        lists and dicts of them. The same sweep asked again begins with what is
         there, also after KeyboardInterrupt or a power cut.
     slabs : int, optional
         Parts that go to a worker and to a file as a whole. Without: as many as `folder` has already, else
@@ -255,6 +256,7 @@ def _run(
         def take(slab: Slab, found: list[Outcome]) -> None:
             nonlocal done
             if folder is not None:
+                found = storable(found)
                 write_slab(folder, slab, made_from, names[slab.first : slab.last], found, len(items))
             outcomes[slab.number] = found
             done += slab.last - slab.first
@@ -344,11 +346,11 @@ def solve(
     if found.failures:
         raise InputError(str(found.failures[0]))
     _warn(dict.fromkeys(doubt.message for doubt in found.doubts))
-    solutions: list[Solution] = found.values()
-    values = numpy.concatenate([s._values for s in solutions], axis=1)
-    status = numpy.concatenate([s._status for s in solutions])
-    notes = list(dict.fromkeys(note for s in solutions for note in s.notes))
-    return Solution(list(solutions[0]), values.reshape(-1, *shape), status.reshape(shape), given, notes, None)
+    parts = found.values()
+    values = numpy.concatenate([part["values"] for part in parts], axis=1)
+    status = numpy.concatenate([part["status"] for part in parts])
+    notes = list(dict.fromkeys(note for part in parts for note in part["notes"]))
+    return Solution(parts[0]["names"], values.reshape(-1, *shape), status.reshape(shape), given, notes, None)
 
 
 @dataclass(frozen=True)
@@ -358,20 +360,26 @@ class _States:
     model: Model
     columns: tuple[str, ...]
 
-    def __call__(self, given: Mapping[str, numpy.ndarray]) -> Solution:
-        return self.model.solve(**given, columns=self.columns)  # type: ignore[arg-type]
+    def __call__(self, given: Mapping[str, numpy.ndarray]) -> dict[str, Any]:
+        found = self.model.solve(**given, columns=self.columns)  # type: ignore[arg-type]
+        return {"names": list(found), "values": found._values, "status": found._status, "notes": list(found.notes)}
 
 
 @contextlib.contextmanager
-def workers(count: int | None = None) -> Iterator[Any]:
+def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[Any]:
     """Worker processes of Dask on this computer, for `client` of `run` and `solve`, ended behind.
 
     A script that uses it stands behind ``if __name__ == "__main__":``, since each worker reads it.
+    The processes listen on the loopback alone, take work from this process alone (TLS with keys of their
+    own) and keep their files in a private folder.
 
     Parameters
     ----------
     count : int, optional
         As many as this process may use cores, if it is not said.
+    dashboard : bool
+        Whether the scheduler shows its pages, at ``client.dashboard_link``; other users of this computer
+        can read them.
 
     Raises
     ------
@@ -389,17 +397,18 @@ def workers(count: int | None = None) -> Iterator[Any]:
         raise ValueError(f"count = {count!r}: must be 1 or more")
     from ._sweep_dask import local_workers
 
-    with local_workers(count) as client:
+    with local_workers(count, dashboard) as client:
         yield client
 
 
 def load(folder: str | os.PathLike[str]) -> Sweep:
-    """Put the slabs of a folder together, whoever made them; they are pickles: load your own alone.
+    """Put the slabs of a folder together, whoever made them. They are data: reading them runs no code.
 
     Raises
     ------
     InputError
-        A slab is missing, is there twice, was cut off, or was made from other input than the others.
+        A slab is missing, is there twice, was cut off, holds anything but data, or was made from other
+        input than the others.
     """
     slabs = read_all(folder)
     return Sweep([n for slab in slabs for n in slab.names], [o for slab in slabs for o in slab.outcomes])

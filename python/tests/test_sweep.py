@@ -1,6 +1,8 @@
 """Sweeps: the same numbers whoever worked on them, nothing lost."""
 
 import functools
+import hashlib
+import io
 import json
 import math
 import os
@@ -11,12 +13,15 @@ import subprocess
 import sys
 import threading
 import time
+import urllib.error
+import urllib.request
 import warnings
 
 import dask
 import distributed
 import fleet
 import numpy
+import psutil
 import pytest
 
 import raceway
@@ -32,8 +37,34 @@ def workers():
     with dask.config.set({"distributed.scheduler.allowed-failures": 0}), sweep.workers(2) as client:
         assert isinstance(client.cluster, distributed.LocalCluster)
         assert len(set(client.run(os.getpid).values()) - {os.getpid()}) == 2
-        assert client.scheduler.address.startswith("tcp://127.0.0.1:")
+        assert client.scheduler.address.startswith("tls://127.0.0.1:")
         yield client
+
+
+def test_workers_listen_on_the_loopback_alone_and_keep_their_files_to_themselves(workers):
+    family = [psutil.Process(), *psutil.Process().children(recursive=True)]
+    listening = {c.laddr.ip for process in family for c in process.connections() if c.status == psutil.CONN_LISTEN}
+    assert listening == {"127.0.0.1"}
+    folders = {pathlib.Path(folder) for folder in workers.run(lambda dask_worker: dask_worker.local_directory).values()}
+    (private,) = {next(parent for parent in folder.parents if parent.name.startswith("raceway-")) for folder in folders}
+    assert private.stat().st_mode & 0o077 == 0
+    for page in ("status", "info/main/workers.html", "metrics"):
+        with pytest.raises(urllib.error.HTTPError, match="404"):
+            urllib.request.urlopen(f"http://127.0.0.1:{workers.cluster.scheduler.http_server.port}/{page}", timeout=10)
+
+
+def test_workers_take_no_work_from_a_stranger(workers):
+    port = workers.scheduler.address.rpartition(":")[2]
+    with pytest.raises(OSError):
+        distributed.Client(f"tcp://127.0.0.1:{port}", timeout=3)
+    stranger = distributed.security.Security.temporary()
+    with pytest.raises(OSError):
+        distributed.Client(workers.scheduler.address, security=stranger, timeout=3)
+
+
+def test_the_address_of_a_scheduler_is_taken():
+    with distributed.LocalCluster(1, threads_per_worker=1, host="127.0.0.1", dashboard_address="127.0.0.1:0") as cluster:
+        assert sweep.run(math.sqrt, [4.0, 9.0], client=cluster.scheduler_address).values() == [2.0, 3.0]
 
 
 def bits(found):
@@ -254,6 +285,76 @@ def test_what_was_cut_off_is_refused_or_made_again(tmp_path):
         sweep.load(tmp_path)
 
 
+class Opener:
+    """Makes a file when it is unpickled."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def __reduce__(self):
+        return open, (self.path, "w")
+
+
+def test_a_slab_that_holds_code_is_refused_before_it_is_decoded(tmp_path):
+    folder, opened = tmp_path / "slabs", tmp_path / "opened"
+    sweep.run(root_of, [1.0, 2.0], folder=folder, slabs=1)
+    file = folder / "slab-1-of-1.sweep"
+    header = json.loads(file.read_bytes().partition(b"\n")[0])
+    arrays = io.BytesIO()
+    numpy.savez(arrays, a0=numpy.array([Opener(str(opened))], dtype=object))
+    harmful = [
+        pickle.dumps(Opener(str(opened))),
+        pickle.dumps((["1", "2"], [(pickle.dumps(Opener(str(opened))), None, ())] * 2)),
+        b'{"array": 0}\n' + arrays.getvalue(),
+        b'[["1", "2"], [[{"array": 0}, null, []], [1.0, null, []]]]\n' + arrays.getvalue(),
+    ]
+    for content in harmful:
+        made = {**header, "sha256": hashlib.sha256(content).hexdigest()}
+        file.write_bytes(json.dumps(made).encode() + b"\n" + content)
+        with pytest.raises(raceway.InputError, match="slab-1-of-1.sweep: is refused"):
+            sweep.load(folder)
+        with pytest.raises(raceway.InputError, match="slab-1-of-1.sweep: is refused"):
+            sweep.run(root_of, [1.0, 2.0], folder=folder)
+        assert not opened.exists()
+
+
+def test_a_slab_of_an_older_form_is_not_read(tmp_path):
+    sweep.run(root_of, [1.0], folder=tmp_path)
+    file = tmp_path / "slab-1-of-1.sweep"
+    first, _, content = file.read_bytes().partition(b"\n")
+    file.write_bytes(json.dumps({**json.loads(first), "raceway_sweep": 1}).encode() + b"\n" + content)
+    with pytest.raises(raceway.InputError, match="is a slab of form 1, and this version reads form 2: make the slab again"):
+        sweep.load(tmp_path)
+
+
+def test_values_come_back_from_a_folder_as_they_were(tmp_path):
+    values = [
+        {"a": [1, -0.0, float("inf"), 10**40, None, True], 2: ("x", b"\0\xff", 1 + 2j), (1, 2): {}},
+        {"grid": numpy.arange(6.0).reshape(2, 3), "texts": numpy.array(["a", "\u00fc"]), "times": numpy.array(["2024-03-12"], "M8[D]")},
+        [numpy.float64(0.1), numpy.int32(7), numpy.bool_(True), "\ud800", {3, 1}, numpy.zeros((0, 2)), numpy.array(5.0)],
+    ]
+    found = sweep.run(lambda place: values[place], [0, 1, 2], folder=tmp_path, slabs=2)
+    assert not found.failures
+    assert repr(sweep.load(tmp_path).values()) == repr(values)
+    assert [type(value) for value in sweep.load(tmp_path).values()[2][:3]] == [numpy.float64, numpy.int32, numpy.bool_]
+
+
+def test_a_value_that_is_more_than_data_is_an_error_of_its_item_with_a_folder(tmp_path):
+    def work(item):
+        return pathlib.PurePosixPath("x") if item == 1 else item
+
+    assert sweep.run(work, [0, 1]).values() == [0, pathlib.PurePosixPath("x")]
+    with pytest.warns(raceway.Doubt, match="1 of 2 items failed"):
+        found = sweep.run(work, [0, 1], folder=tmp_path)
+    assert found.failures[0].message == (
+        "what it gave is a PurePosixPath, which a folder of slabs does not hold: "
+        "return numbers, arrays, text or lists and dicts of them, such as .data"
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", raceway.Doubt)
+        assert bits(sweep.load(tmp_path)) == bits(found)
+
+
 # --- over Dask
 
 
@@ -263,8 +364,8 @@ def test_two_workers_find_what_one_process_finds(workers):
     serial = sweep.run(fleet.identify, items)
     for slabs in (None, 5, 24):
         assert bits(sweep.run(fleet.identify, items, client=workers, slabs=slabs)) == bits(serial)
-    by_address = sweep.run(fleet.identify, items, client=workers.scheduler.address, progress=lambda share, words: said.append((share, words)))
-    assert bits(by_address) == bits(serial)
+    again = sweep.run(fleet.identify, items, client=workers, progress=lambda share, words: said.append((share, words)))
+    assert bits(again) == bits(serial)
     assert said[0] == (0.0, "0 of 24 items") and said[-1] == (1.0, "24 of 24 items")
     assert [share for share, _ in said] == sorted(share for share, _ in said)
 
