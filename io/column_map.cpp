@@ -19,6 +19,8 @@ namespace {
 
 using record::Channel;
 
+constexpr std::string_view decimal_mark_key = "decimal_mark";
+
 std::string_view variable_of(const Channel& channel) {
   return channel.variable == channel.name ? header_parts(channel.name).name : channel.variable;
 }
@@ -201,9 +203,11 @@ ColumnMap read_columns(const ModelTables& tables) {
   const Section s = tables.section("columns");
   ColumnMap map{.source = tables.source()};
   if (!s.given()) return map;
+  if (const auto mark = s.choice(decimal_mark_key, {".", ","})) map.decimal_mark = mark->front();
   // In the order of the file, for messages.
   std::map<std::uint64_t, std::pair<const toml::key*, const toml::node*>> lines;
-  for (const auto& [key, node] : *s.table()) lines.emplace(order_of(key), std::pair(&key, &node));
+  for (const auto& [key, node] : *s.table())
+    if (key.str() != decimal_mark_key) lines.emplace(order_of(key), std::pair(&key, &node));
   for (const auto& [_, entry] : lines) {
     ColumnRule rule = read_rule(s, *entry.first, *entry.second);
     for (const ColumnRule& other : map.rules) {

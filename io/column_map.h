@@ -64,6 +64,7 @@ struct ColumnRule {
 struct ColumnMap {
   std::string source{};
   std::vector<ColumnRule> rules{};
+  char decimal_mark = '\0';  ///< of the file; '\0': not said
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
 };

@@ -244,8 +244,10 @@ ParsedNumber si_of_cell(const CsvTable& table, std::size_t row, const ColumnSour
 
 CsvTable read_measurements(const Source& source, const ReadOptions& options) {
   if (source.table) return *source.table;
-  return source.text ? parse_csv(*source.text, source.name, false, finder(options))
-                     : read_csv(source.name, finder(options));
+  CsvTable table = source.text ? parse_csv(*source.text, source.name, false, finder(options))
+                               : read_csv(source.name, finder(options));
+  if (options.columns.decimal_mark != '\0') table.set_decimal_mark(options.columns.decimal_mark);
+  return table;
 }
 
 std::string drop_empty_rows(CsvTable& table, const std::vector<ColumnSource>& columns) {

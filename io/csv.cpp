@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/csv_form.h"
+#include "io/decimal_marks.h"
 #include "io/error.h"
 #include "io/input_file.h"
 #include "io/missing_cell.h"
@@ -156,12 +157,46 @@ bool CsvTable::is_empty(std::size_t row, std::size_t column) const {
   return is_numeric(column) ? std::isnan(columns_[column].numbers[row]) : cell(row, column).empty();
 }
 
+void CsvTable::set_decimal_mark(char mark) {
+  marks_ = {.decimal = mark, .thousands = mark == '.' ? ',' : '.'};
+}
+
 ParsedNumber CsvTable::parsed(std::size_t row, std::size_t column) const {
-  if (!is_numeric(column)) return parse_number(cell(row, column), separator != ',');
+  if (!is_numeric(column)) return parsed_text(row, column, cell(row, column));
   const double value = columns_[column].numbers[row];
   if (std::isfinite(value)) return {value, '\0', {}};
   return {std::numeric_limits<double>::quiet_NaN(), '\0',
           std::isnan(value) ? "is empty" : "is not a finite number"};
+}
+
+ParsedNumber CsvTable::parsed_text(std::size_t row, std::size_t column,
+                                   std::string_view text) const {
+  const bool decimal_comma = separator != ',' || marks_.decimal == ',';
+  if (marks_.asked != '\0' && is_grouped(text, marks_.asked)) {
+    std::string plain(text);
+    std::erase(plain, marks_.asked);
+    const Place place{source, line(row), header[column]};
+    throw InputError(
+        fmt::format("{}: {} = {}: is it {}, or is the {} a decimal mark? Say decimal_mark = \"{}\" "
+                    "or \"{}\" in [columns], or write the file without separators of thousands",
+                    place.text(), header[column], text, plain,
+                    marks_.asked == '.' ? "point" : "comma", marks_.asked == '.' ? ',' : '.',
+                    marks_.asked),
+        place);
+  }
+  if (marks_.thousands == '\0' || text.find(marks_.thousands) == text.npos)
+    return parse_number(text, decimal_comma);
+  const char decimal = marks_.thousands == '.' ? ',' : '.';
+  if (!is_grouped(text, marks_.thousands, decimal)) {
+    const ParsedNumber number = parse_number(text, decimal_comma);
+    if (!number.problem.empty()) return number;
+    return {std::numeric_limits<double>::quiet_NaN(), '\0',
+            marks_.thousands == '.' ? "has a point where commas are decimal marks"
+                                    : "has a comma where points are decimal marks"};
+  }
+  std::string plain(text);
+  std::erase(plain, marks_.thousands);
+  return parse_number(plain, decimal_comma);
 }
 
 CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns) {
@@ -395,6 +430,15 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     throw InputError(
         fmt::format("{}: no data rows below the header (line {})", source, table.header_line),
         {.file = source, .line = table.header_line});
+  const std::size_t behind = table.cells_.front().begin;
+  table.marks_ = find_decimal_marks(
+      table.separator, all.find('.', behind) != all.npos,
+      all.find(table.separator == ',' ? '"' : ',', behind) != all.npos, table.rows(),
+      table.header.size(),
+      [&](std::size_t row, std::size_t column) { return table.cell(row, column); });
+  if (table.marks_.thousands != '\0')
+    table.notes.push_back(
+        fmt::format("{} separate thousands", table.marks_.thousands == '.' ? "points" : "commas"));
   if (titles > 0)
     table.notes.push_back(fmt::format("{} line{} above the header (line {}) skipped", titles,
                                       titles == 1 ? "" : "s", table.header_line));

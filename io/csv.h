@@ -25,6 +25,13 @@ struct ParsedNumber {
   std::string_view problem;  ///< "is not a number", ...: to be put after the cell's text
 };
 
+/// Which mark of a file is which, as its cells tell.
+struct DecimalMarks {
+  char decimal = '\0';    ///< that was stated; '\0': not stated
+  char thousands = '\0';  ///< between groups of three digits; '\0': none
+  char asked = '\0';      ///< a mark that may be either
+};
+
 /// A column of a table that is no file.
 struct DataColumn {
   std::string name;
@@ -69,7 +76,8 @@ class CsvTable {
   /// A cell as messages and names have it, whatever the column came as; empty for no number.
   [[nodiscard]] std::string shown(std::size_t row, std::size_t column) const;
   [[nodiscard]] bool is_empty(std::size_t row, std::size_t column) const;
-  /// The number in a cell, or why there is none.
+  /// The number in a cell, or why there is none. Throws InputError for a cell that can be read in
+  /// two ways, as 1.200 beside 600.
   [[nodiscard]] ParsedNumber parsed(std::size_t row, std::size_t column) const;
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
   /// Where the header is wrong, in that column.
@@ -78,6 +86,9 @@ class CsvTable {
   }
   /// The number in a cell; throws InputError with line and column for anything else.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+  /// Settles whether points or commas are decimal marks; the other one separates thousands. Without
+  /// this call it is found in the cells, and number() and parsed() ask where they do not tell.
+  void set_decimal_mark(char mark);
   /// Leaves out rows; one answer for each.
   void remove_rows(const std::vector<bool>& remove);
 
@@ -89,10 +100,13 @@ class CsvTable {
     std::size_t size;
   };
   friend CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
+  [[nodiscard]] ParsedNumber parsed_text(std::size_t row, std::size_t column,
+                                         std::string_view text) const;
   std::string text_;
   std::vector<Cell> cells_;          // row by row
   std::vector<DataColumn> columns_;  // in place of both, where it came as columns
   std::vector<int> lines_;
+  DecimalMarks marks_;
 };
 
 /// A table of columns that are numbers or texts. Rows are counted as lines of a CSV with one line

@@ -159,6 +159,9 @@ constexpr KeyMeaning meanings[]{
                "error of the displacement below which nothing matters, above 0"},
     KeyMeaning{"loop", "tolerance_K",
                "of a spindle: error of a temperature below which nothing matters, above 0"},
+    KeyMeaning{"columns", "decimal_mark",
+               "of the file: \".\" or \",\"; the other one separates thousands. Asked for where "
+               "the numbers can be read in two ways"},
     KeyMeaning{"columns.COLUMN", "column",
                "COLUMN is one of this program, this the header that it has in the file; a text "
                "alone is short for it, a number holds for all rows"},
