@@ -2,23 +2,45 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
 
 #include "io/error.h"
+#include "io/missing_cell.h"
 #include "io/names.h"
 #include "io/timestamp.h"
 
 namespace raceway::io {
+namespace {
+
+/// Words in the place of readings.
+struct Missing {
+  static constexpr std::size_t shown = 5;
+  std::size_t count = 0;
+  std::vector<std::string> texts{};  ///< the first of them
+  std::string lines{};
+
+  void add(const CsvTable& table, std::size_t row, std::size_t column) {
+    if (++count <= shown) lines += fmt::format("{}{}", lines.empty() ? "" : ", ", table.line(row));
+    std::string text(table.cell(row, column));
+    if (texts.size() < shown && std::find(texts.begin(), texts.end(), text) == texts.end())
+      texts.push_back(std::move(text));
+  }
+};
+
+}  // namespace
 
 std::vector<double> ColumnReader::numbers(
     const ColumnSource& source, bool with_sign,
     const std::function<bool(std::size_t row)>& may_be_empty) {
   std::vector<double> list;
   list.reserve(table_.rows());
+  Missing missing;
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    if (table_.is_empty(row, source.column) && may_be_empty(row)) {
+    if (is_missing(row, source.column) && may_be_empty(row)) {
+      if (!table_.is_empty(row, source.column)) missing.add(table_, row, source.column);
       list.push_back(unset);
       continue;
     }
@@ -27,7 +49,19 @@ std::vector<double> ColumnReader::numbers(
       keep_mark(number.decimal_mark, row, table_.cell(row, source.column));
     list.push_back(number.value);
   }
+  if (missing.count > 0)
+    notes_.push_back(
+        fmt::format("{} of {} readings of {} are no numbers ({}) and do not take part "
+                    "(line{} {}{})",
+                    missing.count, table_.rows(), source.name, listed(missing.texts),
+                    missing.count == 1 ? "" : "s", missing.lines,
+                    missing.count > Missing::shown ? ", ..." : ""));
   return list;
+}
+
+bool ColumnReader::is_missing(std::size_t row, std::size_t column) const {
+  return table_.is_numeric(column) ? table_.is_empty(row, column)
+                                   : io::is_missing(table_.cell(row, column));
 }
 
 bool ColumnReader::is_stamped(const ColumnSource& source) const {

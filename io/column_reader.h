@@ -16,8 +16,8 @@ class ColumnReader {
  public:
   explicit ColumnReader(const CsvTable& table) : table_(table), bad(table.source, table.rows()) {}
 
-  /// [SI]; NaN where `may_be_empty` allows an empty cell. `with_sign`: an input that may be below
-  /// zero here.
+  /// [SI]; NaN where `may_be_empty` allows a cell without a number: empty, or a word such as
+  /// "OVER", whose lines are told. `with_sign`: an input that may be below zero here.
   [[nodiscard]] std::vector<double> numbers(
       const ColumnSource& source, bool with_sign,
       const std::function<bool(std::size_t row)>& may_be_empty);
@@ -40,11 +40,12 @@ class ColumnReader {
     int line = 0;
     std::string cell;
   };
+  [[nodiscard]] bool is_missing(std::size_t row, std::size_t column) const;
   void keep_mark(char mark, std::size_t row, std::string_view text);
 
   const CsvTable& table_;
   Mark comma_, point_;
-  std::vector<std::string> notes_;  // on dates
+  std::vector<std::string> notes_;  // on dates and missing readings
 
  public:
   BadCells bad;  ///< what is wrong with cells so far

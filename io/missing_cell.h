@@ -4,8 +4,8 @@
 
 namespace raceway::io {
 
-/// What instruments and spreadsheets write where there is no number: nothing, "nan", "#N/A", "-",
-/// ...
+/// Texts that instruments and spreadsheets write where there is no number: nothing, "nan", "#N/A",
+/// "-", "OVER", "1.#QNAN", "Bad Input", ...
 [[nodiscard]] bool is_missing(std::string_view cell);
 
 }  // namespace raceway::io

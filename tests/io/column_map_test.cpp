@@ -1,5 +1,7 @@
 #include "io/column_map.h"
 
+#include <fmt/format.h>
+
 #include "io/data_file.h"
 #include "io/model_file.h"
 #include "io/subject.h"
@@ -185,6 +187,14 @@ TEST(ColumnMap, StandsInAModelToo) {
       "my.toml");
   ASSERT_EQ(file.columns.rules.size(), 1u);
   EXPECT_EQ(file.columns.rules[0].header, "Drehzahl [1/min]");
+}
+
+TEST(DropNan, KnowsTheWordsOfInstruments) {
+  std::string text = "speed_rpm,friction_torque_Nmm\n0,5\n";
+  for (const char* word : {"OVER", "OL", "Inf", "1.#QNAN", "-1.#IND", "NaT", "--", "<NA>", "#REF!",
+                           "Bad Input", "-1.#INF"})
+    text += fmt::format("1,{}\n{},2\n", word, word);
+  EXPECT_EQ(read(text, "[columns]\n", true).rows(), 1u);
 }
 
 TEST(DropNan, AnErrorOfASpreadsheetInTheFirstCellIsNoComment) {

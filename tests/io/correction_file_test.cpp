@@ -209,6 +209,17 @@ record::Record series(const std::string& text) {
   return read_series({"r.csv", text}, {record::series_channel("displacement_z_um")}, {});
 }
 
+TEST(SeriesFile, AWordInThePlaceOfAReadingDoesNotTakePartAndIsNamed) {
+  const record::Record r =
+      series("time_s,speed_rpm,displacement_z_um\n0,0,1\n1,0,OVER\n2,0,\n3,0,Bad Input\n4,0,2\n");
+  const auto moved = r.values(*record::series_channel("displacement_z_um"));
+  EXPECT_TRUE(std::isnan(moved[1]) && std::isnan(moved[2]) && std::isnan(moved[3]));
+  EXPECT_DOUBLE_EQ(moved[4], 2e-6);
+  EXPECT_THAT(r.notes,
+              testing::Contains("2 of 5 readings of displacement_z_um are no numbers (OVER "
+                                "and Bad Input) and do not take part (lines 3, 5)"));
+}
+
 TEST(SeriesFile, AnEmptyDisplacementWasNotRead) {
   const record::Record r = series(displacement_header + "0,100,20,1\n60,100,21,\n120,100,22,3\n");
   EXPECT_EQ(r.rows(), 3U);
