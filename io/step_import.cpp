@@ -13,6 +13,7 @@
 #include "io/bad_cells.h"
 #include "io/csv.h"
 #include "io/input_file.h"
+#include "io/missing_cell.h"
 #include "io/names.h"
 #include "io/units.h"
 
@@ -196,7 +197,18 @@ bool has_decimal_commas(std::string_view line) {
   return false;
 }
 
-/// The numbers of a line; empty where it does not begin with one.
+/// A text that stands for a time and is no number, as "nan", "1.#IND" or "1e999"; no word or date
+/// of a heading.
+bool is_failed_time(std::string_view text) {
+  if (is_missing(text)) return true;
+  const bool digits_first = text.find_first_not_of("+-.") == text.find_first_of("0123456789") &&
+                            text.find_first_of("0123456789") != text.npos;
+  return digits_first &&
+         (text.find('#') != text.npos || (text.find_first_of("eE") != text.npos &&
+                                          text.find_first_not_of("0123456789.,eE+-") == text.npos));
+}
+
+/// The numbers of a line, NaN for a cell that is none; empty where it does not begin with a time.
 std::vector<double> history_numbers(std::string_view line) {
   const bool commas_separate = !has_decimal_commas(line);
   const std::string_view separators = commas_separate ? ", \t\r" : "; \t\r";
@@ -207,7 +219,7 @@ std::vector<double> history_numbers(std::string_view line) {
     const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
     const ParsedNumber number = parse_number(line.substr(begin, end - begin), !commas_separate);
     if (!number.problem.empty()) {
-      if (result.empty()) return {};
+      if (result.empty() && !is_failed_time(line.substr(begin, end - begin))) return {};
       result.push_back(unset);
     } else {
       result.push_back(number.value);
@@ -254,10 +266,17 @@ LoadCase read_history(const std::string& given, const HistoryUnits& units) {
     const std::vector<double> row = history_numbers(line);
     if (row.empty()) continue;
     const Place place{.file = load.place.file, .line = line_number, .key = {}};
-    if (row.size() != 2 || !std::isfinite(row[1]) || !(row[0] >= 0.0))
-      throw InputError(fmt::format("{}: {}: must be a time, 0 or later, and a displacement",
-                                   place.text(), quoted(trimmed(line))),
-                       place);
+    const auto within = [](const LoadColumn& column, double value) {
+      return value >= column.lower && value <= column.upper;
+    };
+    if (row.size() != 2 || !within(of_time, row[0] * units.time) ||
+        !within(of_displacement, row[1] * units.length))
+      throw InputError(
+          fmt::format("{}: {}: must be a time from 0 to {:g} s and a displacement from {:g} to "
+                      "{:g} m",
+                      place.text(), quoted(trimmed(line)), of_time.upper, of_displacement.lower,
+                      of_displacement.upper),
+          place);
     load.time.push_back(row[0] * units.time);
     load.displacement.push_back(row[1] * units.length);
   }

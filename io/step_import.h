@@ -42,10 +42,11 @@ struct HistoryUnits {
 
 /// Reads one load case from a time history of two columns, time and displacement, as ANSYS (PRVAR),
 /// CalculiX or a spreadsheet write them: separated by blanks, tabs, commas or semicolons. Lines
-/// that do not begin with a number are skipped. `given` is the load and the file: "50W=a.csv",
+/// that begin with a word are skipped. `given` is the load and the file: "50W=a.csv",
 /// "6000rpm=b.txt".
 ///
-/// Throws InputError: no load or none of a power or a speed, rows with one number or three.
+/// Throws InputError: no load or none of a power or a speed, rows with one number or three, a time
+/// or a displacement that is not finite or out of range.
 [[nodiscard]] LoadCase read_history(const std::string& given, const HistoryUnits& units);
 
 /// Fits each of them; a case without a power keeps none. Throws InputError for one that cannot be

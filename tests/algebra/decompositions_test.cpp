@@ -45,6 +45,29 @@ TEST(Decompositions, EverySolverAgreesOnTheHilbertMatrix) {
   EXPECT_LT(distance(HouseholderQr(hilbert()).solve(ones), x), rounding_of_hilbert);
 }
 
+/// Eigen chooses pivots by norms that are NaN then, and reads behind its arrays.
+TEST(Decompositions, AMatrixWithoutANormHasNoSolution) {
+  for (const double odd : {1e300, -1e160, HUGE_VAL, std::nan("")}) {
+    MatrixXd A = hilbert();
+    A(1, 0) = A(0, 1) = odd;
+    const VectorXd b = VectorXd::Ones(3);
+    for (const VectorXd& x :
+         {least_squares(A, b), minimum_norm_solution(A, b), solve_symmetric(A, b),
+          solve_square(A, b), SymmetricSolver(A).solve(b), PivotedQr(A).solve(b),
+          singular_values(A), symmetric_eigen(A).values, thin_svd(A).values, right_svd(A).values}) {
+      ASSERT_EQ(x.size(), 3);
+      EXPECT_TRUE(x.array().isNaN().all()) << odd;
+    }
+    EXPECT_TRUE(pseudo_inverse(A).array().isNaN().all());
+    EXPECT_TRUE(inverse(A).array().isNaN().all());
+    EXPECT_TRUE(symmetric_inverse(A).array().isNaN().all());
+    EXPECT_TRUE(std::isnan(eigenvalues(A)(2).real()));
+    EXPECT_EQ(PivotedQr(A, 1e-4).rank(), 0);
+    EXPECT_EQ(PivotedQr(A).column_space().cols(), 0);
+    EXPECT_EQ(PivotedQr(A).R().rows(), 3);
+  }
+}
+
 TEST(Decompositions, EveryInverseOfTheHilbertMatrixIsOfWholeNumbers) {
   EXPECT_LT(distance(inverse(hilbert()), inverse_of_hilbert()), rounding_of_hilbert);
   EXPECT_LT(distance(symmetric_inverse(hilbert()), inverse_of_hilbert()), rounding_of_hilbert);

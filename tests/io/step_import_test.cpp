@@ -136,6 +136,18 @@ TEST(StepImport, SaysWhatIsMissingOrWrong) {
   const History three("1 2 3\n");
   EXPECT_THAT(message_of([&] { (void)read_history(three.with("50W"), {}); }),
               HasSubstr(":1: \"1 2 3\": must be a time"));
+  // A row is not left out because its time is none, and what overflows is not fitted.
+  const std::string around = "2024-03-12 made\nTIME 2 UX\n0 0\n10 1\n{}\n30 2.5\n100 3\n200 3.1\n";
+  for (const char* row : {"nan 2", "inf 2", "1.#QNAN 2", "-1.#IND 2", "1e999 2", "1e300 2", "-5 2",
+                          "20 1e300", "20 -2e9", "20 nan"}) {
+    const History wrong(fmt::format(fmt::runtime(around), row));
+    EXPECT_THAT(message_of([&] { (void)read_history(wrong.with("50W"), {}); }),
+                HasSubstr(fmt::format(":5: \"{}\": must be a time from 0 to 1e+12 s and a "
+                                      "displacement from -1 to 1 m",
+                                      row)));
+  }
+  const History right(fmt::format(fmt::runtime(around), "20 2"));
+  EXPECT_EQ(read_history(right.with("50W"), {}).time.size(), 6U);
   EXPECT_THAT(message_of([&] { (void)read_history(three.with("50"), {}); }), HasSubstr("no unit"));
   EXPECT_THAT(message_of([&] { (void)read_history(three.with("50mm"), {}); }),
               HasSubstr("no unit of a power or a speed"));
