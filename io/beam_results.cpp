@@ -158,7 +158,10 @@ std::string campbell_text(const Arrangement& a, const std::vector<ModesAtSpeed>&
   });
   const std::vector<SetNumber> names =
       set_numbers(a, fullest == speeds.end() ? speeds.front() : *fullest);
-  for (const SetNumber& n : names) fmt::format_to(put, "{},", n.name);
+  for (const SetNumber& n : names) {
+    append_text(out, n.name);
+    out.push_back(',');
+  }
   fmt::format_to(put, "status\n");
   for (const ModesAtSpeed& m : speeds) {
     std::vector<SetNumber> numbers = set_numbers(a, m);

@@ -8,6 +8,7 @@
 #include "correction/numbers.h"
 #include "fit/noise.h"
 #include "io/correction_objects.h"
+#include "io/csv_text.h"
 #include "io/fit_objects.h"
 #include "io/json_text.h"
 #include "io/number_text.h"
@@ -213,24 +214,28 @@ std::string arx_json(
 }
 
 std::string corrected_text(const record::Record& record, const std::vector<Corrected>& corrected) {
-  std::string result = "time_s";
+  fmt::memory_buffer head;
+  append_text(head, "time_s");
   const bool several = corrected.size() > 1;
-  const auto of = [&](const Corrected& c, std::string_view name) {
-    return several ? fmt::format(",{}_{}", name, c.displacement->name)
-                   : fmt::format(",{}_um", name);
+  const auto name = [&](std::string_view column) {
+    head.push_back(',');
+    append_text(head, column);
   };
   for (const Corrected& c : corrected) {
-    result += of(c, "predicted");
-    if (!c.band.empty()) result += of(c, "band_low") + of(c, "band_high");
+    const auto of = [&](std::string_view what) {
+      name(several ? fmt::format("{}_{}", what, c.displacement->name) : fmt::format("{}_um", what));
+    };
+    of("predicted");
+    if (!c.band.empty()) of("band_low"), of("band_high");
     if (!several)
       for (const correction::Contribution& part : c.parts) {
-        std::string name = part.name;
-        std::replace(name.begin(), name.end(), ':', '_');
-        result += fmt::format(",{}_um", name);
+        std::string column = part.name + "_um";
+        std::replace(column.begin(), column.end(), ':', '_');
+        name(column);
       }
-    result += of(c, "residual");
+    of("residual");
   }
-  result += '\n';
+  std::string result = fmt::to_string(head) + "\n";
   const std::span<const double> time = record.values(record::time);
   const auto cell = [&](double value) {
     result += ',';

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/csv_form.h"
+#include "io/csv_text.h"
 #include "io/decimal_marks.h"
 #include "io/error.h"
 #include "io/input_file.h"
@@ -286,7 +287,9 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
         last = at;
         while (last > first && blank(all[last - 1])) --last;
       }
-      cells.push_back({first, last - first});
+      const std::size_t size =
+          without_guard(std::string_view(all).substr(first, last - first)).size();
+      cells.push_back({last - size, size});
       if (at >= end) return;
       ++at;
     }

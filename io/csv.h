@@ -48,7 +48,8 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 /// comments; the last one above the data is the header where its cells fit the first row, and below
 /// the header a line whose cells fit is a row ("#N/A,20,0.1"). Blank lines and rows of empty cells
 /// are skipped. A cell may be quoted ("a ""b"""), not broken over lines.
-/// Blanks around cells are dropped. Memory: the text plus 16 bytes per cell.
+/// Blanks around cells are dropped, and an apostrophe in front of =, +, - or @, with which cells
+/// are kept from being formulas (io/csv_text.h). Memory: the text plus 16 bytes per cell.
 class CsvTable {
  public:
   std::string source;                 ///< file name, for messages

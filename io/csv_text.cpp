@@ -9,6 +9,15 @@
 #include "io/twelve_digits.h"
 
 namespace raceway::io {
+namespace {
+
+/// With =, +, - or @, also behind apostrophes, so that each of these can be undone.
+bool begins_as_formula(std::string_view cell) {
+  const std::size_t first = cell.find_first_not_of('\'');
+  return first != cell.npos && std::string_view("=+-@").find(cell[first]) != std::string_view::npos;
+}
+
+}  // namespace
 
 void append_model(fmt::memory_buffer& out, std::string_view model_text) {
   const auto put = std::back_inserter(out);
@@ -24,8 +33,7 @@ void append_model(fmt::memory_buffer& out, std::string_view model_text) {
 
 void append_text(fmt::memory_buffer& out, std::string_view text) {
   std::string cell = printable(text);
-  if (!cell.empty() && std::string_view("=+-@").find(cell[0]) != std::string_view::npos)
-    cell.insert(0, 1, '\'');
+  if (begins_as_formula(cell)) cell.insert(0, 1, '\'');
   const bool plain = cell.find_first_of(",;\"") == cell.npos && !cell.starts_with('#') &&
                      !cell.starts_with(' ') && !cell.ends_with(' ');
   if (!plain) {
@@ -34,6 +42,11 @@ void append_text(fmt::memory_buffer& out, std::string_view text) {
     cell = '"' + cell + '"';
   }
   out.append(cell.data(), cell.data() + cell.size());
+}
+
+std::string_view without_guard(std::string_view cell) {
+  if (cell.starts_with('\'') && begins_as_formula(cell.substr(1))) cell.remove_prefix(1);
+  return cell;
 }
 
 void append_value(fmt::memory_buffer& out, double value) {

@@ -140,7 +140,10 @@ std::string displacement_text(const model::Model& model, std::span<const shaft::
   fmt::format_to(put, "speed_rpm,");
   for (const DisplacementColumn& c : columns) fmt::format_to(put, "{},", c.name);
   const std::vector<std::string> of_band = band ? band->names : std::vector<std::string>();
-  for (const std::string& name : of_band) fmt::format_to(put, "{},", name);
+  for (const std::string& name : of_band) {
+    append_text(out, name);
+    out.push_back(',');
+  }
   fmt::format_to(put, "status\n");
   for (std::size_t k = 0; k < points.size(); ++k) {
     append_value(out, points[k].speed / rpm);

@@ -50,8 +50,10 @@ void put_title(fmt::memory_buffer& out, const model::Model& model, std::string_v
 }
 
 void put_header(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) {
-  for (const RunColumn& c : columns)
-    fmt::format_to(std::back_inserter(out), "{}{}", &c == columns.data() ? "" : ",", c.name);
+  for (const RunColumn& c : columns) {
+    if (&c != columns.data()) out.push_back(',');
+    append_text(out, c.name);
+  }
 }
 
 void put_row(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) {

@@ -76,7 +76,8 @@ class Table {
  private:
   void put(std::string_view name, std::string_view value, std::string_view unit) {
     const auto out = std::back_inserter(out_);
-    fmt::format_to(out, "{},", of_);
+    append_text(out_, of_);
+    out_.push_back(',');
     append_text(out_, channel_);
     fmt::format_to(out, ",{},{},{},{}\n", part_, name, value, unit);
   }

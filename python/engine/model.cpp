@@ -1,5 +1,6 @@
 #include "python/engine/model.h"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -154,8 +155,12 @@ std::string plain_csv(const std::string& name, const std::string& text) {
     plain += '\n';
     for (std::size_t c = 0; c < table.header.size(); ++c) {
       std::string cell(io::is_missing(table.cell(row, c)) ? "" : table.cell(row, c));
-      const io::ParsedNumber number = io::parse_number(cell, table.separator != ',');
-      if (number.problem.empty()) std::replace(cell.begin(), cell.end(), ',', '.');
+      const io::ParsedNumber number = table.parsed(row, c);
+      if (number.problem.empty()) {
+        const io::ParsedNumber as_written = io::parse_number(cell, true);
+        if (as_written.value != number.value) cell = fmt::format("{}", number.value);
+        std::replace(cell.begin(), cell.end(), ',', '.');
+      }
       put(c, cell, !number.problem.empty() && !cell.empty());
     }
   }

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import io
 import os
 from typing import TYPE_CHECKING, Any
 
 from . import _engine
-from ._results import _Answer, _write, write_files
+from ._results import _Answer, _frame, _write, write_files
 
 if TYPE_CHECKING:
     import pandas
@@ -84,9 +83,7 @@ class CorrectionRun(_Answer):
 
     def to_frame(self) -> pandas.DataFrame:
         """Return one row per row of the record, as ``raceway correct -o`` writes it; see also `course`."""
-        import pandas
-
-        return pandas.read_csv(io.StringIO(self._answer.csv()))
+        return _frame(self._answer.csv())
 
     def course(self) -> pandas.DataFrame:
         """Return the record as it was understood, with what is predicted and what that leaves of it.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -171,9 +172,7 @@ class Displacement(_Document):
 
     def to_frame(self) -> pandas.DataFrame:
         """Return one row per speed, as the command writes it."""
-        import pandas
-
-        return pandas.read_csv(io.StringIO(self._engine.csv()), comment="#")
+        return _frame(self._engine.csv(), comment="#")
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
         """Write the curve as CSV."""
@@ -402,6 +401,19 @@ def _values(calibration: dict[str, Any]) -> str:
 
 def _first(document: dict[str, Any]) -> dict[str, Any]:
     return document["models"][0] if "models" in document else document
+
+
+def _frame(csv: str, **how: Any) -> pandas.DataFrame:
+    """Read CSV that the library wrote. Texts have no apostrophe in front, which keeps them from being formulas."""
+    import pandas
+
+    def plain(cell: Any) -> Any:
+        return re.sub("^'('*[-=+@])", r"\1", cell) if isinstance(cell, str) else cell
+
+    frame = pandas.read_csv(io.StringIO(csv), **how).rename(columns=plain)
+    for column in frame.columns[frame.dtypes == object]:
+        frame[column] = frame[column].map(plain)
+    return frame
 
 
 def _write(path: str | os.PathLike[str], text: str, overwrite: bool) -> None:

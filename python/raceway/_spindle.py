@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 from typing import TYPE_CHECKING, Any
 
 from . import _engine
 from ._record import Record
-from ._results import Page, _Document, _write, write_files
+from ._results import Page, _Document, _frame, _write, write_files
 
 if TYPE_CHECKING:
     import pandas
@@ -239,9 +238,7 @@ class StepResponses(_OfSpindle):
 
 
 def _rows(csv: str) -> pandas.DataFrame:
-    import pandas
-
-    return pandas.read_csv(io.StringIO(csv), comment="#")
+    return _frame(csv, comment="#")
 
 
 def _ended(status: list[str], what: str) -> str:

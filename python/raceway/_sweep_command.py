@@ -9,6 +9,7 @@ import importlib.util
 import io
 import os
 import pathlib
+import re
 import sys
 import warnings
 from collections.abc import Callable, Sequence
@@ -133,15 +134,20 @@ def _merge(asked: argparse.Namespace) -> str:
     rows = found.rows()
     columns = [key for key in dict.fromkeys(key for row in rows for key in row) if key != "error"]
     text = io.StringIO()
-    writer = csv.DictWriter(text, [*columns, "error"], lineterminator="\n")
-    writer.writeheader()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([_guarded(column) for column in [*columns, "error"]])
     # Of floats csv writes all digits that are needed to read the same number again.
-    writer.writerows(rows)
+    writer.writerows([_guarded(row.get(column)) for column in [*columns, "error"]] for row in rows)
     if asked.output == "-":
         sys.stdout.write(text.getvalue())
         return ""
     _write(asked.output, text.getvalue(), asked.force)
     return f"{asked.output}: {len(found)} items"
+
+
+def _guarded(cell: Any) -> Any:
+    """A text that a spreadsheet would take for a formula behind an apostrophe, as the library writes and reads it."""
+    return f"'{cell}" if isinstance(cell, str) and re.match("'*[-=+@]", cell) else cell
 
 
 def _number(text: str) -> int:

@@ -595,3 +595,17 @@ def test_a_header_can_be_read_by_other_programs(tmp_path):
     header = json.loads((tmp_path / "slab-1-of-1.sweep").read_bytes().split(b"\n", 1)[0])
     assert (header["slab"], header["slabs"], header["items"], header["version"]) == (1, 1, 2, raceway.__version__)
     assert [file.name for file in tmp_path.iterdir()] == ["slab-1-of-1.sweep"]
+
+
+def test_texts_of_a_merged_table_are_no_formulas(tmp_path):
+    from raceway._sweep_command import main
+
+    names = ["=1+1", "@SUM(A1)", "plain"]
+    sweep.run(lambda item: {"remark": "-x" if item else "'+y", "=n": -2.5}, [0, 1, 2], names=names, folder=tmp_path / "slabs")
+    assert main(["merge", str(tmp_path / "slabs"), "-o", str(tmp_path / "all.csv")]) == 0
+    assert (tmp_path / "all.csv").read_text().splitlines() == [
+        "name,remark,'=n,error",
+        "'=1+1,''+y,-2.5,",
+        "'@SUM(A1),'-x,-2.5,",
+        "plain,'-x,-2.5,",
+    ]

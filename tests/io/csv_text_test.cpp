@@ -33,6 +33,7 @@ TEST(CsvText, NoSpreadsheetTakesACellForAFormula) {
     EXPECT_EQ(cell(formula), std::string("'") + formula);
   EXPECT_EQ(cell("=HYPERLINK(\"x\",\"y\")"), "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\"");
   EXPECT_EQ(cell("a=b"), "a=b");
+  EXPECT_EQ(cell("'=1"), "''=1");
 }
 
 TEST(CsvText, ControlCharactersAreWrittenOut) {
@@ -40,11 +41,13 @@ TEST(CsvText, ControlCharactersAreWrittenOut) {
   EXPECT_EQ(cell("\x1b[31mred\t"), "\\x1b[31mred\\x09");
 }
 
-/// As this program reads it again; a line that begins with # is a comment, also in quotes.
+/// As this program reads it again, in a header too.
 TEST(CsvText, ACellComesBackAsItWasWritten) {
-  for (const char* text : {"a,b", "say \"no\"", "# of a kind", "\"", "Öl; 40 °C"}) {
-    const CsvTable table = parse_csv("a,b\n1," + cell(text) + "\n", "t.csv");
+  for (const char* text : {"a,b", "say \"no\"", "# of a kind", "\"", "Öl; 40 °C", "=1+1", "+x",
+                           "-5 mm", "@SUM(A1)", "'=1", "''-x", "'quoted'", "=a,\"b\""}) {
+    const CsvTable table = parse_csv("a," + cell(text) + "\n1," + cell(text) + "\n", "t.csv");
     EXPECT_EQ(table.cell(0, 1), text);
+    EXPECT_EQ(table.header[1], text);
   }
 }
 

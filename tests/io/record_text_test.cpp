@@ -14,13 +14,15 @@ TEST(RecordText, ReadsBackAsItIs) {
   model::Model model = fit::synthetic_model();
   model.rig.axial_load = 100;
   const auto subject = make_subject(model);
-  const record::Record first = read_record(
-      {"d.csv",
-       "run_id;speed_1_s;temperature_F;friction_torque_Nm\n\"a, b\";10;104;0,25\nc;20;113;0,3\n"},
-      *subject);
+  const record::Record first = read_record({"d.csv",
+                                            "run_id;speed_1_s;temperature_F;friction_torque_"
+                                            "Nm\n\"a, b\";10;104;0,25\n=1+1;20;113;0,3\n"},
+                                           *subject);
   const record::Record again = read_record({"e.csv", record_text(first)}, *subject);
   ASSERT_EQ(again.rows(), 2u);
   EXPECT_EQ(again.runs, first.runs);
+  EXPECT_EQ(first.runs[1], "=1+1");
+  EXPECT_THAT(record_text(first), testing::HasSubstr("'=1+1"));  // no formula of a spreadsheet
   for (const record::Column& column : first.columns) {
     ASSERT_TRUE(again.has(*column.channel)) << column.channel->name;
     for (std::size_t i = 0; i < 2; ++i)
