@@ -50,6 +50,7 @@ std::string out_of_time(const DiagnoseFlags& flags, const record::Record& data) 
 fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const session::LoopQuestion& asked) {
   fit::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
+  require_range(flags.tried_before, {0.0, 1e6, "explanations"}, "--tried-before");
   options.tried_before = flags.tried_before;
   const InterruptFlag interrupt(flags.time_limit);
   options.cancelled = &InterruptFlag::raised();

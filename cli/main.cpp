@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -86,6 +87,10 @@ int main(int argc, char** argv) {
   } catch (const std::system_error& e) {
     if (std::ferror(stdout) == 0) return refused({fmt::format("raceway: {}", e.what())});
     cli::complain("raceway: " + cli::stdout_problem(e.code().value()));
+  } catch (const std::bad_alloc&) {
+    return refused(
+        {"raceway: not enough memory: ask for fewer points, rows or cells, or for one after the "
+         "other"});
   } catch (const std::exception& e) {
     return refused({fmt::format("raceway: {}", e.what())});
   }

@@ -1,15 +1,19 @@
 #include "io/input_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <thread>
 #include <utility>
 
 #include "io/error.h"
@@ -31,6 +35,41 @@ bool take_standard_input() {
   return !taken.exchange(true);
 }
 
+/// A named pipe, once a program writes into it. Opened as a file it would wait for one for ever, as
+/// the second time when it is read twice.
+std::FILE* open_pipe(const std::string& path) {
+  const auto fail = [&](std::string_view what) {
+    return InputError(fmt::format("{}: {}", path, what), {.file = path});
+  };
+  const int pipe = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (pipe < 0) throw fail(std::string("cannot be read: ") + std::strerror(errno));
+  std::FILE* const file = ::fdopen(pipe, "rb");
+  if (!file) {
+    ::close(pipe);
+    throw fail(std::string("cannot be read: ") + std::strerror(errno));
+  }
+  constexpr auto pause = std::chrono::milliseconds(20);
+  constexpr auto patience = std::chrono::seconds(5);
+  unsigned char first = 0;
+  for (auto waited = std::chrono::milliseconds(0);; waited += pause) {
+    const auto count = ::read(pipe, &first, 1);
+    if (count < 0 && errno != EAGAIN && errno != EINTR) {
+      std::fclose(file);
+      throw fail(std::string("cannot be read: ") + std::strerror(errno));
+    }
+    if (count != 0) {  // a byte, or a program that has written none yet
+      (void)::fcntl(pipe, F_SETFL, ::fcntl(pipe, F_GETFL) & ~O_NONBLOCK);
+      if (count == 1) (void)std::ungetc(first, file);
+      return file;
+    }
+    if (waited >= patience) {
+      std::fclose(file);
+      throw fail("is a pipe into which no program writes; name a file, which can be read again");
+    }
+    std::this_thread::sleep_for(pause);
+  }
+}
+
 /// To be read and, unless it is standard input, closed.
 std::FILE* open(const std::string& path) {
   if (path == "-") {
@@ -46,6 +85,7 @@ std::FILE* open(const std::string& path) {
   if (std::filesystem::is_directory(status))
     throw InputError(path + ": is a directory, a file is expected", {.file = path});
 
+  if (status.type() == std::filesystem::file_type::fifo) return open_pipe(path);
   std::FILE* const file = std::fopen(path.c_str(), "rb");
   if (!file) throw InputError(path + ": cannot be read: " + std::strerror(errno), {.file = path});
   return file;

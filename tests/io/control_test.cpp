@@ -178,6 +178,57 @@ TEST_P(Control, TurnsPolynomialsIntoSections) {
   }
 }
 
+TEST(ControlPython, ARecordWithOtherHeadersIsRefusedWithTheOnesThatAreNeeded) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 2000 }]\n",
+      "time_s,front_temperature_C\n0,22\n1,40\n");
+  (void)c.folder.write("z.py", control_python(c.plan));
+  (void)c.folder.write("other.csv", "Time,T front,speed_rpm\n0,22,0\n1,40,0\n");
+  (void)c.folder.write("empty.csv", "");
+  for (const char* record : {"other.csv", "empty.csv"}) {
+    const std::string said = c.folder.shell(
+        fmt::format("python3 z.py {} > numbers 2> said; test $? -eq 1; cat said", record));
+    EXPECT_EQ(said,
+              fmt::format("{}: the header has no time_s, front_temperature_C; needed are time_s, "
+                          "front_temperature_C\n",
+                          record));
+    EXPECT_EQ(text_of(c.folder.file("numbers")), "");
+  }
+}
+
+// Timers of seconds in float: 0.1 ms are below the last digit of half an hour.
+TEST(ControlC, ASensorThatSticksIsFoundAtShortSteps) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 2000 }]\n[export]\nstuck_s = 3600\n",
+      "time_s,front_temperature_C\n0,22\n1,40\n");
+  (void)c.folder.write("machine.h", control_c(c.plan, "machine"));
+  (void)c.folder.write("steps.c", R"(#include <stdio.h>
+#include "machine.h"
+int main(void) {
+  static machine_state machine;
+  machine_real in[machine_inputs + 1] = {20}, out[machine_outputs];
+  long k;
+  machine_init(&machine);
+  machine_update(&machine, 0, in, 1, out);
+  machine_update(&machine, 1, in, 1, out);
+  machine.still[0] = 3599; /* it has stood for so long */
+  for (k = 1; k <= 20000 && !(machine.flags & machine_stuck); ++k)
+    machine_update(&machine, (machine_real)1e-4, in, 1, out);
+  printf("%ld\n", k);
+  return 0;
+}
+)");
+  for (const char* precision : {"", "-DMACHINE_SINGLE"}) {
+    const double steps = std::stod(c.folder.shell(
+        fmt::format("cc -std=c99 -O2 {} steps.c -o steps -lm && ./steps", precision)));
+    EXPECT_NEAR(steps, 10000, 10) << precision;
+  }
+}
+
 // In float the step of a slow section is far below the last digit of its sum.
 TEST(ControlC, RunsElevenHoursAtTenHertzWithoutDrift) {
   const Case c(
