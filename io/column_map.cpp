@@ -19,7 +19,7 @@ namespace {
 
 using record::Channel;
 
-constexpr std::string_view decimal_mark_key = "decimal_mark";
+constexpr std::string_view decimal_mark_key = "decimal_mark", date_order_key = "date_order";
 
 std::string_view variable_of(const Channel& channel) {
   return channel.variable == channel.name ? header_parts(channel.name).name : channel.variable;
@@ -204,10 +204,13 @@ ColumnMap read_columns(const ModelTables& tables) {
   ColumnMap map{.source = tables.source()};
   if (!s.given()) return map;
   if (const auto mark = s.choice(decimal_mark_key, {".", ","})) map.decimal_mark = mark->front();
+  if (const auto order = s.choice(date_order_key, {"day first", "month first"}))
+    map.date_order = order->starts_with('d') ? DateOrder::day_first : DateOrder::month_first;
   // In the order of the file, for messages.
   std::map<std::uint64_t, std::pair<const toml::key*, const toml::node*>> lines;
   for (const auto& [key, node] : *s.table())
-    if (key.str() != decimal_mark_key) lines.emplace(order_of(key), std::pair(&key, &node));
+    if (key.str() != decimal_mark_key && key.str() != date_order_key)
+      lines.emplace(order_of(key), std::pair(&key, &node));
   for (const auto& [_, entry] : lines) {
     ColumnRule rule = read_rule(s, *entry.first, *entry.second);
     for (const ColumnRule& other : map.rules) {

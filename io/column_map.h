@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/error.h"
+#include "io/timestamp.h"
 #include "io/units.h"
 #include "record/channel.h"
 #include "rig/torque_sensor.h"
@@ -64,7 +65,8 @@ struct ColumnRule {
 struct ColumnMap {
   std::string source{};
   std::vector<ColumnRule> rules{};
-  char decimal_mark = '\0';  ///< of the file; '\0': not said
+  char decimal_mark = '\0';               ///< of the file; '\0': not said
+  std::optional<DateOrder> date_order{};  ///< of dates with slashes
 
   [[nodiscard]] const ColumnRule* find(std::string_view header) const;
 };

@@ -10,7 +10,7 @@
 #include "io/error.h"
 #include "io/missing_cell.h"
 #include "io/names.h"
-#include "io/timestamp.h"
+#include "record/median.h"
 
 namespace raceway::io {
 namespace {
@@ -66,31 +66,99 @@ bool ColumnReader::is_missing(std::size_t row, std::size_t column) const {
 
 bool ColumnReader::is_stamped(const ColumnSource& source) const {
   return *source.channel == record::time &&
-         (source.excel_date || (!table_.is_numeric(source.column) &&
-                                parse_timestamp(table_.cell(0, source.column)).has_value()));
+         (source.excel_date ||
+          (!table_.is_numeric(source.column) && is_time(table_.cell(0, source.column))));
 }
 
-std::vector<double> ColumnReader::times(const ColumnSource& source) {
+std::vector<double> ColumnReader::times(const ColumnSource& source,
+                                        std::optional<DateOrder> order) {
+  const bool texts = !table_.is_numeric(source.column);
+  const bool elapsed =
+      texts && !source.excel_date && parse_elapsed(table_.cell(0, source.column)).has_value();
+  if (!order) order = texts && !source.excel_date ? order_of(source) : DateOrder::day_first;
   std::vector<double> list;
   for (std::size_t row = 0; row < table_.rows(); ++row) {
     std::optional<double> time;
-    if (!table_.is_numeric(source.column)) time = parse_timestamp(table_.cell(row, source.column));
+    if (texts)
+      time = elapsed ? parse_elapsed(table_.cell(row, source.column))
+                     : parse_timestamp(table_.cell(row, source.column), *order);
     if (!time && source.excel_date) {
       const ParsedNumber days = table_.parsed(row, source.column);
       if (days.problem.empty()) time = seconds_of_excel(days.value);
     }
     if (!time)
       bad.add(table_.line(row), source.name, table_.shown(row, source.column),
-              "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
+              elapsed ? "is no time such as 1:30:05"
+                      : "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
     list.push_back(time.value_or(unset));
   }
+  if (texts && !elapsed) undo_changes_of_clocks(source, list);
   const double first = list.front();
   for (double& time : list) time -= first;
-  if (!std::isnan(first))
+  if (!std::isnan(first) && !elapsed)
     notes_.push_back(fmt::format("column {} has {}: time_s counts from {}", source.name,
                                  source.excel_date ? "dates of Excel" : "dates",
                                  timestamp_text(first)));
+  if (elapsed && first > 0.0)
+    notes_.push_back(fmt::format("column {} has elapsed times: time_s counts from {}", source.name,
+                                 table_.cell(0, source.column)));
   return list;
+}
+
+DateOrder ColumnReader::order_of(const ColumnSource& source) const {
+  constexpr DateOrder orders[] = {DateOrder::day_first, DateOrder::month_first};
+  double first[2] = {unset, unset};
+  bool possible[2] = {true, true};
+  std::optional<std::size_t> apart;  // the first row where it matters
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    const std::string_view cell = table_.cell(row, source.column);
+    if (cell.find('/') != 2 && cell.find('/') != 1) return DateOrder::day_first;
+    double time[2];
+    for (int k = 0; k < 2; ++k) {
+      const auto parsed = parse_timestamp(cell, orders[k]);
+      possible[k] = possible[k] && parsed.has_value();
+      time[k] = parsed.value_or(unset);
+      if (row == 0) first[k] = time[k];
+    }
+    if (!apart && time[0] - first[0] != time[1] - first[1]) apart = row;
+  }
+  if (possible[0] != possible[1]) return possible[0] ? orders[0] : orders[1];
+  if (!possible[0] || !apart) return orders[0];
+  const Place place{table_.source, table_.line(*apart), source.name};
+  const std::string cell(table_.cell(*apart, source.column));
+  throw InputError(
+      fmt::format(
+          "{}: {} = {}: is it {} or {}? Say date_order = \"day first\" or \"month first\" in "
+          "[columns]",
+          place.text(), source.name, cell,
+          timestamp_text(*parse_timestamp(cell, orders[0])).substr(0, 10),
+          timestamp_text(*parse_timestamp(cell, orders[1])).substr(0, 10)),
+      place);
+}
+
+/// A clock of local time goes back an hour, or leaves one out, in the night of a change.
+void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list) {
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < list.size(); ++row)
+    if (list[row] > list[row - 1]) steps.push_back(list[row] - list[row - 1]);
+  if (steps.empty()) return;
+  const double usual = record::median(steps);
+  constexpr double hour = 3600.0;
+  double shift = 0.0, before = list.front();
+  for (std::size_t row = 1; row < list.size(); ++row) {
+    const double now = list[row], step = now - before;
+    const bool back = std::abs(step + hour - usual) <= usual && step <= 0.0,
+               forward = std::abs(step - hour - usual) <= usual && step > 2.0 * usual;
+    if ((back || forward) && clocks_may_change(before, forward) &&
+        !has_zone(table_.cell(row, source.column))) {
+      shift += back ? hour : -hour;
+      notes_.push_back(fmt::format(
+          "line {}: the clock goes {} by one hour, {} of summer time: time_s goes on",
+          table_.line(row), back ? "back" : "forward", back ? "the end" : "the beginning"));
+    }
+    before = now;
+    list[row] += shift;
+  }
 }
 
 std::vector<double> ColumnReader::named(const ColumnSource& source,

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/bad_cells.h"
 #include "io/column_source.h"
+#include "io/timestamp.h"
 
 namespace raceway::io {
 
@@ -24,8 +26,11 @@ class ColumnReader {
 
   /// Whether the column has dates.
   [[nodiscard]] bool is_stamped(const ColumnSource& source) const;
-  /// Times of a column of dates, from that of the first row on [s].
-  [[nodiscard]] std::vector<double> times(const ColumnSource& source);
+  /// Times of a column of dates or of elapsed times, from that of the first row on [s]. `order` of
+  /// dates with slashes, where it is stated. Throws InputError where it is not and changes the
+  /// times.
+  [[nodiscard]] std::vector<double> times(const ColumnSource& source,
+                                          std::optional<DateOrder> order);
   /// Indices into `names`, which gets the texts of the cells in the order in which they come.
   [[nodiscard]] std::vector<double> named(const ColumnSource& source,
                                           std::vector<std::string>& names);
@@ -41,6 +46,8 @@ class ColumnReader {
     std::string cell;
   };
   [[nodiscard]] bool is_missing(std::size_t row, std::size_t column) const;
+  [[nodiscard]] DateOrder order_of(const ColumnSource& source) const;
+  void undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list);
   void keep_mark(char mark, std::size_t row, std::string_view text);
 
   const CsvTable& table_;

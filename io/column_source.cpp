@@ -61,7 +61,7 @@ const Unit* in_header(const CsvTable& table, std::size_t column, const Channel& 
 bool has_dates(const CsvTable& table, std::size_t column) {
   for (std::size_t row = 0; row < table.rows(); ++row)
     if (!table.is_empty(row, column))
-      return !table.is_numeric(column) && parse_timestamp(table.cell(row, column)).has_value();
+      return !table.is_numeric(column) && is_time(table.cell(row, column));
   return false;
 }
 

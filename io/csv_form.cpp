@@ -129,7 +129,7 @@ std::optional<char> separator_of_commented_header(std::string_view comment, std:
 }
 
 bool is_reading(std::string_view cell) {
-  return parse_number(cell, true).problem.empty() || parse_timestamp(cell).has_value();
+  return parse_number(cell, true).problem.empty() || is_time(cell);
 }
 
 CsvForm find_form(std::string_view text, const std::function<bool(std::string_view)>& known) {

@@ -38,6 +38,7 @@ class Reader {
         subject_(subject),
         expected_(subject.expected()),
         sensor_(options.sensor),
+        date_order_(options.columns.date_order),
         columns_(find_columns(table_, subject, expected_, options)),
         dropped_(options.drop_nan ? drop_empty_rows(table_, used_columns()) : std::string()),
         cells_(table_),
@@ -50,7 +51,7 @@ class Reader {
       if (place.channel->role == Role::run)
         values(*place.channel) = cells_.named(place, runs_);
       else if (cells_.is_stamped(place))
-        values(*place.channel) = cells_.times(place);
+        values(*place.channel) = cells_.times(place, date_order_);
       else if (columns_.signal && *place.channel == record::friction_torque)
         values(*place.channel) = numbers(*columns_.signal, *place.channel);
       else
@@ -300,6 +301,7 @@ class Reader {
   const model::ModelSubject& subject_;
   model::Expected expected_;
   std::optional<rig::TorqueSensor> sensor_;
+  std::optional<DateOrder> date_order_;
   DataColumns columns_;
   std::string dropped_;  // what is said of rows without a number
   ColumnReader cells_;

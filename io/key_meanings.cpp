@@ -162,6 +162,10 @@ constexpr KeyMeaning meanings[]{
     KeyMeaning{"columns", "decimal_mark",
                "of the file: \".\" or \",\"; the other one separates thousands. Asked for where "
                "the numbers can be read in two ways"},
+    KeyMeaning{
+        "columns", "date_order",
+        "of dates with slashes: \"day first\" or \"month first\". Asked for where it changes "
+        "the time between rows"},
     KeyMeaning{"columns.COLUMN", "column",
                "COLUMN is one of this program, this the header that it has in the file; a text "
                "alone is short for it, a number holds for all rows"},

@@ -36,6 +36,7 @@ class SeriesReader {
         wanted_(wanted),
         found_(recognise(table_, options.columns, true, options.of_spindle)),
         of_spindle_(options.of_spindle),
+        date_order_(options.columns.date_order),
         dropped_(options.drop_nan ? drop_empty_rows(table_, inputs()) : std::string()),
         cells_(table_) {
     require(record::time);
@@ -56,7 +57,7 @@ class SeriesReader {
       if (c.role == Role::run) {
         result.set(c, cells_.named(source, c == record::run ? result.runs : names));
       } else if (cells_.is_stamped(source)) {
-        result.set(c, cells_.times(source));
+        result.set(c, cells_.times(source, date_order_));
       } else {
         // A control tells the direction; heat does not know it.
         const bool with_sign = c == record::speed || c == record::axial_load;
@@ -202,6 +203,7 @@ class SeriesReader {
   const Channels& wanted_;
   Recognised found_;
   bool of_spindle_;
+  std::optional<DateOrder> date_order_;
   std::string dropped_;
   ColumnReader cells_;
   std::vector<std::string> unused_, constants_;

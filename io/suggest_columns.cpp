@@ -121,8 +121,7 @@ std::optional<Proposal> proposal(const CsvTable& table, std::size_t column, cons
     return parse_number(cell, table.separator != ',').problem.empty();
   });
   if (words.channel->role == Role::time) {
-    p.stamped = all_cells(table, column,
-                          [](std::string_view cell) { return parse_timestamp(cell).has_value(); });
+    p.stamped = all_cells(table, column, is_time);
     p.excel_date = !p.unit && all_cells(table, column, [&](std::string_view cell) {
       const double days = parse_number(cell, table.separator != ',').value;
       return days > 20000 && days < 80000;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "correction/numbers.h"
+#include "io/column_map.h"
 #include "io/error.h"
 #include "io/series_file.h"
 #include "record/series_channel.h"
@@ -218,6 +219,49 @@ TEST(SeriesFile, AWordInThePlaceOfAReadingDoesNotTakePartAndIsNamed) {
   EXPECT_THAT(r.notes,
               testing::Contains("2 of 5 readings of displacement_z_um are no numbers (OVER "
                                 "and Bad Input) and do not take part (lines 3, 5)"));
+}
+
+std::vector<double> times(const std::vector<std::string>& stamps, const std::string& map = "") {
+  std::string text = "Time,displacement_z_um\n";
+  for (const std::string& stamp : stamps) text += stamp + ",1\n";
+  const record::Record r = read_series(
+      {"r.csv", text}, {record::series_channel("displacement_z_um")}, {},
+      {.columns = parse_column_map("[columns]\ntime_s = \"Time\"\n" + map, "map.toml")});
+  return {r.values(record::time).begin(), r.values(record::time).end()};
+}
+
+TEST(SeriesFile, TheOrderOfDayAndMonthIsAskedForWhereItMatters) {
+  using Times = std::vector<double>;
+  EXPECT_EQ(times({"09/11/2024 08:00:00 AM", "09/11/2024 08:01:00 PM"}), (Times{0, 43260}));
+  EXPECT_EQ(times({"09/12/2024 08:00", "09/13/2024 08:00"}), (Times{0, 86400}));  // 13 is no month
+  const std::vector<std::string> both{"09/11/2024 23:00", "09/11/2024 23:30", "09/12/2024 00:00"};
+  EXPECT_THAT(
+      [&] { (void)times(both); },
+      refused("r.csv:4: Time = 09/12/2024 00:00: is it 2024-12-09 or 2024-09-12? Say date_order "
+              "= \"day first\" or \"month first\" in [columns]"));
+  EXPECT_EQ(times(both, "date_order = \"month first\"\n"), (Times{0, 1800, 3600}));
+  EXPECT_EQ(times(both, "date_order = \"day first\"\n").back(), 30 * 86400.0 - 23 * 3600.0);
+  EXPECT_EQ(times({"0:59:30", "1:00:00", "1 00:00:00"}), (Times{0, 30, 86400 - 3570}));
+}
+
+TEST(SeriesFile, AChangeOfClocksIsNoStepBackAndNoGap) {
+  using Times = std::vector<double>;
+  EXPECT_EQ(times({"27.10.2024 02:58:00", "27.10.2024 02:59:00", "27.10.2024 02:00:00",
+                   "27.10.2024 02:01:00"}),
+            (Times{0, 60, 120, 180}));
+  EXPECT_EQ(times({"31.03.2024 01:58:00", "31.03.2024 01:59:00", "31.03.2024 03:00:00",
+                   "31.03.2024 03:01:00"}),
+            (Times{0, 60, 120, 180}));
+  // A clock that states its zone does not change, and on other days nothing does.
+  EXPECT_EQ(times({"2024-03-31T01:58:00Z", "2024-03-31T01:59:00Z", "2024-03-31T03:00:00Z",
+                   "2024-03-31T03:01:00Z"})
+                .back(),
+            3780);
+  EXPECT_THAT(
+      [] {
+        (void)times({"28.10.2024 02:58", "28.10.2024 02:59", "28.10.2024 02:00"});
+      },
+      refused("goes back"));
 }
 
 TEST(SeriesFile, AnEmptyDisplacementWasNotRead) {
