@@ -62,9 +62,29 @@ char separator_of_header(std::string_view header, const std::string& place, cons
   return found == '\0' ? ',' : found;
 }
 
+/// Signs and separators as texts have them and programs do not.
+bool is_typeset(std::string_view number) {
+  return std::any_of(number.begin(), number.end(),
+                     [](char c) { return c == '\'' || c == ' ' || (c & 0x80) != 0; });
+}
+
+/// With "-" for U+2212, the sign at the number ("- 5"), and no apostrophes between groups of three
+/// digits (1'200.5).
+std::string without_typesetting(std::string_view number) {
+  std::string text(number);
+  for (const auto& [typeset, plain] :
+       {std::pair<std::string_view, std::string_view>{"\u2212", "-"}, {"\u2019", "'"}})
+    for (std::size_t at = text.find(typeset); at != text.npos; at = text.find(typeset))
+      text.replace(at, typeset.size(), plain);
+  if (text.starts_with('-') || text.starts_with('+'))
+    text.erase(1, text.find_first_not_of(' ', 1) - 1);
+  if (is_grouped(text, '\'', '.') || is_grouped(text, '\'', ',')) std::erase(text, '\'');
+  return text;
+}
+
 /// A line below the header that begins with `#`: a row where its cells fit and say something, or
 /// where the first one is an error of a spreadsheet; else a comment. A model stands behind "#|".
-bool is_row(std::string_view line, char separator, std::size_t columns, bool trailing_separator) {
+bool is_row(std::string_view line, char separator, std::size_t columns, std::size_t empty_ends) {
   if (line.starts_with("#|")) return false;
   const std::size_t end = line.find(separator);
   std::string_view first = trimmed(line.substr(0, end));
@@ -74,7 +94,7 @@ bool is_row(std::string_view line, char separator, std::size_t columns, bool tra
   if (end == line.npos) return false;
   const std::size_t cells = count_separators(line, separator) + 1;
   const auto says_something = [&](char c) { return c != separator && !blank(c); };
-  return (cells == columns || (trailing_separator && cells == columns + 1)) &&
+  return cells >= columns && cells <= columns + empty_ends &&
          std::any_of(line.begin() + static_cast<std::ptrdiff_t>(end), line.end(), says_something);
 }
 
@@ -172,6 +192,8 @@ ParsedNumber CsvTable::parsed(std::size_t row, std::size_t column) const {
 
 ParsedNumber CsvTable::parsed_text(std::size_t row, std::size_t column,
                                    std::string_view text) const {
+  std::string typed;
+  if (is_typeset(text)) text = typed = without_typesetting(text);
   const bool decimal_comma = separator != ',' || marks_.decimal == ',';
   if (marks_.asked != '\0' && is_grouped(text, marks_.asked)) {
     std::string plain(text);
@@ -295,8 +317,9 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     }
   };
 
-  bool trailing_separator = false;
-  std::size_t empty_rows = 0;
+  std::size_t empty_ends = 0;  // separators behind the last name
+  std::size_t empty_rows = 0, headers_again = 0;
+  int footer = 0;  // line of the first one
   int titles = 0;
   struct {
     int line = 0;
@@ -306,8 +329,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     table.header_line = at_line;
     const std::string place = fmt::format("{}:{}", source, at_line);
     split(first, last, place);
-    trailing_separator = cells.size() > 1 && cells.back().size == 0;
-    if (trailing_separator) cells.pop_back();
+    while (cells.size() > 1 && cells.back().size == 0) cells.pop_back(), ++empty_ends;
     constexpr std::size_t most = 10000;
     if (cells.size() > most)
       throw InputError(
@@ -316,8 +338,10 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     std::unordered_map<std::string, std::size_t> seen;
     bool all_numbers = true;
     for (const auto& cell : cells) {
-      const std::string name = all.substr(cell.begin, cell.size);
+      std::string name = all.substr(cell.begin, cell.size);
       const std::size_t position = table.header.size() + 1;
+      // Row numbers, as pandas writes them.
+      if (name.empty() && position == 1 && cells.size() > 1) name = "column 1";
       if (name.empty())
         throw InputError(fmt::format("{}: column {} has no name", place, position),
                          {.file = source, .line = at_line});
@@ -352,7 +376,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
           {.file = source, .line = line});
     if ((whole[start] == '#' || whole.substr(start).starts_with("\"#")) &&
         (table.header.empty() ||
-         !is_row(whole.substr(start), table.separator, table.header.size(), trailing_separator))) {
+         !is_row(whole.substr(start), table.separator, table.header.size(), empty_ends))) {
       table.comments.emplace_back(whole.substr(start));
       comment = {line, begin + start};
       continue;
@@ -390,7 +414,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
       split(begin, end, fmt::format("{}:{}", source, line));
     else
       split(begin, end, {});
-    if (trailing_separator && cells.size() == columns + 1 && cells.back().size == 0)
+    for (std::size_t k = 0; k < empty_ends && cells.size() > columns && cells.back().size == 0; ++k)
       cells.pop_back();
     if (line == form.unit_line) {
       for (const auto& cell : cells) table.units.push_back(all.substr(cell.begin, cell.size));
@@ -398,6 +422,14 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
     }
     if (std::all_of(cells.begin(), cells.end(), [](const auto& c) { return c.size == 0; })) {
       ++empty_rows;
+      continue;
+    }
+    const auto text_of = [&](const auto& c) {
+      return std::string_view(all).substr(c.begin, c.size);
+    };
+    if (std::equal(cells.begin(), cells.end(), table.header.begin(), table.header.end(),
+                   [&](const auto& c, const std::string& name) { return text_of(c) == name; })) {
+      ++headers_again;
       continue;
     }
     if (cells.size() != columns) {
@@ -412,9 +444,16 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
                 here, table.header_line, separator_name(table.separator), separator_name(other)),
             {.file = source, .line = line});
       }
-      const bool all_numbers = std::all_of(cells.begin(), cells.end(), [&](const auto& c) {
-        return parse_number(std::string_view(all).substr(c.begin, c.size), false).problem.empty();
-      });
+      const auto is_number = [&](const auto& c) {
+        return parse_number(text_of(c), false).problem.empty();
+      };
+      const bool all_numbers = std::all_of(cells.begin(), cells.end(), is_number);
+      // Words behind the rows are a footer, if no row comes behind them.
+      if (!table.lines_.empty() && cells.size() < columns &&
+          std::none_of(cells.begin(), cells.end(), is_number)) {
+        if (footer == 0) footer = line;
+        continue;
+      }
       throw InputError(
           fmt::format(
               "{}: {} cell{}, but the header (line {}) has {} column{}{}", here, cells.size(),
@@ -424,6 +463,10 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
                   : ""),
           {.file = source, .line = line});
     }
+    if (footer > 0)
+      throw InputError(fmt::format("{}:{}: fewer cells than the header (line {}) has columns",
+                                   source, footer, table.header_line),
+                       {.file = source, .line = footer});
     table.cells_.insert(table.cells_.end(), cells.begin(), cells.end());
     table.lines_.push_back(line);
   }
@@ -447,6 +490,13 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
                                       titles == 1 ? "" : "s", table.header_line));
   if (form.unit_line > 0)
     table.notes.push_back(fmt::format("line {} is a row of units", form.unit_line));
+  if (headers_again > 0)
+    table.notes.push_back(
+        fmt::format("the header stands {} more and is skipped there",
+                    headers_again == 1 ? "once" : fmt::format("{} times", headers_again)));
+  if (footer > 0)
+    table.notes.push_back(
+        fmt::format("the text behind the rows, from line {} on, is skipped", footer));
   if (empty_rows > 0)
     table.notes.push_back(fmt::format("{} row{} of empty cells only skipped", empty_rows,
                                       empty_rows == 1 ? "" : "s"));

@@ -119,6 +119,36 @@ TEST(Csv, TheLastCommentAboveTheDataIsTheHeaderWhereItsCellsFit) {
   EXPECT_EQ(parse_csv("# x,y\na,b\n1,2\n", "d.csv").header, (std::vector<std::string>{"a", "b"}));
 }
 
+TEST(Csv, ShapesOfOtherProgramsAreRead) {
+  // Row numbers without a name, as pandas writes them.
+  const CsvTable pandas = parse_csv(",a,b\n0,1,2\n1,3,4\n", "d.csv");
+  EXPECT_EQ(pandas.header, (std::vector<std::string>{"column 1", "a", "b"}));
+  EXPECT_EQ(pandas.number(1, 2), 4);
+  EXPECT_THAT(error_of("a,,b\n1,2,3\n"), HasSubstr("column 2 has no name"));
+  // Empty columns at the end.
+  const CsvTable empty = parse_csv("a;b;;;\n1;2;;;\n3;4\n", "d.csv");
+  EXPECT_EQ(empty.header.size(), 2u);
+  EXPECT_EQ(empty.number(1, 1), 4);
+  // A header that stands again, and words behind the rows.
+  const CsvTable again = parse_csv("a,b\n1,2\na,b\n3,4\nEnd of file\nMade by a logger\n", "d.csv");
+  EXPECT_EQ(again.rows(), 2u);
+  EXPECT_EQ(again.notes,
+            (std::vector<std::string>{"the header stands once more and is skipped there",
+                                      "the text behind the rows, from line 5 on, is skipped"}));
+  EXPECT_EQ(error_of("a,b\n1,2\nstopped\n3,4\n"),
+            "d.csv:3: fewer cells than the header (line 1) has columns");
+  // Old line ends.
+  EXPECT_EQ(parse_csv("a,b\r1,2\r3,4\r", "d.csv").rows(), 2u);
+}
+
+TEST(Csv, TypesetNumbersAreRead) {
+  const CsvTable t = parse_csv(
+      "a\n\u22125.5\n- 7\n+ 3\n1'200.5\n1\u2019200'000\n2e\u22123\n1 000\n1'20\n", "d.csv");
+  const double expected[] = {-5.5, -7, 3, 1200.5, 1200000, 2e-3};
+  for (std::size_t row = 0; row < 6; ++row) EXPECT_EQ(t.number(row, 0), expected[row]) << row;
+  for (const std::size_t row : {6u, 7u}) EXPECT_FALSE(t.parsed(row, 0).problem.empty()) << row;
+}
+
 TEST(Csv, RowsWithMoreOrFewerCellsAreErrors) {
   EXPECT_EQ(error_of("a,b\n1,2\n3\n"), "d.csv:3: 1 cell, but the header (line 1) has 2 columns");
   EXPECT_THAT(error_of("a,b\n1,5,2,5\n"), HasSubstr("decimal commas need semicolons or tabs"));
