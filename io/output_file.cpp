@@ -1,9 +1,11 @@
 #include "io/output_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -13,6 +15,7 @@
 #include <set>
 
 #include "io/error.h"
+#include "io/names.h"
 
 namespace raceway::io {
 namespace {
@@ -166,9 +169,30 @@ class FolderLock {
   int file_;
 };
 
+/// All that is written is text. A file whose name promises more would not open.
+void refuse_other_formats(const std::string& path) {
+  struct Format {
+    std::string_view endings, kind, instead;
+  };
+  constexpr std::array formats{
+      Format{" .xlsx .xls .xlsm .xlsb .ods ", "a workbook",
+             "tables are written as CSV, which Excel opens: name it .csv"},
+      Format{" .png .jpg .jpeg .gif .bmp .tif .tiff .webp .pdf .eps .ps ", "a picture or a page",
+             "pictures are written as SVG and pages as HTML: name it .svg or .html"},
+      Format{" .mat .npy .npz .h5 .hdf5 .parquet .feather .pkl .zip .gz ", "a binary file",
+             "files are written as text: name it .csv, .json or .toml"}};
+  const std::string ending = lower_case(fs::path(path).extension().string());
+  if (ending.empty()) return;
+  for (const Format& format : formats)
+    if (format.endings.find(" " + ending + " ") != std::string_view::npos)
+      throw InputError(fmt::format("{}: is the name of {}; {}", path, format.kind, format.instead),
+                       {.file = path});
+}
+
 }  // namespace
 
 void require_writable(const std::string& path, IfExists if_exists) {
+  refuse_other_formats(path);
   if (path.empty()) throw InputError("the name of the output file is empty");
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);

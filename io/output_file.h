@@ -10,8 +10,10 @@ namespace raceway::io {
 /// it, `refuse_naming_replace` --replace, of a command whose --force is a load.
 enum class IfExists { refuse, refuse_naming_replace, replace };
 
-/// Throws InputError where write_text() would: an existing file that is not to be replaced, a
-/// directory, a folder that is missing or not writable. To be asked before a long calculation.
+/// Throws InputError where write_text() would: a name that promises a workbook, a picture of points
+/// or another format that is no text (st.xlsx, st.png), an existing file that is not to be
+/// replaced, a directory, a folder that is missing or not writable. To be asked before a long
+/// calculation.
 void require_writable(const std::string& path, IfExists if_exists);
 
 /// Writes a whole file or nothing: into a file beside it first, which then takes its name. Keeps

@@ -174,6 +174,22 @@ TEST_F(OutputFile, OfTwoRunsOneHasWrittenAllOfASet) {
   }
 }
 
+TEST_F(OutputFile, ANameOfAnotherFormatIsRefused) {
+  const auto refusal = [&](const std::string& name) {
+    return message_of([&] { require_writable(path(name), IfExists::refuse); });
+  };
+  EXPECT_THAT(refusal("st.xlsx"),
+              HasSubstr("st.xlsx: is the name of a workbook; tables are written "
+                        "as CSV, which Excel opens: name it .csv"));
+  EXPECT_THAT(refusal("st.PNG"), HasSubstr("pictures are written as SVG and pages as HTML"));
+  EXPECT_THAT(refusal("st.mat"), HasSubstr("a binary file"));
+  EXPECT_THAT(message_of([&] { write_text(path("a.xls"), "1", IfExists::replace); }),
+              HasSubstr("a workbook"));
+  for (const char* name : {"st.csv", "st.svg", "st", "st.mo", "xlsx", "st.xlsx.csv"})
+    require_writable(path(name), IfExists::refuse);
+  EXPECT_EQ(files(), 0);
+}
+
 TEST_F(OutputFile, WhereOneOfASetCannotBeWrittenNoneIs) {
   write_text(path("2"), "old", IfExists::refuse);
   EXPECT_THAT(message_of([&] {
