@@ -4,6 +4,7 @@
 
 #include "bearing/bearing_equilibrium.h"
 #include "bearing/kinematics.h"
+#include "bearing/roller_bearing.h"
 
 namespace raceway::bearing {
 
@@ -24,14 +25,23 @@ struct BearingFrequencies {
 ///
 /// Source: rolling without slip; the limit of ball_speeds() at αi = αo, BSF the share of its ω_R
 /// that rolls, ω_R cos(α - β) (tested). Domain: g cos α < 1.
-[[nodiscard]] inline BearingFrequencies nominal_frequencies(const BearingGeometry& g,
+[[nodiscard]] inline BearingFrequencies nominal_frequencies(int count, double diameter_ratio,
                                                             double contact_angle) {
-  const double ratio = g.diameter_ratio(), x = ratio * std::cos(contact_angle);
+  const double ratio = diameter_ratio, x = ratio * std::cos(contact_angle);
   const double cage = 0.5 * (1.0 - x);
   return {.cage = cage,
-          .outer_race = g.ball_count * cage,
-          .inner_race = g.ball_count * (1.0 - cage),
+          .outer_race = count * cage,
+          .inner_race = count * (1.0 - cage),
           .ball_spin = 0.5 * (1.0 - x * x) / ratio};
+}
+[[nodiscard]] inline BearingFrequencies nominal_frequencies(const BearingGeometry& g,
+                                                            double contact_angle) {
+  return nominal_frequencies(g.ball_count, g.diameter_ratio(), contact_angle);
+}
+
+/// Of cylindrical rollers that roll without slip: the formulas above at α = 0.
+[[nodiscard]] inline BearingFrequencies rolling_frequencies(const RollerGeometry& g) {
+  return nominal_frequencies(g.roller_count, g.diameter_ratio(), 0.0);
 }
 
 /// From the balls as they run, at their own contact angles: the mean over all balls, which one cage

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "bearing/bearing_equilibrium.h"
+#include "bearing/contact_pressure.h"
+#include "bearing/operating_point.h"
+#include "bearing/roller_bearing.h"
+#include "bearing/solve.h"
+
+namespace raceway::bearing {
+
+using Vector4 = Eigen::Vector4d;
+using Matrix4 = Eigen::Matrix4d;
+
+struct RollerOptions {
+  /// Locked: the tilts below are imposed. Free: the ring tilts until it carries the given moments.
+  Tilt tilt = Tilt::locked;
+  double tilt_y = 0.0, tilt_z = 0.0;  ///< imposed, right-handed about y and z [rad]
+  /// s in operation [m]; NaN: the clearance of the geometry.
+  double clearance = unset;
+  double tolerance = 1e-11;  ///< on the imbalance relative to the largest force [1]
+  int max_iterations = 500;  ///< Newton steps
+};
+
+/// One roller in balance.
+struct LoadedRoller {
+  double azimuth = unset;     ///< ψ from +y towards +z [rad]
+  double inner_load = unset;  ///< Qi [N]
+  double outer_load = unset;  ///< Qo [N]
+  double shift = unset;       ///< u, outwards, of its middle from the unloaded outer raceway [m]
+  double tilt = unset;        ///< f, of its axis in its own radial plane [rad]
+  /// Loads of the slices, in the order of RollerBearing::positions() [N].
+  std::array<double, lamina_count> inner_laminae{}, outer_laminae{};
+};
+
+/// Displacement of the inner ring under its load, and the rollers in balance.
+/// Only `report` is set unless the solve converged.
+struct RollerEquilibrium {
+  /// y, z [m], θ_y, θ_z [rad] of the inner ring at the middle plane of the rollers, counted from
+  /// the centred position.
+  Vector4 displacement = Vector4::Constant(unset);
+  /// F_y, F_z [N], M_y, M_z [N m] that act on the inner ring. The moments are reactions where the
+  /// tilt is locked.
+  Vector4 load = Vector4::Constant(unset);
+  /// Tangent stiffness ∂load/∂displacement, the rollers following. Symmetric.
+  Matrix4 stiffness = Matrix4::Constant(unset);
+  std::vector<LoadedRoller> rollers;
+  double clearance = unset;          ///< s of this balance [m]
+  double centrifugal_force = unset;  ///< of one roller [N]
+  /// No load, and nothing touches the inner ring: it lies anywhere within its play. Counts as a
+  /// balance, with no displacement and no stiffness.
+  bool loose = false;
+  SolveReport report;
+
+  /// How the solve ended, in the words of the JSON results: "loose", "converged" and the like.
+  [[nodiscard]] std::string_view status() const { return loose ? "loose" : name(report.status); }
+  /// Σ Qi and Σ Qo over all rollers [N].
+  [[nodiscard]] double inner_sum() const;
+  [[nodiscard]] double outer_sum() const;
+  /// Rollers that touch the inner ring [1].
+  [[nodiscard]] int loaded_rollers() const;
+  /// Largest load of a slice [N].
+  [[nodiscard]] double largest_lamina(Race race) const;
+};
+
+/// Finds the displacement of the inner ring at which the rollers carry the applied load.
+///
+///   approach at azimuth ψ, x from the middle:   e = y cos ψ + z sin ψ + x (θ_z cos ψ - θ_y sin ψ)
+///   - s/2 slices   inner  q = c1 (e - u - x f - P(x))^(10/9),   outer  q = c1 (u + x f -
+///   P(x))^(10/9) rollers  Σ qo - Σ qi = Fc,   Σ x qo = Σ x qi ring     Σ qi cos ψ = F_y, Σ qi sin
+///   ψ = F_z, and the moments alike K = Σ B'(Ki - Ki (Ki + Ko)^-1 Ki) B
+///
+/// The balance is the minimum of a convex energy of ring and rollers. Newton's method on all
+/// unknowns, the two of each roller eliminated, with a line search on the derivative along the
+/// step. (Ki + Ko) of a roller that touches with a single slice is singular; K takes the
+/// pseudo-inverse.
+///
+/// Source:   at rest [ISO16281], read in two programs; two contacts in series and Fc derived.
+/// Domain:   speed >= 0; axial_load = 0, the bearing carries none: else std::invalid_argument.
+///           Without load and preload nothing touches the inner ring: `loose`. Where a load leaves
+///           a direction without stiffness (one loaded roller), there is no displacement in that
+///           direction.
+/// Accuracy: `tolerance`; physically rigid rings, quasi-static; no skew, flange friction, cage slip
+///           or film. An approach below 1e-15 m is no contact: 1e-19 mm of rounding at 90 deg would
+///           be 1 % of a stiffness, since q' goes with the ninth root.
+[[nodiscard]] RollerEquilibrium solve_roller_bearing(const RollerBearing& bearing,
+                                                     const OperatingPoint& point,
+                                                     const RollerOptions& options = {});
+
+/// Balances the rollers below an inner ring that is held at a displacement; `load` is what holds
+/// it there. `clearance` NaN: of the geometry.
+[[nodiscard]] RollerEquilibrium displaced_roller_bearing(const RollerBearing& bearing,
+                                                         const Vector4& displacement, double speed,
+                                                         double clearance = unset);
+
+/// Largest Hertz pressures over all slices [Pa]; 0 where nothing touches that race, NaN without
+/// balance.
+[[nodiscard]] ContactPressure largest_pressure(const RollerBearing& bearing,
+                                               const RollerEquilibrium& equilibrium);
+
+/// Hertz pressure by which static ratings of roller bearings are defined [Pa]. Source: [ISO76].
+inline constexpr double static_limit_pressure_of_lines = 4000e6;
+
+/// Tilt above which the ends of the rollers are overloaded, about [rad]. From memory.
+inline constexpr double usual_tilt_limit = 1.2e-3;
+
+}  // namespace raceway::bearing
