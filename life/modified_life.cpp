@@ -8,6 +8,22 @@
 #include "record/units.h"
 
 namespace raceway::life {
+namespace {
+
+/// c κ^-p of a_ISO, whose p is that of balls and rollers alike.
+double oil_share(double kappa, double thin, double thick) {
+  const double k = std::min(kappa, 4.0);
+  return k < 0.4   ? thin * std::pow(k, -0.054381)
+         : k < 1.0 ? thick * std::pow(k, -0.19087)
+                   : thick * std::pow(k, -0.071739);
+}
+
+double of_bracket(double bracket, double exponent) {
+  constexpr double most = 50.0;
+  return bracket > 0.0 ? std::min(0.1 * std::pow(bracket, exponent), most) : most;
+}
+
+}  // namespace
 
 double rated_viscosity(double speed, double pitch_diameter) {
   const double n = speed / rpm;
@@ -21,13 +37,14 @@ double viscosity_ratio(double kinematic_viscosity, double speed, double pitch_di
 
 double life_modification(double kappa, double fatigue_ratio) {
   if (!(kappa >= 0.1 && fatigue_ratio >= 0.0)) return unset;
-  constexpr double most = 50.0;
-  const double k = std::min(kappa, 4.0);
-  const double oil = k < 0.4   ? 2.2649 * std::pow(k, -0.054381)
-                     : k < 1.0 ? 1.9987 * std::pow(k, -0.19087)
-                               : 1.9987 * std::pow(k, -0.071739);
-  const double bracket = 1.0 - std::pow(2.5671 - oil, 0.83) * std::cbrt(fatigue_ratio);
-  return bracket > 0.0 ? std::min(0.1 * std::pow(bracket, -9.3), most) : most;
+  const double oil = oil_share(kappa, 2.2649, 1.9987);
+  return of_bracket(1.0 - std::pow(2.5671 - oil, 0.83) * std::cbrt(fatigue_ratio), -9.3);
+}
+
+double roller_life_modification(double kappa, double fatigue_ratio) {
+  if (!(kappa >= 0.1 && fatigue_ratio >= 0.0)) return unset;
+  const double oil = oil_share(kappa, 1.3993, 1.2348);
+  return of_bracket(1.0 - (1.5859 - oil) * std::pow(fatigue_ratio, 0.4), -9.185);
 }
 
 double reliability_factor(double percent) {

@@ -31,6 +31,14 @@ namespace raceway::life {
 ///           whose makers take the same.
 [[nodiscard]] double life_modification(double viscosity_ratio, double fatigue_ratio);
 
+/// Life modification factor of radial roller bearings [1].
+///
+///   a_ISO = 0.1 (1 - (1.5859 - c κ^-p) (e_C C_u/P)^0.4)^-9.185, 50 at most
+///     0.1 <= κ < 0.4    c = 1.3993;   from there c = 1.2348;   p as for balls
+///
+/// Source:   [ISO281], print not seen; read in a text. Domain: as life_modification().
+[[nodiscard]] double roller_life_modification(double viscosity_ratio, double fatigue_ratio);
+
 /// Factor a1 of a reliability [%] on a life of 90 % [1], linear between the printed values.
 ///
 /// Source:   [ISO281:2007, table 12], from memory; no print or transcript was found to check.

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "bearing/roller_equilibrium.h"
+#include "friction/friction_law.h"
+#include "friction/heat.h"
+#include "friction/lubricant.h"
+#include "friction/palmgren.h"
+#include "friction/skf.h"
+
+namespace raceway::friction {
+
+/// Load that the laws of a cylindrical roller bearing count.
+enum class RollerLoad {
+  F_r,     ///< the external radial load, as the laws are printed
+  rollers  ///< what the rollers carry, so that preload and centrifugal force count too
+};
+/// "F_r" or "rollers".
+[[nodiscard]] std::string_view name(RollerLoad load);
+
+/// Laws of a cylindrical roller bearing. There is no `contact`.
+enum class RollerLaw { palmgren, skf };
+/// "palmgren" or "skf".
+[[nodiscard]] std::string_view name(RollerLaw law);
+[[nodiscard]] std::optional<RollerLaw> find_roller_law(std::string_view name);
+
+/// Everything a law of a cylindrical roller bearing looks at.
+struct RollerState {
+  const bearing::RollerBearing* bearing = nullptr;
+  RollerLoad counted = RollerLoad::rollers;
+  double speed = 0.0;                  ///< [rad/s]
+  double radial_load = 0.0;            ///< F_r [N], magnitude
+  double inner_sum = 0.0;              ///< Σ Qi [N]
+  double outer_sum = 0.0;              ///< Σ Qo [N]
+  double kinematic_viscosity = unset;  ///< [m²/s]
+};
+
+/// Σ Q/F_r of straight rollers at zero clearance [1], ∫cos^(10/9)/∫cos^(19/9) over half a circle.
+inline constexpr double roller_sum_ratio = 1.25803095402823;
+
+/// Load F that a law counts [N].
+///
+///   F_r       the external load
+///   rollers   F = max(F_r, (Σ Qi + Σ Qo)/(2 · 1.25803))
+///
+/// At zero clearance and at rest both are F_r; a preloaded bearing without load has torque.
+/// Source: derived; the printed laws know F_r alone.
+[[nodiscard]] double counted_load(const RollerState& state);
+
+/// Friction moment of a loaded cylindrical roller bearing from its load alone [N m].
+///
+///   M1 = f1 F d_m
+///
+/// Source:   [Palmgren1959; Harris2006, vol. 1, ch. 10], prints not seen; f1 = 0.0003 is read in
+///           the public program thermca, after Jungnickel. Its usual range, 0.0002 to 0.0004, and
+///           that of f0, 0.6 to 4, are from memory.
+/// Domain:   F >= 0. f1 is constant, where a ball bearing has z (P0/C0)^y.
+struct RollerPalmgrenLoad {
+  static constexpr std::array parameters{
+      Parameter{.name = "f1", .unit = "1", .initial = 0.0003, .lower = 0.0, .upper = 0.01}};
+  static double moment(const RollerState& s, double f1);
+};
+
+/// f0 of a cylindrical roller bearing by the way its lubricant comes [1]:
+/// grease 0.8, oil-air 1.5, bath 3, jet 6; 1.5 where nobody says.
+/// Source: read in the public program thermca, after Jungnickel.
+[[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
+
+/// Constants of the SKF model of cylindrical roller bearings with a cage, dimension series 10
+/// [mm, N, rpm, mm²/s -> N mm]. All from memory: the table of the catalogue was not seen.
+struct SkfRollerConstants {
+  double R1 = 1.12e-6;
+  double S1 = 0.16;  ///< weighs an axial load, which there is none of
+  double S2 = 0.0015;
+  double K_Z = 5.1;
+};
+
+/// Friction moments of the SKF model for cylindrical roller bearings [N m].
+///
+///   M_rr = φ_ish φ_rs R1 d_m^2.41 F^0.31 (ν n)^0.6
+///   M_sl = μ_sl (S1 d_m^0.9 F_a + S2 d_m F),   F_a = 0
+///
+/// d_m = (d + D)/2, F by counted_load(); φ and μ_sl as in skf.h. μ_EHL = 0.02, from memory.
+/// Source:   the forms are read in SKF, Rolling bearings (catalogue), friction, table 2a; constants
+///           as SkfRollerConstants says. No term of centrifugal force.
+/// Domain:   speed >= 0, viscosity > 0; bore and outer diameter given.
+struct RollerSkf {
+  static constexpr std::array parameters{
+      SkfSliding::parameters[0],
+      Parameter{.name = "mu_EHL", .unit = "1", .initial = 0.02, .lower = 0.005, .upper = 0.2},
+      SkfRolling::parameters[0]};
+  static double sliding(const RollerState& s, double mu_bl, double mu_EHL);
+  static double rolling(const RollerState& s, double K_rs);
+};
+
+/// Parameters of the law, in the order in which base_moments() takes their values.
+///   palmgren: f0, f1        skf: mu_bl, mu_EHL, K_rs
+[[nodiscard]] std::span<const Parameter> parameters(RollerLaw law);
+
+/// Throws std::invalid_argument if the law needs data that the bearing does not have: bore and
+/// outer diameter for SKF. Called once per model.
+void require_data(RollerLaw law, const bearing::RollerBearing& bearing);
+
+/// Friction moments of the law [N m], as BaseMoments has them for balls.
+[[nodiscard]] BaseMoments<double> base_moments(RollerLaw law, const RollerState& state,
+                                               std::span<const double> values);
+
+/// Splits the friction power of a cylindrical roller bearing between its rings [W].
+///
+///   viscous   half and half: both raceways pass ω d_m (1 - γ²)/4 of path
+///   load      in proportion to Σ Qi and Σ Qo
+///
+/// Source: as split_heat() of balls, at contact angle zero. Sum: the power loss, to rounding.
+[[nodiscard]] HeatSplit split_heat(const RollerState& state, const BaseMoments<double>& moments);
+
+/// Heat that flows from ring to ring through the rollers at rest and dry [W/K].
+///
+///   G = Σ 1/(R_i + R_o),   R = ((ln(4 L/b) - 1)/k_ring + ln(2 D/b)/k_roller)/(π L)
+///
+/// b: half width of the contact under Q/L. Rollers that touch one race only carry none.
+/// Source:   derived: a strip source on a half space, and a line source through a cylinder.
+/// Accuracy: 1 % against boundary elements. Oil and rolling carry more.
+[[nodiscard]] double roller_conductance(const bearing::RollerBearing& bearing,
+                                        const bearing::RollerEquilibrium& equilibrium,
+                                        double roller_conductivity, double ring_conductivity);
+
+}  // namespace raceway::friction
