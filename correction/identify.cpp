@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stdexcept>
 
 #include "correction/correction_subject.h"
@@ -20,6 +21,13 @@
 
 namespace raceway::correction {
 namespace {
+
+/// From the first to the last row of a record [s].
+double length_of(std::span<const double> time) {
+  if (time.empty()) return 0.0;
+  const auto [first, last] = std::minmax_element(time.begin(), time.end());
+  return *last - *first;
+}
 
 constexpr double worth_a_section = 0.97;  // of the error held out: less is no reason for one more
 constexpr double worth_a_channel = 0.95;
@@ -89,9 +97,11 @@ class Search {
       recorded_ = std::make_unique<fit::Recorded>(
           fit::recorded(*subject, fit::for_search(record_), fit::usual_width(*record_)));
     if (recorded_->means.list.size() < 3 * subject->free().size())
-      throw std::invalid_argument(fmt::format("{} readings of {} for {} numbers: too few",
-                                              recorded_->means.list.size(),
-                                              model.displacement->words, subject->free().size()));
+      throw std::invalid_argument(fmt::format(
+          "{} readings of {} for {} numbers: too few. Rows that are close in time count as one: "
+          "the record has {} rows over {:.4g} s. Is {} in seconds?",
+          recorded_->means.list.size(), model.displacement->words, subject->free().size(),
+          record_->rows(), length_of(record_->values(record::time)), record::time.name));
     Approximation a = fit::approximate(subject, *recorded_, subject->free(), search());
     stop_where_cancelled();
     if (a.fit.values.size() == 0)

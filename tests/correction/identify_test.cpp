@@ -1,5 +1,6 @@
 #include "correction/identify.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "correction/alignment.h"
@@ -146,6 +147,15 @@ TEST(Identify, ARecordThatIsTooShortIsSaid) {
   std::vector<std::size_t> rows(40);
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k] = k;
   EXPECT_THROW((void)identify(start(), made.record.picked(rows)), std::invalid_argument);
+}
+
+/// The usual reason for too few readings in a long file: 11 h become 11 min.
+TEST(Identify, ARecordInMinutesIsAskedForTheUnitOfItsTime) {
+  record::Record record = made_record().record;
+  for (double& t : record.find(record::time)->values) t /= 60.0;
+  EXPECT_THAT([&] { (void)identify(start(), record); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr(fmt::format(
+                  "the record has {} rows over 666.7 s. Is time_s in seconds?", record.rows()))));
 }
 
 TEST(Alignment, TakesOneConstantOffEveryRun) {
