@@ -96,12 +96,12 @@ TEST(ColumnMap, UnitAndFactorOfARuleComeBeforeTheHeader) {
   EXPECT_DOUBLE_EQ(r.value(record::friction_torque, 0), 0.25);
 }
 
-constexpr const char* american = R"([columns]
+constexpr const char* american = R"map([columns]
 speed_rpm = "Speed (rad/sec)"
 axial_load_N = "Load (lbs)"
 temperature_C = "Temp (C)"
 friction_torque_Nmm = "Torque (ozf·in)"
-)";
+)map";
 
 TEST(ColumnMap, UnitsInBracketsOfTheirHeadersAreRead) {
   const Record r =
