@@ -39,6 +39,9 @@ void declare(CLI::App& command, session::LoopOptions& loop) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAMES");
+  command.add_flag("--rows", loop.rows,
+                   "rows of a logger stay apart; otherwise consecutive rows at equal speed\n"
+                   "and load are averaged to dwells");
   declare(command, loop.reading);
   declare(command, loop.reading.period);
 }

@@ -18,8 +18,10 @@ std::optional<std::vector<EstimatedNoise>> estimate_noise_as_diagnosis(const Sub
       const NoiseModel& noise = evidence.noise[c];
       EstimatedNoise& e = result.emplace_back(EstimatedNoise{
           .channel = problem.observed.channels[c].channel, .rms = noise.rms, .std = {}});
-      for (const double reading : record.values(*problem.observed.channels[c].channel))
-        e.std.push_back(std::hypot(noise.relative * reading, noise.absolute));
+      const std::span<const double> readings = record.values(*problem.observed.channels[c].channel);
+      for (std::size_t i = 0; i < readings.size(); ++i)
+        e.std.push_back(
+            std::hypot(noise.relative * readings[i] * noise.growth_at(record, i), noise.absolute));
       const std::span<const std::size_t> rows = problem.observed.rows(c);
       for (std::size_t i = 0; i < rows.size(); ++i)
         e.std[problem.rows[rows[i]]] = noise.whitening.std()[static_cast<Eigen::Index>(i)];

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fit/distributions.h"
 #include "fit/gate.h"
 #include "fit/smooth_columns.h"
 #include "fit/subspace.h"
@@ -22,6 +23,8 @@ constexpr std::size_t fewest_declared_rows = 8;  // each with a standard deviati
 constexpr Eigen::Index fewest_freedom = 8;       // of the noise
 constexpr double first_relative = 0.02;          // noise assumed before it is known
 constexpr double least_noise = 1e-8;             // of the readings: less is rounding of a computer
+constexpr double known_degrees = 1000.0;         // from which on the noise is as good as known
+constexpr double contradicted_by_misfit = 0.01;  // p
 
 /// How many values of a setting can be told apart.
 int distinct(const Channel& channel, std::span<const double> column) {
@@ -264,7 +267,10 @@ std::vector<NoiseModel> noise_of_saturated_regression(const Evidence& evidence,
       std::swap(blocks[2], blocks[3]);
       std::swap(tolerance[2], tolerance[3]);
     }
-    const Eigen::Index rows = size.size();
+    // What pieces of one dwell have in common must be left to the noise.
+    const std::vector<bool>& starts = readings.order.new_state;
+    const Eigen::Index rows =
+        readings.order.has_states ? std::count(starts.begin(), starts.end(), true) : size.size();
     const Eigen::MatrixXd saturated = independent_columns(
         blocks, tolerance, std::max<Eigen::Index>(0, std::min(rows / 2, rows - fewest_freedom)));
     noise.push_back(estimate_noise_model(readings, size.asDiagonal() * saturated, size, options));
@@ -380,6 +386,7 @@ void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
     return of.size() == 1 ? of.front() : Whitening(of);
   };
   evidence.whitening = together(parts);
+  evidence.allowed.clear();
   for (std::size_t c = 0; c < parts.size(); ++c)
     for (const Whitening& other : evidence.noise[c].allowed) {
       std::vector<Whitening> changed = parts;
@@ -391,6 +398,45 @@ void fit_base(Evidence& evidence, const Eigen::VectorXd& start) {
   if (!evidence.base.converged)
     throw std::invalid_argument(problem.record->source +
                                 ": the fit of the model's own parameters does not converge");
+}
+
+/// The noise of one channel held against what the refitted model leaves of it, and against repeats.
+///
+/// A model may not come nearer to its readings than noise lets it: what the saturated regression
+/// has on top of it then explains less than chance would, and the noise was overrated: it is scaled
+/// down to what is left. Where rows as they stand are nearer than their noise, it may have no
+/// memory; where repeats scatter more than it, theirs is allowed as well. True where anything is
+/// another.
+bool estimate_again(const Evidence& evidence, std::size_t channel, NoiseModel& noise,
+                    std::vector<std::string>& notes) {
+  const Observations& observed = evidence.problem.observed;
+  if (noise.degrees_of_freedom >= known_degrees || noise.as_declared) return false;
+  const std::size_t allowed = noise.allowed.size();
+  const Eigen::VectorXd rest =
+      observed.of(channel, Eigen::VectorXd(observed.measured - evidence.base.prediction));
+  const double left = static_cast<double>(rest.size() - evidence.base.tangent.cols());
+  const double more = left - noise.degrees_of_freedom;
+  const double misfit = noise.whitening(rest).squaredNorm();
+  const double share = std::max(0.0, misfit - noise.degrees_of_freedom) / std::max(more, 1.0);
+  const bool overrated =
+      more >= 1.0 && 1.0 - f_above(more, noise.degrees_of_freedom, share) < contradicted_by_misfit;
+  if (overrated) {
+    const double factor = std::sqrt(misfit / left);
+    noise.scale(factor);
+    noise.degrees_of_freedom = left;
+    notes.push_back(
+        fmt::format("the misfit of {} is below the noise that was found first, which is estimated "
+                    "again, {:.2g} "
+                    "times as large",
+                    observed.channels[channel].channel->words, factor));
+  }
+  const double plain = rest.cwiseQuotient(noise.whitening.std()).squaredNorm() / left;
+  if (noise.has_memory() && plain < 1.0)
+    noise.allowed.emplace_back(Eigen::VectorXd(std::sqrt(plain) * noise.whitening.std()),
+                               RowOrder{}, 0.0, 0.0);
+  if (noise.repeats_p_value < contradicted_by_misfit && noise.repeats_statistic > 1.0)
+    noise.allowed.push_back(noise.whitening.scaled(std::sqrt(noise.repeats_statistic)));
+  return overrated || noise.allowed.size() > allowed;
 }
 
 }  // namespace
@@ -407,6 +453,10 @@ Evidence gather_evidence(const Subject& subject, const Record& record,
     evidence.noise = noise_of_saturated_regression(evidence, values, options.noise);
   require_scatter(evidence);
   fit_base(evidence, values);
+  bool again = false;
+  for (std::size_t c = 0; c < evidence.noise.size(); ++c)
+    again = estimate_again(evidence, c, evidence.noise[c], evidence.notes) || again;
+  if (again) fit_base(evidence, evidence.base.values);
   return evidence;
 }
 

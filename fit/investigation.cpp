@@ -19,9 +19,10 @@ namespace raceway::fit {
 
 namespace {
 
-constexpr std::size_t ranked = 6;        // effects with a hold-out of their own
-constexpr std::size_t most_rivals = 4;   // between which points are chosen
-constexpr double worth_measuring = 0.5;  // predicted lambda_sep: less is none
+constexpr std::size_t ranked = 6;           // effects with a hold-out of their own
+constexpr std::size_t most_rivals = 4;      // between which points are chosen
+constexpr double fall_of_an_effect = 0.01;  // of the error, below which an effect is not shown
+constexpr double worth_measuring = 0.5;     // predicted lambda_sep: less is none
 
 void add_once(std::vector<std::string>& list, const std::string& word) {
   if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
@@ -171,6 +172,24 @@ void Investigation::tell_of_records() {
   }
 }
 
+/// Scatter that grows with the input that is swept.
+void Investigation::tell_of_growth() {
+  for (const ChannelDiagnosis& d : result_.channels) {
+    if (d.noise.growth <= 0.0) continue;
+    const Channel& swept = *d.noise.swept;
+    const std::span<const double> values = problem_.record->values(swept);
+    const double least = *std::min_element(values.begin(), values.end());
+    const double most = d.noise.largest_swept;
+    result_.messages.push_back(fmt::format(
+        "the scatter of {} grows with {}, from {:.2g} % at {:.4g} {} to {:.2g} % at {:.4g} {}; "
+        "rows "
+        "are weighed by that",
+        d.channel().words, swept.words,
+        100.0 * d.noise.relative * std::pow(least / most, d.noise.growth), swept.in_unit(least),
+        swept.unit, 100.0 * d.noise.relative, swept.in_unit(most), swept.unit));
+  }
+}
+
 bool Investigation::base_is_identifiable() const {
   Eigen::MatrixXd columns = evidence_.base.tangent;
   if (columns.cols() == 0) return true;
@@ -228,6 +247,7 @@ void Investigation::describe_base() {
           reading_text(d.channel(), d.noise.rms * std::sqrt(d.noise.run_share))));
   tell_of_runs();
   tell_of_records();
+  tell_of_growth();
   for (const ChannelDiagnosis& d : result_.channels)
     if (d.noise.repeats_p_value < passed)
       tell(fmt::format(
@@ -303,9 +323,10 @@ std::string Investigation::doubt_about(const Explanation& best) const {
           with_unit(best.fit.values[static_cast<Eigen::Index>(k)], best.parameters[k].unit)));
   if (!at_bound.empty())
     return fmt::format("but only with {}, the end of the range", joined(at_bound, "and"));
-  if (!search_->raises_the_error(best)) return {};
+  if (search_->lowers_the_error(best, fall_of_an_effect)) return {};
   const ChannelDiagnosis& first = result_.channels.front();
-  return fmt::format("but the error rises from {:.4g} to {}",
+  return fmt::format("but the error {} from {:.4g} to {}",
+                     search_->raises_the_error(best) ? "rises" : "hardly falls,",
                      first.rmse_before / first.channel().factor,
                      reading_text(first.channel(), rms_of(best).front(), 4));
 }

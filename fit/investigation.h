@@ -38,6 +38,7 @@ class Investigation {
   void tell_declared_noise();
   void tell_of_runs();
   void tell_of_records();
+  void tell_of_growth();
   [[nodiscard]] bool base_is_identifiable() const;
   [[nodiscard]] bool outside_the_inputs() const { return hidden_ && hidden_->follows_the_runs(); }
   [[nodiscard]] double degrees() const;

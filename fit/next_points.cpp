@@ -139,8 +139,12 @@ class Plan {
     for (std::size_t c = 0; c < evidence_.noise.size(); ++c) {
       const NoiseModel& noise = evidence_.noise[c];
       const Eigen::Index first = static_cast<Eigen::Index>(c) * rows;
+      Eigen::ArrayXd growth(rows);
+      for (Eigen::Index i = 0; i < rows; ++i)
+        growth[i] = noise.growth_at(*grid_, static_cast<std::size_t>(i));
       result.segment(first, rows) =
-          (noise.relative * noise.relative * readings.segment(first, rows).array().square() +
+          (noise.relative * noise.relative * readings.segment(first, rows).array().square() *
+               growth.square() +
            noise.absolute * noise.absolute)
               .sqrt()
               .max(1e-6 * noise.rms);

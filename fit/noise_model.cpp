@@ -9,6 +9,8 @@
 
 #include "algebra/decompositions.h"
 #include "fit/distributions.h"
+#include "fit/dwells.h"
+#include "record/levels.h"
 #include "record/median.h"
 #include "record/repeats.h"
 
@@ -32,6 +34,13 @@ constexpr double contradicted = 0.01;       // p of declared standard deviations
 constexpr double worth_a_parameter = 2.71;  // of -2 ln L: 5 % level of one variance >= 0
 constexpr Eigen::Index most_rows_of_a_search = 1500;
 constexpr int fewest_repeats = 8;
+constexpr double worth_growth = 6.63;     // of -2 ln L: 1 % level of one parameter
+constexpr double worth_an_outlier = 6.0;  // the same: one row in twenty
+constexpr double may_grow = 1.0;          // standard errors of a first regression
+constexpr std::array growths{0.15, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.6, 2.0};
+constexpr double wide_sweep = 1.5;  // over which growth can be seen
+constexpr double gathered = 0.05;   // p of outliers that gather at one level by chance
+constexpr std::size_t fewest_gathered = 3, most_levels_of_noise = 24;
 constexpr double as_good_as_known = 1000.0;  // degrees of freedom
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -126,6 +135,16 @@ double outlier_limit(double degrees_of_freedom) {
   return t_exceeded_with(std::max(2.0, 0.37 * degrees_of_freedom), outlier_share / 2.0);
 }
 
+/// Chance of so many hits or more in so many trials.
+double binomial_at_least(double hits, double trials, double share) {
+  double sum = 0.0;
+  for (double k = hits; k <= trials; k += 1.0)
+    sum +=
+        std::exp(std::lgamma(trials + 1.0) - std::lgamma(k + 1.0) - std::lgamma(trials - k + 1.0) +
+                 k * std::log(share) + (trials - k) * std::log1p(-std::min(share, 1.0 - 1e-12)));
+  return sum;
+}
+
 /// The search for the noise of one channel, part by part.
 class NoiseSearch {
  public:
@@ -144,7 +163,13 @@ class NoiseSearch {
         declared_(readings.std.size() == rows_),
         widening_(Eigen::VectorXd::Ones(rows_)),
         by_record_(Eigen::VectorXd::Ones(rows_)) {
-    parts_.own = declared_ ? of_rms_one(readings.std) : widening_;
+    parts_.own = declared_                         ? of_rms_one(readings.std)
+                 : readings.within.size() == rows_ ? of_rms_one(readings.within)
+                                                   : widening_;
+    if (readings.swept_by) {
+      noise_.swept = readings.swept_by;
+      noise_.largest_swept = readings.swept.maxCoeff();
+    }
     parts_.reading = of_rms_one(size);
     if (readings.slope.size() == rows_ && readings.slope.norm() > 0.0)
       parts_.slope = of_rms_one(readings.slope);
@@ -159,6 +184,7 @@ class NoiseSearch {
     const bool several = !declared_ && !readings_.part.empty();
     if (several) find_records();
     if (options_.outliers) suspect_outliers();
+    if (options_.growth && !declared_) find_growth();
     for (int round = 0; round < 3; ++round) {
       if (options_.absolute && !declared_) find_shares();
       find_outliers();
@@ -169,9 +195,16 @@ class NoiseSearch {
         std::max(fewest_degrees_of_a_scale,
                  noise_.degrees_of_freedom - static_cast<double>(noise_.outliers.size()));
     find_memory();
+    if (order_.has_states && options_.runs) find_states();
     if (!order_.has_runs && !order_.new_block.empty()) find_blocks();
     set_scale();
     find_allowed();
+    // Pieces of one dwell tell little more of what states scatter by than one of them.
+    if (noise_.state_share > 0.0) {
+      const auto states = std::count(order_.new_state.begin(), order_.new_state.end(), true);
+      noise_.degrees_of_freedom =
+          std::max(fewest_degrees_of_a_scale, static_cast<double>(states - columns_.cols()));
+    }
     hold_against_repeats();
     return std::move(noise_);
   }
@@ -181,9 +214,23 @@ class NoiseSearch {
     const Parts some{
         parts_.reading(some_), parts_.own(some_),
         parts_.slope.size() > 0 ? Eigen::VectorXd(parts_.slope(some_)) : Eigen::VectorXd()};
-    return restricted(
-        Whitening(shape(shares, some, stretched()(some_)), some_order_, phi, run_share),
-        some_columns_, some_deviation_);
+    return restricted(Whitening(shape(shares, some, stretched()(some_)), some_order_, phi,
+                                run_share, noise_.state_share, common(shares, some)),
+                      some_columns_, some_deviation_);
+  }
+
+  /// Of means the share that neighbours may have in common: not the scatter within, nor that of an
+  /// input. Of rows all.
+  [[nodiscard]] Eigen::VectorXd common(const Shares& shares, const Parts& parts) const {
+    if (readings_.within.size() == 0 || declared_) return {};
+    const Eigen::VectorXd all = shape(shares, parts, Eigen::VectorXd::Ones(parts.reading.size()));
+    return (std::sqrt(shares.relative) * parts.reading.cwiseAbs()).cwiseQuotient(all);
+  }
+
+  /// A reading by its size, with the growth of the noise over the swept input.
+  [[nodiscard]] Eigen::VectorXd grown(const Eigen::VectorXd& reading) const {
+    if (noise_.growth <= 0.0) return reading;
+    return reading.array() * (readings_.swept.array() / noise_.largest_swept).pow(noise_.growth);
   }
 
   /// By what a standard deviation is larger than its parts make it.
@@ -199,9 +246,12 @@ class NoiseSearch {
     return list;
   }
 
-  void find_shares() {
+  double find_shares() { return find_shares(all_shares()); }
+
+  /// The best of these; its -2 ln L with what its parts cost.
+  double find_shares(const std::vector<Shares>& list) {
     double best = infinity;
-    for (const Shares& s : all_shares()) {
+    for (const Shares& s : list) {
       // Fewer parts are preferred unless a mixture is clearly better; of an input that scatters
       // nobody has said anything.
       const double value = misfit(0.0, 0.0, s) + static_cast<double>(s.parts() - 1) +
@@ -209,6 +259,86 @@ class NoiseSearch {
       if (value < best) {
         best = value;
         shares_ = s;
+      }
+    }
+    return best;
+  }
+
+  /// Whether the relative part grows with the input that is swept, and how. Under each growth the
+  /// doubtful readings are others: each of them costs what its rarity is worth.
+  void find_growth() {
+    if (!readings_.swept_by || !seems_to_grow()) return;
+    const auto doubts = [this] {
+      return worth_an_outlier * static_cast<double>((widening_.array() > 1.0).count());
+    };
+    const Shares shares = shares_;
+    const Eigen::VectorXd widening = widening_;
+    std::vector<Shares> few{{1.0, 0.0}, {0.97, 0.0}, {0.85, 0.0}, {0.5, 0.0}};
+    if (parts_.slope.size() > 0) few.insert(few.end(), {{0.9, 0.1}, {0.7, 0.25}, {0.5, 0.45}});
+    double best = find_shares() + doubts() - worth_growth, growth = 0.0;
+    for (const double p : growths) {
+      noise_.growth = p;
+      parts_.reading = of_rms_one(grown(size_));
+      widening_.setOnes();
+      find_shares(few);
+      if (options_.outliers) suspect_outliers();
+      const double value = find_shares(few) + doubts();
+      if (!(value < best)) continue;
+      best = value;
+      growth = p;
+    }
+    noise_.growth = growth;
+    parts_.reading = of_rms_one(grown(size_));
+    if (growth > 0.0) {
+      widening_.setOnes();
+      find_shares(few);
+      if (options_.outliers) suspect_outliers();
+      find_shares();
+    } else {
+      shares_ = shares;
+      widening_ = widening;
+    }
+  }
+
+  /// A first look: logarithms of what the saturated regression leaves against the logarithm of the
+  /// swept input. ln |z| of a normal law has a standard deviation of 1.11.
+  [[nodiscard]] bool seems_to_grow() const {
+    const Whitening independent(shape(shares_, parts_, by_record_), {}, 0.0, 0.0);
+    const Regression r = regress(independent(columns_), independent(readings_.measured));
+    const Eigen::ArrayXd x = readings_.swept.array().log();
+    const Eigen::ArrayXd y = (r.residual.array().abs() / r.freedom.array().sqrt()).max(1e-12).log();
+    const Eigen::ArrayXd w = r.freedom.array();
+    const double mean_x = (w * x).sum() / w.sum(), mean_y = (w * y).sum() / w.sum();
+    const double spread = (w * (x - mean_x).square()).sum();
+    if (!(spread > 0.0)) return false;
+    const double power = (w * (x - mean_x) * (y - mean_y)).sum() / spread;
+    return power * std::sqrt(spread) > 1.11 * may_grow;
+  }
+
+  /// Readings that gather at one level of a setting are no outliers: there the rig scatters more.
+  void spare_levels() {
+    std::vector<bool> far(static_cast<std::size_t>(rows_));
+    double all = 0.0;
+    for (Eigen::Index i = 0; i < rows_; ++i) {
+      far[static_cast<std::size_t>(i)] = widening_[i] > 1.0;
+      all += widening_[i] > 1.0 ? 1.0 : 0.0;
+    }
+    for (const std::vector<std::size_t>& level : readings_.levels) {
+      const std::size_t count = 1 + *std::max_element(level.begin(), level.end());
+      for (std::size_t k = 0; k < count; ++k) {
+        double rows = 0.0, here = 0.0;
+        for (std::size_t i = 0; i < level.size(); ++i)
+          if (level[i] == k) {
+            rows += 1.0;
+            here += far[i] ? 1.0 : 0.0;
+          }
+        if (here < static_cast<double>(fewest_gathered) ||
+            binomial_at_least(here, all, rows / static_cast<double>(rows_)) *
+                    static_cast<double>(count) >
+                gathered)
+          continue;
+        for (std::size_t i = 0; i < level.size(); ++i)
+          if (level[i] == k) widening_[static_cast<Eigen::Index>(i)] = 1.0;
       }
     }
   }
@@ -242,6 +372,7 @@ class NoiseSearch {
     if (static_cast<double>((widening_.array() > 1.0).count()) >
         most_outliers * static_cast<double>(rows_))
       widening_.setOnes();
+    spare_levels();
   }
 
   void find_outliers() {
@@ -249,8 +380,9 @@ class NoiseSearch {
     const Regression regression = regress(independent(columns_), independent(readings_.measured));
     const Eigen::VectorXd reading =
         regression.fitted.cwiseProduct(independent.std()).cwiseAbs().cwiseMax(0.1 * size_);
-    reading_size_ = fit::rms(reading);
-    parts_.reading = of_rms_one(reading);
+    const Eigen::VectorXd by_swept = grown(reading);
+    reading_size_ = fit::rms(by_swept);
+    parts_.reading = of_rms_one(by_swept);
     if (!options_.outliers) return;
     // Deviations without the widening of an earlier round.
     const Eigen::VectorXd deviation =
@@ -264,10 +396,12 @@ class NoiseSearch {
     for (Eigen::Index i = 0; i < rows_; ++i) {
       const double sigmas = std::abs(deviation[i]) / robust;
       if (!(sigmas > limit) || regression.freedom[i] < 0.1) continue;
-      noise_.outliers.push_back(static_cast<std::size_t>(i));
       // What is far off says little: its pull falls as it moves further.
       widening_[i] = sigmas * sigmas / limit;
     }
+    spare_levels();
+    for (Eigen::Index i = 0; i < rows_; ++i)
+      if (widening_[i] > 1.0) noise_.outliers.push_back(static_cast<std::size_t>(i));
   }
 
   /// How much each of several records scatters, of the common shape: days and sensors differ.
@@ -339,6 +473,26 @@ class NoiseSearch {
     }
   }
 
+  /// What the pieces of one dwell have in common: neighbours know as much of each other, however
+  /// that is shared out.
+  void find_states() {
+    const double phi = noise_.correlation, g = noise_.run_share;
+    double best = misfit(phi, g, shares_) + worth_a_parameter * (phi > 0.0 ? 1.0 : 0.0);
+    NoiseModel chosen = noise_;
+    for (const double h : {0.1, 0.25, 0.5, 0.75, 0.9})
+      for (const double p : {0.0, phi}) {
+        if (g + h > 0.98) continue;
+        noise_.state_share = h;
+        const double value =
+            misfit(p, g, shares_) + worth_a_parameter * (1.0 + (p > 0.0 ? 1.0 : 0.0));
+        if (!(value < best)) continue;
+        best = value;
+        chosen.correlation = p;
+        chosen.state_share = h;
+      }
+    noise_ = std::move(chosen);
+  }
+
   /// Offsets that follow blocks of rows which nobody declared as runs.
   void find_blocks() {
     const double before = misfit(noise_.correlation, 0.0, shares_);
@@ -363,10 +517,11 @@ class NoiseSearch {
   [[nodiscard]] Whitening scaled(double phi, double run_share, const Shares& shares,
                                  double& factor) const {
     const Eigen::VectorXd std = shape(shares, parts_, stretched());
-    const Whitening unscaled(std, order_, phi, run_share);
+    const Eigen::VectorXd own = common(shares, parts_);
+    const Whitening unscaled(std, order_, phi, run_share, noise_.state_share, own);
     const Regression regression = regress(unscaled(columns_), unscaled(readings_.measured));
     factor = std::sqrt(regression.residual.squaredNorm() / noise_.degrees_of_freedom);
-    return {Eigen::VectorXd(factor * std), order_, phi, run_share};
+    return {Eigen::VectorXd(factor * std), order_, phi, run_share, noise_.state_share, own};
   }
 
   void set_scale() {
@@ -416,6 +571,7 @@ class NoiseSearch {
         if (s && s->relative != shares_.relative) add(phi, g, *s);
       if (input && input->input > shares_.input) add(phi, g, *input);
     }
+    if (noise_.growth > 0.0) allow_growths(phi, g, best);
     const bool timed = options_.correlation && order_.has_time;
     const bool runs = options_.runs && order_.has_runs;
     double high_phi = phi, high_g = g;
@@ -428,6 +584,30 @@ class NoiseSearch {
     if (high_phi > phi) add(high_phi, g, shares_);
     if (high_g > g) add(phi, high_g, shares_);
     if ((phi > 0.0 || g > 0.0) && allows(0.0, 0.0, shares_)) add(0.0, 0.0, shares_);
+  }
+
+  /// Less growth and more, as far as the readings allow.
+  void allow_growths(double phi, double g, double best) {
+    const double growth = noise_.growth;
+    const Eigen::VectorXd reading = parts_.reading;
+    const auto set = [&](double p) {
+      parts_.reading = of_rms_one(Eigen::VectorXd(
+          reading.array() * (readings_.swept.array() / noise_.largest_swept).pow(p - growth)));
+    };
+    double least = growth, most = growth;
+    for (const double p : growths) {
+      set(p);
+      if (!(misfit(phi, g, shares_) < best + within_the_likely)) continue;
+      least = std::min(least, p);
+      most = std::max(most, p);
+    }
+    for (const double p : {least, most}) {
+      if (p == growth) continue;
+      set(p);
+      double factor = 1.0;
+      noise_.allowed.push_back(scaled(phi, g, shares_, factor));
+    }
+    parts_.reading = reading;
   }
 
   /// Pure error as a check.
@@ -474,7 +654,41 @@ class NoiseSearch {
   NoiseModel noise_;
 };
 
+/// The values of a column at these rows, where all are above zero and the largest is by a factor
+/// above the smallest; otherwise none.
+Eigen::VectorXd positive(std::span<const double> column, std::span<const std::size_t> rows,
+                         double factor) {
+  if (column.empty() || rows.empty()) return {};
+  Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = column[rows[i]];
+  const bool all = values.allFinite() && (values.array() > 0.0).all();
+  return all && values.maxCoeff() > factor * values.minCoeff() ? values : Eigen::VectorXd();
+}
+
+/// The level of each reading on a setting, where it stands at some few.
+void add_levels(const record::Column& column, std::span<const std::size_t> rows,
+                std::vector<std::vector<std::size_t>>& levels) {
+  std::vector<double> values;
+  for (const std::size_t row : rows) values.push_back(column.values[row]);
+  const std::vector<double> starts =
+      record::level_starts(values, record::step_of(*column.channel, values));
+  if (starts.size() < 2 || starts.size() > most_levels_of_noise) return;
+  std::vector<std::size_t>& own = levels.emplace_back();
+  for (const double value : values) own.push_back(record::level_of(value, starts));
+}
+
 }  // namespace
+
+void NoiseModel::scale(double factor) {
+  for (double* const size : {&relative, &absolute, &input, &rms}) *size *= factor;
+  whitening = whitening.scaled(factor);
+  for (Whitening& other : allowed) other = other.scaled(factor);
+}
+
+double NoiseModel::growth_at(const Record& record, std::size_t row) const {
+  return growth > 0.0 ? std::pow(record.value(*swept, row) / largest_swept, growth) : 1.0;
+}
 
 ChannelReadings readings_of(const Record& record, const Observations& observed,
                             std::size_t channel) {
@@ -486,6 +700,14 @@ ChannelReadings readings_of(const Record& record, const Observations& observed,
       result.std[static_cast<Eigen::Index>(i)] = std->values[rows[i]];
     if (!result.std.allFinite() || !(result.std.array() > 0.0).all()) result.std.resize(0);
     result.known = std->known && result.std.size() > 0;
+  }
+  result.within = positive(record.values(dwell_scatter), rows, 0.0);
+  for (const record::Column& column : record.columns) {
+    if (column.channel->role != record::Role::setting || !column.channel->ratio) continue;
+    add_levels(column, rows, result.levels);
+    if (result.swept_by) continue;
+    result.swept = positive(column.values, rows, wide_sweep);
+    if (result.swept.size() > 0) result.swept_by = column.channel;
   }
   result.order = row_order(record, rows);
   if (!record.parts.empty())
@@ -511,16 +733,22 @@ Whitening whitening_of(const NoiseModel& noise, const ChannelReadings& readings,
                        const Eigen::VectorXd& size) {
   if (readings.known) return known_noise_model(readings).whitening;
   Eigen::VectorXd own = Eigen::VectorXd::Ones(size.size());
-  if (readings.std.size() > 0) own = readings.std / fit::rms(readings.std);
+  if (readings.std.size() > 0)
+    own = readings.std / fit::rms(readings.std);
+  else if (readings.within.size() > 0)
+    own = readings.within / fit::rms(readings.within);
+  Eigen::VectorXd relative = noise.relative * size;
+  if (noise.growth > 0.0)
+    relative.array() *= (readings.swept.array() / noise.largest_swept).pow(noise.growth);
   Eigen::VectorXd std =
-      ((noise.relative * size).array().square() + (noise.absolute * own).array().square()).sqrt();
+      (relative.array().square() + (noise.absolute * own).array().square()).sqrt();
   if (!noise.records.empty())
     for (Eigen::Index i = 0; i < std.size(); ++i)
       std[i] *= noise.records.at(readings.part.at(static_cast<std::size_t>(i)));
   // The correlation belongs to the step of the readings that it was found in.
   const double steps = readings.order.median_step / noise.median_step;
   const double correlation = noise.correlation > 0.0 ? std::pow(noise.correlation, steps) : 0.0;
-  return {std, readings.order, correlation, noise.run_share};
+  return {std, readings.order, correlation, noise.run_share, noise.state_share};
 }
 
 double beyond_noise(double error, double noise) {
@@ -531,7 +759,8 @@ void add_model_error(NoiseModel& noise, const ChannelReadings& readings, double 
   if (!(error > 0.0)) return;
   const Eigen::VectorXd std =
       (noise.whitening.std().array().square() + error * error).sqrt().matrix();
-  noise.whitening = Whitening(std, readings.order, noise.correlation, noise.run_share);
+  noise.whitening =
+      Whitening(std, readings.order, noise.correlation, noise.run_share, noise.state_share);
   noise.absolute = std::hypot(noise.absolute, error);
   noise.rms = std::hypot(noise.rms, error);
 }

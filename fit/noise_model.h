@@ -13,18 +13,25 @@ namespace raceway::fit {
 /// What is scatter in the readings of one channel: its size, its growth with the reading, its
 /// memory.
 ///
-///   s_i² = (relative y_i)² + (absolute a_i)² + (input b_i)²
+///   s_i² = (relative y_i (n_i/n_max)^p)² + (absolute a_i)² + (input b_i)²
 ///
-/// with a_i = 1 and b_i the change of the reading as an input changes by the width of a level, both
-/// over their rms; and the correlation of Whitening. Declared standard deviations take the place of
-/// the whole sum. Found from what a saturated regression leaves, never from
-/// the misfit of a physical model, which would call missing physics noise.
+/// with the input n that records sweep, a_i = 1 and b_i the change of the reading as an input
+/// changes by the width of a level, both over their rms; and the correlation of Whitening. Of means
+/// over dwells a_i is what they have from the scatter within, which neighbours know nothing of.
+/// Declared standard deviations take the place of the whole sum. Found from what a saturated
+/// regression leaves, never from the misfit of a physical model, which would call missing physics
+/// noise.
 struct NoiseModel {
-  double relative = 0.0;              ///< standard deviation in proportion to the reading [1]
+  /// Standard deviation in proportion to the reading, at the largest of the swept input [1].
+  double relative = 0.0;
+  double growth = 0.0;                ///< p: power of the swept input with which it grows [1]
+  const Channel* swept = nullptr;     ///< n; null where nothing is swept widely
+  double largest_swept = unset;       ///< n_max [SI]
   double absolute = 0.0;              ///< rms of the part that does not grow with it [SI]
   double input = 0.0;                 ///< rms of the part that comes from scatter of an input [SI]
   double correlation = 0.0;           ///< φ of neighbours in time, at the median step [1]
   double run_share = 0.0;             ///< of the variance, common to the rows of a run [1]
+  double state_share = 0.0;           ///< of the variance, common to the pieces of a dwell [1]
   double degrees_of_freedom = unset;  ///< of the variance
   Whitening whitening{};
   /// Other shapes of the same noise that the readings allow: a verdict has to hold under each.
@@ -41,6 +48,14 @@ struct NoiseModel {
   double median_step = unset;  ///< of time, to which the correlation belongs [s]
   /// Repeats against the saturated regression: F and its p; NaN below 8 degrees of freedom.
   double repeats_statistic = unset, repeats_p_value = unset;
+
+  /// All of it, larger by a factor.
+  void scale(double factor);
+  [[nodiscard]] bool has_memory() const {
+    return correlation > 0.0 || run_share > 0.0 || state_share > 0.0;
+  }
+  /// (n/n_max)^p at a row [1].
+  [[nodiscard]] double growth_at(const Record& record, std::size_t row) const;
 };
 
 /// Parts of the noise that may be switched off, to see what they are for.
@@ -49,6 +64,7 @@ struct NoiseOptions {
   bool runs = true;
   bool absolute = true;
   bool outliers = true;
+  bool growth = true;
 };
 
 /// Readings of one channel as its noise is looked for.
@@ -59,6 +75,13 @@ struct ChannelReadings {
   /// Change of each as a scattering input changes by the width of a level [SI]; empty where no
   /// input scatters.
   Eigen::VectorXd slope{};
+  /// Standard deviation of means from the scatter within them, up to a factor; empty for rows.
+  Eigen::VectorXd within{};
+  /// The input that records sweep [SI, > 0]; null and empty where nothing is swept widely.
+  const Channel* swept_by = nullptr;
+  Eigen::VectorXd swept{};
+  /// Level of each reading, of each setting that stands at few.
+  std::vector<std::vector<std::size_t>> levels{};
   RowOrder order{};
   std::vector<std::size_t> part{};                  ///< the joined record of each; may be empty
   std::vector<std::vector<std::size_t>> repeats{};  ///< readings at the same point
@@ -70,7 +93,9 @@ struct ChannelReadings {
 /// Noise from the saturated regression `columns` (SI, full rank) by restricted maximum likelihood.
 /// `size` is a typical reading of each [SI, > 0]; it only decides the first weights.
 /// Readings further off than scatter is, as rare as 3.5 standard deviations of a known law, count
-/// the less the further they are, and are no degree of freedom.
+/// the less the further they are, and are no degree of freedom. Scatter that grows with the swept
+/// input is looked for before any reading is called an outlier, and what gathers at one level of a
+/// setting is none.
 [[nodiscard]] NoiseModel estimate_noise_model(const ChannelReadings& readings,
                                               const Eigen::MatrixXd& columns,
                                               const Eigen::VectorXd& size,

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "fit/dwells.h"
 #include "record/levels.h"
 #include "record/median.h"
 
@@ -133,6 +134,9 @@ RowOrder row_order(const Record& record, std::span<const std::size_t> rows) {
     order.step.push_back(first || step < 0.0 || !std::isfinite(step) ? unlimited : step);
     order.new_run.push_back(first || record.run_of(rows[i]) != record.run_of(rows[i - 1]));
     if (std::isfinite(order.step.back()) && step > 0.0) steps.push_back(step);
+    const double state = record.value(dwell_state, rows[i]);
+    order.new_state.push_back(first || !(state == record.value(dwell_state, rows[i - 1])));
+    order.has_states = order.has_states || !order.new_state.back();
     // Records that were joined are no runs by themselves: what differs between them is their own.
     order.has_runs = order.has_runs || (!first && order.new_run.back());
   }
@@ -150,12 +154,14 @@ RowOrder order_of(const RowOrder& all, const std::vector<Eigen::Index>& some) {
   RowOrder order = all;
   order.step.clear();
   order.new_run.clear();
+  order.new_state.clear();
   order.new_block.clear();
   for (std::size_t k = 0; k < some.size(); ++k) {
     const auto i = static_cast<std::size_t>(some[k]);
     const bool joined = k > 0 && some[k] == some[k - 1] + 1;
     order.step.push_back(joined ? all.step[i] : unlimited);
     order.new_run.push_back(!joined || all.new_run[i]);
+    order.new_state.push_back(!joined || all.new_state[i]);
     if (!all.new_block.empty()) order.new_block.push_back(!joined || all.new_block[i]);
   }
   return order;

@@ -239,16 +239,21 @@ Finding Search::bent_law() {
   return finding;
 }
 
-bool Search::raises_the_error(const Explanation& e) const {
+bool Search::raises_the_error(const Explanation& e) const { return !lowers_the_error(e, 0.0); }
+
+bool Search::lowers_the_error(const Explanation& e, double share) const {
   const Observations& observed = problem_.observed;
   const auto error = [&](const ResponseFit& fit) {
     double square = 0.0;
-    for (std::size_t c = 0; c < observed.channels.size(); ++c)
-      square += observed.of(c, Eigen::VectorXd(observed.measured - fit.prediction)).squaredNorm() /
-                std::pow(evidence_.noise[c].rms, 2);
+    for (std::size_t c = 0; c < observed.channels.size(); ++c) {
+      Eigen::VectorXd rest = observed.of(c, Eigen::VectorXd(observed.measured - fit.prediction));
+      for (const std::size_t i : evidence_.noise[c].outliers)
+        rest[static_cast<Eigen::Index>(i)] = 0;
+      square += rest.squaredNorm() / std::pow(evidence_.noise[c].rms, 2);
+    }
     return square;
   };
-  return error(e.fit) > error(evidence_.base);
+  return error(e.fit) <= std::pow(1.0 - share, 2) * error(evidence_.base);
 }
 
 double Search::share_of_tolerance(const Response& response, const ResponseFit& fit) const {

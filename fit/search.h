@@ -59,8 +59,11 @@ class Search {
   }
   [[nodiscard]] std::optional<Shape>& shape() { return shape_; }
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
-  /// The rms of what is left, weighed by the noise of each channel, is larger than without it.
+  /// The rms of what is left, weighed by the noise of each channel and without outliers, is larger
+  /// than without it.
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
+  /// The same is smaller than without it, by this share at least.
+  [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
   /// The error of an explanation on held-out blocks, the largest share of a channel's tolerance.
   [[nodiscard]] double share_of_tolerance(const Response& response, const ResponseFit& fit) const;
 

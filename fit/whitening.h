@@ -10,31 +10,39 @@ struct RowOrder {
   /// Time since the row before, in units of the median step [1]; infinite where the correlation
   /// starts anew, also in the first row.
   std::vector<double> step;
-  std::vector<bool> new_run;  ///< the row belongs to another run than the row before
+  std::vector<bool> new_run;    ///< the row belongs to another run than the row before
+  std::vector<bool> new_state;  ///< it belongs to another dwell than the row before
   /// The row begins a block that may be a run which nobody declared; empty where nothing looks so.
   std::vector<bool> new_block;
   double median_step = 1.0;  ///< the unit of the steps [s]
   bool has_time = false;     ///< steps mean something
   bool has_runs = false;     ///< two or more runs
+  bool has_states = false;   ///< some dwell has several rows
 };
 
 /// Turns readings into independent numbers of unit variance.
 ///
-///   cov(e_i, e_k) = s_i s_k [ (1 - g) φ^|t_i - t_k| + g (same run) ]
+///   cov(e_i, e_k) = s_i s_k [ (1 - g - h) φ^|t_i - t_k| + g (same run) + h (same dwell) ]
 ///
 /// with the standard deviation s of each reading [SI], a first-order autoregression along time and
-/// an offset common to the rows of a run. Innovations of the Kalman filter with these two states,
-/// divided by their standard deviation: exact, in time and memory proportional to the rows.
+/// offsets common to the rows of a run and of a dwell. Of a reading with a white part, of which
+/// neighbours know nothing, c s stands in place of s, and s² (1 - c²) is added to its own variance.
+/// Innovations of the Kalman filter with these states, divided by their standard deviation: exact,
+/// in time and memory proportional to the rows.
 class Whitening {
  public:
   Whitening() = default;
-  /// correlation φ in [0, 1), run_share g in [0, 1).
-  Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share);
+  /// correlation φ in [0, 1), run_share g and state_share h in [0, 1), both together below 1.
+  /// `common`: c of each reading, in (0, 1]; 1 where empty.
+  Whitening(Eigen::VectorXd std, const RowOrder& order, double correlation, double run_share,
+            double state_share = 0.0, const Eigen::VectorXd& common = {});
   /// Of several channels, one behind the other, whose noises have nothing to do with each other.
   explicit Whitening(const std::vector<Whitening>& parts);
 
   [[nodiscard]] Eigen::MatrixXd operator()(const Eigen::MatrixXd& columns) const;
   [[nodiscard]] Eigen::VectorXd operator()(const Eigen::VectorXd& column) const;
+  /// The same with standard deviations larger by a factor.
+  [[nodiscard]] Whitening scaled(double factor) const;
   /// ln of the determinant of the covariance.
   [[nodiscard]] double log_determinant() const { return log_determinant_; }
   [[nodiscard]] const Eigen::VectorXd& std() const { return std_; }
@@ -44,7 +52,9 @@ class Whitening {
     double decay;  // of the autoregressive state since the row before
     bool new_run;  // the offset starts anew
     double gain_ar, gain_run;
-    double inverse_std;  // of the innovation
+    bool new_state = true;
+    double gain_state = 0.0, common = 1.0;
+    double inverse_std = 1.0;  // of the innovation
   };
   Eigen::VectorXd std_;
   std::vector<Step> steps_;  // empty where rows are independent

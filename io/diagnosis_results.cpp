@@ -140,6 +140,8 @@ json noise_object(const fit::NoiseModel& noise, double factor) {
                  {"absolute", noise.absolute / factor},
                  {"correlation", noise.correlation},
                  {"run_share", noise.run_share}};
+  if (noise.growth > 0.0) result["growth"] = noise.growth;
+  if (noise.state_share > 0.0) result["dwell_share"] = noise.state_share;
   if (!noise.records.empty()) result["records"] = noise.records;
   return result;
 }
@@ -266,8 +268,8 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
        {"separation_by_repetition", d.separation_by_repetition},
        {"records_needed", d.records_needed},
        {"outlier_lines", outlier_lines(record, d.outliers)},
-       {"messages", d.messages},
-       {"notes", record.notes}});
+       {"messages", d.messages}});
+  add_notes(document, record);
   if (d.shape) document["shape"] = shape_object(*d.shape);
   if (d.course) document["shape"] = course_object(*d.course);
   return text(std::move(document));
@@ -298,8 +300,8 @@ std::string add_json(const std::string& model_file, const record::Record& record
                    {"rmse_held_out_after", first["rmse_held_out_after"]},
                    {"hold_out", hold_out_object(r.hold_out, channels)},
                    {"calibration", calibration_object(r.calibration, record)},
-                   {"messages", r.messages},
-                   {"notes", record.notes}};
+                   {"messages", r.messages}};
+  add_notes(document, record);
   document["before"].update(likelihood_object(r.before, counts));
   add_channels(document, list);
   return text(std::move(document));

@@ -50,6 +50,9 @@ void add_channels(json& document, json channels);
 /// The file of a record, or a list of those that were joined.
 [[nodiscard]] json data_of(const record::Record& record);
 
+/// `notes` of a record, and `dwells` where rows were averaged: how many, and which columns.
+void add_notes(json& document, const record::Record& record);
+
 /// Rows for people: lines, with the name of the record where several were joined.
 [[nodiscard]] json lines_of(const record::Record& record, const std::vector<std::size_t>& rows);
 

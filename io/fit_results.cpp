@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "correction/metrics.h"
+#include "fit/dwells.h"
 #include "io/correction_objects.h"
 #include "io/fit_objects.h"
 #include "io/number_text.h"
@@ -206,6 +208,21 @@ json data_of(const record::Record& record) {
   return list;
 }
 
+void add_notes(json& document, const record::Record& record) {
+  document["notes"] = record.notes;
+  const std::span<const double> rows = record.values(fit::dwell_rows);
+  if (rows.empty()) return;
+  json averaged = json::array();
+  for (const record::Column& c : record.columns)
+    if (c.channel->is_input() || c.channel->role == record::Role::time ||
+        c.channel->role == record::Role::measured)
+      averaged.push_back(c.channel->name);
+  document["dwells"] = {
+      {"rows", static_cast<int>(std::accumulate(rows.begin(), rows.end(), 0.0))},
+      {"dwells", std::count_if(rows.begin(), rows.end(), [](double n) { return n > 1.0; })},
+      {"averaged", std::move(averaged)}};
+}
+
 json hold_out_object(const std::vector<fit::HoldOut>& hold_out,
                      const std::vector<const record::Channel*>& channels) {
   json list = json::array();
@@ -269,7 +286,7 @@ json calibration_object(const fit::Calibration& c, const record::Record& record)
 
 std::string calibration_json(const fit::Calibration& calibration, const record::Record& record) {
   json document = calibration_object(calibration, record);
-  document["notes"] = record.notes;
+  add_notes(document, record);
   return text(std::move(document));
 }
 
@@ -285,7 +302,7 @@ std::string comparison_json(const std::vector<std::string>& model_files,
     if (i < beyond.size()) documents.back().update(beyond_object(beyond[i], record));
   }
   json document = documents.size() == 1 ? documents[0] : json{{"models", documents}};
-  document["notes"] = record.notes;
+  add_notes(document, record);
   return text(std::move(document));
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fit/dwells.h"
 #include "io/diagnosis_results.h"
 #include "io/error.h"
 #include "io/record_report.h"
@@ -24,12 +25,31 @@ auto with_data(const std::string& model, const record::Record& data, const Ask& 
   }
 }
 
+/// The dwells of a record; none where a reading depends on the rows before it.
+fit::Averaged dwells_of(const LoopModel& model, const record::Record& data) {
+  const std::shared_ptr<const fit::Subject> subject = model.as_written();
+  if (subject->has_memory() || subject->approximates()) return {};
+  return fit::average_dwells(data);
+}
+
+/// Rows of a logger become dwells, unless `rows` are to stay apart; the record says so.
+void average(Messages& messages, const LoopModel& model, record::Record& data, bool rows) {
+  if (rows) return;
+  fit::Averaged averaged = dwells_of(model, data);
+  if (!averaged.any()) return;
+  const std::string statement = averaged.statement() + "; --rows keeps rows apart";
+  messages.note(statement);
+  data = std::move(averaged.record);
+  data.notes.push_back(statement);
+}
+
 }  // namespace
 
 LoopQuestion ask(Messages& messages, const Source& model, const std::vector<Source>& data,
                  const LoopOptions& options) {
   LoopQuestion asked{.model = open_loop_model(messages, model, options)};
   asked.data = asked.model->read(messages, data, options.reading);
+  average(messages, *asked.model, asked.data, options.rows);
   asked.subject = asked.model->for_fit(messages, asked.data, options.per_record);
   return asked;
 }
@@ -126,6 +146,7 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
     opened.back()->stand_beside(messages, *opened.front());
   }
   ComparedModels result{.data = opened.front()->read(messages, data, options.reading, opened)};
+  average(messages, *opened.front(), result.data, options.rows);
   for (const auto& model : opened) {
     const std::string& source = model->about().source;
     result.names.push_back(source);
@@ -167,6 +188,10 @@ CheckedModel check(Messages& messages, const Source& source, const Source& data,
     messages.warn(line);
     result.notes.push_back(line);
   };
+  if (const fit::Averaged averaged = dwells_of(*model, result.data); averaged.any()) {
+    messages.note(averaged.statement());
+    result.notes.push_back(averaged.statement());
+  }
   if (!result.check.problem.empty()) doubt(result.check.problem);
   if (result.over_time)
     messages.warnings(result.over_time->warnings);  // of which the document has a list

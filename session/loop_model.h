@@ -37,6 +37,7 @@ enum class Part { any, bearing, correction };
 struct LoopOptions {
   Reading reading{};
   Names per_record{};  ///< parameters that each of several records has for itself
+  bool rows = false;   ///< rows of a logger stay apart, where dwells would be averaged
   Tolerance tolerance{};
   /// Of a file that describes several things: a column that the wanted one predicts.
   std::string channel{};

@@ -22,6 +22,8 @@ void take(session::LoopOptions& options, const std::string& name, const py::hand
     options.reading.period.until = value.cast<std::string>();
   else if (name == "per_record")
     options.per_record = value.cast<std::vector<std::string>>();
+  else if (name == "rows")
+    options.rows = value.cast<bool>();
   else if (name == "channel")
     options.channel = value.cast<std::string>();
   else if (name == "tolerance")

@@ -133,7 +133,8 @@ EngineAnswer check(const EngineFile& model, const Data& data, const py::kwargs& 
 /// says of each measured channel, with its band where that is wanted.
 py::dict predict(const EngineModel& model, const std::vector<Data>& data, bool with_band,
                  const py::kwargs& given) {
-  const session::LoopOptions options = loop_options({&model}, given);
+  session::LoopOptions options = loop_options({&model}, given);
+  options.rows = true;  // a prediction of each
   const std::optional<model::Band> band = model.band(with_band);
   Heard heard;
   NamedColumns columns;

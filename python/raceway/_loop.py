@@ -20,6 +20,7 @@ def asked(
     *,
     channel: str | None = None,
     per_record: Iterable[str] = (),
+    rows: bool = False,
     tolerance: str | None = None,
     from_s: float | None = None,
     until_s: float | None = None,
@@ -39,6 +40,7 @@ def asked(
         "drop_nan": any(r._drop_nan for r in records),
         "channel": channel,
         "per_record": name_list("per_record", per_record),
+        "rows": bool(rows) or None,
         "tolerance": None if tolerance is None else tolerance_text(tolerance),
         "from": seconds("from_s", from_s),
         "until": seconds("until_s", until_s),
@@ -61,6 +63,7 @@ class LoopModel(FromFile):
         zero: str = "mean",
         channel: str | None = None,
         per_record: Iterable[str] = (),
+        rows: bool = False,
         tolerance: str | None = None,
         from_s: float | None = None,
         until_s: float | None = None,
@@ -80,6 +83,9 @@ class LoopModel(FromFile):
             Of a file with several displacements, the column of one: ``"displacement_z_um"``.
         per_record : iterable of str
             Parameters that each of several records has for itself; not of a correction.
+        rows : bool
+            Keeps the rows of a logger apart. Otherwise consecutive rows at equal speed and load are
+            averaged to dwells, which a note says.
         tolerance : str, optional
             Error below which nothing matters, such as ``"2Nmm"``.
         from_s, until_s : float, optional
@@ -90,7 +96,7 @@ class LoopModel(FromFile):
         for other in others:
             if not isinstance(other, type(self)):
                 raise TypeError(f"a raceway.{type(self).__name__} is wanted, not {type(other).__name__}")
-        data, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
+        data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         engines = [m._engine for m in (self, *others)]
         answer = _engine.compare(engines, data, name_list("refit", refit), zero, **options)
         warn(answer.warnings)
@@ -103,6 +109,7 @@ class LoopModel(FromFile):
         profile: bool = False,
         channel: str | None = None,
         per_record: Iterable[str] = (),
+        rows: bool = False,
         from_s: float | None = None,
         until_s: float | None = None,
     ) -> Calibration:
@@ -117,7 +124,7 @@ class LoopModel(FromFile):
         profile : bool
             Also 95 % intervals by profile likelihood, for `Calibration.conf_interval`: some dozens
             of refits.
-        channel, per_record, from_s, until_s
+        channel, per_record, rows, from_s, until_s
             As in `compare`.
 
         Raises
@@ -125,7 +132,7 @@ class LoopModel(FromFile):
         NotConverged
             Where the fit found no values.
         """
-        data, options = asked(record, channel=channel, per_record=per_record, from_s=from_s, until_s=until_s)
+        data, options = asked(record, channel=channel, per_record=per_record, rows=rows, from_s=from_s, until_s=until_s)
         answer = _engine.calibrate(self._engine, data, bool(profile), **options)
         if not answer.converged:
             raise NotConverged("; ".join(["the calibration did not converge", *answer.warnings]))
@@ -140,6 +147,7 @@ class LoopModel(FromFile):
         tried_before: int = 0,
         channel: str | None = None,
         per_record: Iterable[str] = (),
+        rows: bool = False,
         tolerance: str | None = None,
         from_s: float | None = None,
         until_s: float | None = None,
@@ -157,7 +165,7 @@ class LoopModel(FromFile):
             Without: single effects only, for a quick look.
         tried_before : int
             Explanations of your own already tried on these data.
-        channel, per_record, tolerance, from_s, until_s
+        channel, per_record, rows, tolerance, from_s, until_s
             As in `compare`.
         time_limit_s : float, optional
             After which it gives up with TimeoutError.
@@ -171,7 +179,7 @@ class LoopModel(FromFile):
         KeyboardInterrupt
             Stops it; nothing is left half done.
         """
-        data, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
+        data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         limit = float("inf") if time_limit_s is None else float(time_limit_s)
         answer = _engine.diagnose(self._engine, data, bool(pairs), int(tried_before), limit, progress, **options)
         warn(answer.warnings)
@@ -184,6 +192,7 @@ class LoopModel(FromFile):
         *,
         channel: str | None = None,
         per_record: Iterable[str] = (),
+        rows: bool = False,
         tolerance: str | None = None,
         from_s: float | None = None,
         until_s: float | None = None,
@@ -197,7 +206,7 @@ class LoopModel(FromFile):
         Addition
             `Addition.refused` says why an effect does not help; `Addition.model` has it all the same.
         """
-        data, options = asked(record, channel=channel, per_record=per_record, tolerance=tolerance, from_s=from_s, until_s=until_s)
+        data, options = asked(record, channel=channel, per_record=per_record, rows=rows, tolerance=tolerance, from_s=from_s, until_s=until_s)
         ids = name_list("effects", effects)
         answer = _engine.add(self._engine, ids, data, **options)
         if not answer.converged:

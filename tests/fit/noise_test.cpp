@@ -1,5 +1,6 @@
 #include "fit/noise.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "fit/noise_model.h"
@@ -77,6 +78,87 @@ TEST(Noise, CountsTheCoarsenessOfAModel) {
   add_model_error(noise, readings, 4.0 * N_mm);
   EXPECT_NEAR(noise.rms, 5.0 * N_mm, 1e-12);
   EXPECT_NEAR(noise.whitening.std()[1], 5.0 * N_mm, 1e-12);
+}
+
+/// Noise of 9 speeds x 4 loads, twice, whose scatter `share(speed)` is one of the torque.
+template <typename Share>
+NoiseModel noise_of_stairs(unsigned seed, const Share& share, std::vector<std::size_t> far = {}) {
+  DataSet data = factorial_plan({600, 900, 1360, 2060, 3100, 4670, 7040, 10610, 16000},
+                                {250, 570, 1310, 3000}, {40}, 2);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  measure(synthetic_model(), 0.0, random, data);
+  Eigen::VectorXd truth(static_cast<Eigen::Index>(data.rows.size()));
+  for (std::size_t i = 0; i < data.rows.size(); ++i) {
+    Row& row = data.rows[i];
+    truth[static_cast<Eigen::Index>(i)] = row.measured;
+    row.measured *= 1.0 + share(row.point.speed / rpm) * normal(random);
+  }
+  for (const std::size_t i : far) data.rows[i].measured *= 1.3;
+  const Record record = data;
+  const std::vector<Measured> channels{{.channel = &data.measured()}};
+  const ChannelReadings readings =
+      readings_of(record, observe(channels, record, record.values(data.measured())), 0);
+  return estimate_noise_model(readings, truth, truth);
+}
+
+TEST(Noise, GrowsWithTheSpeedThatIsSwept) {
+  // 0.5 to 5 %, a power of 0.70: ten draws of 71 degrees of freedom each, one of which tells the
+  // power to 0.08, their mean to 0.025; the steps of the search are 0.15 to 0.2.
+  double power = 0.0, top = 0.0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const NoiseModel noise = noise_of_stairs(seed, [](double n) {
+      return 0.05 * std::pow(n / 16000.0, std::log(10.0) / std::log(16000.0 / 600.0));
+    });
+    ASSERT_NE(noise.swept, nullptr);
+    EXPECT_EQ(noise.swept->name, record::speed.name);
+    EXPECT_TRUE(noise.outliers.empty()) << seed;
+    power += noise.growth / 10;
+    top += noise.relative / 10;
+  }
+  EXPECT_NEAR(power, 0.70, 0.1);
+  EXPECT_NEAR(top, 0.05, 0.01);
+}
+
+TEST(Noise, ThatIsOneShareOfTheReadingDoesNotGrow) {
+  int grows = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed)
+    grows += noise_of_stairs(seed, [](double) { return 0.02; }).growth > 0.0 ? 1 : 0;
+  EXPECT_LE(grows, 3);  // 1 in 200 of one parameter that cannot be negative; 4 of 40 in 1 of 10^5
+}
+
+TEST(Noise, OutliersDoNotMakeItGrow) {
+  // Two readings at two speeds, 15 standard deviations off, in data that scatter by 2 %.
+  const NoiseModel noise = noise_of_stairs(7, [](double) { return 0.02; }, {7, 33});
+  EXPECT_EQ(noise.growth, 0.0);
+  EXPECT_THAT(noise.outliers, testing::ElementsAre(7, 33));
+}
+
+TEST(Noise, WhatGathersAtOneLevelIsNoOutlier) {
+  // A resonance: the rows of one speed scatter eight times as much.
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const NoiseModel noise =
+        noise_of_stairs(seed, [](double n) { return n == 2060.0 ? 0.08 : 0.01; });
+    int there = 0;
+    for (const std::size_t i : noise.outliers) there += i % 9 == 3 ? 1 : 0;
+    EXPECT_LT(there, 3) << seed;
+  }
+}
+
+TEST(Whitening, KnowsWhatThePiecesOfADwellHaveInCommon) {
+  // Two dwells of two pieces each; h of the variance is common to those, a quarter is white.
+  RowOrder order;
+  order.step.assign(4, 1.0);
+  order.new_run = {true, false, false, false};
+  order.new_state = {true, false, true, false};
+  const double h = 0.6, c2 = 0.75;
+  const Whitening whitening(Eigen::VectorXd::Constant(4, 2.0), order, 0.0, 0.0, h,
+                            Eigen::VectorXd::Constant(4, std::sqrt(c2)));
+  Eigen::MatrixXd covariance = 4.0 * Eigen::MatrixXd::Identity(4, 4);
+  covariance(0, 1) = covariance(1, 0) = covariance(2, 3) = covariance(3, 2) = 4.0 * c2 * h;
+  const Eigen::MatrixXd w = whitening(Eigen::MatrixXd(Eigen::MatrixXd::Identity(4, 4)));
+  EXPECT_LT((w * covariance * w.transpose() - Eigen::MatrixXd::Identity(4, 4)).norm(), 1e-12);
+  EXPECT_NEAR(whitening.log_determinant(), 2.0 * std::log(16.0 * (1.0 - std::pow(c2 * h, 2))), 1e-12);
 }
 
 }  // namespace
