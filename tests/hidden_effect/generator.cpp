@@ -52,7 +52,25 @@ std::vector<double> scaled(std::vector<double> values, double factor, double ste
 /// The rows stand in the order of the plan.
 bool ordered(Plan plan) {
   return plan == Plan::run_per_load || plan == Plan::run_ups || plan == Plan::in_order ||
-         plan == Plan::cycling;
+         plan == Plan::cycling || plan == Plan::stairs || plan == Plan::one_stairs;
+}
+
+/// The rows that a logger writes at each point: speed and load as they were, oil that warms.
+std::vector<Point> logged(const Logger& logger, std::span<const Point> points, Random& random) {
+  constexpr double settling = 900.0;  // between the last row of a point and the first of the next
+  std::vector<Point> rows;
+  double start = 0.0;
+  for (const Point& p : points) {
+    for (int i = 0; i < logger.rows; ++i) {
+      const double share = (i + 0.5) / logger.rows;
+      rows.push_back({.speed = p.speed * (1.0 + 3e-4 * normal(random)),
+                      .load = p.load + 2e-4 * p.load * normal(random),
+                      .temperature = p.temperature + logger.warming * (share - 0.5),
+                      .time = start + i});
+    }
+    start += logger.rows + settling;
+  }
+  return rows;
 }
 
 std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
@@ -67,7 +85,8 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
   if (test) {
     points = grid(speeds({900, 2500, 5000, 9000, 14000}), loads({400, 900, 2000}),
                   std::array{30.0, 40.0, 50.0, 60.0}, 1, random);
-    if (setup.plan == Plan::run_up || setup.plan == Plan::run_ups || setup.plan == Plan::in_order)
+    if (setup.plan == Plan::run_up || setup.plan == Plan::run_ups || setup.plan == Plan::in_order ||
+        setup.plan == Plan::stairs || setup.plan == Plan::one_stairs)
       warm_up(points, top, random);
   } else if (setup.plan == Plan::factorial) {
     points = grid(speeds({600, 1500, 3500, 7000, 11000, 16000}), loads({250, 600, 1400, 3000}),
@@ -102,6 +121,15 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
       }
     }
     warm_up(points, top, random);
+  } else if (setup.plan == Plan::stairs || setup.plan == Plan::one_stairs) {
+    for (int pass = 0; pass < (setup.plan == Plan::stairs ? 2 : 1); ++pass)
+      for (const double F : loads({250, 570, 1310, 3000})) {
+        const std::vector<Point> rising =
+            grid(speeds({600, 900, 1360, 2060, 3100, 4670, 7040, 10600, 16000}), std::array{F},
+                 std::array{40.0}, 1, random);
+        points.insert(points.end(), rising.begin(), rising.end());
+      }
+    warm_up(points, top, random);
   } else if (setup.plan == Plan::radial) {
     for (const double part : {0.0, 0.2, 0.4, 0.6, 0.8})
       for (Point p : grid(speeds({600, 1500, 3500, 7000, 11000, 16000}),
@@ -126,11 +154,13 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
     points[i].temperature = 0.01 * std::round(100.0 * points[i].temperature);
     points[i].time = seconds_per_row * static_cast<double>(i);
   }
+  if (setup.logger.rows > 0 && !test) return logged(setup.logger, points, random);
   return points;
 }
 
 /// Run of a row, from its place in the plan.
 int run_of(Plan plan, std::size_t row) {
+  if (plan == Plan::stairs || plan == Plan::one_stairs) return static_cast<int>(row) / 9;
   if (plan == Plan::in_order || plan == Plan::cycling) return 0;
   return static_cast<int>(row) / (plan == Plan::run_per_load ? 30 : rows_per_run);
 }
@@ -176,19 +206,48 @@ double size_for(const Bearing& bearing, const BaseLaw& law, std::span<const Poin
   return sign * std::exp(0.5 * (a + b));
 }
 
+/// Scatter of the rows of a logger, correlated within a point, and of the points.
+void add_noise_of_logger(const Logger& logger, Random& random, std::vector<Reading>& rows) {
+  const double kept = logger.correlation > 0.0 ? std::exp(-1.0 / logger.correlation) : 0.0;
+  double memory = 0.0, offset = 0.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Reading& r = rows[i];
+    const bool first = i % static_cast<std::size_t>(logger.rows) == 0;
+    if (first) offset = logger.point_scatter * normal(random);
+    memory = first ? normal(random) : kept * memory + std::sqrt(1.0 - kept * kept) * normal(random);
+    r.sigma = std::hypot(logger.point_scatter, logger.row_scatter) * r.torque;
+    r.measured = r.torque * (1.0 + offset + logger.row_scatter * memory);
+  }
+}
+
+/// Scatter of a row, of the torque, where it grows with the speed.
+double level_at(const NoiseDetail& d, double speed, double lowest, double highest) {
+  if (d.at_lowest <= 0.0) return d.level;
+  if (d.straight)
+    return d.at_lowest + (d.level - d.at_lowest) * (speed - lowest) / (highest - lowest);
+  return d.at_lowest *
+         std::pow(d.level / d.at_lowest, std::log(speed / lowest) / std::log(highest / lowest));
+}
+
 void add_noise(const Setup& setup, Random& random, std::vector<Reading>& rows) {
+  if (setup.logger.rows > 0) return add_noise_of_logger(setup.logger, random, rows);
   std::vector<double> all;
   for (const Reading& r : rows) all.push_back(r.torque);
   const NoiseDetail& d = setup.detail;
   const double level = d.level, floor = level * rms(all);
   double offset = 0.0, memory = normal(random);
+  double lowest = rows.front().point.speed, highest = lowest;
+  for (const Reading& r : rows) {
+    lowest = std::min(lowest, r.point.speed);
+    highest = std::max(highest, r.point.speed);
+  }
   for (Reading& r : rows) {
-    const double size = std::abs(r.torque);
-    r.sigma = level * size;
+    const double size = std::abs(r.torque), own = level_at(d, r.point.speed, lowest, highest);
+    r.sigma = own * size;
     if (&r == rows.data() || (&r)[-1].run != r.run) offset = normal(random);
     double unit = normal(random);
     if (setup.noise == Noise::run_offsets) {
-      unit += offset * d.offset / level;
+      unit += offset * d.offset / own;
     } else if (setup.noise == Noise::autoregressive) {
       memory = d.correlation * memory + std::sqrt(1.0 - d.correlation * d.correlation) * unit;
       unit = memory;
@@ -204,10 +263,12 @@ void add_noise(const Setup& setup, Random& random, std::vector<Reading>& rows) {
 }
 
 /// What the sensor makes of the temperature of the film.
-void read_temperatures(const Mistake& mistake, Random& random, std::vector<Reading>& rows) {
+void read_temperatures(const Mistake& mistake, bool logger, Random& random,
+                       std::vector<Reading>& rows) {
   constexpr double room = 24.0;
   for (Reading& r : rows) {
     r.seen = r.point.temperature;
+    if (logger) r.seen += 0.05 * normal(random);
     if (mistake.rise_seen != 1.0) r.seen = room + mistake.rise_seen * (r.seen - room);
     r.seen += mistake.sensor_offset;
     if (mistake.sensor_scatter > 0.0) r.seen += mistake.sensor_scatter * normal(random);
@@ -243,9 +304,9 @@ std::string quoted_list(std::span<const std::string_view> words) {
 }  // namespace
 
 std::string_view name(Plan plan) {
-  constexpr std::string_view names[] = {"factorial",  "run-up",       "sweep",
-                                        "replicated", "run per load", "run-ups",
-                                        "in order",   "radial",       "cycling"};
+  constexpr std::string_view names[] = {"factorial",    "run-up",  "sweep",     "replicated",
+                                        "run per load", "run-ups", "in order",  "radial",
+                                        "cycling",      "stairs",  "one stairs"};
   return names[static_cast<int>(plan)];
 }
 
@@ -297,9 +358,10 @@ Rig make_rig(const Setup& setup) {
   rig.train = readings(rig, train, 0);
   rig.test = readings(rig, test, 0);
   add_noise(setup, random, rig.train);
-  read_temperatures(setup.mistake, random, rig.train);
+  read_temperatures(setup.mistake, setup.logger.rows > 0, random, rig.train);
   Setup plain = setup;
   plain.noise = Noise::independent;
+  plain.logger = {};
   add_noise(plain, random, rig.test);
   return rig;
 }
@@ -312,8 +374,9 @@ std::vector<Reading> measure(const Rig& rig, std::span<const Point> points, std:
   std::vector<Reading> rows = readings(rig, timed, rig.train.back().run + 1);
   Setup plain = rig.setup;
   plain.noise = Noise::independent;
+  plain.logger = {};
   add_noise(plain, random, rows);
-  read_temperatures(rig.setup.mistake, random, rows);
+  read_temperatures(rig.setup.mistake, false, random, rows);
   return rows;
 }
 

@@ -21,7 +21,9 @@ enum class Plan {
   run_ups,       ///< three runs of 10 rising speeds for each load, in random order
   in_order,      ///< run-up, speeds rising in time within each load, one run
   radial,        ///< 6 speeds x 4 axial loads x 5 radial loads at 40 C
-  cycling        ///< 20 000 rows that cycle through 5 speeds
+  cycling,       ///< 20 000 rows that cycle through 5 speeds
+  stairs,        ///< at each of 4 loads 9 rising speeds, the oil warms with speed; twice
+  one_stairs     ///< the same once
 };
 
 enum class Noise {
@@ -45,6 +47,19 @@ struct NoiseDetail {
   double correlation = 0.8;     ///< from row to row
   double outlier_share = 0.05;  ///< of the rows
   bool one_sided = false;       ///< outliers read too much
+  /// At the lowest speed of a plan, of the torque, where the level is that at the highest: with a
+  /// power of the speed between them, or in a straight line.
+  double at_lowest = 0.0;
+  bool straight = false;
+};
+
+/// A logger that writes rows all the time while the rig stands at each point of the plan.
+struct Logger {
+  int rows = 0;                ///< of each point; 0: a row for each
+  double row_scatter = 0.01;   ///< of the torque, from row to row
+  double correlation = 15.0;   ///< time of the same [s]; 0: none
+  double point_scatter = 0.0;  ///< of the torque, common to the rows of a point
+  double warming = 0.0;        ///< of the oil while the rig stands at a point [K]
 };
 
 /// What stands otherwise in the files than on the rig.
@@ -67,6 +82,7 @@ struct Setup {
   Plan plan = Plan::factorial;
   Noise noise = Noise::independent;
   NoiseDetail detail{};
+  Logger logger{};
   int rows = 0;  ///< of the plan, chosen at random; 0: all
   Mistake mistake{};
   BaseLaw law{};  ///< with another viscous_exponent and y: a base law that is slightly wrong

@@ -10,6 +10,7 @@
 #include "effects/catalogue.h"
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
+#include "fit/dwells.h"
 #include "io/data_file.h"
 #include "io/model_file.h"
 #include "io/subject.h"
@@ -55,7 +56,10 @@ std::shared_ptr<const model::ModelSubject> subject_of(const std::string& model_t
 }
 
 record::Record read(const std::string& csv, const model::ModelSubject& subject) {
-  return io::read_record({"train.csv", csv}, subject);
+  record::Record record = io::read_record({"train.csv", csv}, subject);
+  // As the program does it before any question.
+  fit::Averaged averaged = fit::average_dwells(record);
+  return averaged.any() ? std::move(averaged.record) : record;
 }
 
 /// A suggested point in the generator's units.

@@ -15,6 +15,9 @@ bool alarm(const Outcome& o) { return o.alarm(); }
 bool found(const Outcome& o) { return o.alarm() && o.answer.verdict != "failed"; }
 bool right(const Outcome& o) { return o.names_a_right(); }
 bool is_exact(const Outcome& o) { return o.exact(); }
+bool not_quiet(const Outcome& o) { return o.is({"effect", "several-effects"}); }
+bool quiet(const Outcome& o) { return !o.alarm(); }
+bool names_hidden(const Outcome& o) { return o.is({"effect", "ambiguous"}) && o.names_a_right(); }
 bool single_wrong(const Outcome& o) { return o.is({"effect"}) && !o.names_a_right(); }
 bool whole(const Outcome& o) { return o.is({"several-effects"}) && o.names_every_hidden(); }
 bool excludes(const Outcome& o) {
@@ -32,6 +35,12 @@ constexpr std::array<Demand, 2> few_alarms(double must, double good) {
 constexpr auto quiet_2 = few_alarms(2, 1), quiet_3 = few_alarms(3, 1.5), quiet_4 = few_alarms(4, 2),
                quiet_5 = few_alarms(5, 2), quiet_5_3 = few_alarms(5, 3),
                quiet_20 = few_alarms(20, 5);
+constexpr std::array<Demand, 2> logger_quiet{
+    {{"nothing missing", true, 95, 98, quiet}, {"a single wrong name", false, 0, 0, not_quiet}}};
+constexpr std::array<Demand, 2> logger_named{{{"the right name", true, 90, 98, names_hidden},
+                                              {"a single wrong name", false, 0, 0, single_wrong}}};
+constexpr std::array<Demand, 2> grows_much{
+    {{"nothing missing", true, 85, 95, quiet}, {"a single wrong name", false, 0, 0, not_quiet}}};
 constexpr std::array<Demand, 2> named{
     {{"names the card", true, 80, 95, right}, {"a single wrong name", false, 5, 0, single_wrong}}};
 constexpr std::array<Demand, 2> radial_found{
@@ -75,6 +84,19 @@ std::vector<RealRig> make_real_rigs() {
   const auto offsets = [](Plan plan, double size, double within, bool declared) {
     return on(plan, Noise::run_offsets, {.level = within, .offset = size}, 0,
               {.runs_left_out = !declared});
+  };
+  const auto logs = [](double row, double correlation, double point, double warming) {
+    Setup setup = on(Plan::one_stairs, independent, {}, 0, {.runs_left_out = true});
+    setup.logger = {.rows = 40,
+                    .row_scatter = row,
+                    .correlation = correlation,
+                    .point_scatter = point,
+                    .warming = warming};
+    return setup;
+  };
+  const auto grows = [](double lowest, double highest, bool straight) {
+    return on(Plan::stairs, Noise::run_offsets,
+              {.level = highest, .offset = 0.0, .at_lowest = lowest, .straight = straight});
   };
   const auto wrong = [](Mistake mistake) {
     return on(Plan::factorial, independent, {}, 0, mistake);
@@ -121,6 +143,21 @@ std::vector<RealRig> make_real_rigs() {
        hiding(on(Plan::factorial),
               {{"spin-friction", 0.1}, {"windage", 0.08}, {"film-self-heating", 0.1}}),
        2, none, triple},
+      // At the end, so that the others keep their seeds.
+      {"lab stairs, 1 % and 1 % per run", offsets(Plan::stairs, 0.01, 0.01, true), 8, none,
+       quiet_2},
+      {"logger, rows correlated 15 s", logs(0.01, 15.0, 0.0, 0.0), 8, none, logger_quiet},
+      {"logger, 15 s, states 1.5 %", logs(0.01, 15.0, 0.015, 0.0), 8, none, logger_quiet},
+      {"logger, white rows, states 1 %", logs(0.02, 0.0, 0.01, 0.0), 8, none, logger_quiet},
+      {"logger, warms by 3 K at each state", logs(0.01, 15.0, 0.01, 3.0), 8, none, logger_quiet},
+      {"logger, drag 10 %", hiding(logs(0.01, 15.0, 0.0, 0.0), {{"lubricant-drag", 0.1}}), 4, none,
+       logger_named},
+      {"logger, drag 10 %, states 1.5 %",
+       hiding(logs(0.01, 15.0, 0.015, 0.0), {{"lubricant-drag", 0.1}}), 4, none, logger_named},
+      {"scatter 0.4 to 5 %, a power of speed", grows(0.004, 0.05, false), 8, none, grows_much},
+      {"scatter 0.4 to 5 %, straight", grows(0.004, 0.05, true), 8, none, grows_much},
+      {"scatter 0.5 to 2 %", grows(0.005, 0.02, false), 8, none, logger_quiet},
+      {"scatter 0.5 to 2 %, straight", grows(0.005, 0.02, true), 8, none, logger_quiet},
   };
 }
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -26,7 +28,7 @@ using namespace hidden_effect;
 struct Arguments {
   int seeds = 20;
   std::vector<std::string> blocks;
-  std::string only;
+  std::string only, write;
   bool json = false, by_effect = false, misses = false;
   int threads = 0;  // all
 };
@@ -34,11 +36,13 @@ struct Arguments {
 void usage() {
   std::puts(
       "study [--seeds N] [--blocks LIST] [--json] [--by-effect] [--misses] [--threads N]\n"
-      "      [--only TEXT]\n\n"
+      "      [--only TEXT] [--write FOLDER]\n\n"
       "Hides effects in measurements of a generator of its own, has them diagnosed and holds what\n"
       "comes out against the bars. N seeds for each case (default 20). Of the block real only "
       "kinds with TEXT in\n"
-      "their name. Blocks, by comma:\n");
+      "their name. With --write nothing is asked: model.toml, train.csv and truth.json of each "
+      "rig\n"
+      "go to a folder of its own, for another version of the program. Blocks, by comma:\n");
   for (const Block& b : blocks())
     std::printf("  %-11s %s\n", std::string(b.id).c_str(), std::string(b.what).c_str());
 }
@@ -65,6 +69,8 @@ Arguments parse(int argc, char** argv) {
       a.threads = count();
     } else if (word == "--only") {
       a.only = value();
+    } else if (word == "--write") {
+      a.write = value();
     } else if (word == "--json") {
       a.json = true;
     } else if (word == "--by-effect") {
@@ -210,6 +216,23 @@ void print_misses(const std::vector<Outcome>& outcomes) {
   std::puts("");
 }
 
+/// The files of each rig, in folders that are named by kind and number.
+void write(const std::vector<Trial>& all, const std::string& folder) {
+  std::map<std::string, int> numbers;
+  for (const Trial& t : all) {
+    std::string kind(t.kind.empty() ? t.block : t.kind);
+    std::replace_if(
+        kind.begin(), kind.end(), [](char c) { return c == ' ' || c == ',' || c == '%'; }, '_');
+    const std::filesystem::path own =
+        std::filesystem::path(folder) / (kind + "-" + std::to_string(numbers[kind]++));
+    std::filesystem::create_directories(own);
+    const Rig rig = make_rig(t.setup);
+    std::ofstream(own / "model.toml") << model_text(rig);
+    std::ofstream(own / "train.csv") << measurement_text(rig, rig.train);
+    std::ofstream(own / "truth.json") << truth_text(rig);
+  }
+}
+
 void print_json(const std::vector<Bar>& table, const Arguments& arguments, std::size_t rigs) {
   const auto value = [](double v) {
     return std::isnan(v) || std::abs(v) > 1e200 ? std::string("null") : number(v, 6);
@@ -244,6 +267,10 @@ int main(int argc, char** argv) try {
   for (const std::string& id : arguments.blocks)
     for (const Trial& t : trials(id, arguments.seeds))
       if (arguments.only.empty() || t.kind.find(arguments.only) != t.kind.npos) all.push_back(t);
+  if (!arguments.write.empty()) {
+    write(all, arguments.write);
+    return 0;
+  }
   std::vector<Outcome> outcomes;
   {
     Progress progress(all.size());
