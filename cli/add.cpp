@@ -99,7 +99,9 @@ Run setup_add(CLI::App& command) {
   auto flags = std::make_shared<AddFlags>();
   command
       .add_option("MODEL EFFECT...", flags->names,
-                  "model file (TOML), then the effects to switch on; see raceway effects")
+                  "model file (TOML), then the effects to switch on; see raceway effects.\n"
+                  "law:skf takes another base law in place of the model's, shape the power law\n"
+                  "that diagnose prints")
       ->required()
       ->expected(2, 100)
       ->type_name("");

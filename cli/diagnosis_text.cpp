@@ -171,12 +171,29 @@ void print_next_points(const fit::Diagnosis& d) {
   fmt::print("\n{}", points.text(terminal_width()));
 }
 
+std::string p_of_misfit(const fit::Diagnosis& d) {
+  return std::isnan(d.p_value) ? ""
+         : d.p_value < 1e-300  ? " (p of the misfit < 1e-300)"
+                               : fmt::format(" (p of the misfit {:.1g})", d.p_value);
+}
+
+void print_other_bases(const fit::Diagnosis& d) {
+  for (const fit::OtherBaseTried& b : d.other_bases) {
+    fmt::print("{}: gain {}, RMS {} {}, held out {}", b.words, number(b.gain, 3),
+               channel_error(b.rmse, 0, d), error_unit(d.channels.front().channel()),
+               channel_error(b.rmse_held_out, 0, d));
+    for (const fit::Parameter& p : b.parameters) fmt::print(", {} = {}", p.name, size_text({p}));
+    fmt::print("\n");
+  }
+}
+
 void print_verdict_details(const fit::Diagnosis& d) {
   print_intervals(d);
   print_hold_out(d);
   if (d.tolerance_limited() && !d.significant_but_immaterial.empty())
     fmt::print("certain, but within the tolerance: {}\n",
                fmt::join(d.significant_but_immaterial, ", "));
+  print_other_bases(d);
   if (d.shape) print_shape(*d.shape);
   print_next_points(d);
   for (const std::string& record : d.records_needed) fmt::print("record: {}\n", record);
@@ -256,10 +273,12 @@ void print_channels(const fit::Diagnosis& d) {
 
 void print_diagnosis(const fit::Diagnosis& d) {
   fmt::print("{}\n{}\n\n", in_colour(d.headline, Colour::strong), d.sentence);
-  fmt::print("verdict: {}{}\n\n", fit::name(d.verdict),
-             std::isnan(d.p_value) ? ""
-             : d.p_value < 1e-300  ? " (p of the misfit < 1e-300)"
-                                   : fmt::format(" (p of the misfit {:.1g})", d.p_value));
+  fmt::print("verdict: {}{}\n\n", fit::name(d.verdict), p_of_misfit(d));
+  if (d.given_other_base) {
+    const fit::Diagnosis& given = *d.given_other_base;
+    fmt::print("given {}: {}{}\n  {}\n\n", d.other_bases.front().words, fit::name(given.verdict),
+               p_of_misfit(given), given.headline);
+  }
   if (d.channels.size() >= many_channels)
     print_channels(d);
   else

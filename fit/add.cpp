@@ -9,14 +9,29 @@
 
 #include "fit/approximation_loop.h"
 #include "fit/effect_sizes.h"
+#include "fit/other_bases.h"
 #include "fit/search.h"
+#include "fit/unknown_shape.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {
 
 namespace {
 
-constexpr double clearly_better = within_reach;  // in -2 ln L, as for the set of a verdict
+constexpr std::string_view added_shape = "shape";  // the shape that a diagnosis prints
+constexpr double clearly_better = within_reach;    // in -2 ln L, as for the set of a verdict
+
+/// The base model among what is to be added; throws where anything stands beside it.
+std::optional<OtherBase> other_base_of(const Subject& subject, std::span<const std::string> ids) {
+  for (OtherBase& base : subject.other_bases()) {
+    if (std::find(ids.begin(), ids.end(), base.id) == ids.end()) continue;
+    if (ids.size() > 1)
+      throw std::invalid_argument(base.id +
+                                  " is taken by itself; add effects to the model that has it");
+    return std::move(base);
+  }
+  return std::nullopt;
+}
 
 /// Effects switched on, refitted, and judged.
 class Addition {
@@ -30,8 +45,13 @@ class Addition {
         blockings_(blocks_of_observations(subject, *problem_.record, problem_.observed)) {}
 
   AddResult run() {
-    find_members();
-    found_ = attribution_.refit(members_);
+    if (const auto base = other_base_of(*problem_.subject, ids_)) {
+      take(*base);
+    } else {
+      find_members();
+      found_ = attribution_.refit(members_);
+      extended_ = problem_.subject->with_candidates(ids_);
+    }
     AddResult result{.calibration = calibration()};
     describe_channels(result);
     result.before = likelihood_of(evidence_.base.misfit, evidence_.whitening,
@@ -54,6 +74,15 @@ class Addition {
   }
 
  private:
+  /// Another base model in the place of the given one. Throws for one that cannot be tested.
+  void take(const OtherBase& base) {
+    CalibratedBase found = calibrate_other_base(evidence_, base);
+    if (!found.not_testable.empty())
+      throw std::invalid_argument(fmt::format("{}: {}", base.id, found.not_testable));
+    found_ = std::move(found.explanation);
+    extended_ = base.subject;
+  }
+
   /// Places of the effects among the candidates. Throws for one that the data cannot feed.
   void find_members() {
     for (const std::string& id : ids_) {
@@ -78,17 +107,16 @@ class Addition {
 
   /// The model as it will be written: effects in the order asked for, values where the refit ended.
   [[nodiscard]] Calibration calibration() const {
-    const auto extended = problem_.subject->with_candidates(ids_);
     std::vector<NamedValue> values;
     if (found_.fit.converged)
       for (std::size_t k = 0; k < found_.parameters.size(); ++k)
         values.push_back(
             {found_.parameters[k].name, found_.fit.values[static_cast<Eigen::Index>(k)]});
     Calibration result =
-        calibration_of(extended->with_values(values), found_.response, found_.fit,
+        calibration_of(extended_->with_values(values), found_.response, found_.fit,
                        problem_.observed, evidence_.base.prediction, evidence_.whitening);
     // Addresses are those of the model with the effects in the order asked for.
-    for (const Parameter& p : extended->parameters())
+    for (const Parameter& p : extended_->parameters())
       for (Parameter& own : result.parameters)
         if (own.name == p.name) own.addresses = p.addresses;
     result.rows = static_cast<int>(evidence_.rows());
@@ -156,7 +184,8 @@ class Addition {
     const double excess =
         std::max(1.0, found_.fit.misfit / (rows - static_cast<double>(found_.fit.values.size())));
     const double needed_each = excess * std::log(rows);
-    const double needed = needed_each * static_cast<double>(members_.size());
+    const double needed =
+        needed_each * static_cast<double>(std::max<std::size_t>(1, members_.size()));
     if (!confirmed(result.hold_out) || found_.gain < needed) {
       std::vector<std::string> errors;
       for (const ChannelGain& c : result.channels)
@@ -195,7 +224,7 @@ class Addition {
   /// The single effect that leaves nothing but noise, where what was asked for leaves structure.
   std::optional<Explanation> better_rival() {
     attribution_.recheck(found_);
-    if (found_.members.size() != 1 || found_.recheck.p_value() >= passed) return std::nullopt;
+    if (found_.members.size() > 1 || found_.recheck.p_value() >= passed) return std::nullopt;
     for (Explanation& single : attribution_.singles()) {
       if (!single.fit.converged || single.gain < found_.gain + clearly_better) break;
       attribution_.recheck(single);
@@ -225,14 +254,53 @@ class Addition {
   Attribution attribution_;
   std::vector<Blocking> blockings_;
   std::vector<std::size_t> members_;
+  std::shared_ptr<const Subject> extended_;  // as it will be written, at its start
   Explanation found_;
 };
+
+/// The subject with the shape of what is missing as a candidate of that id. Throws where there is
+/// none.
+std::unique_ptr<Subject> with_found_shape(const Subject& subject, const std::string& id,
+                                          const Record& record) {
+  const Evidence evidence = gather_evidence(subject, record);
+  const std::optional<Shape> shape = find_unknown_shape(evidence);
+  std::unique_ptr<Subject> with;
+  if (shape) with = subject.with_shape(id, *shape);
+  if (!with)
+    throw std::invalid_argument(std::string(added_shape) +
+                                ": no power of the inputs describes what is missing here");
+  return with;
+}
+
+/// "shape", or "shape-2" where the subject has one.
+std::string id_of_shape(const Subject& subject) {
+  const std::vector<std::string> known = subject.catalogue();
+  const std::vector<Parameter> numbers = subject.parameters();
+  for (int count = 1;; ++count) {
+    const std::string id =
+        count == 1 ? std::string(added_shape) : fmt::format("{}-{}", added_shape, count);
+    const bool taken = std::find(known.begin(), known.end(), id) != known.end() ||
+                       std::any_of(numbers.begin(), numbers.end(), [&](const Parameter& p) {
+                         return p.name.starts_with(id + ".");
+                       });
+    if (!taken) return id;
+  }
+}
 
 }  // namespace
 
 AddResult add(const Subject& subject, std::span<const std::string> ids, const Record& record) {
   if (subject.approximates()) return add_approximation(subject, ids, record);
   if (ids.empty()) throw std::invalid_argument("no effect to add");
+  if (other_base_of(subject, ids)) return Addition(subject, ids, record).run();
+  std::vector<std::string> wanted(ids.begin(), ids.end());
+  if (const auto shape = std::find(wanted.begin(), wanted.end(), added_shape);
+      shape != wanted.end()) {
+    *shape = id_of_shape(subject);
+    const std::unique_ptr<Subject> with = with_found_shape(subject, *shape, record);
+    (void)with->with_candidates(wanted);
+    return Addition(*with, wanted, record).run();
+  }
   (void)subject.with_candidates(ids);  // throws for what is no candidate
   return Addition(subject, ids, record).run();
 }

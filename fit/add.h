@@ -38,6 +38,10 @@ struct AddResult {
 /// Switches candidates on by id, refits all free parameters with them and judges the result. Size
 /// and standard error are those that diagnose() gives.
 ///
+/// "shape" is the shape that a diagnosis gives of what is missing, as an effect of the user's own,
+/// and the id of an OtherBase takes that base model, calibrated, in the place of the given one; it
+/// is taken by itself. Both are judged as effects are.
+///
 /// Refused: what is not better on blocks of rows that the fit did not see (two of the blockings,
 /// significantly worse in none); a fall of -2 ln L that chance could bring; a single effect that
 /// leaves structure where another one explains the data to the noise.

@@ -63,19 +63,19 @@ std::string Investigation::sentence() const {
         100.0 * hidden_->scatter, p_text(hidden_->run_p_value), difference_text(record_, *hidden_));
   switch (finding_.kind) {
     case Finding::Kind::single:
-      return single_text() + hidden_text();
+      return single_text() + other_bases_text() + hidden_text();
     case Finding::Kind::several:
-      return several_text() + hidden_text();
+      return several_text() + other_bases_text() + hidden_text();
     case Finding::Kind::base_laws:
-      return base_laws_text() + hidden_text();
+      return base_laws_text() + other_bases_text() + hidden_text();
     case Finding::Kind::bent:
-      return bent_text() + hidden_text();
+      return bent_text() + other_bases_text() + hidden_text();
     case Finding::Kind::partly:
-      return partly_text() + hidden_text();
+      return partly_text() + other_bases_text() + hidden_text();
     case Finding::Kind::none:
       break;
   }
-  return unexplained_text() + hidden_text();
+  return unexplained_text() + other_bases_text() + hidden_text();
 }
 
 /// A warning beside a verdict: scatter of that size may be no scatter.
@@ -231,8 +231,9 @@ std::string Investigation::partly_text() const {
 std::string Investigation::unexplained_text() const {
   std::string shape;
   if (result_.shape)
-    shape = fmt::format(" As a power law: {} ({:.0f} % of the misfit).", result_.shape->statement,
-                        100.0 * result_.shape->explained_share);
+    shape = fmt::format(
+        " As a power law: {} ({:.0f} % of the misfit); raceway add MODEL shape writes it.",
+        result_.shape->statement, 100.0 * result_.shape->explained_share);
   std::string pairs;
   if (const auto& weak = search_->weak_pairs(); !weak.empty())
     pairs = " Pairs that would do, without being shown: " + joined(weak.front(), "and") +
@@ -265,6 +266,26 @@ std::string Investigation::nearest_text() const {
     text += fmt::format(", {:.0f} times the noise: more than one thing is missing, or another law",
                         ratio);
   return text + ".";
+}
+
+/// Which other base model does better, and what takes it.
+std::string Investigation::other_bases_text() const {
+  if (result_.other_bases.empty()) return "";
+  const OtherBaseTried& best = result_.other_bases.front();
+  if (!result_.given_other_base) {
+    std::vector<std::string> words;
+    for (const OtherBaseTried& b : result_.other_bases) words.push_back(b.words);
+    return fmt::format(" {} in the place of the base law would come no nearer.",
+                       joined(words, "or"));
+  }
+  const ChannelDiagnosis& first = result_.channels.front();
+  const std::string fall = fmt::format(
+      "error {:.3g} -> {}, gain {:.0f} (needed {:.1f})", first.rmse_before / first.channel().factor,
+      reading_text(first.channel(), best.rmse.front()), best.gain, result_.needed_gain);
+  const std::string take = fmt::format("raceway add MODEL {} takes it", best.id);
+  if (best.explains) return fmt::format(" {} explains these data: {}; {}.", best.words, fall, take);
+  return fmt::format(" {} comes nearer: {}; {}. Given {} the verdict is {}.", best.words, fall,
+                     take, best.words, name(result_.given_other_base->verdict));
 }
 
 }  // namespace raceway::fit

@@ -21,6 +21,7 @@ Diagnosis diagnose(const Subject& subject, const Record& record, const DiagnoseO
   if (investigation.is_anything_missing()) {
     investigation.attribute();
     investigation.confirm();
+    investigation.try_other_bases();
     investigation.propose();
   }
   return investigation.conclude();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -112,16 +113,6 @@ struct NotTestable {
   std::string reason;  ///< what the data lack, which parameters do the same, or what rules it out
 };
 
-/// What is missing as a formula in the inputs, ready to be an effect of the user's own.
-struct Shape {
-  std::string key;  ///< of the file, under which it stands
-  std::string formula;
-  std::vector<Parameter> coefficients;
-  std::string statement;           ///< where it is strongest, and its sign
-  double explained_share = unset;  ///< of the squared misfit beyond the noise [1]
-  double gain = unset;             ///< fall of -2 ln L against the model without it
-};
-
 /// What a model leaves over time that nothing in its catalogue explains.
 struct Course {
   std::vector<std::pair<double, double>> when{};  ///< from and to, where it is largest [s]
@@ -136,6 +127,21 @@ struct SuggestedMeasurement {
   int repeats = 2;
   std::string separates{};             ///< ids, e.g. "this-effect / that-effect"
   double difference_in_sigma = unset;  ///< of that pair at this point, before any refit [1]
+};
+
+/// Another base model in the place of the given one, calibrated to the same readings.
+struct OtherBaseTried {
+  std::string id;     ///< OtherBase::id
+  std::string words;  ///< OtherBase::words
+  /// Fall of -2 ln L against the given model without effects, less ln N for each further number
+  /// that is free.
+  double gain = unset;
+  Likelihood likelihood{};
+  std::vector<double> rmse{};           ///< of each channel [SI]
+  std::vector<double> rmse_held_out{};  ///< the same over blocks that the fit did not see
+  std::vector<Parameter> parameters{};
+  double remaining_p_value = unset;  ///< of the gate on what it leaves; NaN where not asked
+  bool explains = false;             ///< nothing is missing in it that these data can show
 };
 
 struct Diagnosis {
@@ -175,6 +181,11 @@ struct Diagnosis {
   int rows = 0;                                 ///< used
   std::vector<std::size_t> outliers;            ///< rows counted with less weight
   std::vector<std::size_t> rows_not_predicted;  ///< rows
+  /// Tried where no candidate explains the misfit, the best first.
+  std::vector<OtherBaseTried> other_bases{};
+  /// What is found with the first of them in the place of the base model, single candidates alone;
+  /// null where none of them is worth it.
+  std::shared_ptr<const Diagnosis> given_other_base{};
   /// With a tolerance: whether the model as it is, refitted, is good enough; and effects that are
   /// certain, lower the held-out error and yet do not matter.
   bool within_tolerance = false;

@@ -165,14 +165,24 @@ std::string by_verdict(const Diagnosis& d) {
   return "Something is missing that no effect of the catalogue explains: " + error_and_noise(d);
 }
 
+/// Where another base model leaves nothing to be explained.
+std::string other_base(const Diagnosis& d) {
+  const OtherBaseTried& base = d.other_bases.front();
+  const Channel& channel = d.channels.front().channel();
+  return fmt::format("{} explains these data, and no effect does: error {:.3g} -> {}", base.words,
+                     d.channels.front().rmse_before / channel.factor,
+                     reading_text(channel, base.rmse.front()));
+}
+
 }  // namespace
 
 std::string headline(const Diagnosis& d, Inputs inputs) {
   if (inputs == Inputs::miss_what_changes && d.verdict != Verdict::nothing_missing)
     return "Something is missing that no input of the model describes: " + error_and_noise(d);
-  return by_verdict(d) + (inputs == Inputs::tell_all
-                              ? ""
-                              : "; but rows at nearly the same point do not read alike");
+  const bool explained = !d.other_bases.empty() && d.other_bases.front().explains;
+  return (explained ? other_base(d) : by_verdict(d)) +
+         (inputs == Inputs::tell_all ? ""
+                                     : "; but rows at nearly the same point do not read alike");
 }
 
 }  // namespace raceway::fit

@@ -22,7 +22,8 @@ namespace {
 constexpr std::size_t ranked = 6;           // effects with a hold-out of their own
 constexpr std::size_t most_rivals = 4;      // between which points are chosen
 constexpr double fall_of_an_effect = 0.01;  // of the error, below which an effect is not shown
-constexpr double worth_measuring = 0.5;     // predicted lambda_sep: less is none
+constexpr double worth_an_offer = 0.5;   // of the misfit, which another base model must take away
+constexpr double worth_measuring = 0.5;  // predicted lambda_sep: less is none
 
 void add_once(std::vector<std::string>& list, const std::string& word) {
   if (std::find(list.begin(), list.end(), word) == list.end()) list.push_back(word);
@@ -458,6 +459,95 @@ RankedEffect Investigation::rank(const Explanation& e, std::size_t member, bool 
       for (const std::string& other : group)
         if (other != effect.id) add_once(effect.indistinguishable_from, other);
   return effect;
+}
+
+OtherBaseTried Investigation::tried(CalibratedBase& found) const {
+  Explanation& e = found.explanation;
+  OtherBaseTried result{.id = found.base.id, .words = found.base.words};
+  if (!e.fit.converged) return result;
+  attribution_.recheck(e);
+  result.gain = e.gain;
+  result.likelihood = likelihood_of(evidence_, e.fit);
+  result.rmse = rms_of(e);
+  const auto error = result_.tolerance_limited() ? held_out_within_range : held_out;
+  result.rmse_held_out = error(evidence_, e.response, e.fit, blockings_);
+  for (std::size_t k = 0; k < e.parameters.size(); ++k)
+    result.parameters.push_back(e.fit.fitted(e.response, k));
+  result.remaining_p_value = e.recheck.p_value();
+  return result;
+}
+
+/// As much as is asked of a candidate: certain, no less than what the verdict names, better on
+/// blocks that no fit saw, and what it leaves is noise or within what is allowed.
+bool Investigation::does_as_well(const CalibratedBase& found, const OtherBaseTried& tried) const {
+  const Explanation& e = found.explanation;
+  if (!(tried.gain > result_.needed_gain)) return false;
+  if (!finding_.set.empty() && tried.gain < finding_.set.front()->gain - within_reach) return false;
+  if (result_.tolerance_limited()) return search_->share_of_tolerance(e.response, e.fit) <= 1.0;
+  if (tried.remaining_p_value < passed) return false;
+  std::vector<HoldOut> held;
+  for (const Blocking& b : blockings_)
+    held.push_back(compare_held_out(
+        held_out_errors(evidence_.response, evidence_.base, problem_.observed.measured,
+                        evidence_.std(), b),
+        held_out_errors(e.response, e.fit, problem_.observed.measured, evidence_.std(), b),
+        evidence_.std(), problem_.observed, b));
+  return confirmed(held);
+}
+
+/// The verdict with another base model, single candidates alone; null where there is none.
+std::shared_ptr<const Diagnosis> Investigation::given(const CalibratedBase& found) const {
+  DiagnoseOptions options = options_;
+  options.other_bases = false;
+  options.pairs = false;
+  options.tried_before = result_.candidates_tried;  // on these data
+  options.progress = {};
+  try {
+    return std::make_shared<const Diagnosis>(diagnose(*fitted_subject(found), record_, options));
+  } catch (const std::invalid_argument&) {
+    return nullptr;
+  }
+}
+
+void Investigation::try_other_bases() {
+  const bool explained =
+      result_.verdict != Verdict::not_in_catalogue && result_.verdict != Verdict::effect_like;
+  if (!options_.other_bases || outside_the_inputs() || explained) return;
+  step(0.9, "trying other base models");
+  std::vector<CalibratedBase> bases = calibrate_other_bases(evidence_);
+  for (const CalibratedBase& b : bases)
+    if (!b.not_testable.empty()) result_.not_testable.push_back({b.base.id, b.not_testable});
+  std::erase_if(bases, [](const CalibratedBase& b) { return !b.not_testable.empty(); });
+  if (bases.empty()) return;
+  result_.candidates_tried += static_cast<int>(bases.size());
+  result_.needed_gain = std::log(static_cast<double>(problem_.observed.size())) +
+                        2.0 * std::log(std::max(1, result_.candidates_tried));
+  for (CalibratedBase& b : bases) result_.other_bases.push_back(tried(b));
+  const auto leads = [&] {
+    for (std::size_t k = 0; k < bases.size(); ++k)
+      if (does_as_well(bases[k], result_.other_bases[k])) return k;
+    return bases.size();
+  }();
+  if (leads < bases.size()) {
+    std::rotate(bases.begin(), bases.begin() + static_cast<std::ptrdiff_t>(leads),
+                bases.begin() + static_cast<std::ptrdiff_t>(leads) + 1);
+    std::rotate(result_.other_bases.begin(),
+                result_.other_bases.begin() + static_cast<std::ptrdiff_t>(leads),
+                result_.other_bases.begin() + static_cast<std::ptrdiff_t>(leads) + 1);
+  }
+  const Explanation& best = bases.front().explanation;
+  if (!best.fit.converged || !(best.gain > result_.needed_gain)) return;
+  // One that leaves most of the misfit, or more than an effect does, is no offer.
+  const std::vector<Explanation>& singles = search_->singles();
+  const double rival =
+      singles.empty() || !singles.front().fit.converged ? 0.0 : singles.front().gain;
+  if (leads == bases.size() &&
+      !(best.gain > rival && best.fit.misfit < worth_an_offer * evidence_.base.misfit))
+    return;
+  result_.given_other_base = given(bases.front());
+  result_.other_bases.front().explains =
+      leads < bases.size() && result_.given_other_base &&
+      result_.given_other_base->verdict == Verdict::nothing_missing;
 }
 
 void Investigation::propose() {

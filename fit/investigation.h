@@ -6,6 +6,7 @@
 
 #include "fit/diagnose.h"
 #include "fit/hidden_input.h"
+#include "fit/other_bases.h"
 #include "fit/search.h"
 
 /// Parts of diagnose(); not for other code.
@@ -24,6 +25,8 @@ class Investigation {
   void attribute();
   /// Whether that holds on rows that no fit saw, with sizes that one can believe.
   void confirm();
+  /// Whether another base model does better, where that does not hold of any candidate.
+  void try_other_bases();
   /// What to measure next where the data cannot tell.
   void propose();
   /// The verdict in words.
@@ -54,6 +57,9 @@ class Investigation {
   void fill_explained(const Set& set);
   [[nodiscard]] RankedEffect rank(const Explanation& e, std::size_t member, bool validate) const;
   [[nodiscard]] std::vector<double> rms_of(const Explanation& e) const;
+  [[nodiscard]] OtherBaseTried tried(CalibratedBase& found) const;
+  [[nodiscard]] bool does_as_well(const CalibratedBase& found, const OtherBaseTried& tried) const;
+  [[nodiscard]] std::shared_ptr<const Diagnosis> given(const CalibratedBase& found) const;
   void find_immaterial();
   void tell_of_all_rows();
 
@@ -68,6 +74,7 @@ class Investigation {
   [[nodiscard]] std::string partly_text() const;
   [[nodiscard]] std::string unexplained_text() const;
   [[nodiscard]] std::string nearest_text() const;
+  [[nodiscard]] std::string other_bases_text() const;
   [[nodiscard]] std::string remains_text() const;
   [[nodiscard]] std::string hidden_text() const;
   [[nodiscard]] std::string joined_sets(const Set& set) const;

@@ -232,6 +232,27 @@ std::unique_ptr<Subject> SeveralRecords::without_free_candidates() const {
   return copy;
 }
 
+std::unique_ptr<Subject> SeveralRecords::with_shape(const std::string& id,
+                                                    const Shape& shape) const {
+  auto with = model_->with_shape(id, shape);
+  return with ? with_model(std::move(with)) : nullptr;
+}
+
+std::vector<OtherBase> SeveralRecords::other_bases() const {
+  std::vector<OtherBase> list = model_->other_bases();
+  for (OtherBase& base : list) {
+    if (!base.subject) continue;
+    const std::vector<Parameter> known = base.subject->parameters();
+    for (const std::string& own : own_)
+      if (std::none_of(known.begin(), known.end(),
+                       [&](const Parameter& p) { return p.name == own; }))
+        base.lacks = own + ", which each record has for itself";
+    base.subject =
+        base.lacks.empty() ? std::shared_ptr<const Subject>(with_model(base.subject)) : nullptr;
+  }
+  return list;
+}
+
 std::string SeveralRecords::rules_out(const std::string& id) const { return model_->rules_out(id); }
 
 std::string SeveralRecords::correction(const std::string& id,

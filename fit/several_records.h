@@ -56,6 +56,10 @@ class SeveralRecords : public Subject {
   [[nodiscard]] std::unique_ptr<Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::unique_ptr<Subject> without_free_candidates() const override;
+  [[nodiscard]] std::unique_ptr<Subject> with_shape(const std::string& id,
+                                                    const Shape& shape) const override;
+  /// Those of the model that have the numbers which records have for themselves.
+  [[nodiscard]] std::vector<OtherBase> other_bases() const override;
   [[nodiscard]] std::string rules_out(const std::string& id) const override;
   [[nodiscard]] std::string correction(const std::string& id,
                                        std::span<const double> values) const override;

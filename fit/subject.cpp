@@ -72,6 +72,12 @@ std::unique_ptr<Subject> Subject::without_free_candidates() const { return nullp
 
 std::vector<Fault> Subject::faults(const Record&) const { return {}; }
 
+std::unique_ptr<Subject> Subject::with_shape(const std::string&, const Shape&) const {
+  return nullptr;
+}
+
+std::vector<OtherBase> Subject::other_bases() const { return {}; }
+
 std::string Subject::rules_out(const std::string&) const { return {}; }
 std::string Subject::lacks(const std::string&, const Record&) const { return {}; }
 

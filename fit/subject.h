@@ -121,6 +121,16 @@ struct Formula {
   std::vector<Input> inputs{};
 };
 
+/// What is missing as a formula in the inputs, ready to be an effect of the user's own.
+struct Shape {
+  std::string key;  ///< of the file, under which it stands
+  std::string formula;
+  std::vector<Parameter> coefficients;
+  std::string statement;           ///< where it is strongest, and its sign
+  double explained_share = unset;  ///< of the squared misfit beyond the noise [1]
+  double gain = unset;             ///< fall of -2 ln L against the model without it
+};
+
 /// A value of one input.
 struct Setting {
   const Channel* channel = nullptr;
@@ -140,6 +150,17 @@ struct Fault {
   std::string datum;                        ///< what is wrong, in words: "the sensor of ..."
   std::string correction;                   ///< how, in words
   std::shared_ptr<const Record> without{};  ///< the record without it, as far as it can be told
+};
+
+class Subject;
+
+/// Another base model that may stand in the place of that of a subject.
+struct OtherBase {
+  std::string id;     ///< by which add() takes it
+  std::string words;  ///< as a model says it
+  /// The subject with it and with its usual numbers free; null where `lacks` says why not.
+  std::shared_ptr<const Subject> subject{};
+  std::string lacks{};  ///< what it needs and the subject does not have
 };
 
 /// Rows held out together, block by block.
@@ -201,6 +222,12 @@ class Subject {
   /// learnt from a record waits among the candidates again. Null where there is none. Default:
   /// null.
   [[nodiscard]] virtual std::unique_ptr<Subject> without_free_candidates() const;
+  /// Itself with a shape as one more candidate of that id, switched off, whose numbers begin where
+  /// they were found; null where it takes no formula. Default: null.
+  [[nodiscard]] virtual std::unique_ptr<Subject> with_shape(const std::string& id,
+                                                            const Shape& shape) const;
+  /// Base models that may be tried in the place of its own. Default: none.
+  [[nodiscard]] virtual std::vector<OtherBase> other_bases() const;
   /// Why an id of catalogue() cannot be at work here whatever a record says, in a sentence; empty
   /// if it can. Default: empty.
   [[nodiscard]] virtual std::string rules_out(const std::string& id) const;

@@ -31,6 +31,9 @@ struct Input {
   bool has_zeros = false;
 };
 
+constexpr double highest_exponent = 5.0;
+double lowest_exponent(const Input& input) { return input.has_zeros ? 0.2 : -4.0; }
+
 /// Those that vary; no power of another can be told.
 std::vector<Input> varying_inputs(const Formula& formula, const Observations& observed) {
   constexpr std::array<std::array<double, 5>, 3> tried{
@@ -150,7 +153,7 @@ class ShapeSearch {
     const double size = starts_.front().size, scale = std::max(1e-12, std::abs(size));
     add("c", size, -1e3 * scale, 1e3 * scale, scale);
     for (const Input& input : inputs_)
-      add(input.exponent, 0.0, input.has_zeros ? 0.2 : -4.0, 5.0, 1.0);
+      add(input.exponent, 0.0, lowest_exponent(input), highest_exponent, 1.0);
     response.readings = [this](const Eigen::VectorXd& x) {
       return Eigen::VectorXd(plain_.at(x.head(bases_)) +
                              x[bases_] * power(x.tail(x.size() - bases_ - 1)));
@@ -185,6 +188,8 @@ class ShapeSearch {
       result.formula +=
           fmt::format(" * ({} / {:g})^{}", input.word, input.reference, input.exponent);
       Parameter exponent{.name = input.exponent, .unit = "1"};
+      exponent.lower = lowest_exponent(input);
+      exponent.upper = highest_exponent;
       exponent.value = fit.values[at];
       exponent.std = fit.standard_errors[at];
       if (limit) exponent.at_bound = exponent.value < 0.0 ? Bound::lower : Bound::upper;

@@ -88,6 +88,7 @@ ContactData read_contact(ModelTables& tables, bool used, std::optional<friction:
         fmt::format("default of {} oil, nu in mm2/s", name(data.oil.type)));
   data.eyring_stress =
       number(oil, eyring_stress, friction::contact::default_eyring_stress / MPa) * MPa;
+  if (const auto given = oil.number(limiting_traction)) data.limiting_traction = *given;
   data.supply = friction::contact::inlet_of(supply);
   if (used && !supply)
     tables.note_default("lubricant", "supply", "limited",

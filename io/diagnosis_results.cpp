@@ -215,6 +215,33 @@ json set_object(const fit::SetFit& f, const Counts& counts) {
   return result;
 }
 
+json other_base_object(const fit::OtherBaseTried& b, const Counts& counts) {
+  const record::Channel& first = *counts.front().channel;
+  json result = {{"id", b.id}, {"words", b.words}, {"gain", b.gain}};
+  result.update(likelihood_object(b.likelihood, counts));
+  result.update({{"rmse", in_unit(b.rmse, 0, first)},
+                 {"rmse_cross_validated", in_unit(b.rmse_held_out, 0, first)},
+                 {"remaining_p_value", b.remaining_p_value},
+                 {"explains", b.explains},
+                 {"parameters", base_objects(b.parameters)}});
+  for (auto& [_, p] : result["parameters"].items()) {
+    p["value"] = p["after"];
+    p.erase("before");
+    p.erase("after");
+  }
+  return result;
+}
+
+/// The verdict with another base model.
+json given_object(const fit::OtherBaseTried& base, const fit::Diagnosis& d) {
+  json effects = json::array();
+  for (const fit::RankedEffect& e : d.effects)
+    if (e.in_verdict) effects.push_back(e.plain_id());
+  return {{"id", base.id},          {"verdict", fit::name(d.verdict)},
+          {"headline", d.headline}, {"sentence", d.sentence},
+          {"p_value", d.p_value},   {"effects", effects}};
+}
+
 json added_channel(const fit::ChannelGain& c) {
   const record::Channel& channel = c.channel();
   json result = channel_object(channel);
@@ -270,6 +297,11 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
        {"outlier_lines", outlier_lines(record, d.outliers)},
        {"messages", d.messages}});
   add_notes(document, record);
+  if (!d.other_bases.empty())
+    document["other_bases"] =
+        list_of(d.other_bases, [&](const auto& b) { return other_base_object(b, counts); });
+  if (d.given_other_base)
+    document["given_other_base"] = given_object(d.other_bases.front(), *d.given_other_base);
   if (d.shape) document["shape"] = shape_object(*d.shape);
   if (d.course) document["shape"] = course_object(*d.course);
   return text(std::move(document));

@@ -291,7 +291,89 @@ std::string with_covariance(std::string text, const fit::Covariance& c,
 
 }  // namespace
 
+namespace {
+
+/// A table of a model and where it stands in its text.
+const toml::table& table_to_edit(const toml::table& root, const std::string& name) {
+  const toml::table* const table = root[name].as_table();
+  if (table && !table->is_inline()) return *table;
+  throw InputError(
+      fmt::format("[{0}] is in braces: make it a table of its own, to change the law", name),
+      {.key = name});
+}
+
+/// The text with this value, as TOML writes it, for a key; a table that is not there is added.
+std::string with_text_value(std::string text, const std::string& name, const std::string& key,
+                            const std::string& value) {
+  const toml::table root = parse_toml(text, "model");
+  const KeyPath path{.tables = {{name}}, .key = key};
+  const std::string assignment = fmt::format("{} = {}", key, value);
+  if (!root.contains(name)) return with_new_table(std::move(text), path, assignment);
+  const toml::table& table = table_to_edit(root, name);
+  const toml::node* const node = table.get(key);
+  if (!node) return with_new_key(std::move(text), table, assignment);
+  const std::size_t begin = byte_of(text, node->source().begin);
+  return text.replace(begin, byte_of(text, node->source().end) - begin, value);
+}
+
+/// The text without a key of a table, its line and the comment there.
+std::string without_key(std::string text, const std::string& name, const std::string& key) {
+  const toml::table root = parse_toml(text, "model");
+  if (!root[name][key]) return text;
+  const toml::table& table = table_to_edit(root, name);
+  const std::size_t begin = line_start(text, table.find(key)->first.source().begin.line);
+  const std::size_t value_end = byte_of(text, table.get(key)->source().end);
+  const std::size_t end = text.find('\n', value_end);
+  return text.erase(begin, (end == text.npos ? text.size() : end + 1) - begin);
+}
+
+/// The text with the law of a model, and with all numbers of that law.
+std::string with_law(std::string text, const model::Model& before, const model::Model& fitted) {
+  text = with_text_value(std::move(text), "friction", "law",
+                         fmt::format("\"{}\"", friction::name(fitted.law)));
+  text = with_comment(std::move(text),
+                      {.key = "friction.law",
+                       .value = 0.0,
+                       .comment = fmt::format("it was \"{}\"", friction::name(before.law))});
+  std::vector<KeyValue> numbers;
+  for (std::size_t k = 0; const friction::Parameter& p : friction::parameters(fitted.law)) {
+    if (!friction::of_the_lubricant(p))
+      numbers.push_back({fmt::format("friction.{}", p.name), with_15_digits(fitted.law_values[k])});
+    ++k;
+  }
+  text = with_values(text, numbers);
+  const std::span<const friction::Parameter> kept = friction::parameters(fitted.law);
+  for (const friction::Parameter& p : friction::parameters(before.law)) {
+    const bool stays = std::any_of(kept.begin(), kept.end(),
+                                   [&](const friction::Parameter& k) { return k.name == p.name; });
+    if (!friction::of_the_lubricant(p) && !stays)
+      text = without_key(std::move(text), "friction", std::string(p.name));
+  }
+  for (const std::string_view key :
+       {"f1_load", "inlet_over_b", "asperity_factor", "asperity_exponent"})
+    text = without_key(text, "friction", std::string(key));
+  if (before.balanced_balls && !fitted.balanced_balls)
+    text = with_text_value(std::move(text), "solver", "race_control", "\"outer\"");
+  std::vector<std::string> names;
+  for (const std::string& name : fitted.free) names.push_back(fmt::format("\"{}\"", name));
+  if (parse_toml(text, "model")["calibration"]["free"])
+    text = with_text_value(std::move(text), "calibration", "free",
+                           fmt::format("[{}]", fmt::join(names, ", ")));
+  return text;
+}
+
+}  // namespace
+
 std::string with_model(const ModelFile& file, const model::Model& found) {
+  if (found.law != file.model.law) {
+    ModelFile other = file;
+    other.text = with_law(without_covariance(file.text), file.model, found);
+    const bool marked = other.text.starts_with(utf8_mark);
+    other = parse_model(marked ? other.text.substr(utf8_mark.size()) : std::move(other.text),
+                        file.source, file.files);
+    if (marked) other.text.insert(0, utf8_mark);
+    return with_model(other, found);
+  }
   const model::Model fitted = model::with_corrected_data(found);
   const auto in_file = [&](const effects::Effect& effect) {
     return std::any_of(

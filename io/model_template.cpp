@@ -48,6 +48,10 @@ std::string friction_lines(friction::FrictionLaw law) {
       add("K_rs", initial("K_rs"), "3e-8 oil bath or jet, 6e-8 grease or oil-air");
       break;
     case friction::FrictionLaw::contact:
+      text +=
+          "# To diagnose measured torque begin with \"palmgren\": two free numbers, a verdict in a "
+          "second.\n"
+          "# raceway add MODEL law:palmgren --data RIG.csv -o NEW.toml takes it, calibrated.\n";
       add("law", "\"contact\"",
           "sums over the balls; or \"palmgren\", \"skf\": raceway new --law writes their numbers");
       add("rolling_factor", initial("rolling_factor"),

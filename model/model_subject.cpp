@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "effects/catalogue.h"
+#include "effects/formula.h"
 #include "model/candidates.h"
 #include "model/corrected_data.h"
 #include "model/needs.h"
@@ -167,12 +168,33 @@ std::unique_ptr<fit::Subject> ModelSubject::without_free_candidates() const {
   return with(without(std::move(bare), leaving), std::move(waiting));
 }
 
+std::unique_ptr<fit::Subject> ModelSubject::with_shape(const std::string& id,
+                                                       const fit::Shape& shape) const {
+  effects::UserMadeEffect own{.id = id,
+                              .title = "shape of what is missing, found in measurements",
+                              .torque_Nmm = shape.formula,
+                              .parameters = {}};
+  for (const fit::Parameter& c : shape.coefficients)
+    own.parameters.push_back({c.name, c.unit, c.value, c.lower, c.upper});
+  Model with_it = model_;
+  with_it.effects.push_back(effects::make_effect(own));
+  effects::Effect& effect = with_it.effects.back();
+  effect.values = effects::neutral_values(*effect.description);
+  std::vector<std::string> waiting = waiting_;
+  waiting.push_back(id);
+  return with(std::move(with_it), std::move(waiting));
+}
+
 effects::Effect ModelSubject::from_catalogue(const std::string& id) const {
   const effects::Form form = model_.form();
   if (find_effect(model_, id))
     throw std::invalid_argument(fmt::format("{}: the model has this effect already", id));
   const effects::Description* const d = effects::find(id, form);
-  if (!d) refuse_unknown(id, waiting_, form);
+  if (!d) {
+    std::vector<std::string> known = waiting_;
+    for (fit::OtherBase& base : other_bases()) known.push_back(std::move(base.id));
+    refuse_unknown(id, std::move(known), form);
+  }
   if (!d->moves(form))
     throw std::invalid_argument(fmt::format("{}: does not change the {}, which is measured", id,
                                             measured().front().channel->words));

@@ -64,6 +64,9 @@ class ModelSubject : public fit::Subject {
   [[nodiscard]] std::unique_ptr<fit::Subject> with_candidates(
       std::span<const std::string> ids) const override;
   [[nodiscard]] std::unique_ptr<fit::Subject> without_free_candidates() const override;
+  /// As an effect of the user's own that waits.
+  [[nodiscard]] std::unique_ptr<fit::Subject> with_shape(const std::string& id,
+                                                         const fit::Shape& shape) const override;
   [[nodiscard]] std::string correction(const std::string& id,
                                        std::span<const double> values) const override;
   /// Also of an effect of the catalogue that changes nothing that is measured.

@@ -12,6 +12,7 @@
 #include "effects/oil_card.h"
 #include "effects/temperature_sensor.h"
 #include "fit/grid.h"
+#include "model/base_laws.h"
 #include "model/prediction.h"
 #include "model/row.h"
 #include "rig/rig_predictor.h"
@@ -205,6 +206,19 @@ std::vector<std::string> RigSubject::records_needed(
   add(effects::TemperatureGain::datum,
       "the temperature by a second sensor nearer the film, as at the outer ring");
   return needed;
+}
+
+std::vector<fit::OtherBase> RigSubject::other_bases() const {
+  std::vector<fit::OtherBase> list;
+  for (const friction::FrictionLaw law : friction::all_friction_laws) {
+    if (law == model().law) continue;
+    const std::string name(friction::name(law));
+    fit::OtherBase base{
+        .id = "law:" + name, .words = "law = " + name, .lacks = model::lacks_for_law(model(), law)};
+    if (base.lacks.empty()) base.subject = with(model::with_law(model(), law), waiting());
+    list.push_back(std::move(base));
+  }
+  return list;
 }
 
 std::string RigSubject::lacks(const std::string& id, const fit::Record& record) const {

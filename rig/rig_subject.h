@@ -30,6 +30,8 @@ class RigSubject : public model::ModelSubject {
   [[nodiscard]] std::optional<fit::Formula> formula(const fit::Record& record) const override;
   [[nodiscard]] std::vector<fit::Axis> axes(const fit::Record& record) const override;
   [[nodiscard]] std::string words(std::span<const fit::Setting> point) const override;
+  /// The other laws, "law:skf" and so on.
+  [[nodiscard]] std::vector<fit::OtherBase> other_bases() const override;
   /// Also of two numbers of the contact law: rows with thin films, and with high pressure.
   [[nodiscard]] std::string lacks(const std::string& id, const fit::Record& record) const override;
   /// What tells a wrong datum from an effect: the oil, or the temperature, measured again.

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,13 +16,14 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string everyday(const std::string& name) {
-  const std::string folder = tests::source_dir() + "/tests/cli/everyday/" + name + "/";
-  return folder + "model.toml " + folder + "train.csv";
+const std::string everyday = tests::source_dir() + "/tests/cli/everyday/";
+
+std::string files_of(const std::string& kind) {
+  return everyday + kind + "/model.toml " + everyday + kind + "/train.csv";
 }
 
 json diagnosed(const std::string& name, const std::string& flags = "") {
-  const Result found = run("diagnose " + everyday(name) + " --json " + flags);
+  const Result found = run("diagnose " + files_of(name) + " --json " + flags);
   EXPECT_EQ(found.status, 0) << found.err;
   return json::parse(found.out);
 }
@@ -41,13 +43,13 @@ TEST(Everyday, RowsOfALoggerAreThoseOfItsStates) {
 }
 
 TEST(Everyday, RowsStayApartWhereThatIsAskedFor) {
-  const Result kept = run("calibrate " + everyday("logger-states") + " --rows --json");
+  const Result kept = run("calibrate " + files_of("logger-states") + " --rows --json");
   ASSERT_EQ(kept.status, 0) << kept.err;
   const json c = json::parse(kept.out);
   EXPECT_EQ(c["rows"], 1440);
   EXPECT_FALSE(c.contains("dwells"));
   EXPECT_THAT(kept.err, Not(HasSubstr("dwells")));
-  EXPECT_THAT(run("calibrate " + everyday("logger-states")).err,
+  EXPECT_THAT(run("calibrate " + files_of("logger-states")).err,
               HasSubstr("1440 rows are 36 dwells"));
 }
 
@@ -65,6 +67,53 @@ TEST(Everyday, ScatterThatGrowsWithSpeedIsNoEffect) {
   EXPECT_NEAR(d["noise"]["relative"].get<double>(), 0.05, 0.025);
   EXPECT_GT(d["noise"]["growth"].get<double>(), 0.3);
   EXPECT_TRUE(d["outlier_lines"].empty()) << d["outlier_lines"];
+}
+
+TEST(Everyday, AnotherBaseLawIsOfferedAndTaken) {
+  const ScratchFolder scratch;
+  const Result found = run("diagnose " + files_of("law-skf"));
+  ASSERT_EQ(found.status, 0) << found.err;
+  EXPECT_THAT(found.out, HasSubstr("law = skf explains these data"));
+  EXPECT_THAT(found.out, HasSubstr("raceway add MODEL law:skf takes it"));
+  EXPECT_THAT(found.out, HasSubstr("verdict: not-in-catalogue"));
+  EXPECT_THAT(found.out, HasSubstr("given law = skf: nothing-missing"));
+  const json d = json::parse(run("diagnose " + files_of("law-skf") + " --json").out);
+  EXPECT_EQ(d["other_bases"][0]["id"], "law:skf");
+  EXPECT_TRUE(d["other_bases"][0]["explains"]);
+  EXPECT_EQ(d["given_other_base"]["verdict"], "nothing-missing");
+
+  const std::string better = scratch.file("skf.toml"), model = everyday + "law-skf/model.toml";
+  const Result added =
+      run("add " + model + " law:skf --data " + everyday + "law-skf/train.csv -o " + better);
+  ASSERT_EQ(added.status, 0) << added.err;
+  const std::string text = file_text(better);
+  EXPECT_THAT(text, HasSubstr("law = \"skf\""));
+  EXPECT_THAT(text, HasSubstr("free = [\"mu_EHL\", \"K_rs\"]"));
+  EXPECT_THAT(text, Not(HasSubstr("f0 =")));
+  EXPECT_THAT(text, HasSubstr("ball_diameter_mm = 11.906"));
+
+  const json again =
+      json::parse(run("diagnose " + better + " " + everyday + "law-skf/train.csv --json").out);
+  EXPECT_EQ(again["verdict"], "nothing-missing") << again["sentence"];
+  const json ladder = json::parse(
+      run("compare " + model + " " + better + " " + everyday + "law-skf/test.csv --json").out);
+  EXPECT_LT(ladder["models"][1]["rmse"].get<double>(),
+            0.05 * ladder["models"][0]["rmse"].get<double>());
+}
+
+TEST(Everyday, TheShapeOfTheSentenceIsWrittenAndTheLoopGoesOn) {
+  const ScratchFolder scratch;
+  const std::string model = everyday + "law-skf/model.toml", train = everyday + "law-skf/train.csv";
+  EXPECT_THAT(run("diagnose " + model + " " + train).out,
+              HasSubstr("raceway add MODEL shape writes it"));
+  const std::string better = scratch.file("shape.toml");
+  const Result added = run("add " + model + " shape --data " + train + " -o " + better);
+  ASSERT_EQ(added.status, 0) << added.err;
+  EXPECT_THAT(file_text(better), HasSubstr("id = \"shape\""));
+  EXPECT_THAT(file_text(better), HasSubstr("torque_Nmm = \"c * (speed_rpm / "));
+  const json before = json::parse(run("diagnose " + model + " " + train + " --json").out);
+  const json after = json::parse(run("diagnose " + better + " " + train + " --json").out);
+  EXPECT_LT(after["rmse_before"].get<double>(), 0.2 * before["rmse_before"].get<double>());
 }
 
 }  // namespace

@@ -51,6 +51,15 @@ TEST(Headline, NamesAllOfSeveral) {
             "error 44.9 -> 10.7 N mm");
 }
 
+TEST(Headline, NamesTheBaseLawThatExplainsTheData) {
+  Diagnosis d = found(Verdict::not_in_catalogue, {});
+  d.other_bases.push_back({.id = "law:skf", .words = "law = skf", .rmse = {11.5 * N_mm}});
+  EXPECT_EQ(headline(d).find("law = skf"), std::string::npos);
+  d.other_bases.front().explains = true;
+  EXPECT_EQ(headline(d),
+            "law = skf explains these data, and no effect does: error 44.9 -> 11.5 N mm");
+}
+
 TEST(Headline, DoesNotCallWrongDataAnEffect) {
   Diagnosis d = found(Verdict::effect, {{"lubricant-viscosity"}});
   d.effects = {effect("lubricant-viscosity", "factor", 1.4, "1")};

@@ -1,5 +1,6 @@
 // A fitted model written into the text of its file, and read back.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 
 #include "effects/catalogue.h"
 #include "io/model_file.h"
+#include "model/base_laws.h"
 #include "model/parameters.h"
 
 namespace raceway::io {
@@ -163,6 +165,43 @@ TEST(WithModel, TheLoadOfTheFactorStaysWithTheFactor) {
   const std::string text = with_model(file, fitted);
   EXPECT_THAT(text, HasSubstr("z = 0.002\ny = 0.33\nf1_load = \"F_b\" # of the rig\n"));
   EXPECT_EQ(file_of(text).model.f1_load, friction::F1Load::F_b);
+}
+
+TEST(WithModel, AnotherLawReadsBackAndLeavesAllElseAsItStood) {
+  using friction::FrictionLaw;
+  const std::string tail =
+      "\n[calibration]\nfree = [\"{}\", \"seal-friction.torque_at_45_C_Nmm\"]  # mine\n"
+      "\n[[effect]]\nid = \"seal-friction\"\n";
+  const std::vector<std::pair<std::string, std::string>> laws{
+      {palmgren + "f1_load = \"F_b\"\n", "f0"},
+      {skf_law, "K_rs"},
+      {"\n[friction]\nlaw = \"contact\"\ninlet_over_b = 1.5\n\n[solver]\nrace_control = "
+       "\"balanced\"\n",
+       "rolling_factor"}};
+  for (const auto& [law, free] : laws)
+    for (const FrictionLaw wanted : friction::all_friction_laws) {
+      std::string text = bearing_of_edit + law + tail;
+      text.replace(text.find("{}"), 2, free);
+      const ModelFile file = parse_model(text, "my.toml");
+      if (file.model.law == wanted) continue;
+      const model::Model changed = model::with_law(file.model, wanted);
+      const std::string written = with_model(file, changed);
+      SCOPED_TRACE(written);
+      const ModelFile read = parse_model(written, "my.toml");
+      EXPECT_EQ(read.model.law, wanted);
+      EXPECT_EQ(read.model.law_values, changed.law_values);
+      EXPECT_EQ(read.model.free, changed.free);
+      EXPECT_EQ(read.model.free.back(), "seal-friction.torque_at_45_C_Nmm");
+      EXPECT_EQ(read.model.balanced_balls, false);
+      // Every number stands there, so that another default changes nothing.
+      for (const friction::Parameter& p : friction::parameters(wanted))
+        if (!friction::of_the_lubricant(p))
+          EXPECT_THAT(written, HasSubstr("\n" + std::string(p.name) + " = "));
+      EXPECT_THAT(written, HasSubstr("contact_angle_deg = 25.0        # as printed\n"));
+      EXPECT_THAT(written, HasSubstr("# mine"));
+      EXPECT_THAT(written,
+                  HasSubstr(fmt::format("# it was \"{}\"", friction::name(file.model.law))));
+    }
 }
 
 TEST(WithModel, TheSupplyStays) {

@@ -1,0 +1,65 @@
+#include "model/base_laws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/needs.h"
+#include "model/parameters.h"
+
+namespace raceway::model {
+namespace {
+
+using friction::FrictionLaw;
+
+/// Published values; of the film what the oil has.
+std::vector<double> usual_values(const Model& model, FrictionLaw law) {
+  const friction::contact::ContactData& data = model.contact;
+  std::vector<double> values;
+  for (const friction::Parameter& p : friction::parameters(law))
+    values.push_back(!friction::of_the_lubricant(p) ? p.initial
+                     : std::isnan(data.limiting_traction)
+                         ? oil_defaults(data.oil.type).limiting_traction
+                         : data.limiting_traction);
+  return values;
+}
+
+bool contains(FrictionLaw law, const effects::Description& effect) {
+  return law == FrictionLaw::skf && std::find(effect.needs.begin(), effect.needs.end(),
+                                              effects::Need::palmgren_law) != effect.needs.end();
+}
+
+}  // namespace
+
+std::string lacks_for_law(const Model& model, FrictionLaw law) {
+  const bearing::BearingGeometry& g = model.bearing.geometry();
+  if (law == FrictionLaw::palmgren && std::isnan(g.static_load_rating))
+    return "static_load_rating_N under [bearing]";
+  if (law == FrictionLaw::skf && !(g.contact_angle > 0.0))
+    return "a contact angle above 0: the constants of the skf law are those of angular contact "
+           "ball bearings";
+  const Model changed = with_law(model, law);
+  for (const effects::Effect& e : model.effects) {
+    const effects::Description& d = *e.description;
+    // An exponent that was found for one law says nothing of another.
+    if (d.base_law || contains(law, d) || !refused_by_law(d, changed).empty())
+      return "a base without " + std::string(d.id) + ", which belongs to the law that it has";
+  }
+  return {};
+}
+
+Model with_law(Model model, FrictionLaw law) {
+  model.law_values = usual_values(model, law);
+  model.law = law;
+  model.f1_load = friction::F1Load::P0;
+  std::vector<std::string> free = default_free(law);
+  for (std::string& name : model.free)
+    if (name.find('.') != name.npos) free.push_back(std::move(name));
+  model.free = std::move(free);
+  model.covariance.reset();
+  if (law != FrictionLaw::contact && std::exchange(model.balanced_balls, false))
+    model.solver.race_control = bearing::RaceControl::outer;
+  return model;
+}
+
+}  // namespace raceway::model
