@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "fit/observations.h"
+#include "fit/response.h"
 #include "fit/thinned.h"
 #include "io/units.h"
 #include "record/median.h"
@@ -118,6 +120,66 @@ bool has_impossible_input(const model::ModelSubject& subject, const Record& data
   return false;
 }
 
+/// How a model fits the readings once its free numbers are refitted to them.
+struct Refitted {
+  double error = unset;  ///< rms of the errors relative to the readings [1]
+  double oddness = 0.0;  ///< of the numbers found: squared distance from those believed
+  [[nodiscard]] bool known() const { return std::isfinite(error); }
+};
+
+/// Numbers of a law that people believe are right within this factor, one standard deviation; what
+/// a model misses moves them less.
+constexpr double usual_factor = 1.8;
+constexpr std::size_t rows_of_refit = 80;
+
+Refitted refitted(const model::ModelSubject& subject, Record data) {
+  if (data.rows() > rows_of_refit) {
+    std::vector<std::size_t> rows(data.rows());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    data = data.picked(fit::thinned(std::move(rows), rows_of_refit));
+  }
+  Refitted result;
+  try {
+    const auto record = std::make_shared<const Record>(std::move(data));
+    const fit::Observations observed =
+        fit::observe(subject.measured(), *record, fit::predict(subject, *record));
+    if (static_cast<std::size_t>(observed.size()) < least_rows) return result;
+    fit::Response response = fit::response_of(subject, record, observed, subject.free());
+    response.find_affine_form();
+    const double largest = observed.measured.cwiseAbs().maxCoeff();
+    const Eigen::VectorXd size = observed.measured.cwiseAbs().cwiseMax(0.02 * largest);
+    const fit::ResponseFit fit =
+        fit::fit_response(response, fit::Whitening(size, {}, 0.0, 0.0), observed.measured,
+                          {response.start(), 0.5 * response.start()});
+    if (!fit.converged) return result;
+    result.error = std::sqrt(fit.misfit / static_cast<double>(observed.size()));
+    for (std::size_t k = 0; k < response.parameters.size(); ++k) {
+      const double ratio =
+          std::abs(fit.values[static_cast<Eigen::Index>(k)] / response.parameters[k].start);
+      if (!(response.parameters[k].start > 0.0)) continue;
+      const double far = std::log(std::clamp(ratio, 0.03, 30.0)) / std::log(usual_factor);
+      result.oddness += far * far;
+    }
+  } catch (const std::invalid_argument&) {
+    return {};  // is told by whoever needs the record
+  }
+  return result;
+}
+
+/// By how much the readings speak for a column in another unit, as a difference of ln L: what the
+/// refitted model errs less, and how much more usual its numbers are. What a model misses is alike
+/// in neighbouring rows, so that many rows say no more than twenty.
+double evidence_for(const model::ModelSubject& subject, const Record& as_read,
+                    const Record& in_other) {
+  constexpr double most_independent = 20.0, least_error = 0.01;
+  constexpr double largest_error = 0.25;  // beyond it the model fits no unit
+  const Refitted read = refitted(subject, as_read), other = refitted(subject, in_other);
+  if (!read.known() || !(other.error < largest_error)) return -HUGE_VAL;
+  const double rows = std::min(most_independent, static_cast<double>(as_read.rows()));
+  return rows * std::log(std::max(read.error, least_error) / std::max(other.error, least_error)) +
+         0.5 * (read.oddness - other.oddness);
+}
+
 struct NamedFactor {
   double factor, within;
   double most_spread;  ///< of a factor that other things may make as well
@@ -163,9 +225,12 @@ Record in_other_unit(Record data, const Channel& channel, const Unit& unit) {
   return data;
 }
 
+// Differences of ln L from which a unit is asked about. Few right records are as warm as a room in
+// Fahrenheit throughout; one load in a hundred is in another unit.
+constexpr double likely = -2.0, remarkable = 4.6;
+
 std::optional<std::string> unit_of_temperature(const model::ModelSubject& subject,
-                                               const Record& data, const Channel& channel,
-                                               const Ratio& ratio) {
+                                               const Record& data, const Channel& channel) {
   const auto [lower, upper] = range_of_values(data.values(channel));
   if (!(lower <= upper)) return std::nullopt;
   const double from = channel.in_unit(lower), to = channel.in_unit(upper);
@@ -177,13 +242,12 @@ std::optional<std::string> unit_of_temperature(const model::ModelSubject& subjec
   const auto of_fahrenheit = [](double t) { return (t - 32.0) / 1.8; };
   if (from < 59 || to > 400 || !(channel == record::temperature)) return std::nullopt;
   if (from > 150) return question("fahrenheit", of_fahrenheit);
-  // All of them hot, and readings as of oil that is cold: one alone may be so.
-  if (to < 80 || !(ratio.middle > std::log(1.8))) return std::nullopt;
-  const Ratio other =
-      ratio_of(subject, in_other_unit(data, channel, *find_unit("F", Dimension::temperature)));
-  const bool better =
-      other.known() && std::abs(other.middle) < std::log(1.8) && other.spread <= ratio.spread;
-  return better ? std::optional(question("fahrenheit", of_fahrenheit)) : std::nullopt;
+  if (!data.has(record::friction_torque) || data.up_to_a_factor) return std::nullopt;
+  // No row is as cold as a room, and the readings are those of oil that is colder.
+  const Record other = in_other_unit(data, channel, *find_unit("F", Dimension::temperature));
+  return evidence_for(subject, data, other) > likely
+             ? std::optional(question("fahrenheit", of_fahrenheit))
+             : std::nullopt;
 }
 
 /// A speed in another unit, where the readings speak for it. The inertia makes torque of speed
@@ -227,6 +291,15 @@ std::optional<std::string> unit_of_load(const model::ModelSubject& subject, cons
   if (most > 5.0 * rating && usual(1e-3 * most))
     return fmt::format("axial loads up to {:.4g} N are {:.2g} times C0: N in a column of kN?", most,
                        most / rating);
+  // A load in kilograms: the law makes up for it with numbers that no bearing has.
+  const auto [least, largest] = range_of_values(data.values(record::axial_load));
+  if (data.up_to_a_factor || !(largest > 1.02 * least)) return std::nullopt;
+  const Unit& kgf = *find_unit("kgf", Dimension::force);
+  if (evidence_for(subject, data, in_other_unit(data, record::axial_load, kgf)) > remarkable)
+    return fmt::format(
+        "axial loads of {:.4g} to {:.4g} N do not go with the readings, {:.4g} to {:.4g} N do: kgf "
+        "in a column of N?",
+        least, largest, kgf.to_SI(least), kgf.to_SI(largest));
   return std::nullopt;
 }
 
@@ -247,7 +320,11 @@ std::optional<Record> exchanged(Record data, const Channel& a, const Channel& b)
 std::optional<std::string> swapped_columns(const model::ModelSubject& subject, const Record& data,
                                            const Ratio& ratio) {
   const Channel& reading = *subject.measured().front().channel;
-  const auto takes_part = [&](const Channel& c) { return c.is_input() || c == reading; };
+  // A column of zeros stands for one that nobody entered.
+  const auto takes_part = [&](const Channel& c) {
+    const auto [lower, upper] = range_of_values(data.values(c));
+    return (c.is_input() || c == reading) && (lower != 0.0 || upper != 0.0);
+  };
   const bool impossible = has_impossible_input(subject, data);
   // What a model misses bends readings, but not so that they fall into place once columns change.
   const bool scattered = ratio.known() && ratio.spread > std::log(1.2);
@@ -286,7 +363,7 @@ std::vector<std::string> doubts(const model::ModelSubject& subject, const Record
   const Ratio ratio = data.up_to_a_factor ? Ratio{} : ratio_of(subject, data);
   for (const record::Column& column : data.columns)
     if (is_of_temperature(*column.channel))
-      add(unit_of_temperature(subject, data, *column.channel, ratio));
+      add(unit_of_temperature(subject, data, *column.channel));
   if (found.empty() && !data.up_to_a_factor) add(swapped_columns(subject, data, ratio));
   if (found.empty()) add(unit_of_load(subject, data));
   if (found.empty()) {

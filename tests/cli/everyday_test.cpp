@@ -116,5 +116,10 @@ TEST(Everyday, TheShapeOfTheSentenceIsWrittenAndTheLoopGoesOn) {
   EXPECT_LT(after["rmse_before"].get<double>(), 0.2 * before["rmse_before"].get<double>());
 }
 
+TEST(Everyday, DegreesFahrenheitAreAskedAboutBeforeTheVerdict) {
+  const Result found = run("diagnose " + files_of("fahrenheit"));
+  EXPECT_THAT(found.err, HasSubstr("looks like fahrenheit"));
+}
+
 }  // namespace
 }  // namespace raceway::tests

@@ -95,6 +95,8 @@ TEST(Doubts, TemperaturesInOtherUnitsAreNamed) {
 }
 
 TEST(Doubts, LoadsAndSpeedsInOtherUnitsAreNamed) {
+  EXPECT_THAT(after([](Row& r) { r.load /= 9.81; }),
+              ElementsAre(HasSubstr("kgf in a column of N?")));
   EXPECT_THAT(after([](Row& r) { r.load /= 1000; }),
               ElementsAre(HasSubstr("kN in a column of N?")));
   EXPECT_THAT(after([](Row& r) { r.speed /= 1000; }),
