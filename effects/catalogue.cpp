@@ -31,6 +31,7 @@ constexpr Description describe() {
   if constexpr (requires { E::bearing_data; }) d.bearing_data = E::bearing_data;
   if constexpr (requires { E::drags_on_the_rotor; }) d.drags_on_the_rotor = E::drags_on_the_rotor;
   if constexpr (requires { E::base_law; }) d.base_law = E::base_law;
+  if constexpr (requires { E::empirical; }) d.empirical = E::empirical;
   if constexpr (requires { E::spin; }) d.spin = E::spin;
   if constexpr (requires { E::size_power; }) d.size_power = E::size_power;
   if constexpr (requires { E::follows_heat; }) d.follows_heat = E::follows_heat;

@@ -183,6 +183,7 @@ struct Description {
   /// Warms up and cools down with the machine: what tells it from the rest is temperature or lag.
   bool follows_heat = false;
   bool base_law = false;        ///< corrects an exponent of the base law itself
+  bool empirical = false;       ///< a shape that no law of physics stands for
   bool spin = false;            ///< its moment arises where the balls spin
   bool for_rig = true;          ///< may stand in a model of a bearing on a rig
   bool for_shaft = true;        ///< may stand in a model of a shaft

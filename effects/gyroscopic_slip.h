@@ -48,6 +48,7 @@ struct GyroscopicSlip {
                                                    .plausible_upper = 1.0}};
   static constexpr std::array needs{Need::loads, Need::speed_levels};
   static constexpr bool needs_equilibrium = true;
+  static constexpr bool empirical = true;
 
   static double unit_moment(const MomentInputs& in) {
     const bearing::BearingEquilibrium* const e = in.state.equilibrium;

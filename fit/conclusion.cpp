@@ -129,12 +129,12 @@ std::string Investigation::single_text() const {
   const Set& set = finding_.set;
   const Explanation& best = *set.front();
   if (!plausible_ || !holds_ || !doubt_.empty())
-    return fmt::format("Something is missing ({}); it acts like {}, {}: {}.",
+    return fmt::format("Something is missing ({}); it acts like {}, {}: {}.{}",
                        p_text(result_.p_value), joined_sets(set),
                        !plausible_ ? "but of an implausible size"
                        : !holds_   ? "but the hold-out does not confirm it"
                                    : doubt_,
-                       size_text(problem_, best));
+                       size_text(problem_, best), is_a_shape_alone(set) ? rivals_text() : "");
   if (set.size() == 1) {
     std::string next;
     for (const Explanation& e : search_->singles())
@@ -162,6 +162,18 @@ std::string Investigation::single_text() const {
       joined_sets(set), std::abs(best.gain - set[1]->gain), within_reach,
       data_text(set).empty() ? "missing" : "it", p_text(result_.p_value), data_text(set),
       measure_text(result_));
+}
+
+/// The physics that comes nearest to a shape that stands for none.
+std::string Investigation::rivals_text() const {
+  const double best = finding_.set.front()->gain;
+  std::vector<std::string> near;
+  for (const Explanation& e : search_->singles())
+    if (near.size() < most_near && e.fit.converged && e.gain > result_.needed_gain &&
+        search_->is_physics(e) && sizes_plausible(problem_, e))
+      near.push_back(fmt::format("{} ({:.0f} behind)", id_of(e), best - e.gain));
+  if (near.empty()) return "";
+  return fmt::format(" Physical effects that come nearest: {}.", joined(near, "and"));
 }
 
 std::string Investigation::several_text() const {

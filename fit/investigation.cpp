@@ -332,6 +332,13 @@ std::string Investigation::doubt_about(const Explanation& best) const {
                      reading_text(first.channel(), rms_of(best).front(), 4));
 }
 
+/// Nothing in the set explains the misfit by its own law but shapes that stand for none.
+bool Investigation::is_a_shape_alone(const Set& set) const {
+  return std::all_of(set.begin(), set.end(), [this](const Explanation* e) {
+    return e->elastic || problem_.candidates[e->members.front()].candidate.empirical;
+  });
+}
+
 void Investigation::confirm_single() {
   // A size that nobody would believe is no rival of one that can be, and what raises the error
   // leads only where nothing else does as well.
@@ -348,6 +355,8 @@ void Investigation::confirm_single() {
   hold_out(*set.front());
   fill(set, *set.front());
   doubt_ = doubt_about(*set.front());
+  if (doubt_.empty() && is_a_shape_alone(set))
+    doubt_ = "a shape without a law of physics behind it";
   if (!plausible_ || !holds_ || !doubt_.empty()) {
     result_.verdict = Verdict::effect_like;
     if (!evidence_.few_rows) result_.shape = find_unknown_shape(evidence_);

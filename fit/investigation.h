@@ -48,6 +48,7 @@ class Investigation {
 
   // Confirming.
   void confirm_single();
+  [[nodiscard]] bool is_a_shape_alone(const Set& set) const;
   [[nodiscard]] std::string doubt_about(const Explanation& best) const;
   void confirm_several();
   void hold_out(const Explanation& best);
@@ -74,6 +75,7 @@ class Investigation {
   [[nodiscard]] std::string partly_text() const;
   [[nodiscard]] std::string unexplained_text() const;
   [[nodiscard]] std::string nearest_text() const;
+  [[nodiscard]] std::string rivals_text() const;
   [[nodiscard]] std::string other_bases_text() const;
   [[nodiscard]] std::string remains_text() const;
   [[nodiscard]] std::string hidden_text() const;

@@ -83,17 +83,19 @@ std::optional<Finding> Search::one_candidate() {
   return Finding{Finding::Kind::single, std::move(set)};
 }
 
-bool Search::is_data(const Explanation& e) const {
-  return std::all_of(e.members.begin(), e.members.end(), [this](std::size_t k) {
-    return !problem_.candidates[k].candidate.datum.empty();
+bool Search::is_physics(const Explanation& e) const {
+  return std::any_of(e.members.begin(), e.members.end(), [this](std::size_t k) {
+    const Candidate& c = problem_.candidates[k].candidate;
+    return c.datum.empty() && !c.empirical;
   });
 }
 
-/// A wrong datum and an effect by a slightly other law than the catalogue's look alike: where only
-/// data are named, the effects that come as near with their laws bent stand beside them.
+/// A wrong datum and an effect by a slightly other law than the catalogue's look alike, and so does
+/// a shape without a law: where only these are named, the effects that come as near with their laws
+/// bent stand beside them.
 void Search::add_bent_physics(std::vector<const Explanation*>& set) {
   if (set.empty() ||
-      !std::all_of(set.begin(), set.end(), [this](const auto* e) { return is_data(*e); }))
+      std::any_of(set.begin(), set.end(), [this](const auto* e) { return is_physics(*e); }))
     return;
   const double best = set.front()->gain;
   bent_.clear();
@@ -101,7 +103,7 @@ void Search::add_bent_physics(std::vector<const Explanation*>& set) {
   std::size_t tried = 0;
   for (const Explanation& single : singles_) {
     if (!single.fit.converged || single.gain < limits_.needed_gain || tried == most_bent) break;
-    if (is_data(single)) continue;
+    if (!is_physics(single)) continue;
     ++tried;
     Explanation e = attribution_.elastic(single);
     if (!e.fit.converged || e.gain < best - within_reach) continue;

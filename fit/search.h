@@ -58,6 +58,8 @@ class Search {
     return weak_pairs_;
   }
   [[nodiscard]] std::optional<Shape>& shape() { return shape_; }
+  /// No wrong datum, and no shape without a law behind it.
+  [[nodiscard]] bool is_physics(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
   /// The rms of what is left, weighed by the noise of each channel and without outliers, is larger
   /// than without it.
@@ -82,7 +84,6 @@ class Search {
   /// chance would pay for.
   [[nodiscard]] double gain_beyond(const Ranked& smaller, int choices) const;
   [[nodiscard]] Finding bent_law();
-  [[nodiscard]] bool is_data(const Explanation& e) const;
   void add_bent_physics(std::vector<const Explanation*>& set);
   [[nodiscard]] bool bent_too_far(const Explanation& bent) const;
   [[nodiscard]] std::vector<const Explanation*> good_enough(const Ranked& list, double most) const;

@@ -43,6 +43,7 @@ std::vector<std::string> waiting_effects(const Model& model) {
 std::optional<fit::Candidate> candidate_of(const effects::Description& effect, const Model& model) {
   fit::Candidate c{.id = std::string(effect.id)};
   c.base_law = effect.base_law;
+  c.empirical = effect.empirical;
   c.datum = effect.datum;
   c.of_the_user = effect.user_made != nullptr;
   for (const effects::Parameter& p : effect.parameters) {

@@ -25,6 +25,7 @@ constexpr Channel deviation{
 struct Line : Subject, Predictor {
   std::function<double(double)> bend = [](double c) { return c; };
   std::map<std::string, double> at{{"offset", 0.5}, {"slope", 0.5}};
+  bool empirical = false;
   const Record* rows = nullptr;
   std::vector<std::string> moved{};
 
@@ -47,7 +48,7 @@ struct Line : Subject, Predictor {
     return list;
   }
   std::vector<Candidate> candidates() const override {
-    return {{"curve", {number("curve.c", 0.1)}}};
+    return {{.id = "curve", .parameters = {number("curve.c", 0.1)}, .empirical = empirical}};
   }
   std::unique_ptr<Subject> with_values(std::span<const NamedValue> values) const override {
     auto copy = std::make_unique<Line>(*this);
@@ -100,6 +101,16 @@ TEST(VerdictDoubt, NoneWhereTheCurveIsThere) {
       diagnose(Line(), readings([](double x) { return 1.0 + x + 0.2 * x * x; }, 0.02));
   EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
   EXPECT_NEAR(d.effects[0].parameters[0].value, 0.2, 0.02);
+}
+
+TEST(VerdictDoubt, AShapeWithoutALawIsOnlyActedLike) {
+  Line line;
+  line.empirical = true;
+  const Diagnosis d =
+      diagnose(line, readings([](double x) { return 1.0 + x + 0.2 * x * x; }, 0.02));
+  EXPECT_EQ(d.verdict, Verdict::effect_like) << d.sentence;
+  EXPECT_TRUE(d.effects.at(0).in_verdict);
+  EXPECT_THAT(d.sentence, HasSubstr("acts like curve, a shape without a law of physics"));
 }
 
 TEST(VerdictDoubt, ABaseParameterAtItsBoundIsNamed) {
