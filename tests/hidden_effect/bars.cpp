@@ -175,12 +175,21 @@ bool Outcome::names_only_right() const {
          });
 }
 
+bool Outcome::acts_like_right_shape() const {
+  return is({"effect-like"}) && !answer.names.empty() && is_empirical(answer.names.front()) &&
+         std::any_of(accepted.begin(), accepted.end(), [&](const auto& ids) {
+           return contains(ids, std::string_view(answer.names.front()));
+         });
+}
+
 bool Outcome::exact() const {
+  if (acts_like_right_shape()) return accepted.size() == 1;
   if (accepted.size() == 1) return is({"effect", "ambiguous"}) && names_only_right();
   return is({"several-effects"}) && names_every_hidden() && names_only_right();
 }
 
 bool Outcome::in_set() const {
+  if (acts_like_right_shape()) return accepted.size() == 1;
   if (accepted.size() == 1) return is({"effect", "ambiguous"}) && names_a_right();
   return is({"several-effects"}) && names_every_hidden();
 }
@@ -617,6 +626,12 @@ std::vector<Bar> bars(const std::vector<Outcome>& judged) {
       "21", "right cards: wrong data in the verdict", false, 5, 1,
       count(
           outcomes, [](O o) { return o.trial.kind.empty(); }, [](O o) { return o.names_data(); })));
+  out.push_back(
+      share("22", "right law: another one is said to explain the data", false, 2, 0,
+            count(
+                outcomes,
+                [](O o) { return o.trial.kind.empty() && o.trial.block != "base" && !o.outside; },
+                [](O o) { return !o.answer.other_law.empty(); })));
   const auto contact = [](bool hidden) {
     return [hidden](O o) {
       return o.trial.block == "contact" && o.trial.setup.hidden.empty() != hidden;

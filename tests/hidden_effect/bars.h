@@ -39,6 +39,8 @@ struct Outcome {
   [[nodiscard]] bool names_a_right() const;
   [[nodiscard]] bool names_data() const;
   [[nodiscard]] bool is(std::initializer_list<std::string_view> verdicts) const;
+  /// `effect-like` with the right name first, of a shape without a law: all that is said of one.
+  [[nodiscard]] bool acts_like_right_shape() const;
   /// One name or exact aliases of one effect, and it is right.
   [[nodiscard]] bool exact() const;
   [[nodiscard]] bool in_set() const;

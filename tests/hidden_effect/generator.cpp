@@ -19,7 +19,7 @@ constexpr std::array<Machine, 5> catalogue_machines{{
     {"7012", 22, 9.525, 77.5, 25.0, 0.53, 0.52, 31000.0, false, 46.0, 7.0},
 }};
 
-constexpr int rows_per_run = 10;
+constexpr int rows_per_run = 10, rows_per_lab_run = 12;
 constexpr double seconds_per_row = 600.0;
 
 using Random = std::mt19937_64;
@@ -52,7 +52,8 @@ std::vector<double> scaled(std::vector<double> values, double factor, double ste
 /// The rows stand in the order of the plan.
 bool ordered(Plan plan) {
   return plan == Plan::run_per_load || plan == Plan::run_ups || plan == Plan::in_order ||
-         plan == Plan::cycling || plan == Plan::stairs || plan == Plan::one_stairs;
+         plan == Plan::cycling || plan == Plan::stairs || plan == Plan::one_stairs ||
+         plan == Plan::lab;
 }
 
 /// The rows that a logger writes at each point: speed and load as they were, oil that warms.
@@ -137,6 +138,15 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
         p.radial = part * p.load;
         points.push_back(p);
       }
+  } else if (setup.plan == Plan::lab) {
+    std::vector<double> n;
+    for (int i = 0; i < rows_per_lab_run; ++i)
+      n.push_back(600.0 * std::pow(16000.0 / 600.0, i / (rows_per_lab_run - 1.0)));
+    for (const double F : loads({250, 410, 670, 1100, 1820, 3000})) {
+      const std::vector<Point> run = grid(speeds(n), std::array{F}, std::array{40.0}, 1, random);
+      points.insert(points.end(), run.begin(), run.end());
+    }
+    warm_up(points, top, random);
   } else if (setup.plan == Plan::cycling) {
     const std::vector<double> n = speeds({600, 2000, 5000, 10000, 16000});
     const std::vector<double> F = loads({250, 600, 1400, 3000});
@@ -162,7 +172,9 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
 int run_of(Plan plan, std::size_t row) {
   if (plan == Plan::stairs || plan == Plan::one_stairs) return static_cast<int>(row) / 9;
   if (plan == Plan::in_order || plan == Plan::cycling) return 0;
-  return static_cast<int>(row) / (plan == Plan::run_per_load ? 30 : rows_per_run);
+  return static_cast<int>(row) / (plan == Plan::run_per_load ? 30
+                                  : plan == Plan::lab        ? rows_per_lab_run
+                                                             : rows_per_run);
 }
 
 double rms(std::span<const double> values) {
@@ -272,6 +284,7 @@ void read_temperatures(const Mistake& mistake, bool logger, Random& random,
     if (mistake.rise_seen != 1.0) r.seen = room + mistake.rise_seen * (r.seen - room);
     r.seen += mistake.sensor_offset;
     if (mistake.sensor_scatter > 0.0) r.seen += mistake.sensor_scatter * normal(random);
+    if (mistake.in_fahrenheit) r.seen = 1.8 * r.seen + 32.0;
   }
 }
 
@@ -304,9 +317,9 @@ std::string quoted_list(std::span<const std::string_view> words) {
 }  // namespace
 
 std::string_view name(Plan plan) {
-  constexpr std::string_view names[] = {"factorial",    "run-up",  "sweep",     "replicated",
-                                        "run per load", "run-ups", "in order",  "radial",
-                                        "cycling",      "stairs",  "one stairs"};
+  constexpr std::string_view names[] = {"factorial",    "run-up",  "sweep",      "replicated",
+                                        "run per load", "run-ups", "in order",   "radial",
+                                        "cycling",      "stairs",  "one stairs", "lab"};
   return names[static_cast<int>(plan)];
 }
 
@@ -390,9 +403,14 @@ std::string model_text(const Rig& rig) {
   const Mistake& wrong = rig.setup.mistake;
   const double at_40 = wrong.viscosity_40 > 0.0 ? wrong.viscosity_40 : m.viscosity_40;
   const double at_100 = wrong.viscosity_100 > 0.0 ? wrong.viscosity_100 : m.viscosity_100;
-  const bool contacts = rig.setup.law.contacts;
+  const Believed believed = rig.setup.believed != Believed::as_it_is ? rig.setup.believed
+                            : rig.setup.law.contacts                 ? Believed::contacts
+                                                                     : Believed::palmgren;
+  const bool contacts = believed == Believed::contacts, skf = believed == Believed::skf;
   return std::string("# What the user believes about this rig: the bearing, its lubricant, ") +
-         (contacts ? "the friction of its contacts" : "Palmgren friction with catalogue factors") +
+         (contacts ? "the friction of its contacts"
+          : skf    ? "SKF's formulas"
+                   : "Palmgren friction with catalogue factors") +
          ".\n[bearing]\nname = \"" + std::string(m.name) + "\"\n" +
          text("ball_count = %d\n", m.balls) +
          text("ball_diameter_mm = %.10g\npitch_diameter_mm = %.10g\n", m.ball_diameter,
@@ -405,6 +423,8 @@ std::string model_text(const Rig& rig) {
          text("viscosity_40C_mm2_s = %.10g\nviscosity_100C_mm2_s = %.10g\n", at_40, at_100) +
          (contacts ? "\n[friction]\nlaw = \"contact\"\n\n[calibration]\nfree = "
                      "[\"rolling_factor\"]\n"
+          : skf    ? "\n[friction]\nlaw = \"skf\"\n\n[calibration]\nfree = [\"mu_EHL\", "
+                     "\"K_rs\"]\n"
                    : "\n[friction]\nf0 = 2.0\nz = 0.0008\ny = 0.33\n"
                      "f1_load = \"F_b\"  # these rigs are made with z (F_b/C0)^y\n\n"
                      "[calibration]\nfree = [\"f0\", \"z\"]\n");
@@ -417,8 +437,9 @@ std::string measurement_text(const Rig& rig, std::span<const Reading> rows) {
   out += m.std_declared ? ",std_Nmm\n" : "\n";
   for (const Reading& r : rows) {
     if (!m.runs_left_out) out += text("%d,", r.run);
-    out += text("%.0f,%.10g,%.10g,%.10g,%.2f,%.6f", r.point.time, r.point.speed, r.point.load,
-                r.point.radial, r.seen, r.measured);
+    out +=
+        text("%.0f,%.10g,%.10g,%.10g,%.2f,%.6f", r.point.time, r.point.speed,
+             r.point.load / (m.in_kilograms ? 9.80665 : 1.0), r.point.radial, r.seen, r.measured);
     out += m.std_declared ? text(",%.6f\n", r.sigma) : "\n";
   }
   return out;

@@ -23,7 +23,16 @@ enum class Plan {
   radial,        ///< 6 speeds x 4 axial loads x 5 radial loads at 40 C
   cycling,       ///< 20 000 rows that cycle through 5 speeds
   stairs,        ///< at each of 4 loads 9 rising speeds, the oil warms with speed; twice
-  one_stairs     ///< the same once
+  one_stairs,    ///< the same once
+  lab            ///< 6 loads, at each 12 rising speeds in one run; the oil warms with the speed
+};
+
+/// The base law of the model that the user has.
+enum class Believed {
+  as_it_is,  ///< that of the rig, of a formula for the bearing as a whole Palmgren's
+  palmgren,
+  skf,
+  contacts
 };
 
 enum class Noise {
@@ -70,6 +79,8 @@ struct Mistake {
   double sensor_scatter = 0.0;  ///< standard deviation from row to row [K]
   bool runs_left_out = false;   ///< no run_id
   bool std_declared = false;    ///< std_Nmm of every row, and it is right
+  bool in_fahrenheit = false;   ///< temperatures, in the column of degrees Celsius
+  bool in_kilograms = false;    ///< axial loads, in the column of newtons
 };
 
 struct Wish {
@@ -87,6 +98,7 @@ struct Setup {
   Mistake mistake{};
   BaseLaw law{};  ///< with another viscous_exponent and y: a base law that is slightly wrong
   std::vector<Wish> hidden{};
+  Believed believed = Believed::as_it_is;
   std::uint64_t seed = 1;
 };
 

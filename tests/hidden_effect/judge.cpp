@@ -12,6 +12,7 @@
 #include "fit/diagnose.h"
 #include "fit/dwells.h"
 #include "io/data_file.h"
+#include "io/doubts.h"
 #include "io/model_file.h"
 #include "io/subject.h"
 
@@ -87,6 +88,12 @@ void fill(Answer& answer, const fit::Diagnosis& d) {
                             point_of(m));
   for (const fit::DetectableSize& s : d.would_have_been_found)
     answer.stated.emplace_back(s.id, s.share_of_reading);
+  for (const fit::OtherBaseTried& base : d.other_bases) answer.tried_laws.push_back(base.id);
+  if (!d.other_bases.empty() && d.other_bases.front().explains)
+    answer.other_law = d.other_bases.front().id.substr(std::string_view("law:").size());
+  if (d.given_other_base)
+    for (const fit::RankedEffect& e : d.given_other_base->effects)
+      if (e.in_verdict) answer.names_given_it.push_back(e.id);
   if (d.shape) {
     answer.shape = d.shape->formula;
     answer.exponents = exponents_of(*d.shape);
@@ -118,6 +125,7 @@ Answer ask(const std::string& model_text, const std::string& train_text,
         subject_of(presentation.other_start ? with_other_start(model_text) : model_text);
     const record::Record data =
         read(presentation.reversed_rows ? reversed_rows(train_text) : train_text, *subject);
+    answer.questions = io::doubts(*subject, data);
     fit::DiagnoseOptions options;
     if (presentation.reversed_catalogue)
       for (const fit::Candidate& c : subject->candidates())
@@ -167,6 +175,7 @@ bool joins_contacts(std::string_view id) {
   return is_known(id) && effects::find(id)->within_contacts.empty();
 }
 bool is_known(std::string_view id) { return effects::find(id) != nullptr; }
+bool is_empirical(std::string_view id) { return is_known(id) && effects::find(id)->empirical; }
 bool is_datum(std::string_view id) { return is_known(id) && !effects::find(id)->datum.empty(); }
 
 }  // namespace hidden_effect

@@ -12,12 +12,16 @@ namespace hidden_effect {
 
 /// What the library answers to one rig, in the generator's units.
 struct Answer {
-  std::string verdict;             ///< as in JSON; "failed" where no diagnosis came back
-  std::vector<std::string> names;  ///< effects of the verdict, the leading one first
-  std::string first;               ///< effect of the largest gain, whatever the verdict
-  std::vector<Point> suggested;    ///< operating points it would measure next
-  std::string shape;               ///< formula of what is missing, where there is one
-  std::vector<double> exponents;   ///< of speed, load and viscosity in `shape`
+  std::string verdict;                 ///< as in JSON; "failed" where no diagnosis came back
+  std::vector<std::string> names;      ///< effects of the verdict, the leading one first
+  std::string first;                   ///< effect of the largest gain, whatever the verdict
+  std::vector<Point> suggested;        ///< operating points it would measure next
+  std::vector<std::string> questions;  ///< about units and columns, before the verdict
+  std::string other_law;  ///< base law that is said to explain the data in place of the believed
+  std::vector<std::string> tried_laws;      ///< in that place, the best first
+  std::vector<std::string> names_given_it;  ///< effects of the verdict with the best of them
+  std::string shape;                        ///< formula of what is missing, where there is one
+  std::vector<double> exponents;            ///< of speed, load and viscosity in `shape`
   /// Effects that would have been found, and the share of the torque from which on.
   std::vector<std::pair<std::string, double>> stated;
   std::string message;   ///< why it failed
@@ -55,6 +59,8 @@ struct Presentation {
 [[nodiscard]] bool joins_contacts(std::string_view id);
 /// True if the library has an effect of that id.
 [[nodiscard]] bool is_known(std::string_view id);
+/// True if it is a shape without a law behind it, which a verdict may only call alike.
+[[nodiscard]] bool is_empirical(std::string_view id);
 /// True if it stands for wrong data, as of an oil card or a sensor.
 [[nodiscard]] bool is_datum(std::string_view id);
 

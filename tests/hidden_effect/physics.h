@@ -95,12 +95,21 @@ class Bearing {
   [[nodiscard]] Balance solve(double speed, double load) const;
 };
 
-/// Palmgren's law as the rig really has it; or, of its contacts, that of contact_truth.h.
+/// A formula for the bearing as a whole.
+enum class Formula {
+  palmgren,
+  skf,      ///< rolling and sliding of a single row angular contact bearing after SKF's catalogue
+  houpert,  ///< hydrodynamic rolling resistance of point contacts, and sliding as F^(4/3)
+};
+
+/// Palmgren's law as the rig really has it, or another formula; or, of its contacts, that of
+/// contact_truth.h.
 struct BaseLaw {
   double f0 = 1.5, z = 1e-3, y = 0.33;
   double viscous_exponent = 2.0 / 3.0;
   bool contacts = false;
   double rolling_factor = 1.0;  ///< on the rolling resistance in the contacts
+  Formula formula = Formula::palmgren;
 };
 
 /// The values of an effect: its size, and a second number that only gives the shape.

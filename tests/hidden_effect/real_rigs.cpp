@@ -57,6 +57,45 @@ constexpr std::array<Demand, 2> triple{
     {{"all three named", true, 50, 80, whole},
      {"fewer than three, as if that were all", false, 10, 2, excludes}}};
 
+bool asked(const Outcome& o) { return !o.answer.questions.empty(); }
+bool honest(const Outcome& o) {
+  return o.is({"not-in-catalogue", "effect-like", "ambiguous", "several-effects"});
+}
+bool says_palmgren(const Outcome& o) { return o.answer.other_law == "palmgren"; }
+bool says_skf(const Outcome& o) { return o.answer.other_law == "skf"; }
+bool says_contact(const Outcome& o) { return o.answer.other_law == "contact"; }
+bool says_a_law(const Outcome& o) { return !o.answer.other_law.empty(); }
+bool shape_alone(const Outcome& o) {
+  return o.is({"effect"}) && o.answer.names.front() == "gyroscopic-slip";
+}
+/// In the verdict, or in that with another law.
+bool constant_found(const Outcome& o) {
+  const auto names = [](const std::vector<std::string>& list, const char* id) {
+    return std::find(list.begin(), list.end(), id) != list.end();
+  };
+  for (const char* id : {"seal-friction", "torque-offset"})
+    if (names(o.answer.names, id) || names(o.answer.names_given_it, id)) return true;
+  return false;
+}
+
+constexpr std::array<Demand, 3> quiet_lab{
+    {{"false alarm", false, 2, 1, alarm},
+     {"asked about a unit", false, 5, 1, asked},
+     {"a datum that is right in the verdict", false, 5, 0, names_data}}};
+constexpr std::array<Demand, 1> asked_first{
+    {{"asked about before the verdict", true, 100, 100, asked}}};
+constexpr std::array<Demand, 3> offered(bool (*says)(const Outcome&)) {
+  return {{{"honest", true, 95, 100, honest},
+           {"says which law explains the data", true, 80, 100, says},
+           {"asked about a unit", false, 5, 1, asked}}};
+}
+constexpr auto offered_palmgren = offered(says_palmgren), offered_skf = offered(says_skf),
+               offered_contact = offered(says_contact);
+constexpr std::array<Demand, 2> no_law{
+    {{"honest", true, 95, 100, honest}, {"a law is said to explain it", false, 5, 0, says_a_law}}};
+constexpr std::array<Demand, 1> constant{{{"the constant is named", true, 70, 90, constant_found}}};
+constexpr std::array<Demand, 1> not_alone{{{"gyroscopic slip alone", false, 0, 0, shape_alone}}};
+
 constexpr std::array<std::string_view, 1> slope{"viscosity-slope"}, gain{"temperature-gain"},
     offset{"temperature-offset"};
 constexpr std::array<std::string_view, 2> oil{"lubricant-viscosity", "viscosity-slope"};
@@ -98,6 +137,16 @@ std::vector<RealRig> make_real_rigs() {
     return on(Plan::stairs, Noise::run_offsets,
               {.level = highest, .offset = 0.0, .at_lowest = lowest, .straight = straight});
   };
+  // As a test lab works: 1 % of a row, 1 % of a run.
+  const auto lab = [](BaseLaw law = {}, Believed believed = Believed::as_it_is,
+                      Mistake mistake = {}) {
+    Setup setup = on(Plan::lab, Noise::run_offsets, {.level = 0.01, .offset = 0.01}, 0, mistake);
+    setup.law = law;
+    setup.believed = believed;
+    return setup;
+  };
+  const BaseLaw palmgren{}, skf{.formula = Formula::skf}, houpert{.formula = Formula::houpert},
+      contacts{.contacts = true};
   const auto wrong = [](Mistake mistake) {
     return on(Plan::factorial, independent, {}, 0, mistake);
   };
@@ -158,6 +207,22 @@ std::vector<RealRig> make_real_rigs() {
       {"scatter 0.4 to 5 %, straight", grows(0.004, 0.05, true), 8, none, grows_much},
       {"scatter 0.5 to 2 %", grows(0.005, 0.02, false), 8, none, logger_quiet},
       {"scatter 0.5 to 2 %, straight", grows(0.005, 0.02, true), 8, none, logger_quiet},
+      {"lab plan", lab(), 8, none, quiet_lab},
+      {"lab plan, F read as C", lab({}, Believed::as_it_is, {.in_fahrenheit = true}), 3, none,
+       asked_first},
+      {"lab plan, kgf read as N", lab({}, Believed::as_it_is, {.in_kilograms = true}), 3, none,
+       asked_first},
+      {"law palmgren, is skf", lab(skf), 3, none, offered_skf},
+      {"law palmgren, is of contacts", lab(contacts, Believed::palmgren), 3, none, offered_contact},
+      {"law palmgren, is none of ours", lab(houpert), 3, none, no_law},
+      {"law skf, is palmgren", lab(palmgren, Believed::skf), 3, none, offered_palmgren},
+      {"law skf, is of contacts", lab(contacts, Believed::skf), 3, none, offered_contact},
+      {"law contact, is palmgren", lab(palmgren, Believed::contacts), 1, none, offered_palmgren},
+      {"law contact, is skf", lab(skf, Believed::contacts), 1, none, offered_skf},
+      {"none of ours and a constant of 30 %", hiding(lab(houpert), {{"torque-offset", 0.3}}), 3,
+       none, constant},
+      {"preload grows with speed", hiding(lab(), {{"ring-growth-stiffening", 0.1}}), 3, none,
+       not_alone},
   };
 }
 

@@ -86,7 +86,8 @@ TEST(SmallStudy, EffectsBesideTheContactLawAreFound) {
 TEST(SmallStudy, RigsAsPeopleBuildThemAreSeldomMisjudged) {
   for (const std::string_view kind :
        {"16 rows", "8 rows", "11 rows", "run per load, 3 %", "oil card", "60 % of the rise",
-        "sensor 5 K low", "three effects"}) {
+        "sensor 5 K low", "three effects", "F read as C", "kgf read as N", "law palmgren, is skf",
+        "preload grows"}) {
     SCOPED_TRACE(kind);
     expect_within_reach(small_study("real", 4, 1, kind), {"r"});
   }
