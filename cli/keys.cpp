@@ -10,55 +10,49 @@
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "io/error.h"
-#include "io/model_keys.h"
+#include "io/key_tables.h"
 #include "io/names.h"
 
 namespace raceway::cli {
 namespace {
 
-using io::ModelKey;
+using io::ListedKey;
 
 /// "0.1 to 300 mm", or the words that may stand there.
-std::string allowed(const ModelKey& key) {
-  if (!key.choices.empty()) return io::listed(key.choices, "or");
-  if (!std::isfinite(key.lower) || !std::isfinite(key.upper)) return key.unit;
-  return fmt::format("{:.6g} to {:.6g}{}", key.lower, key.upper,
-                     key.unit.empty() || key.unit == "1" ? "" : " " + key.unit);
-}
-
-std::string default_of(const ModelKey& key) {
-  constexpr std::string_view said = "default: ";
-  return key.required                     ? "required"
-         : key.fallback.starts_with(said) ? key.fallback.substr(said.size())
-                                          : key.fallback;
+std::string allowed(const io::Form& form) {
+  if (!form.words.empty()) return io::listed(form.choices(), "or");
+  if (!std::isfinite(form.lower)) return std::string(form.unit);
+  return fmt::format("{:.6g} to {:.6g}{}{}", form.lower, form.upper, form.unit.empty() ? "" : " ",
+                     form.unit);
 }
 
 /// Whether every word stands in table, key or meaning.
-bool tells_of(const ModelKey& key, const std::string& words) {
+bool tells_of(const ListedKey& one, const std::string& words) {
   const std::string whole =
-      io::lower_case(fmt::format("[{}] {} {}", key.table, key.name, key.meaning));
+      io::lower_case(fmt::format("[{}] {} {}", one.table, one.key.name, one.meaning()));
   std::istringstream in(io::lower_case(words));
   for (std::string word; in >> word;)
     if (whole.find(word) == std::string::npos) return false;
   return true;
 }
 
-void print_key(const ModelKey& key) {
-  const std::string in = allowed(key), fallback = default_of(key);
-  fmt::print("  {}", key.name);
-  if (!in.empty()) fmt::print("  {}", in);
-  if (!fallback.empty())
-    fmt::print("{}{}{}", in.empty() ? "  " : "; ", key.required ? "" : "default ", fallback);
+void print_key(const ListedKey& one) {
+  const std::string in = allowed(one.key.form);
+  const std::string fallback = one.key.fallback.required ? "required"
+                               : one.fallback().empty()  ? ""
+                                                         : "default " + one.fallback();
+  fmt::print("  {}{}{}", one.key.name, in.empty() ? "" : "  ", in);
+  if (!fallback.empty()) fmt::print("{}{}", in.empty() ? "  " : "; ", fallback);
   fmt::print("\n");
   constexpr std::size_t margin = 6;
   for (const std::string& line :
-       filled(key.meaning, std::max<std::size_t>(terminal_width(), 50) - margin))
+       filled(one.meaning(), std::max<std::size_t>(terminal_width(), 50) - margin))
     fmt::print("{:{}}{}\n", "", margin, line);
 }
 
 int show_keys(const std::string& words, bool json) {
-  std::vector<ModelKey> keys = io::model_keys();
-  std::erase_if(keys, [&](const ModelKey& key) { return !tells_of(key, words); });
+  std::vector<ListedKey> keys = io::model_keys();
+  std::erase_if(keys, [&](const ListedKey& one) { return !tells_of(one, words); });
   if (keys.empty())
     throw io::InputError(
         fmt::format("raceway keys: no key has \"{}\" in its table, name or meaning; without words "
@@ -69,11 +63,11 @@ int show_keys(const std::string& words, bool json) {
     put_document(io::model_keys_json(keys));
     return done;
   }
-  std::string table;
-  for (const ModelKey& key : keys) {
-    if (key.table != table) fmt::print("{}[{}]\n", table.empty() ? "" : "\n", key.table);
-    table = key.table;
-    print_key(key);
+  std::string_view table;
+  for (const ListedKey& one : keys) {
+    if (one.table != table) fmt::print("{}[{}]\n", table.empty() ? "" : "\n", one.table);
+    table = one.table;
+    print_key(one);
   }
   return done;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "io/catalogue_defaults.h"
 #include "io/number_text.h"
 #include "record/units.h"
 
@@ -13,66 +14,76 @@
 namespace raceway::io {
 namespace {
 
+// Wherever the libraries check as well, these are their ranges.
+constexpr Key keys_of_bearing[]{
+    {"catalogue", a_text, unset,
+     "designation of a bearing of the catalogue; every other key of this table may then be left "
+     "out, and overrides its row where it is given"},
+    {"name", a_text, "that of the catalogue, else of the file", "for results"},
+    {"ball_count", whole(3, 200), "of the catalogue", "no more than fit on the pitch circle"},
+    {"ball_diameter_mm", between(0.1, 300, "mm"), "of the catalogue", "diameter of a ball"},
+    {"pitch_diameter_mm", between(1, 5000, "mm"), "of the catalogue",
+     "diameter of the circle through the centres of the balls, above 1.2 ball diameters"},
+    {"contact_angle_deg", between(0, 65, "deg"), "of the catalogue",
+     "nominal contact angle; 0 is a deep-groove bearing"},
+    {"inner_conformity", between(0.5005, 0.7), catalogue_conformity,
+     "radius of the inner groove over ball diameter; required without catalogue"},
+    {"outer_conformity", between(0.5005, 0.7), catalogue_conformity,
+     "radius of the outer groove over ball diameter; required without catalogue"},
+    {"static_load_rating_N", between(1, 1e9, "N"), "of the catalogue",
+     "C0; required by the law palmgren"},
+    {"ball_material", one_of("steel|silicon-nitride"), "steel",
+     "built in, or the NAME of a [material.NAME]"},
+    {"ring_material", one_of("steel|silicon-nitride"), "steel",
+     "built in, or the NAME of a [material.NAME]"},
+    {"bore_mm", between(0, 5000, "mm"), "pitch diameter - 1.5 ball diameters",
+     "of the inner ring, below pitch diameter - ball diameter"},
+    {"outer_diameter_mm", between(1, 10000, "mm"), "pitch diameter + 1.5 ball diameters",
+     "of the outer ring, above pitch diameter + ball diameter, at most twice that"},
+    {"radial_clearance_um", between(0, 10000, "um"), 0.0,
+     "diametral, without load, below the distance of the groove centres; of contact angle 0 alone"},
+    {"inner_shoulder_diameter_mm", between(0.1, 5000, "mm"), unset,
+     "where the inner groove ends, between its bottom and the pitch diameter, for the margin of "
+     "the contact ellipse; without it not looked at"},
+    {"outer_shoulder_diameter_mm", between(1, 10000, "mm"), unset,
+     "where the outer groove ends, between the pitch diameter and its bottom, for the margin of "
+     "the contact ellipse; without it not looked at"},
+};
+
+constexpr Key material_keys[]{
+    {"elastic_modulus_GPa", between(1, 1200, "GPa"), is_required,
+     "Young's modulus; steel 208, silicon-nitride 310"},
+    {"poisson_ratio", between(0, 0.49), is_required, "steel 0.3, silicon-nitride 0.26"},
+    {"density_kg_m3", between(500, 20000, "kg/m3"), is_required,
+     "steel 7800, silicon-nitride 3200"},
+    {"thermal_expansion_1e6_K", between(0, 50, "1e-6/K"), is_required,
+     "linear; steel 11.5, silicon-nitride 3.2"},
+    // Balls and rings need neither.
+    {"conductivity_W_mK", between(0.05, 2000, "W/(m K)"), unset,
+     "of heat; needed by a segment of a spindle alone"},
+    {"heat_capacity_J_kgK", between(50, 5000, "J/(kg K)"), unset,
+     "needed by a segment of a spindle alone"},
+};
+
 using bearing::BearingGeometry;
 using bearing::Material;
 
-// Wherever the libraries check as well, these are their ranges.
-constexpr Key ball_count{"ball_count", "", 3, 200};
-constexpr Key ball_diameter{"ball_diameter_mm", "mm", 0.1, 300};
-constexpr Key pitch_diameter{"pitch_diameter_mm", "mm", 1, 5000};
-constexpr Key contact_angle{"contact_angle_deg", "deg", 0, 65};
-constexpr Key inner_conformity{"inner_conformity", "", 0.5005, 0.7};
-constexpr Key outer_conformity{"outer_conformity", "", 0.5005, 0.7};
-constexpr Key bore{"bore_mm", "mm", 0, 5000};
-constexpr Key outer_diameter{"outer_diameter_mm", "mm", 1, 10000};
-constexpr Key radial_clearance{"radial_clearance_um", "um", 0, 10000};
-constexpr Key inner_shoulder{"inner_shoulder_diameter_mm", "mm", 0.1, 5000};
-constexpr Key outer_shoulder{"outer_shoulder_diameter_mm", "mm", 1, 10000};
-constexpr Key elastic_modulus{"elastic_modulus_GPa", "GPa", 1, 1200};
-constexpr Key poisson_ratio{"poisson_ratio", "", 0, 0.49};
-constexpr Key density{"density_kg_m3", "kg/m3", 500, 20000};
-constexpr Key thermal_expansion{"thermal_expansion_1e6_K", "1e-6/K", 0, 50};
-
-/// Of what a segment of a spindle may be made of; balls and rings need neither.
-constexpr std::array heat_of_solids{Key{"conductivity_W_mK", "W/(m K)", 0.05, 2000},
-                                    Key{"heat_capacity_J_kgK", "J/(kg K)", 50, 5000}};
-
-template <std::size_t count>
-Names names_of(const std::array<Key, count>& keys) {
-  Names names;
-  for (const Key& key : keys) names.emplace_back(key.name);
-  return names;
-}
-
-Names keys_of_a_bearing(const Names& further) {
-  Names known{"name", "catalogue"};
-  const Names numbers =
-      names_of(std::array{ball_count, ball_diameter, pitch_diameter, contact_angle,
-                          inner_conformity, outer_conformity, static_load_rating});
-  known.insert(known.end(), numbers.begin(), numbers.end());
-  known.insert(known.end(), {"ball_material", "ring_material"});
-  const Names envelope =
-      names_of(std::array{bore, outer_diameter, radial_clearance, inner_shoulder, outer_shoulder});
-  known.insert(known.end(), envelope.begin(), envelope.end());
-  known.insert(known.end(), further.begin(), further.end());
-  return known;
-}
-
-/// Numbers of a bearing that may be left to the catalogue.
+/// Numbers of a bearing that may be left to the catalogue, with their units.
 struct GeometryNumber {
-  Key key;
+  std::string_view key;
   double BearingGeometry::*number;
+  double unit = 1.0;
 };
 constexpr std::array lengths_and_ratios{
-    GeometryNumber{ball_diameter, &BearingGeometry::ball_diameter},
-    GeometryNumber{pitch_diameter, &BearingGeometry::pitch_diameter},
-    GeometryNumber{contact_angle, &BearingGeometry::contact_angle},
-    GeometryNumber{inner_conformity, &BearingGeometry::inner_conformity},
-    GeometryNumber{outer_conformity, &BearingGeometry::outer_conformity},
-    GeometryNumber{static_load_rating, &BearingGeometry::static_load_rating},
-    GeometryNumber{bore, &BearingGeometry::bore},
-    GeometryNumber{outer_diameter, &BearingGeometry::outer_diameter},
-    GeometryNumber{radial_clearance, &BearingGeometry::radial_clearance}};
+    GeometryNumber{"ball_diameter_mm", &BearingGeometry::ball_diameter, mm},
+    GeometryNumber{"pitch_diameter_mm", &BearingGeometry::pitch_diameter, mm},
+    GeometryNumber{"contact_angle_deg", &BearingGeometry::contact_angle, degree},
+    GeometryNumber{"inner_conformity", &BearingGeometry::inner_conformity},
+    GeometryNumber{"outer_conformity", &BearingGeometry::outer_conformity},
+    GeometryNumber{"static_load_rating_N", &BearingGeometry::static_load_rating},
+    GeometryNumber{"bore_mm", &BearingGeometry::bore, mm},
+    GeometryNumber{"outer_diameter_mm", &BearingGeometry::outer_diameter, mm},
+    GeometryNumber{"radial_clearance_um", &BearingGeometry::radial_clearance, um}};
 
 /// The bearing of the catalogue with that very name; none without a catalogue.
 std::optional<CatalogueBearing> row_named(const std::string& name) {
@@ -87,25 +98,26 @@ std::optional<CatalogueBearing> row_named(const std::string& name) {
 
 }  // namespace
 
+std::vector<KeyTable> bearing_tables() {
+  return {{"bearing", keys_of_bearing}, {"material.NAME", material_keys}};
+}
+
+std::span<const Key> bearing_keys() { return keys_of_bearing; }
+
 std::vector<std::pair<std::string, double>> keys_of(const BearingGeometry& geometry) {
   std::vector<std::pair<std::string, double>> keys{
-      {std::string(ball_count.name), static_cast<double>(geometry.ball_count)}};
-  for (const auto& [key, number] : lengths_and_ratios) {
-    const double unit = key.unit == "mm"    ? mm
-                        : key.unit == "deg" ? degree
-                        : key.unit == "um"  ? um
-                                            : 1.0;
+      {"ball_count", static_cast<double>(geometry.ball_count)}};
+  for (const auto& [key, number, unit] : lengths_and_ratios)
     if (!std::isnan(geometry.*number))
-      keys.emplace_back(key.name, with_15_digits(geometry.*number / unit));
-  }
+      keys.emplace_back(key, with_15_digits(geometry.*number / unit));
   return keys;
 }
 
 Names missing_keys_of_bearing(const ModelTables& tables) {
-  const Section s = tables.section("bearing");
+  const Section s = tables.part("bearing", {keys_of_bearing});
   if (s.find("catalogue")) return {};
-  return s.lacking({ball_count, ball_diameter, pitch_diameter, contact_angle, inner_conformity,
-                    outer_conformity});
+  return s.lacking({"ball_count", "ball_diameter_mm", "pitch_diameter_mm", "contact_angle_deg",
+                    "inner_conformity", "outer_conformity"});
 }
 
 /// A bearing in the making.
@@ -133,23 +145,18 @@ void BearingReader::read_material(const toml::key& key, const toml::node& node) 
     throw InputError(
         fmt::format("{}: [material.{}]: this name is built in; take another", place, name),
         tables_.at(key));
-  const Section s(tables_.source(), "material." + name, node.as_table());
-  const Names known =
-      names_of(std::array{elastic_modulus, poisson_ratio, density, thermal_expansion});
-  Names with_heat = known;
-  for (const std::string& name_of_heat : names_of(heat_of_solids))
-    with_heat.push_back(name_of_heat);
-  s.allow_only(with_heat);
-  for (const Key& heat : heat_of_solids) (void)s.number(heat);
-  const Material material{.name = name,
-                          .elastic_modulus = s.required(elastic_modulus) * GPa,
-                          .poisson_ratio = s.required(poisson_ratio),
-                          .density = s.required(density),
-                          .thermal_expansion = s.required(thermal_expansion) * per_million_K};
+  const Section s(tables_.source(), "material." + name, node.as_table(), {material_keys});
+  for (const char* of_heat : {"conductivity_W_mK", "heat_capacity_J_kgK"}) (void)s.number(of_heat);
+  const Material material{
+      .name = name,
+      .elastic_modulus = s.required("elastic_modulus_GPa") * GPa,
+      .poisson_ratio = s.required("poisson_ratio"),
+      .density = s.required("density_kg_m3"),
+      .thermal_expansion = s.required("thermal_expansion_1e6_K") * per_million_K};
   try {
     bearing::validate(material);
   } catch (const std::invalid_argument& error) {
-    s.fail(error, known);
+    s.fail(error);
   }
   materials_.push_back(material);
 }
@@ -160,9 +167,9 @@ const Material* BearingReader::find_material(std::string_view name) const {
   return nullptr;
 }
 
-NamedBearing BearingReader::read(const Section& s, const NamedBearing* base, const Names& further) {
-  const Names known = keys_of_a_bearing(further);
-  s.allow_only(known);
+NamedBearing BearingReader::read(const Section& table, const NamedBearing* base, Keys further) {
+  further.insert(further.begin(), keys_of_bearing);
+  const Section s = table.with(std::move(further));
   Draft draft;
   if (base) {
     draft.geometry = base->bearing.geometry();
@@ -171,7 +178,7 @@ NamedBearing BearingReader::read(const Section& s, const NamedBearing* base, con
   }
   take_catalogue_row(s, base, draft);
   read_geometry(s, draft);
-  read_envelope(s, known, draft.geometry);
+  read_envelope(s, draft.geometry);
   const Material balls = material(s, "ball_material", base ? &base->bearing.balls() : nullptr);
   const Material rings = material(s, "ring_material", base ? &base->bearing.rings() : nullptr);
   if (auto given = s.text("name")) draft.name = *given;
@@ -192,10 +199,10 @@ void BearingReader::note_written(const Section& s, const Draft& draft) {
   };
   const BearingGeometry& g = draft.geometry;
   const BearingGeometry none, &usual = like ? like->geometry : none;
-  note(ball_count.name, g.ball_count != usual.ball_count);
-  for (const auto& [key, number] : lengths_and_ratios)
+  note("ball_count", g.ball_count != usual.ball_count);
+  for (const auto& [key, number, unit] : lengths_and_ratios)
     // Written with ten digits.
-    note(key.name, !(std::abs(g.*number - usual.*number) <= 1e-9 * std::abs(usual.*number)));
+    note(key, !(std::abs(g.*number - usual.*number) <= 1e-9 * std::abs(usual.*number)));
   for (const char* key : {"ball_material", "ring_material"})
     note(key, s.text(key).value_or("steel") != "steel");
 }
@@ -223,56 +230,54 @@ void BearingReader::take_catalogue_row(const Section& s, const NamedBearing* bas
 
 void BearingReader::read_geometry(const Section& s, Draft& draft) {
   BearingGeometry& g = draft.geometry;
-  const auto take = [&](const Key& key, double unit, double& value) {
+  const auto take = [&](std::string_view key, double unit, double& value) {
     if (const auto given = s.number(key))
       value = *given * unit;
     else if (std::isnan(value))
       s.fail_missing(key);
   };
-  if (const auto balls = s.whole_number(ball_count))
+  if (const auto balls = s.whole_number("ball_count"))
     g.ball_count = *balls;
   else if (g.ball_count == 0)
-    s.fail_missing(ball_count);
-  take(ball_diameter, mm, g.ball_diameter);
-  take(pitch_diameter, mm, g.pitch_diameter);
-  take(contact_angle, degree, g.contact_angle);
-  for (const Key& key : {inner_conformity, outer_conformity})
-    if (draft.from_catalogue && !s.find(key.name))
-      tables_.note_default(s.name(), key.name, fmt::format("{}", g.inner_conformity));
-  take(inner_conformity, 1.0, g.inner_conformity);
-  take(outer_conformity, 1.0, g.outer_conformity);
-  if (const auto given = s.number(static_load_rating)) g.static_load_rating = *given;
-  if (const auto given = s.number(radial_clearance)) g.radial_clearance = *given * um;
+    s.fail_missing("ball_count");
+  take("ball_diameter_mm", mm, g.ball_diameter);
+  take("pitch_diameter_mm", mm, g.pitch_diameter);
+  take("contact_angle_deg", degree, g.contact_angle);
+  for (const char* key : {"inner_conformity", "outer_conformity"})
+    if (draft.from_catalogue && !s.find(key))
+      tables_.note_default(s.name(), key, fmt::format("{}", g.inner_conformity));
+  take("inner_conformity", 1.0, g.inner_conformity);
+  take("outer_conformity", 1.0, g.outer_conformity);
+  if (const auto given = s.number("static_load_rating_N")) g.static_load_rating = *given;
+  if (const auto given = s.number("radial_clearance_um")) g.radial_clearance = *given * um;
 }
 
 /// Bore, outer diameter and shoulders, and whether the bearing can be.
-void BearingReader::read_envelope(const Section& s, const Names& known, BearingGeometry& g) {
+void BearingReader::read_envelope(const Section& s, BearingGeometry& g) {
   // A bore from the catalogue is no more that of a bearing with another pitch circle.
-  if (s.find(ball_diameter.name) || s.find(pitch_diameter.name)) g.bore = g.outer_diameter = unset;
-  if (const auto given = s.number(bore)) g.bore = *given * mm;
-  if (const auto given = s.number(outer_diameter)) g.outer_diameter = *given * mm;
-  if (const auto given = s.number(inner_shoulder)) g.inner_shoulder_diameter = *given * mm;
-  if (const auto given = s.number(outer_shoulder)) g.outer_shoulder_diameter = *given * mm;
+  if (s.find("ball_diameter_mm") || s.find("pitch_diameter_mm")) g.bore = g.outer_diameter = unset;
+  if (const auto given = s.number("bore_mm")) g.bore = *given * mm;
+  if (const auto given = s.number("outer_diameter_mm")) g.outer_diameter = *given * mm;
+  if (const auto given = s.number("inner_shoulder_diameter_mm"))
+    g.inner_shoulder_diameter = *given * mm;
+  if (const auto given = s.number("outer_shoulder_diameter_mm"))
+    g.outer_shoulder_diameter = *given * mm;
   const bool no_bore = std::isnan(g.bore), no_outer_diameter = std::isnan(g.outer_diameter);
   try {
     g = bearing::validated(g);
   } catch (const std::invalid_argument& error) {
-    s.fail(error, known);
+    s.fail(error);
   }
-  if (no_bore)
-    tables_.note_default(s.name(), bore.name, fmt::format("{:.6g}", g.bore / mm),
-                         "default: pitch diameter - 1.5 ball diameters");
+  if (no_bore) tables_.note_default(s, "bore_mm", fmt::format("{:.6g}", g.bore / mm));
   if (no_outer_diameter)
-    tables_.note_default(s.name(), outer_diameter.name,
-                         fmt::format("{:.6g}", g.outer_diameter / mm),
-                         "default: pitch diameter + 1.5 ball diameters");
+    tables_.note_default(s, "outer_diameter_mm", fmt::format("{:.6g}", g.outer_diameter / mm));
 }
 
 Material BearingReader::material(const Section& s, const char* key, const Material* inherited) {
   if (inherited && !s.find(key)) return *inherited;
   Names names;
   for (const Material& known : materials_) names.push_back(known.name);
-  return *find_material(tables_.choice_or(s, key, names, "steel"));
+  return *find_material(tables_.choice(s, key, names));
 }
 
 }  // namespace raceway::io

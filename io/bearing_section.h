@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,7 +25,9 @@ struct NamedBearing {
   std::optional<CatalogueBearing> row = {};
 };
 
-inline constexpr Key static_load_rating{"static_load_rating_N", "N", 1, 1e9};
+[[nodiscard]] std::vector<KeyTable> bearing_tables();
+/// Those of every bearing.
+[[nodiscard]] std::span<const Key> bearing_keys();
 
 /// A geometry as keys of [bearing], in their units; without what it does not know.
 [[nodiscard]] std::vector<std::pair<std::string, double>> keys_of(
@@ -40,8 +43,7 @@ class BearingReader {
 
   /// A table of a bearing; where there is a `base`, the keys that are left out are its own.
   /// `further` keys are allowed in it.
-  [[nodiscard]] NamedBearing read(const Section& s, const NamedBearing* base,
-                                  const Names& further = {});
+  [[nodiscard]] NamedBearing read(const Section& table, const NamedBearing* base, Keys further);
 
   /// The keys of the tables read so far, each once, that say something: not `name` and `catalogue`,
   /// nor one with the value of its default or of the catalogue's bearing of that name, as
@@ -55,7 +57,7 @@ class BearingReader {
   void take_catalogue_row(const Section& s, const NamedBearing* base, Draft& draft) const;
   void read_geometry(const Section& s, Draft& draft);
   void note_written(const Section& s, const Draft& draft);
-  void read_envelope(const Section& s, const Names& known, bearing::BearingGeometry& g);
+  void read_envelope(const Section& s, bearing::BearingGeometry& g);
   [[nodiscard]] bearing::Material material(const Section& s, const char* key,
                                            const bearing::Material* inherited);
 

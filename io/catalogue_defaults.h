@@ -2,7 +2,8 @@
 
 namespace raceway::io {
 
-// What a maker's catalogue does not print; f_i and f_o come with the row.
+// What a maker's catalogue does not print.
+inline constexpr double catalogue_conformity = 0.52;
 inline constexpr double catalogue_f0 = 1.5, catalogue_z = 0.001, catalogue_y = 0.33;
 
 }  // namespace raceway::io

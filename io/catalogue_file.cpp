@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "io/catalogue_defaults.h"
 #include "io/csv.h"
 #include "io/data_directories.h"
 #include "io/error.h"
@@ -20,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double default_conformity = 0.52;
 constexpr std::string_view cage_suffix = "TA";
 
 /// Upper case without blanks.
@@ -190,8 +190,8 @@ std::vector<CatalogueBearing> parse_catalogue(std::string text, const std::strin
                                    path, table.line(i), balls),
                        {path, table.line(i), "ball_count"});
     rows[i].geometry.ball_count = static_cast<int>(balls);
-    rows[i].geometry.inner_conformity = default_conformity;
-    rows[i].geometry.outer_conformity = default_conformity;
+    rows[i].geometry.inner_conformity = catalogue_conformity;
+    rows[i].geometry.outer_conformity = catalogue_conformity;
   }
   for (const Reading& reading : readings) {
     if (reading.optional && !table.column(reading.column)) continue;

@@ -19,7 +19,20 @@ namespace {
 
 using record::Channel;
 
-constexpr std::string_view decimal_mark_key = "decimal_mark", date_order_key = "date_order";
+constexpr Key columns_keys[]{
+    {"decimal_mark", one_of(".|,"), unset,
+     "of the file; the other one separates thousands. Asked for where the numbers can be read in "
+     "two ways"},
+    {"date_order", one_of("day first|month first"), unset,
+     "of dates with slashes. Asked for where it changes the time between rows"},
+};
+constexpr Key rule_keys[]{
+    {"column", a_text, is_required,
+     "COLUMN is one of this program, this the header that it has in the file; a text alone is "
+     "short for it, a number holds for all rows"},
+    {"unit", a_text, "that of the header", "of theirs; \"excel\" for days as Excel has dates"},
+    {"factor", between(-1e9, 1e9), 1.0, "by which theirs is multiplied first; not 0"},
+};
 
 std::string_view variable_of(const Channel& channel) {
   return channel.variable == channel.name ? header_parts(channel.name).name : channel.variable;
@@ -68,14 +81,13 @@ void read_unit(const Section& s, const toml::key& key, const std::string& text, 
 /// `{ column = "Reibmoment", unit = "Nm", factor = -1 }`
 void read_rule_table(const Section& s, const toml::key& key, const toml::table& table,
                      ColumnRule& rule) {
-  const Section one(s.source(), fmt::format("columns.{}", key.str()), &table);
-  one.allow_only({"column", "unit", "factor"});
+  const Section one(s.source(), fmt::format("columns.{}", key.str()), &table, {rule_keys});
   const auto column = one.text("column");
   if (!column || column->empty())
     wrong(s, key, table, "needs the header of their column: column = \"...\"");
   rule.header = *column;
   if (const auto unit = one.text("unit")) read_unit(s, key, *unit, rule);
-  rule.factor = one.number({"factor", "", -1e9, 1e9}).value_or(1.0);
+  rule.factor = one.value("factor");
   if (rule.factor == 0.0) wrong(s, key, table, "factor = 0 makes all of it 0");
 }
 
@@ -199,17 +211,21 @@ const ColumnRule* ColumnMap::find(std::string_view header) const {
   return nullptr;
 }
 
+std::vector<KeyTable> column_tables() {
+  return {{"columns", columns_keys}, {"columns.COLUMN", rule_keys}};
+}
+
 ColumnMap read_columns(const ModelTables& tables) {
-  const Section s = tables.section("columns");
+  const Section s = tables.part("columns", {columns_keys});
   ColumnMap map{.source = tables.source()};
   if (!s.given()) return map;
-  if (const auto mark = s.choice(decimal_mark_key, {".", ","})) map.decimal_mark = mark->front();
-  if (const auto order = s.choice(date_order_key, {"day first", "month first"}))
+  if (const auto mark = s.choice("decimal_mark")) map.decimal_mark = mark->front();
+  if (const auto order = s.choice("date_order"))
     map.date_order = order->starts_with('d') ? DateOrder::day_first : DateOrder::month_first;
   // In the order of the file, for messages.
   std::map<std::uint64_t, std::pair<const toml::key*, const toml::node*>> lines;
   for (const auto& [key, node] : *s.table())
-    if (key.str() != decimal_mark_key && key.str() != date_order_key)
+    if (key.str() != columns_keys[0].name && key.str() != columns_keys[1].name)
       lines.emplace(order_of(key), std::pair(&key, &node));
   for (const auto& [_, entry] : lines) {
     ColumnRule rule = read_rule(s, *entry.first, *entry.second);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "friction/contact/contact_data.h"
 #include "model/life_data.h"
 
@@ -12,7 +15,10 @@
 namespace raceway::io {
 
 /// The keys of the contact law in a table. In those of data they may stand beside any law.
-[[nodiscard]] Names contact_keys(std::string_view table);
+[[nodiscard]] std::span<const Key> contact_keys(std::string_view table);
+
+/// Of [bearing] and [life].
+[[nodiscard]] std::vector<KeyTable> contact_tables();
 
 /// `used`: the law is `contact`, so that defaults matter and are named. `supply` is read already.
 [[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
@@ -21,8 +27,8 @@ namespace raceway::io {
 /// Of those keys the ones that a file has in its tables of data.
 [[nodiscard]] Names written_contact_keys(const ModelTables& tables);
 
-/// What a number of the law that is of the lubricant is where nobody gives it.
-[[nodiscard]] double default_of_lubricant(const ModelTables& tables);
+/// The number of the law that is of the lubricant.
+[[nodiscard]] double lubricant_number(ModelTables& tables, std::string_view name);
 
 [[nodiscard]] model::LifeData read_life(ModelTables& tables);
 

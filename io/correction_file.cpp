@@ -1,7 +1,9 @@
 #include "io/correction_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <optional>
 
 #include "correction/catalogue.h"
@@ -10,6 +12,7 @@
 #include "io/csv.h"
 #include "io/friction_table.h"
 #include "io/input_file.h"
+#include "io/key_tables.h"
 #include "record/series_channel.h"
 
 // Last: see io/toml_text.h.
@@ -17,10 +20,110 @@
 #include "io/correction_trust.h"
 #include "io/export_section.h"
 #include "io/formula_section.h"
+#include "io/loop_section.h"
 #include "io/model_tables.h"
 
 namespace raceway::io {
 namespace {
+
+constexpr double most = 1e9;  // of any number of a file
+
+constexpr Key correction_keys[]{
+    {"displacement", a_text, is_required, "the column that is modelled, displacement_NAME_um"},
+    {"name", a_text, "that of the column", "for results"},
+    {"tolerance_um", between(0, 1e6, "um"), unset,
+     "RMS error on parts held out with which the user is content, above 0; diagnose needs it, "
+     "here, "
+     "under [loop] or by --tolerance"},
+    {"measurement_std_um", between(0, 1e6, "um"), "found from neighbouring readings",
+     "noise of a single reading"},
+    {"initial_state", one_of("rest|free"), "rest",
+     "free: the machine was warm when its record began"},
+    {"offset_um", between(-1e6, 1e6, "um"), 0.0, "constant of the prediction"},
+    {"sampling_s", between(1e-6, 1e6, "s"), unset,
+     "time between rows for which polynomials hold; any other is refused"},
+    {"channel", a_list, unset, "what moves the machine, [[correction.channel]]"},
+    {"kinematic", a_table, unset, "the table [correction.kinematic]"},
+    {"effect", a_list, unset, "effects, [[correction.effect]]"},
+    {"range", a_table, unset, "COLUMN = [lowest, highest] of every input, [correction.range]"},
+    {"together", a_table, unset, "the table [correction.together]"},
+    {"covariance", a_table, unset, "the table [correction.covariance]"},
+    {"residual", a_table, unset, "the table [correction.residual]"},
+};
+
+constexpr Key correction_channel_keys[]{
+    {"name", a_text, "that of the input", "for results"},
+    {"input", a_text, is_required,
+     "a column, a list of which the mean drives, or \"power_W\": torque of a friction table times "
+     "the speed"},
+    {"exponent", between(0.5, 3.0), 1.0,
+     "of an input that is a speed, which counts as n (n/1000 rpm)^(exponent - 1)"},
+    {"reference", a_text, unset, "a temperature whose rise is taken off that of the input"},
+    {"sections", a_list, unset, "lags, with gain and time constant"},
+    {"scale", between(-1e6, 1e6), 1.0, "of all of the channel: the gain of a sister spindle"},
+    {"friction_table", a_text, unset,
+     "of \"power_W\": a CSV with speed_rpm, axial_load_N, temperature_C, friction_torque_Nmm, "
+     "beside the model"},
+    {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
+     "of \"power_W\": the load at which the table is read"},
+    {"temperature_C", between(-273, 500, "C"), unset,
+     "of \"power_W\": a number or a column at which the table is read"},
+    {"gain", a_table, unset,
+     "of \"power_W\", in place of sections: { slope_um_W, offset_um }, { factor, exponent } or { "
+     "table }"},
+    {"time_constant", a_table, unset,
+     "of \"power_W\": { slope_min_W, offset_min }, { factor, exponent } or { table }"},
+    {"numerator", a_list, unset,
+     "in place of sections: polynomial in z^-1, um per unit of the input"},
+    {"denominator", a_list, unset, "in place of sections: polynomial in z^-1"},
+};
+// Of an input in kelvin; the names of others end in their unit.
+constexpr Key feedthrough_keys[]{
+    {"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
+     "share that follows at once; ends in the unit of the input: um_K, um_W, um_m_min, um_rpm"}};
+constexpr Key section_gain_keys[]{
+    {"gain_um_K", between(-most, most, "um/K"), is_required,
+     "displacement in the end, per unit of the input; ends in that unit: um_K, um_W, um_m_min, "
+     "um_rpm"}};
+constexpr Key section_time_keys[]{
+    {"time_constant_s", between(1e-3, most, "s"), is_required, "of the lag"}};
+constexpr Key element_gain_keys[]{
+    {"slope_um_W", between(-most, most, "um/W"), unset, "of a straight line over the power"},
+    {"offset_um", between(-most, most, "um"), unset, "of that line without power"},
+    {"factor", between(-most, most, "um"), unset, "of factor P^exponent, P in W"},
+    {"exponent", between(-10, 10), unset, "of factor P^exponent"},
+    {"table", a_text, unset, "a CSV with power_W and gain_um, beside the model"},
+};
+constexpr Key element_time_keys[]{
+    {"slope_min_W", between(-most, most, "min/W"), unset, "of a straight line over the power"},
+    {"offset_min", between(-most, most, "min"), unset, "of that line without power"},
+    {"factor", between(-most, most, "min"), unset, "of factor P^exponent, P in W"},
+    {"exponent", between(-10, 10), unset, "of factor P^exponent"},
+    {"table", a_text, unset, "a CSV with power_W and time_constant_min, beside the model"},
+};
+
+constexpr Key kinematic_keys[]{
+    {"A", between(-most, most, "um"), is_required, "of u = A n^(1 - B exp(-C n)), n in rpm"},
+    {"B", between(-1, 2), is_required, "of u = A n^(1 - B exp(-C n))"},
+    {"C", between(0, 1, "1/rpm"), is_required, "of u = A n^(1 - B exp(-C n))"},
+};
+
+constexpr Key correction_effect_keys[]{
+    {"id", a_text, is_required,
+     "an effect on records over time (raceway effects), whose numbers stand beside it, or a new "
+     "one with a formula"},
+    {"input", a_text, unset, "column, or list of columns, that drives it"},
+    {"channel", a_text, unset, "name of the channel that it changes"},
+    {"axis", a_text, unset, "that it acts on"},
+};
+constexpr Key correction_own_effect_keys[]{
+    {"formula", a_text, unset, "of an effect of one's own, over columns and its parameters"},
+    {"title", a_text, unset, "of an effect of one's own, for messages"},
+    {"gain_um", between(-most, most, "um"), unset,
+     "of an effect of one's own: um per unit of its formula, required; 0 waits, as a candidate"},
+    {"time_constant_s", between(1, 1e7, "s"), unset,
+     "of an effect of one's own: of the lag that follows it; without it at once"},
+};
 
 using correction::DrivenChannel;
 using correction::Effect;
@@ -28,15 +131,14 @@ using correction::Input;
 using correction::Model;
 using record::Channel;
 
-constexpr double most = 1e9;  // of any number of a file
-
 /// A table in a list of tables.
-Section part_of(const Section& owner, const std::string& name, const toml::node& node) {
+Section part_of(const Section& owner, const std::string& name, const toml::node& node,
+                Keys keys = {}) {
   if (!node.is_table())
     throw InputError(fmt::format("{}: {} = {}: must be a table in braces", owner.place(&node), name,
                                  shown(node)),
                      owner.at(name, &node));
-  return Section(owner.source(), name, node.as_table());
+  return Section(owner.source(), name, node.as_table(), std::move(keys));
 }
 
 const toml::array* list_of_tables(const Section& s, std::string_view key) {
@@ -53,28 +155,26 @@ class CorrectionReader {
   CorrectionReader(ModelTables& tables, CorrectionFile& file)
       : tables_(tables), notes_(file.notes) {}
 
-  Model model(const Section& s) {
-    s.allow_only({"name", "displacement", "tolerance_um", "measurement_std_um", "initial_state",
-                  "sampling_s", "offset_um", "channel", "kinematic", "effect", "range", "together",
-                  "covariance", "residual"});
+  Model model(const Section& table) {
+    const Section s = table.with({correction_keys});
     Model m;
     m.displacement = displacement(s);
     m.name = s.text("name").value_or(std::string(m.displacement->variable));
-    if (const auto t = s.number({"tolerance_um", "um", 0, 1e6})) {
+    if (const auto t = s.number("tolerance_um")) {
       if (*t == 0.0) s.fail("tolerance_um", "tolerance_um = 0 um: must be above 0");
       m.tolerance = *t * um;
     }
-    if (const auto std = s.number({"measurement_std_um", "um", 0, 1e6})) m.measured_std = *std * um;
-    m.initial_state = tables_.choice_or(s, "initial_state", {"rest", "free"}, "rest") == "free"
-                          ? correction::InitialState::free
-                          : correction::InitialState::rest;
-    if (const auto dt = s.number({"sampling_s", "s", 1e-6, 1e6})) m.sampling = *dt;
-    m.offset = tables_.number_or(s, {"offset_um", "um", -1e6, 1e6}, 0.0) * um;
+    if (const auto std = s.number("measurement_std_um")) m.measured_std = *std * um;
+    m.initial_state = tables_.choice(s, "initial_state") == "free" ? correction::InitialState::free
+                                                                   : correction::InitialState::rest;
+    if (const auto dt = s.number("sampling_s")) m.sampling = *dt;
+    m.offset = tables_.number(s, "offset_um") * um;
     if (const toml::array* const list = list_of_tables(s, "channel"))
       for (const toml::node& node : *list)
         m.channels.push_back(channel(part_of(s, "correction.channel", node), m));
     if (s.find("kinematic"))
-      m.kinematic = kinematic(part_of(s, "correction.kinematic", *s.find("kinematic")));
+      m.kinematic =
+          kinematic(part_of(s, "correction.kinematic", *s.find("kinematic"), {kinematic_keys}));
     if (const toml::array* const list = list_of_tables(s, "effect"))
       for (const toml::node& node : *list)
         m.effects.push_back(effect(part_of(s, "correction.effect", node), m));
@@ -88,7 +188,7 @@ class CorrectionReader {
   const Channel* displacement(const Section& s) const {
     const auto name = s.text("displacement");
     if (!name)
-      s.fail_missing({"displacement", "", 0, 0},
+      s.fail_missing("displacement",
                      ", the column that is modelled, such as \"displacement_z_um\"");
     const Channel* const c = record::series_channel(*name);
     if (!c || c->role != record::Role::measured)
@@ -136,17 +236,16 @@ class CorrectionReader {
                "input = \"power_W\": needs friction_table, a CSV with speed_rpm, axial_load_N, "
                "temperature_C and friction_torque_Nmm, as raceway table writes it");
       in.table = std::make_shared<const correction::FrictionTable>(table(s, *file));
-      in.axial_load = s.number({"axial_load_N", "N", -1e8, 1e8}).value_or(0.0);
+      in.axial_load = s.value("axial_load_N");
       read_temperature(s, in);
     } else {
-      if (!s.find("input"))
-        s.fail_missing({"input", "", 0, 0}, ", the column that drives the channel");
+      if (!s.find("input")) s.fail_missing("input", ", the column that drives the channel");
       in.columns = columns(s, "input");
       in.name = in.columns.front()->name;
       for (const std::string_view key : {"friction_table", "axial_load_N", "temperature_C"})
         if (s.find(key)) s.fail(key, fmt::format("{}: belongs to input = \"power_W\"", key));
     }
-    in.exponent = s.number({"exponent", "1", 0.5, 3.0}).value_or(1.0);
+    in.exponent = s.value("exponent");
     if (s.find("exponent") && in.unit() != "rpm")
       s.fail("exponent", "exponent: belongs to an input that is a speed");
     if (const auto name = s.text("reference")) {
@@ -178,24 +277,23 @@ class CorrectionReader {
       in.temperature_column = input_column(s, "temperature_C", *node->value<std::string>());
       if (!record::is_temperature(*in.temperature_column))
         s.fail("temperature_C", "temperature_C: must be a number, or a column NAME_temperature_C");
-    } else if (const auto value = s.number({"temperature_C", "C", -273, 500})) {
+    } else if (const auto value = s.number("temperature_C")) {
       in.temperature = kelvin(*value);
     } else if (in.table->temperature.size() > 1) {
-      s.fail_missing({"temperature_C", "C", -273, 500},
+      s.fail_missing("temperature_C",
                      ", at which the friction table is read (a number or a column)");
     } else {
       in.temperature = in.table->temperature.front();
     }
   }
 
-  DrivenChannel channel(const Section& s, const Model& m) {
+  DrivenChannel channel(const Section& table, const Model& m) {
     DrivenChannel c;
-    c.input = input(s);
-    const std::string unit(c.input.key_unit());
+    c.input = input(table.part({correction_channel_keys}));
+    const std::string unit(c.input.key_unit()), per_input = "um/" + std::string(c.input.unit());
     const std::string gain = "gain_um_" + unit, feedthrough = "feedthrough_um_" + unit;
-    s.allow_only({"name", "input", "reference", "exponent", "friction_table", "axial_load_N",
-                  "temperature_C", "sections", feedthrough, "scale", "gain", "time_constant",
-                  "numerator", "denominator"});
+    const std::array at_once{feedthrough_keys[0].as(feedthrough, per_input)};
+    const Section s = table.with({correction_channel_keys, at_once});
     c.name = s.text("name").value_or(
         std::string(c.input.is_power() ? "power" : c.input.columns.front()->variable));
     for (const DrivenChannel& other : m.channels)
@@ -204,10 +302,8 @@ class CorrectionReader {
     if (c.name.find_first_of(".:\" ") != c.name.npos)
       s.fail("name", fmt::format("name = \"{}\": must have no blank, dot, colon or quote", c.name));
     const double factor = um / c.input.factor();
-    c.feedthrough =
-        s.number({feedthrough, "um/" + std::string(c.input.unit()), -most, most}).value_or(0.0) *
-        factor;
-    c.scale = s.number({"scale", "1", -1e6, 1e6}).value_or(1.0);
+    c.feedthrough = s.value(feedthrough) * factor;
+    c.scale = s.value("scale");
     const int ways = (s.find("sections") ? 1 : 0) +
                      (s.find("gain") || s.find("time_constant") ? 1 : 0) +
                      (s.find("numerator") || s.find("denominator") ? 1 : 0);
@@ -218,7 +314,7 @@ class CorrectionReader {
               "channel {}: has more than one of sections, gain with time_constant, and numerator "
               "with denominator",
               c.name));
-    if (s.find("sections")) read_sections(s, gain, factor, c);
+    if (s.find("sections")) read_sections(s, section_gain_keys[0].as(gain, per_input), factor, c);
     if (s.find("gain") || s.find("time_constant")) read_element(s, c);
     if (s.find("numerator") || s.find("denominator")) read_printed(s, m, c);
     if (ways == 0 && c.feedthrough == 0.0 && !s.find(feedthrough))
@@ -229,29 +325,25 @@ class CorrectionReader {
     return c;
   }
 
-  void read_sections(const Section& s, const std::string& gain, double factor, DrivenChannel& c) {
+  void read_sections(const Section& s, const Key& gain, double factor, DrivenChannel& c) {
     const toml::node& node = *s.find("sections");
     if (!node.is_array())
       s.fail("sections",
              fmt::format("sections = {}: must be a list, as [{{ {} = 5, time_constant_s = 3600 }}]",
-                         shown(node), gain));
+                         shown(node), gain.name));
     for (const toml::node& one : *node.as_array()) {
-      const Section of = part_of(s, "sections", one);
-      of.allow_only({gain, "time_constant_s"});
-      c.sections.push_back(
-          {of.required({gain, "um/" + std::string(c.input.unit()), -most, most}) * factor,
-           of.required({"time_constant_s", "s", 1e-3, most})});
+      const std::array gains{gain};
+      const Section of = part_of(s, "sections", one, {gains, section_time_keys});
+      c.sections.push_back({of.required(gain.name) * factor, of.required("time_constant_s")});
     }
   }
 
   correction::Characteristic characteristic(const Section& s, const std::string& key,
-                                            const std::string& unit_key, double unit) const {
+                                            std::span<const Key> keys, double unit) const {
     const toml::node* const node = s.find(key);
     if (!node)
       s.fail("name", fmt::format("gain and time_constant stand together: {} is missing", key));
-    const Section of = part_of(s, key, *node);
-    const std::string slope = fmt::format("slope_{}_W", unit_key), offset = "offset_" + unit_key;
-    of.allow_only({slope, offset, "factor", "exponent", "table"});
+    const Section of = part_of(s, key, *node, {keys});
     if (of.find("table")) {
       const auto file = of.text("table");
       try {
@@ -264,19 +356,19 @@ class CorrectionReader {
     }
     if (of.find("factor") || of.find("exponent"))
       return correction::Characteristic(
-          correction::Characteristic::Power{of.required({"factor", unit_key, -most, most}) * unit,
-                                            of.required({"exponent", "1", -10, 10})});
-    return correction::Characteristic(
-        correction::Characteristic::Line{of.required({slope, unit_key + "/W", -most, most}) * unit,
-                                         of.required({offset, unit_key, -most, most}) * unit});
+          correction::Characteristic::Power{of.required("factor") * unit, of.required("exponent")});
+    // Slope and offset, whose names have the unit.
+    return correction::Characteristic(correction::Characteristic::Line{
+        of.required(keys[0].name) * unit, of.required(keys[1].name) * unit});
   }
 
   void read_element(const Section& s, DrivenChannel& c) {
     if (!c.input.is_power())
       s.fail("gain", "gain and time_constant that go with the power need input = \"power_W\"");
     constexpr double minute = 60.0;
-    c.element = correction::DelayElement{characteristic(s, "gain", "um", um),
-                                         characteristic(s, "time_constant", "min", minute)};
+    c.element =
+        correction::DelayElement{characteristic(s, "gain", element_gain_keys, um),
+                                 characteristic(s, "time_constant", element_time_keys, minute)};
     notes_.push_back(
         fmt::format("channel {}: at a power of 0 its gain is 0, with the time constant of that "
                     "power: the paper "
@@ -318,16 +410,15 @@ class CorrectionReader {
   }
 
   correction::Kinematic kinematic(const Section& s) const {
-    s.allow_only({"A", "B", "C"});
-    return {s.required({"A", "um", -most, most}), s.required({"B", "1", -1, 2}),
-            s.required({"C", "1/rpm", 0, 1})};
+    return {s.required("A"), s.required("B"), s.required("C")};
   }
 
-  Effect effect(const Section& s, const Model& m) {
+  Effect effect(const Section& table, const Model& m) {
+    const Section s = table.part({correction_effect_keys, correction_own_effect_keys});
     const auto id = s.text("id");
     Names known;
     for (const correction::EffectCard& card : correction::catalogue()) known.emplace_back(card.id);
-    if (!id) s.fail_missing({"id", "", 0, 0}, ", the name of an effect of raceway effects");
+    if (!id) s.fail_missing("id", ", the name of an effect of raceway effects");
     const correction::EffectKind* const found = correction::find_kind(*id);
     if (s.find("formula")) {
       if (found)
@@ -346,18 +437,19 @@ class CorrectionReader {
     if (s.find("channel") && !correction::find_channel(m, e.where))
       s.fail("channel", fmt::format("channel = \"{}\": the model has no such channel", e.where));
     if (found->card().needs_input && e.columns.empty())
-      s.fail_missing({"input", "", 0, 0}, ", the column that drives the effect");
-    Names keys{"id", "input", "channel", "axis"};
+      s.fail_missing("input", ", the column that drives the effect");
     const std::span<const record::NumberCard> numbers = found->numbers(e);
+    std::deque<std::string> texts;  // of the keys
+    std::vector<Key> keys;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const std::string key = found->key(e, k, m);
-      if (found->may_end_before(k) && !s.find(key)) break;
-      keys.push_back(key);
-      e.values.push_back(
-          s.required({key, correction::unit_of(e, k, m), std::max(-most, numbers[k].lower),
-                      std::min(most, numbers[k].upper)}));
+      const std::string& name = texts.emplace_back(found->key(e, k, m));
+      if (found->may_end_before(k) && !s.find(name)) break;
+      const Form form = between(std::max(-most, numbers[k].lower), std::min(most, numbers[k].upper),
+                                texts.emplace_back(correction::unit_of(e, k, m)));
+      keys.push_back({name, form, is_required, found->card().title});
+      e.values.push_back(*s.number(keys.back()));
     }
-    s.allow_only(keys);
+    (void)table.with({correction_effect_keys, keys});  // no others
     return e;
   }
 
@@ -374,7 +466,8 @@ class CorrectionReader {
                                        .title = s.text("title").value_or(""),
                                        .formula = s.text("formula").value_or(""),
                                        .lags = s.find("time_constant_s") != nullptr};
-    const Names keys{"id", "title", "formula", "gain_um", "time_constant_s"};
+    Names keys{"id"};
+    for (const Key& key : correction_own_effect_keys) keys.emplace_back(key.name);
     for (const auto& [key, node] : *s.table()) {
       const std::string name(key.str());
       if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
@@ -384,8 +477,8 @@ class CorrectionReader {
       given.parameters.push_back({n.name, n.unit, n.value, n.lower, n.upper, n.in_braces});
     }
     Effect e{.id = id};
-    e.values.push_back(s.required({"gain_um", "um", -most, most}));
-    if (given.lags) e.values.push_back(s.required({"time_constant_s", "s", 1.0, 1e7}));
+    e.values.push_back(s.required("gain_um"));
+    if (given.lags) e.values.push_back(s.required("time_constant_s"));
     Names known{"speed_rpm",      "NAME_temperature_C", "NAME_feed_m_min",
                 "NAME_speed_rpm", "coolant_on",         "time_s"};
     for (const correction::OwnEffect::Number& n : given.parameters) {
@@ -446,7 +539,7 @@ void check_tables(const ModelTables& tables) {
 }
 
 Names read_free(const ModelTables& tables, const Model& model) {
-  const Section s = tables.section("calibration");
+  const Section s = calibration_section(tables);
   const toml::node* const node = s.find("free");
   Names free;
   if (!node) return free;
@@ -471,8 +564,8 @@ Names read_free(const ModelTables& tables, const Model& model) {
 }
 
 void read_tolerance(const ModelTables& tables, Model& model) {
-  const Section s = tables.section("loop");
-  const auto value = s.number({"tolerance_um", "um", 0, 1e6});
+  const Section s = loop_section(tables);
+  const auto value = s.number("tolerance_um");
   if (!value) return;
   if (!std::isnan(model.tolerance))
     s.fail("tolerance_um", "tolerance_um: stands under [correction] as well; keep one of them");
@@ -480,6 +573,19 @@ void read_tolerance(const ModelTables& tables, Model& model) {
 }
 
 }  // namespace
+
+std::vector<KeyTable> correction_tables() {
+  return {{"correction", correction_keys},
+          {"correction.channel", correction_channel_keys},
+          {"correction.channel", feedthrough_keys},
+          {"correction.channel.sections", section_gain_keys},
+          {"correction.channel.sections", section_time_keys},
+          {"correction.channel.gain", element_gain_keys},
+          {"correction.channel.time_constant", element_time_keys},
+          {"correction.kinematic", kinematic_keys},
+          {"correction.effect", correction_effect_keys},
+          {"correction.effect", correction_own_effect_keys}};
+}
 
 CorrectionFile parse_correction(std::string text, const std::string& source,
                                 std::vector<NamedFile> held) {

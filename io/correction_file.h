@@ -22,7 +22,7 @@ struct CorrectionFile {
   std::vector<NamedFile> files{};       ///< that it names, as they were when it was read
 };
 
-/// Reads [correction] (keys with their units: docs/files.md) into SI. Files that it names are
+/// Reads [correction] (keys with their units: raceway keys) into SI. Files that it names are
 /// looked for beside it.
 ///
 /// Throws InputError naming file, line, key, value and allowed range.

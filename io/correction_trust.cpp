@@ -15,6 +15,19 @@
 namespace raceway::io {
 namespace {
 
+constexpr Key correction_together_keys[]{
+    {"columns", a_list, is_required, "inputs that varied; written by identify, calibrate and add"},
+    {"mean", a_list, is_required, "of each"},
+    {"std", a_list, is_required, "of each"},
+    {"correlation", a_list, is_required, "lower triangle, row by row"},
+    {"farthest", between(0, 1e9), is_required,
+     "largest distance from the mean, in standard deviations"},
+};
+constexpr Key correction_residual_keys[]{
+    {"rms_um", between(0, 1e9, "um"), is_required, "of what was left on parts that no fit saw"},
+    {"correlation_time_s", between(0, 1e12, "s"), unset, "in which what was left forgets itself"},
+};
+
 using correction::Model;
 using record::Channel;
 
@@ -36,7 +49,6 @@ Eigen::VectorXd numbers_of(const Section& s, std::string_view key, std::size_t c
 }
 
 correction::SeenTogether read_together(const Section& s) {
-  s.allow_only({"columns", "mean", "std", "correlation", "farthest"});
   correction::SeenTogether seen;
   for (const std::string& name : quoted_words(s, "columns")) {
     const Channel* const c = record::series_channel(name);
@@ -57,7 +69,7 @@ correction::SeenTogether read_together(const Section& s) {
     seen.mean[at] = seen.columns[k]->to_SI(seen.mean[at]);
     seen.std[at] *= seen.columns[k]->factor;
   }
-  seen.farthest = s.required({"farthest", "1", 0.0, 1e9});
+  seen.farthest = s.required("farthest");
   return seen;
 }
 
@@ -80,7 +92,6 @@ std::string other_numbers(const fit::Covariance& c, const std::vector<std::strin
 }
 
 void read_correction_covariance(const Section& s, Model& m, std::vector<std::string>& notes) {
-  s.allow_only({"parameters", "units", "values", "std", "correlation"});
   fit::Covariance c;
   c.names = quoted_words(s, "parameters");
   const std::size_t count = c.names.size();
@@ -99,10 +110,8 @@ void read_correction_covariance(const Section& s, Model& m, std::vector<std::str
 }
 
 correction::Left read_left(const Section& s) {
-  s.allow_only({"rms_um", "correlation_time_s"});
-  correction::Left left{.rms = s.required({"rms_um", "um", 0.0, 1e9}) * um};
-  if (const auto time = s.number({"correlation_time_s", "s", 0.0, 1e12}))
-    left.correlation_time = *time;
+  correction::Left left{.rms = s.required("rms_um") * um};
+  if (const auto time = s.number("correlation_time_s")) left.correlation_time = *time;
   return left;
 }
 
@@ -200,21 +209,27 @@ std::string left_text(const correction::Left& left) {
 
 }  // namespace
 
+std::vector<KeyTable> trust_tables() {
+  return {{"correction.together", correction_together_keys},
+          {"correction.covariance", covariance_keys},
+          {"correction.residual", correction_residual_keys}};
+}
+
 void read_trust(const Section& correction, Model& model, std::vector<std::string>& notes) {
-  const auto part = [&](std::string_view key) {
+  const auto part = [&](const char* key, std::span<const Key> keys) -> std::optional<Section> {
     const toml::node* const node = correction.find(key);
-    if (node && !node->is_table())
+    if (!node) return std::nullopt;
+    if (!node->is_table())
       correction.fail(key, fmt::format("{} = {}: must be a table, written as [correction.{}]", key,
                                        shown(*node), key));
-    return node ? node->as_table() : nullptr;
+    return Section(correction.source(), fmt::format("correction.{}", key), node->as_table(),
+                   {keys});
   };
-  if (const toml::table* const table = part("together"))
-    model.together = read_together(Section(correction.source(), "correction.together", table));
-  if (const toml::table* const table = part("residual"))
-    model.left = read_left(Section(correction.source(), "correction.residual", table));
-  if (const toml::table* const table = part("covariance"))
-    read_correction_covariance(Section(correction.source(), "correction.covariance", table), model,
-                               notes);
+  if (const auto table = part("together", correction_together_keys))
+    model.together = read_together(*table);
+  if (const auto table = part("residual", correction_residual_keys)) model.left = read_left(*table);
+  if (const auto table = part("covariance", covariance_keys))
+    read_correction_covariance(*table, model, notes);
 }
 
 std::string trust_text(const Model& model) {

@@ -12,6 +12,8 @@
 /// writer, not for other code.
 namespace raceway::io {
 
+[[nodiscard]] std::vector<KeyTable> trust_tables();
+
 /// [correction.together], [correction.covariance] and [correction.residual] into a model whose
 /// numbers were read. Where the covariance is of other numbers, both are left out, and a note says
 /// of which.

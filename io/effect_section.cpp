@@ -11,6 +11,16 @@
 namespace raceway::io {
 namespace {
 
+constexpr Key effect_id_keys[]{
+    {"id", a_text, is_required,
+     "an effect of the catalogue (raceway effects), whose numbers stand beside it, or a new one "
+     "with a formula"}};
+constexpr Key own_effect_keys[]{
+    {"torque_Nmm", a_text, unset,
+     "formula of an effect of one's own: torque over the columns and its parameters"},
+    {"title", a_text, unset, "of an effect of one's own, for messages"},
+};
+
 using effects::Description;
 using effects::Effect;
 using effects::UserMadeEffect;
@@ -33,7 +43,8 @@ UserMadeEffect::Number number_of(FormulaNumber n) {
 }
 
 /// An effect of the user's own: a formula and its parameters.
-Effect read_user_made(const Section& s, const std::string& id) {
+Effect read_user_made(const Section& table, const std::string& id) {
+  const Section s = table.part({effect_id_keys, own_effect_keys});
   UserMadeEffect effect{.id = id,
                         .title = s.text("title").value_or(""),
                         .torque_Nmm = *s.text("torque_Nmm"),
@@ -71,7 +82,8 @@ class EffectReader {
   std::vector<Effect> read() {
     if (const toml::array* const list = tables_.root()["effect"].as_array())
       for (const toml::node& node : *list) {
-        const Section s(tables_.source(), "effect", node.as_table());
+        const Section s =
+            Section(tables_.source(), "effect", node.as_table()).part({effect_id_keys});
         const auto id = s.text("id");
         if (!id)
           throw InputError(fmt::format("{}: [[effect]] has no id; the catalogue has {}", s.place(),
@@ -117,19 +129,20 @@ class EffectReader {
     return found;
   }
 
-  Effect from_catalogue(const Section& s, const Description& description) {
+  Effect from_catalogue(const Section& table, const Description& description) {
     // A text is a formula; a number is the parameter that torque-offset calls so.
-    if (const toml::node* const formula = s.find("torque_Nmm"); formula && formula->is_string())
-      s.fail("torque_Nmm",
-             fmt::format("torque_Nmm: {} is an effect of the catalogue; give yours another id",
-                         description.id));
-    Names known{"id"};
-    for (const effects::Parameter& p : description.parameters) known.emplace_back(p.name);
-    s.allow_only(known);
+    if (const toml::node* const formula = table.find("torque_Nmm"); formula && formula->is_string())
+      table.fail("torque_Nmm",
+                 fmt::format("torque_Nmm: {} is an effect of the catalogue; give yours another id",
+                             description.id));
+    std::vector<Key> numbers;
+    for (const effects::Parameter& p : description.parameters)
+      numbers.push_back({p.name, between(p), p.initial, description.title});
+    const Section s = table.with({effect_id_keys, numbers});
     Effect effect;
     effect.description = &description;
     for (const effects::Parameter& p : description.parameters) {
-      const auto value = s.number({p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper});
+      const auto value = s.number(p.name);
       effect.values.push_back(value.value_or(p.initial));
       if (!value)
         tables_.note_default(fmt::format("effect[{}]", effects_.size()), p.name,
@@ -147,6 +160,10 @@ class EffectReader {
 };
 
 }  // namespace
+
+std::vector<KeyTable> effect_tables() {
+  return {{"effect", effect_id_keys}, {"effect", own_effect_keys}};
+}
 
 std::vector<Effect> read_effects(ModelTables& tables, const model::Shaft* shaft, bool spindle) {
   return EffectReader(tables, shaft, spindle).read();

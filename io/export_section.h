@@ -11,6 +11,8 @@
 /// [export] of a model file; shared with the reader of corrections, not for other code.
 namespace raceway::io {
 
+[[nodiscard]] std::vector<KeyTable> export_tables();
+
 /// The defaults where it is not there. Throws InputError as read_correction() does, also where it
 /// names a column that no model has.
 [[nodiscard]] ControlSettings read_export(const ModelTables& tables,

@@ -10,6 +10,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+constexpr Key formula_number[]{
+    {"value", between(-infinity, infinity), is_required,
+     "parameter of a formula; a number alone is short for it"},
+    {"unit", a_text, "1", "of the parameter, for results"},
+    {"lower", between(-infinity, infinity), unset, "bound of a calibration"},
+    {"upper", between(-infinity, infinity), unset, "bound of a calibration"},
+};
+
 /// A name that muParser takes for a variable.
 bool valid_name(std::string_view name) {
   const auto letter = [](char c) {
@@ -40,6 +48,8 @@ std::string unit_of_no_file(std::string_view unit) {
 
 }  // namespace
 
+std::vector<KeyTable> formula_tables() { return {{"effect.PARAMETER", formula_number}}; }
+
 void fail_formula(const Section& s, const std::string& key, const std::string& id,
                   const std::string& formula, const record::FormulaError& error,
                   const Names& known) {
@@ -69,12 +79,12 @@ FormulaNumber read_formula_number(const Section& s, const std::string& id, const
     s.fail(name, fmt::format("{}: must be letters, digits and _, not a digit first", name));
   FormulaNumber number{.name = name, .unit = "1"};
   if (!node.is_table()) {
-    number.value = *s.number({name, "", -infinity, infinity});
+    number.value = *s.number(formula_number[0].as(name, ""));
     return number;
   }
   number.in_braces = true;
-  const Section t(s.source(), fmt::format("effect {}, {}", id, name), node.as_table());
-  t.allow_only({"value", "unit", "lower", "upper"});
+  const Section t(s.source(), fmt::format("effect {}, {}", id, name), node.as_table(),
+                  {formula_number});
   number.unit = t.text("unit").value_or("1");
   if (const std::string other = unit_of_no_file(number.unit); !other.empty())
     t.fail("unit",
@@ -82,15 +92,16 @@ FormulaNumber read_formula_number(const Section& s, const std::string& id, const
                        "rpm, C, mm2/s, mm, s; {} is none of them, and no value is "
                        "converted: give it in these",
                        name, number.unit, other));
-  if (const auto lower = t.number({"lower", number.unit, -infinity, infinity}))
-    number.lower = *lower;
-  if (const auto upper = t.number({"upper", number.unit, -infinity, infinity}))
-    number.upper = *upper;
+  if (const auto lower = t.number("lower")) number.lower = *lower;
+  if (const auto upper = t.number("upper")) number.upper = *upper;
   const double from = std::isnan(number.lower) ? -infinity : number.lower;
   const double to = std::isnan(number.upper) ? infinity : number.upper;
   if (!(from < to))
     t.fail("upper", fmt::format("{}: upper = {} must be above lower = {}", name, to, from));
-  number.value = t.required({"value", number.unit, from, to});
+  Key value = t.key("value").as("value", number.unit);
+  value.form.lower = from;
+  value.form.upper = to;
+  number.value = *t.number(value);
   return number;
 }
 

@@ -9,6 +9,8 @@
 /// What sections with a formula of the user's own have in common; not for other code.
 namespace raceway::io {
 
+[[nodiscard]] std::vector<KeyTable> formula_tables();
+
 /// A parameter of a formula.
 struct FormulaNumber {
   std::string name, unit = "1";

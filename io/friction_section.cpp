@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,25 +13,78 @@
 namespace raceway::io {
 namespace {
 
+const std::string words_of_supply =
+    names_as_words(std::array{friction::Supply::oil_air, friction::Supply::grease,
+                              friction::Supply::jet, friction::Supply::bath});
+const Key lubricant_keys[]{
+    {"viscosity_40C_mm2_s", between(1, 1e5, "mm2/s"), is_required,
+     "kinematic viscosity of the oil, of a grease that of its base oil; between and beyond by ASTM "
+     "D341"},
+    {"viscosity_100C_mm2_s", between(0.5, 1e5, "mm2/s"), is_required,
+     "kinematic viscosity, below that at 40 C"},
+    {"supply", one_of(words_of_supply), "inlets as oil-air, grease and jet leave them",
+     "how the lubricant comes to the bearing; rules out effects that need another one, and floods "
+     "the inlets of the law contact with bath"},
+};
+
 using friction::F1Load;
 using friction::FrictionLaw;
-using friction::Supply;
 
-constexpr Key viscosity_40C{"viscosity_40C_mm2_s", "mm2/s", 1, 1e5};
-constexpr Key viscosity_100C{"viscosity_100C_mm2_s", "mm2/s", 0.5, 1e5};
-
-constexpr std::string_view f1_load = "f1_load";
-
-bool has(FrictionLaw law, std::string_view key) {
+/// A number of a law, whose card says what it may be.
+Key number_of(FrictionLaw law, std::string_view name, std::string_view meaning) {
   const auto numbers = friction::parameters(law);
-  if (std::any_of(numbers.begin(), numbers.end(), [&](const friction::Parameter& p) {
-        return p.name == key && !friction::of_the_lubricant(p);
-      }))
-    return true;
-  if (law == FrictionLaw::palmgren) return key == f1_load;
-  const Names of_contact = contact_keys("friction");
-  return law == FrictionLaw::contact &&
-         std::find(of_contact.begin(), of_contact.end(), key) != of_contact.end();
+  const friction::Parameter& card = *std::find_if(
+      numbers.begin(), numbers.end(), [&](const friction::Parameter& p) { return p.name == name; });
+  const double usual = name == "f0"  ? catalogue_f0
+                       : name == "z" ? catalogue_z
+                       : name == "y" ? catalogue_y
+                                     : card.initial;
+  return {card.name, between(card), usual, meaning};
+}
+
+const std::string words_of_law = names_as_words(friction::all_friction_laws);
+const std::string words_of_load = names_as_words(std::array{F1Load::P0, F1Load::F_b});
+const Key law_keys[]{{"law", one_of(words_of_law), "palmgren", "base law of friction"}};
+const Key palmgren_keys[]{
+    number_of(FrictionLaw::palmgren, "f0",
+              "factor of the viscous moment, by lubrication; required without catalogue"),
+    number_of(FrictionLaw::palmgren, "z",
+              "factor of the load moment, by bearing type; required without catalogue"),
+    number_of(FrictionLaw::palmgren, "y",
+              "exponent of the load moment; required without catalogue"),
+    {"f1_load", one_of(words_of_load), "P0",
+     "the load of the factor f1, the static equivalent load or the load F_b of the moment"},
+};
+constexpr std::string_view replenishment =
+    "replenishment, 3e-8 for bath or jet, 6e-8 for grease or oil-air, 0 is off";
+const Key skf_keys[]{
+    number_of(FrictionLaw::skf, "mu_bl", "friction coefficient of boundary lubrication"),
+    number_of(FrictionLaw::skf, "mu_EHL", "friction coefficient of a full film"),
+    number_of(FrictionLaw::skf, "K_rs", replenishment),
+};
+const Key contact_law_keys[]{
+    number_of(FrictionLaw::contact, "rolling_factor",
+              "factor on the rolling resistance of the oil"),
+    number_of(FrictionLaw::contact, "hysteresis_factor",
+              "factor on the hysteresis of the material"),
+    number_of(FrictionLaw::contact, "mu_boundary", "friction coefficient where asperities touch"),
+    number_of(FrictionLaw::contact, "K_rs", replenishment),
+    number_of(FrictionLaw::contact, "oil_fraction",
+              "oil in the free space that the balls plough through; 0 is no drag"),
+};
+
+/// Those that stand with a law alone.
+Keys keys_of_law(FrictionLaw law) {
+  if (law == FrictionLaw::palmgren) return {palmgren_keys};
+  if (law == FrictionLaw::skf) return {skf_keys};
+  return {contact_law_keys, contact_keys("friction")};
+}
+
+bool has(FrictionLaw law, std::string_view name) {
+  for (const std::span<const Key> part : keys_of_law(law))
+    for (const Key& key : part)
+      if (key.name == name) return true;
+  return false;
 }
 
 std::string belongs_to_other(std::string_view key, const toml::node& value, FrictionLaw other,
@@ -47,95 +101,82 @@ void refuse_values_of_other_law(const Section& s, FrictionLaw law) {
         s.fail(key.str(), belongs_to_other(key.str(), node, other, law));
 }
 
-double catalogue_value(const friction::Parameter& p) {
-  return p.name == "f0"  ? catalogue_f0
-         : p.name == "z" ? catalogue_z
-         : p.name == "y" ? catalogue_y
-                         : p.initial;
-}
-
 }  // namespace
+
+std::vector<KeyTable> friction_tables() {
+  std::vector<KeyTable> tables{{"lubricant", lubricant_keys},
+                               {"lubricant", contact_keys("lubricant")},
+                               {"friction", law_keys}};
+  for (const auto& [law, only] :
+       {std::pair(FrictionLaw::palmgren, "law palmgren"), std::pair(FrictionLaw::skf, "law skf"),
+        std::pair(FrictionLaw::contact, "law contact")})
+    for (const std::span<const Key> keys : keys_of_law(law))
+      tables.push_back({"friction", keys, only});
+  return tables;
+}
 
 LubricantOfFile read_lubricant(const ModelTables& tables) {
   const Section s =
-      tables.required_section("lubricant", "viscosity_40C_mm2_s and viscosity_100C_mm2_s");
-  Names known{"viscosity_40C_mm2_s", "viscosity_100C_mm2_s", "supply"};
-  for (std::string& key : contact_keys("lubricant")) known.push_back(std::move(key));
-  s.allow_only(known);
-  Names supplies;
-  for (const Supply supply : {Supply::oil_air, Supply::grease, Supply::jet, Supply::bath})
-    supplies.emplace_back(friction::name(supply));
-  const auto supply = s.choice("supply", supplies);
+      tables.required_section("lubricant", "viscosity_40C_mm2_s and viscosity_100C_mm2_s",
+                              {lubricant_keys, contact_keys("lubricant")});
+  const auto supply = s.choice("supply");
   try {
-    return {.lubricant = {s.required(viscosity_40C) * mm2_per_s,
-                          s.required(viscosity_100C) * mm2_per_s},
+    return {.lubricant = {s.required("viscosity_40C_mm2_s") * mm2_per_s,
+                          s.required("viscosity_100C_mm2_s") * mm2_per_s},
             .supply = supply ? friction::find_supply(*supply) : std::nullopt};
   } catch (const std::invalid_argument& error) {
     // "viscosity_40C" and "viscosity_100C" are the libraries' names of the two keys.
-    s.fail(error, known);
+    s.fail(error);
   }
 }
 
-LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Names& further) {
-  const Section s = from_catalogue
-                        ? tables.section("friction")
-                        : tables.required_section("friction", "the base law and its factors");
-  Names laws;
-  for (const FrictionLaw law : friction::all_friction_laws) laws.emplace_back(friction::name(law));
-  LawOfFile result{.law = *friction::find_friction_law(tables.choice_or(s, "law", laws, laws[0])),
-                   .values = {}};
-  refuse_values_of_other_law(s, result.law);
-  Names known{"law"};
-  for (const friction::Parameter& p : friction::parameters(result.law))
-    if (!friction::of_the_lubricant(p)) known.emplace_back(p.name);
-  if (result.law == FrictionLaw::palmgren) known.emplace_back(f1_load);
-  if (result.law == FrictionLaw::contact)
-    for (std::string& key : contact_keys("friction")) known.push_back(std::move(key));
-  known.insert(known.end(), further.begin(), further.end());
-  s.allow_only(known);
-  if (result.law == FrictionLaw::palmgren) {
-    const Names loads{std::string(friction::name(F1Load::P0)),
-                      std::string(friction::name(F1Load::F_b))};
+LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Keys& further) {
+  const Section table = from_catalogue
+                            ? tables.section("friction")
+                            : tables.required_section("friction", "the base law and its factors");
+  LawOfFile result{
+      .law = *friction::find_friction_law(tables.choice(table.part({law_keys}), "law")),
+      .values = {}};
+  refuse_values_of_other_law(table, result.law);
+  Keys known{law_keys};
+  for (const Keys& keys : {keys_of_law(result.law), further})
+    known.insert(known.end(), keys.begin(), keys.end());
+  const Section s = table.with(known);
+  if (result.law == FrictionLaw::palmgren)
     result.f1_load =
-        tables.choice_or(s, f1_load, loads, loads[0]) == loads[0] ? F1Load::P0 : F1Load::F_b;
-  }
+        tables.choice(s, "f1_load") == friction::name(F1Load::P0) ? F1Load::P0 : F1Load::F_b;
   // The factors of the SKF law are published constants, those of the contacts are 1; those of
   // Palmgren depend on the bearing, and only a catalogue's user may leave them out.
   const bool required = result.law == FrictionLaw::palmgren && !from_catalogue;
-  for (const friction::Parameter& p : friction::parameters(result.law)) {
-    const Key key{p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper};
-    if (friction::of_the_lubricant(p))
-      result.values.push_back(
-          tables.number_or(tables.section("lubricant"), key, default_of_lubricant(tables)));
-    else
-      result.values.push_back(required ? s.required(key)
-                                       : tables.number_or(s, key, catalogue_value(p)));
-  }
+  for (const friction::Parameter& p : friction::parameters(result.law))
+    result.values.push_back(friction::of_the_lubricant(p) ? lubricant_number(tables, p.name)
+                            : required                    ? s.required(p.name)
+                                                          : tables.number(s, p.name));
   return result;
 }
 
 Names missing_keys_of_friction(const ModelTables& tables) {
-  Names missing = tables.section("lubricant").lacking({viscosity_40C, viscosity_100C});
-  const Section s = tables.section("friction");
-  const Section bearing = tables.section("bearing");
+  Names missing = tables.part("lubricant", {lubricant_keys})
+                      .lacking({"viscosity_40C_mm2_s", "viscosity_100C_mm2_s"});
+  const Section s = tables.part("friction", {law_keys, palmgren_keys});
+  const Section bearing = tables.part("bearing", {bearing_keys()});
   if (bearing.find("catalogue") ||
       s.text("law").value_or("palmgren") != friction::name(FrictionLaw::palmgren))
     return missing;
-  for (const std::string& one : bearing.lacking({static_load_rating})) missing.push_back(one);
-  std::vector<Key> factors;
+  for (const std::string& one : bearing.lacking({"static_load_rating_N"})) missing.push_back(one);
   for (const friction::Parameter& p : friction::parameters(FrictionLaw::palmgren))
-    factors.push_back({p.name, p.unit == "1" ? "" : p.unit, p.lower, p.upper});
-  for (const std::string& one : s.lacking(factors)) missing.push_back(one);
+    for (const std::string& one : s.lacking({p.name})) missing.push_back(one);
   return missing;
 }
 
-void require_data(FrictionLaw law, const bearing::Bearing& bearing, const Section& s) {
+void require_data(FrictionLaw law, const bearing::Bearing& bearing, const Section& table) {
+  const Section s = table.part({bearing_keys()});
   if (law == FrictionLaw::palmgren && std::isnan(bearing.geometry().static_load_rating))
-    s.fail_missing(static_load_rating, ", which the friction law palmgren needs");
+    s.fail_missing("static_load_rating_N", ", which the friction law palmgren needs");
   try {
     friction::require_data(law, bearing);
   } catch (const std::invalid_argument& error) {
-    s.fail(error, {"static_load_rating_N", "contact_angle_deg"});
+    s.fail(error);
   }
 }
 

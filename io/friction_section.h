@@ -20,6 +20,8 @@ struct LawOfFile {
   std::vector<double> values;
 };
 
+[[nodiscard]] std::vector<KeyTable> friction_tables();
+
 struct LubricantOfFile {
   friction::Lubricant lubricant;
   std::optional<friction::Supply> supply;
@@ -32,9 +34,9 @@ struct LubricantOfFile {
 
 /// With a bearing of the catalogue the law's values may be left out. `further` keys are allowed.
 [[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue,
-                                      const Names& further = {});
+                                      const Keys& further = {});
 
-/// Refuses a bearing, read from `s`, that lacks what the law needs.
-void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& s);
+/// Refuses a bearing, read from `table`, that lacks what the law needs.
+void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& table);
 
 }  // namespace raceway::io

@@ -16,6 +16,21 @@
 namespace raceway::io {
 namespace {
 
+constexpr Key calibration_keys[]{
+    {"free", a_list, "those of the law that a calibration is for",
+     "parameters to be fitted: of the law, preload_N, inner_conformity, outer_conformity, "
+     "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; of a correction parameters or groups"},
+    {"covariance", a_table, unset, "the table [calibration.covariance]"},
+};
+constexpr Key loop_keys[]{
+    {"tolerance_Nmm", between(0, 1e9, "Nmm"), unset,
+     "error of the friction torque below which nothing matters, above 0"},
+    {"tolerance_um", between(0, 1e9, "um"), unset,
+     "error of the displacement below which nothing matters, above 0"},
+    {"tolerance_K", between(0, 1e9, "K"), unset,
+     "of a spindle: error of a temperature below which nothing matters, above 0"},
+};
+
 /// Full names by every name that a parameter may be called: that of an effect is "id.name", and
 /// `name` alone where no other has it.
 std::multimap<std::string, std::string> full_names(const model::Model& model) {
@@ -85,7 +100,6 @@ class CovarianceReader {
       : s_(section), model_(model), known_(model::parameters(model)) {}
 
   fit::Covariance read() {
-    s_.allow_only({"parameters", "units", "values", "std", "correlation"});
     fit::Covariance c;
     c.names = names_in(s_, "parameters", required_node(s_, "parameters"), model_);
     count_ = c.names.size();
@@ -119,9 +133,19 @@ class CovarianceReader {
 
 }  // namespace
 
+std::vector<KeyTable> loop_tables() {
+  return {{"calibration", calibration_keys},
+          {"calibration.covariance", covariance_keys},
+          {"loop", loop_keys}};
+}
+
+Section loop_section(const ModelTables& tables) { return tables.section("loop", {loop_keys}); }
+Section calibration_section(const ModelTables& tables) {
+  return tables.section("calibration", {calibration_keys});
+}
+
 Names read_free(ModelTables& tables, const model::Model& model) {
-  const Section s = tables.section("calibration");
-  s.allow_only({"free", "covariance"});
+  const Section s = calibration_section(tables);
   const toml::node* const node = s.find("free");
   if (!node) return default_names(tables, model);
   if (!tables.root().contains("correction") || !node->is_array())
@@ -146,7 +170,7 @@ std::optional<fit::Covariance> read_covariance(const ModelTables& tables,
     calibration.fail("covariance", fmt::format("covariance = {}: must be a table, written as "
                                                "[calibration.covariance]",
                                                shown(*node)));
-  const Section s(tables.source(), "calibration.covariance", node->as_table());
+  const Section s(tables.source(), "calibration.covariance", node->as_table(), {covariance_keys});
   return CovarianceReader(s, model).read();
 }
 
@@ -167,21 +191,14 @@ std::string other_values(const fit::Covariance& covariance, const model::Model& 
 
 std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,
                                                 const model::Model& model) {
-  const Section s = tables.section("loop");
+  const Section s = loop_section(tables);
   if (!s.given()) return {};
-  Names known;
-  for (const record::Channel& c : record::channels)
-    if (c.role == record::Role::measured) known.push_back(tolerance_key(c));
-  // Of temperatures, which no channel of the table measures yet.
-  if (std::find(known.begin(), known.end(), "tolerance_K") == known.end())
-    known.emplace_back("tolerance_K");
-  s.allow_only(known);
   const std::vector<fit::Measured> measured = make_subject(model)->measured();
   std::vector<record::NamedValue> tolerances;
-  for (const std::string& name : known) {
-    if (!s.find(name)) continue;
-    const std::string unit = name.substr(name.find('_') + 1);
-    const auto value = s.number({name, unit, 0.0, 1e9});
+  for (const Key& key : loop_keys) {
+    const auto value = s.number(key);
+    if (!value) continue;
+    const std::string_view name = key.name, unit = key.form.unit;
     if (*value == 0.0) s.fail(name, fmt::format("{} = 0 {}: must be above 0", name, unit));
     const std::size_t before = tolerances.size();
     for (const fit::Measured& m : measured)

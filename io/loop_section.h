@@ -14,6 +14,10 @@
 /// read_model() does.
 namespace raceway::io {
 
+[[nodiscard]] std::vector<KeyTable> loop_tables();
+[[nodiscard]] Section loop_section(const ModelTables& tables);
+[[nodiscard]] Section calibration_section(const ModelTables& tables);
+
 /// Full names of the parameters that may be fitted.
 [[nodiscard]] Names read_free(ModelTables& tables, const model::Model& model);
 

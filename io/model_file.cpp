@@ -21,6 +21,7 @@
 #include "io/rig_section.h"
 #include "io/sensor_section.h"
 #include "io/shaft_section.h"
+#include "io/spindle_parts.h"
 #include "io/spindle_section.h"
 
 namespace raceway::io {
@@ -68,9 +69,10 @@ std::pair<double, double> expansions_of(const ModelTables& tables, bool spindle)
           expansion_of(tables, "housing", model::iron_of_housings.thermal_expansion)};
 }
 
-Names joined(Names names, const Names& further) {
-  names.insert(names.end(), further.begin(), further.end());
-  return names;
+template <typename List>
+List joined(List list, const List& further) {
+  list.insert(list.end(), further.begin(), further.end());
+  return list;
 }
 
 /// Effects that the base law has itself stand in no model of it.
@@ -92,8 +94,9 @@ std::optional<model::Shaft> read_arrangement(ModelTables& tables, BearingReader&
   if (!s.given()) return std::nullopt;
   const ShaftContext context{.base = base,
                              .read_bearing =
-                                 [&](const Section& table, const Names& further) {
-                                   NamedBearing one = bearings.read(table, &base, further);
+                                 [&](const Section& table, Keys further) {
+                                   NamedBearing one =
+                                       bearings.read(table, &base, std::move(further));
                                    require_data(law, one.bearing, table);
                                    return one;
                                  },
@@ -136,9 +139,9 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
   check_tables(tables);
   const bool of_spindle = is_spindle(tables);
   BearingReader bearings(tables);
-  NamedBearing bearing =
-      bearings.read(tables.required_section("bearing", "its geometry, or catalogue = \"NAME\""),
-                    nullptr, joined(spindle_keys("bearing", of_spindle), contact_keys("bearing")));
+  NamedBearing bearing = bearings.read(
+      tables.required_section("bearing", "its geometry, or catalogue = \"NAME\""), nullptr,
+      joined(spindle_keys("bearing", of_spindle), Keys{contact_keys("bearing")}));
   const LubricantOfFile lubricant = read_lubricant(tables);
   LawOfFile law =
       read_friction(tables, bearing.row.has_value(), spindle_keys("friction", of_spindle));

@@ -35,7 +35,7 @@ struct ModelFile {
   std::vector<NamedFile> files = {};  ///< that it names, as they were when it was read
 };
 
-/// Reads a TOML model (keys with their units: docs/files.md) into SI.
+/// Reads a TOML model (keys with their units: raceway keys) into SI.
 ///
 /// Throws InputError naming file, line, key, value and allowed range: text that is no TOML, unknown
 /// and missing keys and tables, wrong types, values out of range, bearings that cannot be, formulas

@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/error.h"
-#include "io/key_book.h"
+#include "io/key.h"
 #include "io/names.h"
 #include "io/toml_text.h"
 
@@ -20,21 +22,25 @@ namespace raceway::io {
 
 using Names = std::vector<std::string>;
 
-/// A number of a model file with its unit and what it may be.
-struct Key {
-  std::string_view name;
-  std::string_view unit;  ///< "" where dimensionless
-  double lower, upper;    ///< closed, in `unit`
-};
-
 inline std::string with_unit(std::string_view number, std::string_view unit) {
   return unit.empty() || unit == "1" ? std::string(number) : fmt::format("{} {}", number, unit);
 }
 
 inline std::string range(const Key& key) {
-  return fmt::format("must be from {} to {}", key.lower,
-                     with_unit(fmt::format("{}", key.upper), key.unit));
+  return fmt::format("must be from {} to {}", key.form.lower,
+                     with_unit(fmt::format("{}", key.form.upper), key.form.unit));
 }
+
+/// The names of enumerators as words of a form, which lie in the result.
+template <typename Enumerators>
+std::string names_as_words(const Enumerators& all) {
+  std::string words;
+  for (const auto one : all) words += (words.empty() ? "" : "|") + std::string(name(one));
+  return words;
+}
+
+/// Keys of a table, in parts where several readers have some.
+using Keys = std::vector<std::span<const Key>>;
 
 inline std::string_view kind(const toml::node& node) {
   if (node.is_string()) return "a text";
@@ -50,12 +56,24 @@ struct MissingKey : InputError {
   using InputError::InputError;
 };
 
-/// One table of the file. Asking for a value checks its type and range.
+/// One table of the file, read by its keys: asking for a value checks its type and range, asking
+/// for a key that is not among them throws std::logic_error.
 class Section {
  public:
-  /// `table` may be null: then every key is absent.
-  Section(std::string source, std::string name, const toml::table* table)
-      : source_(std::move(source)), name_(std::move(name)), table_(table) {}
+  /// `table` may be null: then every key is absent. Refuses a table with other keys, where it is
+  /// given any.
+  Section(std::string source, std::string name, const toml::table* table, Keys keys = {})
+      : source_(std::move(source)), name_(std::move(name)), table_(table), keys_(std::move(keys)) {
+    if (!keys_.empty()) refuse_others();
+  }
+  /// The same table by all keys that it may have.
+  [[nodiscard]] Section with(Keys keys) const { return {source_, name_, table_, std::move(keys)}; }
+  /// The same table by some of its keys; others may stand there.
+  [[nodiscard]] Section part(Keys keys) const {
+    Section result = *this;
+    result.keys_ = std::move(keys);
+    return result;
+  }
 
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -80,86 +98,81 @@ class Section {
     throw InputError(fmt::format("{}: {}", place(find(key)), text), at(key));
   }
   [[noreturn]] void fail_missing(const Key& key, const std::string& why = "") const {
+    const std::string wanted = !key.form.words.empty()
+                                   ? ": must be " + listed(key.form.choices(), "or")
+                               : key.form.kind == "number" ? ": " + range(key)
+                                                           : "";
     throw MissingKey(
-        fmt::format("{}: [{}] {} is missing{}: {}", place(), name_, key.name, why, range(key)),
+        fmt::format("{}: [{}] {} is missing{}{}", place(), name_, key.name, why, wanted),
         at(key.name));
   }
+  [[noreturn]] void fail_missing(std::string_view name, const std::string& why = "") const {
+    fail_missing(key(name), why);
+  }
   /// Those of the keys that are not there, each as "[bearing] ball_count: must be from 3 to 200".
-  [[nodiscard]] Names lacking(const std::vector<Key>& keys) const {
+  [[nodiscard]] Names lacking(std::initializer_list<std::string_view> names) const {
     Names list;
-    for (const Key& key : keys)
-      if (!find(key.name)) list.push_back(fmt::format("[{}] {}: {}", name_, key.name, range(key)));
+    for (const std::string_view one : names)
+      if (!find(one)) list.push_back(fmt::format("[{}] {}: {}", name_, one, range(key(one))));
     return list;
   }
 
-  void allow_only(const Names& known) const {
-    if (KeyBook* const book = KeyBook::open())
-      for (const std::string& name : known) book->entry(name_, name);
-    if (!table_) return;
-    for (const auto& [key, node] : *table_) {
-      const std::string_view given = key.str();
-      if (std::find(known.begin(), known.end(), given) != known.end()) continue;
-      const std::string near = suggestion(given, known);
-      throw InputError(
-          fmt::format("{}:{}: {} = {}: unknown key in [{}]{}", source_, key.source().begin.line,
-                      given, shown(node), name_, near.empty() ? "; it has " + listed(known) : near),
-          {.file = source_,
-           .line = static_cast<int>(key.source().begin.line),
-           .key = std::string(given)});
-    }
+  [[nodiscard]] const Key& key(std::string_view name) const {
+    for (const std::span<const Key> part : keys_)
+      for (const Key& one : part)
+        if (one.name == name) return one;
+    throw std::logic_error(fmt::format("[{}] has no key {}", name_, name));
   }
 
+  /// Nothing where the key is not there and need not be.
+  [[nodiscard]] std::optional<double> number(std::string_view name) const {
+    return number(key(name));
+  }
+  /// By a key that is in no table.
   [[nodiscard]] std::optional<double> number(const Key& key) const {
-    if (KeyBook* const book = KeyBook::open()) {
-      ModelKey& entry = book->entry(name_, key.name);
-      entry.unit = key.unit;
-      entry.lower = key.lower;
-      entry.upper = key.upper;
-    }
     const toml::node* const node = find(key.name);
+    if (!node && table_ && key.fallback.required) fail_missing(key);
     if (!node) return std::nullopt;
     if (!node->is_number())
       fail(key.name, fmt::format("{} = {}: must be a number, not {}; {}", key.name, shown(*node),
                                  kind(*node), range(key)));
     const double value = *node->value<double>();
-    if (!(value >= key.lower && value <= key.upper))
-      fail(key.name,
-           fmt::format("{} = {}: {}", key.name, with_unit(shown(*node), key.unit), range(key)));
+    if (!(value >= key.form.lower && value <= key.form.upper))
+      fail(key.name, fmt::format("{} = {}: {}", key.name, with_unit(shown(*node), key.form.unit),
+                                 range(key)));
     return value;
   }
-  [[nodiscard]] double required(const Key& key) const {
-    const auto value = number(key);
-    if (KeyBook* const book = KeyBook::open()) book->entry(name_, key.name).required = true;
-    if (!value) fail_missing(key);
-    return *value;
+  /// The number, or the default of its key.
+  [[nodiscard]] double value(std::string_view name) const {
+    return number(name).value_or(key(name).fallback.value);
   }
-  [[nodiscard]] std::optional<int> whole_number(const Key& key) const {
-    const auto value = number(key);
-    if (KeyBook* const book = KeyBook::open()) book->entry(name_, key.name).whole = true;
+  [[nodiscard]] double required(std::string_view name) const {
+    if (const auto value = number(name)) return *value;
+    fail_missing(name);
+  }
+  [[nodiscard]] std::optional<int> whole_number(std::string_view name) const {
+    const auto value = number(name);
     if (!value) return std::nullopt;
     if (*value != std::floor(*value))
-      fail(key.name, fmt::format("{} = {}: must be a whole number from {} to {}", key.name, *value,
-                                 key.lower, key.upper));
+      fail(name, fmt::format("{} = {}: must be a whole number from {} to {}", name, *value,
+                             key(name).form.lower, key(name).form.upper));
     return static_cast<int>(*value);
   }
-  [[nodiscard]] std::optional<std::string> text(std::string_view key) const {
-    if (KeyBook* const book = KeyBook::open()) (void)book->entry(name_, key);
-    const toml::node* const node = find(key);
-    if (!node) return std::nullopt;
-    if (!node->is_string())
-      fail(key, fmt::format("{} = {}: must be a text in quotes, not {}", key, shown(*node),
-                            kind(*node)));
-    return *node->value<std::string>();
+  [[nodiscard]] std::optional<std::string> text(std::string_view name) const {
+    return text_of(key(name).name);
   }
   /// A text; empty for all else, a list among them.
   [[nodiscard]] std::string text_or_empty(std::string_view key) const {
     const toml::node* const node = find(key);
     return node && node->is_string() ? *node->value<std::string>() : std::string();
   }
+  /// One of the words of the key's form.
+  [[nodiscard]] std::optional<std::string> choice(std::string_view name) const {
+    return choice(name, key(name).form.choices());
+  }
   [[nodiscard]] std::optional<std::string> choice(std::string_view key,
                                                   const Names& allowed) const {
-    if (KeyBook* const book = KeyBook::open()) book->entry(name_, key).choices = allowed;
-    auto value = text(key);
+    auto value = text_of(key);
     if (value && std::find(allowed.begin(), allowed.end(), *value) == allowed.end())
       fail(key, fmt::format("{} = \"{}\": must be {}{}", key, *value, listed(allowed, "or"),
                             suggestion(*value, allowed)));
@@ -167,13 +180,13 @@ class Section {
   }
 
   /// Puts the libraries' `ball_diameter = -12 mm: ...` into the words and the place of this file.
-  [[noreturn]] void fail(const std::invalid_argument& error, const Names& known) const {
+  [[noreturn]] void fail(const std::invalid_argument& error) const {
     std::string message = error.what();
     const std::string owner =
         name_.starts_with("material.") ? "material " + name_.substr(9) + ": " : "";
     if (!owner.empty() && message.starts_with(owner)) message.erase(0, owner.size());
     const std::string name = message.substr(0, message.find(' '));
-    for (const std::string& key : known) {
+    for (const std::string& key : names()) {
       if (key != name && !key.starts_with(name + "_")) continue;
       const toml::node* node = find(key);
       const bool from_catalogue = !node && find("catalogue");
@@ -186,8 +199,39 @@ class Section {
   }
 
  private:
+  [[nodiscard]] Names names() const {
+    Names all;
+    for (const std::span<const Key> part : keys_)
+      for (const Key& one : part) all.emplace_back(one.name);
+    return all;
+  }
+  void refuse_others() const {
+    if (!table_) return;
+    const Names known = names();
+    for (const auto& [key, node] : *table_) {
+      const std::string_view given = key.str();
+      if (std::find(known.begin(), known.end(), given) != known.end()) continue;
+      const std::string near = suggestion(given, known);
+      throw InputError(
+          fmt::format("{}:{}: {} = {}: unknown key in [{}]{}", source_, key.source().begin.line,
+                      given, shown(node), name_, near.empty() ? "; it has " + listed(known) : near),
+          {.file = source_,
+           .line = static_cast<int>(key.source().begin.line),
+           .key = std::string(given)});
+    }
+  }
+  [[nodiscard]] std::optional<std::string> text_of(std::string_view key) const {
+    const toml::node* const node = find(key);
+    if (!node) return std::nullopt;
+    if (!node->is_string())
+      fail(key, fmt::format("{} = {}: must be a text in quotes, not {}", key, shown(*node),
+                            kind(*node)));
+    return *node->value<std::string>();
+  }
+
   std::string source_, name_;
   const toml::table* table_;
+  Keys keys_;
 };
 
 }  // namespace raceway::io

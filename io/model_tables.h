@@ -35,33 +35,48 @@ class ModelTables {
             .key = std::string(key.str())};
   }
 
-  [[nodiscard]] Section section(std::string_view name) const {
-    return Section(source_, std::string(name), root_[name].as_table());
+  /// A table by all keys that it may have, see Section.
+  [[nodiscard]] Section section(std::string_view name, Keys keys = {}) const {
+    return {source_, std::string(name), root_[name].as_table(), std::move(keys)};
   }
-  [[nodiscard]] Section required_section(std::string_view name, std::string_view holds) const {
-    Section result = section(name);
+  [[nodiscard]] Section required_section(std::string_view name, std::string_view holds,
+                                         Keys keys = {}) const {
+    Section result = section(name, std::move(keys));
     if (!result.given())
       throw MissingKey(fmt::format("{}: table [{}] is missing; it holds {}", source_, name, holds),
                        {.file = source_, .key = std::string(name)});
     return result;
   }
+  /// A table by some of its keys.
+  [[nodiscard]] Section part(std::string_view name, Keys keys) const {
+    return section(name).part(std::move(keys));
+  }
 
   void note_default(std::string_view table, std::string_view key, const std::string& value,
                     std::string_view why = "default") {
-    if (KeyBook* const book = KeyBook::open())
-      book->entry(table, key).fallback = why == "default" ? value : std::string(why);
     defaults_.push_back(fmt::format("{}.{} = {} ({})", table, key, value, why));
   }
-  double number_or(const Section& s, const Key& key, double fallback) {
+  /// Of a default that its key has in words.
+  void note_default(const Section& s, std::string_view key, const std::string& value) {
+    note_default(s.name(), key, value, fmt::format("default: {}", s.key(key).fallback.words));
+  }
+  /// What the file says, else the default, which is noted.
+  double number(const Section& s, std::string_view key, double fallback) {
     if (const auto value = s.number(key)) return *value;
-    note_default(s.name(), key.name, fmt::format("{:.10g}", fallback));
+    note_default(s.name(), key, fmt::format("{:.10g}", fallback));
     return fallback;
   }
-  std::string choice_or(const Section& s, std::string_view key, const Names& allowed,
-                        const std::string& fallback) {
+  double number(const Section& s, std::string_view key) {
+    return number(s, key, s.key(key).fallback.value);
+  }
+  std::string choice(const Section& s, std::string_view key, const Names& allowed) {
     if (auto value = s.choice(key, allowed)) return *value;
+    std::string fallback(s.key(key).fallback.words);
     note_default(s.name(), key, fmt::format("\"{}\"", fallback));
     return fallback;
+  }
+  std::string choice(const Section& s, std::string_view key) {
+    return choice(s, key, s.key(key).form.choices());
   }
 
  private:

@@ -11,6 +11,15 @@
 /// throw InputError with the place.
 namespace raceway::io {
 
+/// Of a covariance of fitted parameters.
+inline constexpr Key covariance_keys[]{
+    {"parameters", a_list, is_required, "names of what was fitted, as in [calibration] free"},
+    {"units", a_list, is_required, "of each, as calibrate shows it"},
+    {"values", a_list, is_required, "those of the model, to 9 digits"},
+    {"std", a_list, is_required, "standard errors"},
+    {"correlation", a_list, is_required, "row by row up to the parameter with itself, which is 1"},
+};
+
 /// The value of a key that must be there.
 [[nodiscard]] const toml::node& required_node(const Section& s, std::string_view key);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "bearing/bearing_equilibrium.h"
 #include "model/model.h"
 
@@ -10,7 +12,9 @@
 /// throw InputError as read_model() does. `further` keys are allowed.
 namespace raceway::io {
 
-[[nodiscard]] model::Rig read_rig(ModelTables& tables, const Names& further = {});
+[[nodiscard]] std::vector<KeyTable> rig_tables();
+
+[[nodiscard]] model::Rig read_rig(ModelTables& tables, Keys further);
 
 /// [solver], and whether a race holds the balls or, under the contact law alone, none.
 struct SolverOfFile {
@@ -18,6 +22,6 @@ struct SolverOfFile {
   bool balanced_balls = false;
 };
 [[nodiscard]] SolverOfFile read_solver(ModelTables& tables, friction::FrictionLaw law,
-                                       const Names& further = {});
+                                       Keys further);
 
 }  // namespace raceway::io

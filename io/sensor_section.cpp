@@ -11,22 +11,32 @@
 namespace raceway::io {
 namespace {
 
-constexpr Key residual_std{"residual_std_V", "V", 0, 1e6};
-constexpr Key torque_from{"torque_from_Nm", "Nm", -1e9, 1e9};
-constexpr Key torque_to{"torque_to_Nm", "Nm", -1e9, 1e9};
-constexpr Key signal_from{"signal_from_V", "V", -1e6, 1e6};
-constexpr Key signal_to{"signal_to_V", "V", -1e6, 1e6};
-constexpr Key readings{"readings", "", 1, 1e9};
-constexpr Key zero{"zero_V", "V", -1e6, 1e6};
-constexpr Key zero_std{"zero_std_V", "V", 0, 1e6};
-
-double required_number(const Section& s, const Key& key) {
-  const auto value = s.number(key);
-  if (!value)
-    s.fail(key.name, fmt::format("[{}] {} is missing: {}; raceway calibrate-sensor writes it",
-                                 s.name(), key.name, range(key)));
-  return *value;
-}
+constexpr Key torque_sensor_keys[]{
+    {"coefficients", a_list, is_required,
+     "2 to 4: signal in V is the sum of coefficient k times M^k, M in N m; written by "
+     "calibrate-sensor"},
+    {"units", a_list, is_required, "of the coefficients, [\"V\", \"V/Nm\", ...]"},
+    {"std", a_list, is_required, "standard errors of the coefficients"},
+    {"correlation", a_list, is_required,
+     "of the coefficients, row by row up to the one with itself"},
+    {"residual_std_V", between(0, 1e6, "V"), is_required, "standard deviation of one reading"},
+    {"torque_from_Nm", between(-1e9, 1e9, "Nm"), is_required,
+     "lowest torque of the calibration; beyond it the tangent holds"},
+    {"torque_to_Nm", between(-1e9, 1e9, "Nm"), is_required,
+     "highest torque of the calibration; beyond it the tangent holds"},
+    {"signal_from_V", between(-1e6, 1e6, "V"), is_required,
+     "lowest signal seen in the calibration; signals outside are counted in a note"},
+    {"signal_to_V", between(-1e6, 1e6, "V"), is_required, "highest signal seen in the calibration"},
+    {"readings", whole(1, 1e9), unset, "of the calibration, for messages"},
+    {"source", a_text, unset, "what the calibration is from, for messages"},
+};
+constexpr Key sensor_zero_keys[]{
+    {"zero_V", between(-1e6, 1e6, "V"), "the first coefficient",
+     "signal without torque on the day of the test"},
+    {"zero_std_V", between(0, 1e6, "V"), "residual_std_V", "standard deviation of zero_V"},
+    {"file", a_text, unset,
+     "a file with this table, relative to the model, in the place of all but the zero"},
+};
 
 /// The coefficients, each in its unit.
 Eigen::VectorXd read_coefficients(const Section& s) {
@@ -52,35 +62,39 @@ Eigen::VectorXd read_coefficients(const Section& s) {
 }
 
 void read_zero(const Section& s, rig::TorqueSensor& sensor) {
-  if (const auto value = s.number(zero)) sensor.zero = *value;
-  if (const auto value = s.number(zero_std)) {
+  if (const auto value = s.number("zero_V")) sensor.zero = *value;
+  if (const auto value = s.number("zero_std_V")) {
     if (!sensor.zero)
-      s.fail(zero_std.name, "zero_std_V without zero_V: it is the standard deviation of that");
+      s.fail("zero_std_V", "zero_std_V without zero_V: it is the standard deviation of that");
     sensor.zero_std = *value;
   }
 }
 
-void require_order(const Section& s, const Key& from, double low, const Key& to, double high) {
+void require_order(const Section& s, const char* from, double low, const char* to, double high) {
   if (!(low < high))
-    s.fail(to.name, fmt::format("{} = {} {}: must be above {} = {}", to.name, high, to.unit,
-                                from.name, low));
+    s.fail(to, fmt::format("{} = {} {}: must be above {} = {}", to, high, s.key(to).form.unit, from,
+                           low));
 }
 
-rig::TorqueSensor read_calibration(const Section& s) {
-  s.allow_only({"coefficients", "units", "std", "correlation", "residual_std_V", "torque_from_Nm",
-                "torque_to_Nm", "signal_from_V", "signal_to_V", "readings", "source", "zero_V",
-                "zero_std_V", "file"});
+rig::TorqueSensor read_calibration(const Section& table) {
+  const Section s = table.with({torque_sensor_keys, sensor_zero_keys});
   rig::TorqueSensor sensor{.coefficients = read_coefficients(s)};
   sensor.covariance = covariance_of(s, static_cast<std::size_t>(sensor.coefficients.size()));
-  sensor.scatter = required_number(s, residual_std);
-  sensor.lowest_torque = required_number(s, torque_from);
-  sensor.highest_torque = required_number(s, torque_to);
-  sensor.lowest_signal = required_number(s, signal_from);
-  sensor.highest_signal = required_number(s, signal_to);
-  (void)s.whole_number(readings);
+  const auto number = [&](std::string_view key) {
+    if (!s.find(key))
+      s.fail(key, fmt::format("[{}] {} is missing: {}; raceway calibrate-sensor writes it",
+                              s.name(), key, range(s.key(key))));
+    return *s.number(key);
+  };
+  sensor.scatter = number("residual_std_V");
+  sensor.lowest_torque = number("torque_from_Nm");
+  sensor.highest_torque = number("torque_to_Nm");
+  sensor.lowest_signal = number("signal_from_V");
+  sensor.highest_signal = number("signal_to_V");
+  (void)s.whole_number("readings");
   sensor.source = s.text("source").value_or("");
-  require_order(s, torque_from, sensor.lowest_torque, torque_to, sensor.highest_torque);
-  require_order(s, signal_from, sensor.lowest_signal, signal_to, sensor.highest_signal);
+  require_order(s, "torque_from_Nm", sensor.lowest_torque, "torque_to_Nm", sensor.highest_torque);
+  require_order(s, "signal_from_V", sensor.lowest_signal, "signal_to_V", sensor.highest_signal);
   if (const auto turn =
           rig::turning_torque(sensor.coefficients, sensor.lowest_torque, sensor.highest_torque))
     s.fail("coefficients",
@@ -120,14 +134,18 @@ rig::TorqueSensor read_file(const Section& by, const std::string& name, NamedFil
 
 }  // namespace
 
+std::vector<KeyTable> torque_sensor_tables() {
+  return {{"torque_sensor", torque_sensor_keys}, {"torque_sensor", sensor_zero_keys}};
+}
+
 std::optional<rig::TorqueSensor> read_torque_sensor(ModelTables& tables) {
   const Section s = tables.section("torque_sensor");
   if (!s.given()) return std::nullopt;
-  const auto file = s.text("file");
+  const auto file = s.part({sensor_zero_keys}).text("file");
   if (!file) return read_calibration(s);
-  s.allow_only({"file", "zero_V", "zero_std_V"});
-  rig::TorqueSensor sensor = read_file(s, *file, tables.files());
-  read_zero(s, sensor);
+  const Section zero = s.with({sensor_zero_keys});
+  rig::TorqueSensor sensor = read_file(zero, *file, tables.files());
+  read_zero(zero, sensor);
   return sensor;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "rig/sensor_calibration.h"
 
@@ -10,6 +11,8 @@
 /// [torque_sensor] of a model file, or of a file of its own that it names; shared with the reader
 /// of models, not for other code.
 namespace raceway::io {
+
+[[nodiscard]] std::vector<KeyTable> torque_sensor_tables();
 
 /// Nothing where the model says none. Throws InputError as read_model().
 [[nodiscard]] std::optional<rig::TorqueSensor> read_torque_sensor(ModelTables& tables);

@@ -63,7 +63,7 @@ class SpindleCheck {
     check_coolant();
     check_what_the_shaft_carries();
     check_gap();
-    const auto sensors = tables_in(Section(tables_.source(), "", &tables_.root()), "sensor");
+    const auto sensors = sensor_sections(tables_);
     for (std::size_t k = 0; k < sensors.size(); ++k) check_sensor(sensors[k], spindle_.sensors[k]);
   }
 

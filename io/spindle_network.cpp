@@ -9,6 +9,22 @@
 namespace raceway::io {
 namespace {
 
+constexpr Key network_keys[]{
+    {"node", a_list, is_required, "bodies in place of a geometry, [[network.node]]"},
+    {"link", a_list, unset, "paths of heat between them, [[network.link]]"},
+};
+constexpr Key network_node_keys[]{
+    {"name", a_text, is_required, "for results and links"},
+    {"capacity_J_K", between(1e-6, 1e12, "J/K"), unset, "heat capacity; this or a temperature"},
+    {"temperature_C", between(-273, 2000, "C"), unset, "held"},
+    {"heat_W", between(-1e9, 1e9, "W"), 0.0, "into it"},
+};
+constexpr Key network_link_keys[]{
+    {"from", a_text, is_required, "name of a node, ambient or machine"},
+    {"to", a_text, is_required, "name of a node, ambient or machine"},
+    {"conductance_W_K", between(1e-12, 1e9, "W/K"), is_required, "between the two"},
+};
+
 using model::Network;
 
 /// Bodies that a link may name and no table has to: the surroundings, whose temperature is known.
@@ -36,10 +52,7 @@ std::size_t node_of(Network& network, const Section& s, const char* key,
 }
 
 void read_nodes(const Section& s, Network& network) {
-  const Key capacity{"capacity_J_K", "J/K", 1e-6, 1e12},
-      temperature{"temperature_C", "C", -273, 2000}, heat{"heat_W", "W", -1e9, 1e9};
-  for (const Section& one : tables_in(s, "node")) {
-    one.allow_only({"name", "capacity_J_K", "temperature_C", "heat_W"});
+  for (const Section& one : tables_in(s, "node", {network_node_keys})) {
     const auto name = one.text("name");
     if (!name || name->empty()) one.fail("name", "[network.node] name is missing");
     if (!names_a_column(*name))
@@ -50,14 +63,14 @@ void read_nodes(const Section& s, Network& network) {
       if (other.name == *name)
         one.fail("name", fmt::format("name = \"{}\": another node has this name", *name));
     Network::Node node{.name = *name};
-    if (const auto value = one.number(temperature)) node.temperature = kelvin(*value);
-    if (const auto value = one.number(capacity)) node.capacity = *value;
+    if (const auto value = one.number("temperature_C")) node.temperature = kelvin(*value);
+    if (const auto value = one.number("capacity_J_K")) node.capacity = *value;
     if (std::isnan(node.capacity) == std::isnan(node.temperature))
-      one.fail(capacity.name,
+      one.fail("capacity_J_K",
                fmt::format("node {}: must have one of capacity_J_K and temperature_C, of a body "
                            "that is held at it",
                            *name));
-    node.heat = one.number(heat).value_or(0.0);
+    node.heat = one.value("heat_W");
     network.nodes.push_back(std::move(node));
   }
   if (network.nodes.empty()) s.fail("node", "[network] has no node: give [[network.node]]");
@@ -92,9 +105,15 @@ void require_ways_out(const Section& s, const Network& network, std::size_t writ
 
 }  // namespace
 
+std::vector<KeyTable> network_tables() {
+  return {{"network", network_keys},
+          {"network.node", network_node_keys},
+          {"network.link", network_link_keys}};
+}
+
 std::vector<model::ThermometerPlace> sensors_of_network(const ModelTables& tables,
                                                         const Network& network) {
-  for (const Section& s : tables_in(Section(tables.source(), "", &tables.root()), "sensor"))
+  for (const Section& s : sensor_sections(tables))
     throw InputError(fmt::format("{}: [[sensor]]: a [network] gives the temperature of each of its "
                                  "nodes; take the sensor out",
                                  s.place()),
@@ -105,16 +124,14 @@ std::vector<model::ThermometerPlace> sensors_of_network(const ModelTables& table
 }
 
 model::Network read_network(const ModelTables& tables, const model::Ambient& ambient) {
-  const Section s = tables.section("network");
-  s.allow_only({"node", "link"});
+  const Section s = tables.section("network", {network_keys});
   Network network;
   read_nodes(s, network);
   const std::size_t written = network.nodes.size();
-  for (const Section& one : tables_in(s, "link")) {
-    one.allow_only({"from", "to", "conductance_W_K"});
+  for (const Section& one : tables_in(s, "link", {network_link_keys})) {
     Network::Link link{.from = node_of(network, one, "from", ambient),
                        .to = node_of(network, one, "to", ambient),
-                       .conductance = one.required({"conductance_W_K", "W/K", 1e-12, 1e9})};
+                       .conductance = one.required("conductance_W_K")};
     if (link.from == link.to)
       one.fail("to", fmt::format("to = \"{}\": a link leads from one node to another one",
                                  network.nodes[link.to].name));

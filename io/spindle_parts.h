@@ -14,12 +14,28 @@
 namespace raceway::io {
 
 inline constexpr double longest_mm = 1e5;  ///< of a spindle and all that stands on it
+inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
+                      on_the_shaft = between(0, longest_mm, "mm"),
+                      a_length = between(0.001, longest_mm, "mm");
 
 /// The tables of a list, [[shaft.segment]] or segment = [{...}]; none where there is no such key.
-[[nodiscard]] std::vector<Section> tables_in(const Section& s, std::string_view key);
+[[nodiscard]] std::vector<Section> tables_in(const Section& s, std::string_view key,
+                                             const Keys& keys = {});
+/// [[sensor]]
+[[nodiscard]] std::vector<Section> sensor_sections(const ModelTables& tables,
+                                                   const Keys& keys = {});
 
 /// A name that can stand in front of the unit of a column: letters, digits and _.
 [[nodiscard]] bool names_a_column(std::string_view name);
+
+/// [shaft], [housing], [seat] and [gap]; [network]; [ambient], [coolant], [motor] ... [sensor].
+[[nodiscard]] std::vector<KeyTable> body_tables();
+[[nodiscard]] std::vector<KeyTable> network_tables();
+[[nodiscard]] std::vector<KeyTable> surroundings_tables();
+
+/// Expansion of [shaft] or [housing] [1/K], with which the sets of the file are reckoned too.
+[[nodiscard]] double expansion_of(const ModelTables& tables, std::string_view table,
+                                  double fallback);
 
 [[nodiscard]] model::ShaftBody read_shaft_body(ModelTables& tables);
 [[nodiscard]] model::Housing read_housing(ModelTables& tables);

@@ -11,17 +11,53 @@
 namespace raceway::io {
 namespace {
 
+const model::Spindle usual_spindle;
+constexpr Key own_spindle_keys[]{
+    {"name", a_text, "that of the bearing", "for results"},
+    {"preload_feedback", a_flag, "true",
+     "true: friction by the forces of the warm sets, false: by those of the cold ones at that "
+     "speed"},
+};
+// In tables that other models have too.
+const Key spindle_bearing_keys[]{
+    {"width_mm", between(0.5, 1000, "mm"), "of the catalogue, else half of outer diameter - bore",
+     "width of the rings"},
+    {"inner_ring_shoulder_mm", between(1, 5000, "mm"), "pitch diameter - 0.7 ball diameters",
+     "diameter of the inner ring beside the groove"},
+    {"outer_ring_shoulder_mm", between(1, 10000, "mm"), "pitch diameter + 0.7 ball diameters",
+     "diameter of the outer ring beside the groove"},
+    {"lubricant_conductance_W_K", between(0, 1000, "W/K"), usual_spindle.lubricant_conductance,
+     "heat from ring to ring by oil film, oil and rolling balls, beside the contacts"},
+};
+constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
+                                       "by the sliding at each ring",
+                                       "share of the friction heat that goes to the inner ring"}};
+constexpr Key spindle_solver_keys[]{
+    {"cells", one_of("coarse|medium|fine"), "medium", "how fine it is cut into cells"},
+    {"step_s", between(0.01, 1e5, "s"), "as the error asks for", "the longest time step"},
+};
+const Key spindle_rig_keys[]{
+    {"model_floor_K", between(0, 100, "K"), usual_spindle.model_floor_temperature,
+     "what the model leaves of a temperature up to there is its own coarseness"},
+    {"model_floor_um", between(0, 1000, "um"), usual_spindle.model_floor_displacement / um,
+     "what the model leaves of a displacement up to there is its own coarseness"},
+};
+
+const KeyTable tables_of_keys[]{{"bearing", spindle_bearing_keys, "of a spindle"},
+                                {"friction", spindle_friction_keys, "of a spindle"},
+                                {"solver", spindle_solver_keys, "of a spindle"},
+                                {"rig", spindle_rig_keys, "of a spindle"},
+                                {"spindle", own_spindle_keys}};
+
 using model::Cells;
 using model::Spindle;
 
 void read_name(ModelTables& tables, const std::string& bearing, Spindle& spindle) {
-  const Section s = tables.section("spindle");
-  s.allow_only({"name", "preload_feedback"});
+  const Section s = tables.section("spindle", {own_spindle_keys});
   if (const auto name = s.text("name"))
     spindle.name = *name;
   else
-    tables.note_default("spindle", "name", fmt::format("\"{}\"", spindle.name = bearing),
-                        "default: that of the bearing");
+    tables.note_default(s, "name", fmt::format("\"{}\"", spindle.name = bearing));
   const toml::node* const feedback = s.find("preload_feedback");
   if (!feedback)
     tables.note_default("spindle", "preload_feedback", "true");
@@ -34,26 +70,27 @@ void read_name(ModelTables& tables, const std::string& bearing, Spindle& spindle
 
 /// Envelope of the rings, and what they conduct beside their contacts.
 void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spindle) {
-  const Section s = tables.section("bearing");
+  const Section s = tables.part("bearing", {spindle_bearing_keys});
   const bearing::BearingGeometry& g = bearing.bearing.geometry();
-  const auto take = [&](double& value, const Key& key, double fallback, const char* why) {
+  const auto take = [&](double& value, std::string_view key, double fallback,
+                        const std::string& why = "") {
     if (const auto given = s.number(key)) {
       value = *given * mm;
       return;
     }
     value = fallback;
-    tables.note_default(s.name(), key.name, fmt::format("{:.6g}", value / mm), why);
+    const std::string text = fmt::format("{:.6g}", value / mm);
+    why.empty() ? tables.note_default(s, key, text) : tables.note_default(s.name(), key, text, why);
   };
   if (bearing.row && !std::isnan(bearing.row->width))
-    take(spindle.bearing_width, {"width_mm", "mm", 0.5, 1000}, bearing.row->width,
-         "of the catalogue");
+    take(spindle.bearing_width, "width_mm", bearing.row->width, "of the catalogue");
   else
-    take(spindle.bearing_width, {"width_mm", "mm", 0.5, 1000}, 0.5 * (g.outer_diameter - g.bore),
+    take(spindle.bearing_width, "width_mm", 0.5 * (g.outer_diameter - g.bore),
          "default: half of outer diameter - bore");
-  take(spindle.inner_ring_shoulder, {"inner_ring_shoulder_mm", "mm", 1, 5000},
-       g.pitch_diameter - 0.7 * g.ball_diameter, "default: pitch diameter - 0.7 ball diameters");
-  take(spindle.outer_ring_shoulder, {"outer_ring_shoulder_mm", "mm", 1, 10000},
-       g.pitch_diameter + 0.7 * g.ball_diameter, "default: pitch diameter + 0.7 ball diameters");
+  take(spindle.inner_ring_shoulder, "inner_ring_shoulder_mm",
+       g.pitch_diameter - 0.7 * g.ball_diameter);
+  take(spindle.outer_ring_shoulder, "outer_ring_shoulder_mm",
+       g.pitch_diameter + 0.7 * g.ball_diameter);
   const auto require = [&](const char* key, double value, double lower, double upper) {
     if (!(value > lower && value < upper))
       s.fail(key, fmt::format("{} = {:.6g} mm: must be between {:.6g} and {:.6g} mm, the ring's "
@@ -64,25 +101,20 @@ void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spind
   require("inner_ring_shoulder_mm", spindle.inner_ring_shoulder, g.bore, g.pitch_diameter);
   require("outer_ring_shoulder_mm", spindle.outer_ring_shoulder, g.pitch_diameter,
           g.outer_diameter);
-  spindle.lubricant_conductance = tables.number_or(s, {"lubricant_conductance_W_K", "W/K", 0, 1000},
-                                                   spindle.lubricant_conductance);
+  spindle.lubricant_conductance = tables.number(s, "lubricant_conductance_W_K");
 }
 
 void read_solution(ModelTables& tables, Spindle& spindle) {
-  const Section solver = tables.section("solver");
-  const std::string cells =
-      tables.choice_or(solver, "cells", {"coarse", "medium", "fine"}, "medium");
+  const Section solver = tables.part("solver", {spindle_solver_keys});
+  const std::string cells = tables.choice(solver, "cells");
   spindle.cells = cells == "coarse" ? Cells::coarse : cells == "fine" ? Cells::fine : Cells::medium;
-  if (const auto step = solver.number({"step_s", "s", 0.01, 1e5}))
+  if (const auto step = solver.number("step_s"))
     spindle.step = *step;
   else
     tables.note_default("solver", "step_s", "as the error asks for");
-  const Section rig = tables.section("rig");
-  spindle.model_floor_temperature =
-      tables.number_or(rig, {"model_floor_K", "K", 0, 100}, spindle.model_floor_temperature);
-  spindle.model_floor_displacement = tables.number_or(rig, {"model_floor_um", "um", 0, 1000},
-                                                      spindle.model_floor_displacement / um) *
-                                     um;
+  const Section rig = tables.part("rig", {spindle_rig_keys});
+  spindle.model_floor_temperature = tables.number(rig, "model_floor_K");
+  spindle.model_floor_displacement = tables.number(rig, "model_floor_um") * um;
 }
 
 void read_positions(const ModelTables& tables, const model::Shaft& shaft, Spindle& spindle) {
@@ -137,20 +169,14 @@ bool is_spindle(const ModelTables& tables) {
   return spindle;
 }
 
-Names spindle_keys(std::string_view table, bool spindle) {
-  if (!spindle) return {};
-  if (table == "bearing")
-    return {"width_mm", "inner_ring_shoulder_mm", "outer_ring_shoulder_mm",
-            "lubricant_conductance_W_K"};
-  if (table == "friction") return {"inner_heat_share"};
-  if (table == "solver") return {"cells", "step_s"};
-  if (table == "rig") return {"model_floor_K", "model_floor_um"};
-  return {};
+std::vector<KeyTable> spindle_tables() {
+  return {std::begin(tables_of_keys), std::end(tables_of_keys)};
 }
 
-double expansion_of(const ModelTables& tables, std::string_view table, double fallback) {
-  const auto value = tables.section(table).number({"thermal_expansion_1e6_K", "1e-6/K", 0, 50});
-  return value ? *value * per_million_K : fallback;
+Keys spindle_keys(std::string_view table, bool spindle) {
+  for (const KeyTable& one : tables_of_keys)
+    if (spindle && one.name == table) return {one.keys};
+  return {};
 }
 
 model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
@@ -166,7 +192,8 @@ model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
   Spindle spindle;
   read_name(tables, bearing.name, spindle);
   read_rings(tables, bearing, spindle);
-  if (const auto share = tables.section("friction").number({"inner_heat_share", "", 0, 1}))
+  if (const auto share =
+          tables.part("friction", {spindle_friction_keys}).number("inner_heat_share"))
     spindle.inner_heat_share = *share;
   else
     tables.note_default("friction", "inner_heat_share", "by the sliding at each ring");

@@ -21,11 +21,9 @@ namespace raceway::io {
 [[nodiscard]] bool is_spindle(const ModelTables& tables);
 
 /// Keys of a spindle in tables that other models have too; none where the file is of none.
-[[nodiscard]] Names spindle_keys(std::string_view table, bool spindle);
+[[nodiscard]] Keys spindle_keys(std::string_view table, bool spindle);
 
-/// Expansion of [shaft] or [housing] [1/K], with which the sets of the file are reckoned too.
-[[nodiscard]] double expansion_of(const ModelTables& tables, std::string_view table,
-                                  double fallback);
+[[nodiscard]] std::vector<KeyTable> spindle_tables();
 
 /// Everything of a spindle that is not its bearings, lubricant and arrangement. `notes`: what is
 /// odd, but can be.

@@ -11,6 +11,59 @@
 namespace raceway::io {
 namespace {
 
+constexpr model::Ambient usual_air;
+constexpr Key ambient_keys[]{
+    {"temperature_C", between(-100, 200, "C"), celsius(usual_air.temperature), "of the air"},
+    {"machine_temperature_C", between(-100, 200, "C"), "that of the ambient",
+     "of the machine behind the flange"},
+    {"emissivity", between(0, 1), usual_air.emissivity, "of the surfaces, for radiation"},
+    {"convection_factor", between(0, 20), usual_air.convection_factor,
+     "on free convection of housing and end faces"},
+    {"rotating_convection", one_of("becker|kendoush|anderson-saunders"), "becker",
+     "whose correlation for turning surfaces"},
+};
+
+constexpr Key coolant_keys[]{
+    {"fluid", one_of("water|oil"), "water", "what flows"},
+    {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume in a minute"},
+    {"inlet_temperature_C", between(-50, 150, "C"), "that of the ambient", "where it enters"},
+    {"diameter_mm", between(1, 10000, "mm"), is_required, "of the helix of the channel"},
+    {"channel_width_mm", between(0.1, 1000, "mm"), is_required, "along the spindle"},
+    {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial"},
+    {"pitch_mm", between(0.1, 10000, "mm"), is_required, "from turn to turn, at least the width"},
+    {"start_mm", anywhere, is_required, "where it enters, behind the nose face"},
+    {"end_mm", anywhere, is_required, "where it leaves, behind the nose face"},
+    {"stagnant_W_m2K", between(0, 1e5, "W/(m2 K)"), model::Coolant{}.stagnant,
+     "heat transfer where the coolant stands"},
+};
+
+const double usual_share = model::HeatSource{}.rotor_share;
+constexpr const char* heat_meaning =
+    "a number, or a formula of speed_rpm, axial_load_N and radial_load_N";
+const Key motor_keys[]{
+    {"heat_W", between(0, 1e6, "W"), 0.0, heat_meaning},
+    {"position_mm", on_the_shaft, is_required, "of its middle, behind the nose face"},
+    {"length_mm", between(0.1, longest_mm, "mm"), is_required, "of the rotor"},
+    {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the rotor"},
+    {"rotor_share", between(0, 1), usual_share, "of its heat, to the rotor"},
+};
+const Key drive_keys[]{
+    {"heat_W", between(0, 1e6, "W"), is_required, heat_meaning},
+    {"position_mm", on_the_shaft, "the shaft behind the last bearing",
+     "of the middle of the part that is heated, behind the nose face"},
+    {"length_mm", between(0.1, longest_mm, "mm"), unset, "of the part that is heated"},
+    {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the part that is heated"},
+    {"rotor_share", between(0, 1), usual_share, "of its heat, to the shaft"},
+};
+
+constexpr Key sensor_keys[]{
+    {"name", a_text, is_required, "letters, digits and _; gives the column NAME_temperature_C"},
+    {"part", one_of("shaft|ring|housing|coolant"), is_required, "what it sits on"},
+    {"position_mm", anywhere, unset,
+     "behind the nose face, required but in the coolant: there the outlet without it"},
+    {"radius_mm", between(0, 5000, "mm"), unset, "from the axis, required but in the coolant"},
+};
+
 constexpr double litre_per_minute = 1e-3 / 60.0;  ///< [m³/s]
 
 using model::ThermometerPlace;
@@ -50,11 +103,11 @@ std::shared_ptr<const record::Expression> read_heat(ModelTables& tables, const S
   if (!node) {
     // A record may bring that of the motor; a drive without heat says nothing.
     if (s.name() != "motor")
-      s.fail_missing({"heat_W", "W", 0, 1e6}, ", a number or a formula as \"0.015*speed_rpm\"");
+      s.fail_missing("heat_W", ", a number or a formula as \"0.015*speed_rpm\"");
     tables.note_default(s.name(), "heat_W", "0");
     formula = "0";
   } else if (node->is_number()) {
-    formula = fmt::format("{:.17g}", *s.number({"heat_W", "W", 0, 1e6}));
+    formula = fmt::format("{:.17g}", *s.number("heat_W"));
   } else {
     formula = *s.text("heat_W");
   }
@@ -68,7 +121,7 @@ std::shared_ptr<const record::Expression> read_heat(ModelTables& tables, const S
 }
 
 ThermometerPlace::Part part_of(const Section& s) {
-  const auto part = s.choice("part", {"shaft", "ring", "housing", "coolant"});
+  const auto part = s.choice("part");
   if (!part) s.fail("part", "[sensor] part is missing: must be shaft, ring, housing or coolant");
   return *part == "shaft"     ? ThermometerPlace::Part::shaft
          : *part == "ring"    ? ThermometerPlace::Part::ring
@@ -101,24 +154,26 @@ bool names_a_column(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), ordinary);
 }
 
+std::vector<KeyTable> surroundings_tables() {
+  return {{"ambient", ambient_keys},
+          {"coolant", coolant_keys},
+          {"motor", motor_keys},
+          {"drive", drive_keys},
+          {"sensor", sensor_keys}};
+}
+
 model::Ambient read_ambient(ModelTables& tables) {
-  const Section s = tables.section("ambient");
-  s.allow_only({"temperature_C", "machine_temperature_C", "emissivity", "convection_factor",
-                "rotating_convection"});
+  const Section s = tables.section("ambient", {ambient_keys});
   model::Ambient ambient;
-  ambient.temperature =
-      kelvin(tables.number_or(s, {"temperature_C", "C", -100, 200}, celsius(ambient.temperature)));
-  if (const auto value = s.number({"machine_temperature_C", "C", -100, 200}))
+  ambient.temperature = kelvin(tables.number(s, "temperature_C"));
+  if (const auto value = s.number("machine_temperature_C"))
     ambient.machine_temperature = kelvin(*value);
   else
-    tables.note_default("ambient", "machine_temperature_C",
-                        fmt::format("{:.10g}", celsius(ambient.temperature)),
-                        "default: that of the ambient");
-  ambient.emissivity = tables.number_or(s, {"emissivity", "", 0, 1}, ambient.emissivity);
-  ambient.convection_factor =
-      tables.number_or(s, {"convection_factor", "", 0, 20}, ambient.convection_factor);
-  const std::string law = tables.choice_or(s, "rotating_convection",
-                                           {"becker", "kendoush", "anderson-saunders"}, "becker");
+    tables.note_default(s, "machine_temperature_C",
+                        fmt::format("{:.10g}", celsius(ambient.temperature)));
+  ambient.emissivity = tables.number(s, "emissivity");
+  ambient.convection_factor = tables.number(s, "convection_factor");
+  const std::string law = tables.choice(s, "rotating_convection");
   ambient.rotating_convection = law == "becker"     ? model::RotatingConvection::becker
                                 : law == "kendoush" ? model::RotatingConvection::kendoush
                                                     : model::RotatingConvection::anderson_saunders;
@@ -126,24 +181,20 @@ model::Ambient read_ambient(ModelTables& tables) {
 }
 
 std::optional<model::Coolant> read_coolant(ModelTables& tables, const model::Ambient& ambient) {
-  const Section s = tables.section("coolant");
+  const Section s = tables.section("coolant", {coolant_keys});
   if (!s.given()) return std::nullopt;
-  s.allow_only({"fluid", "flow_l_min", "inlet_temperature_C", "diameter_mm", "channel_width_mm",
-                "channel_depth_mm", "pitch_mm", "start_mm", "end_mm", "stagnant_W_m2K"});
   model::Coolant coolant;
-  coolant.fluid = tables.choice_or(s, "fluid", {"water", "oil"}, "water") == "water"
-                      ? model::Fluid::water
-                      : model::Fluid::oil;
-  coolant.flow = s.required({"flow_l_min", "l/min", 0, 1e4}) * litre_per_minute;
-  coolant.inlet_temperature = kelvin(
-      tables.number_or(s, {"inlet_temperature_C", "C", -50, 150}, celsius(ambient.temperature)));
-  coolant.diameter = s.required({"diameter_mm", "mm", 1, 10000}) * mm;
-  coolant.channel_width = s.required({"channel_width_mm", "mm", 0.1, 1000}) * mm;
-  coolant.channel_depth = s.required({"channel_depth_mm", "mm", 0.1, 1000}) * mm;
-  coolant.pitch = s.required({"pitch_mm", "mm", 0.1, 10000}) * mm;
-  coolant.start = s.required({"start_mm", "mm", -longest_mm, longest_mm}) * mm;
-  coolant.end = s.required({"end_mm", "mm", -longest_mm, longest_mm}) * mm;
-  coolant.stagnant = tables.number_or(s, {"stagnant_W_m2K", "W/(m2 K)", 0, 1e5}, coolant.stagnant);
+  coolant.fluid = tables.choice(s, "fluid") == "water" ? model::Fluid::water : model::Fluid::oil;
+  coolant.flow = s.required("flow_l_min") * litre_per_minute;
+  coolant.inlet_temperature =
+      kelvin(tables.number(s, "inlet_temperature_C", celsius(ambient.temperature)));
+  coolant.diameter = s.required("diameter_mm") * mm;
+  coolant.channel_width = s.required("channel_width_mm") * mm;
+  coolant.channel_depth = s.required("channel_depth_mm") * mm;
+  coolant.pitch = s.required("pitch_mm") * mm;
+  coolant.start = s.required("start_mm") * mm;
+  coolant.end = s.required("end_mm") * mm;
+  coolant.stagnant = tables.number(s, "stagnant_W_m2K");
   if (coolant.pitch < coolant.channel_width)
     s.fail("pitch_mm", fmt::format("pitch_mm = {:.10g} mm: must be at least channel_width_mm = "
                                    "{:.10g} mm, or the turns of the channel run into each other",
@@ -155,46 +206,35 @@ std::optional<model::Coolant> read_coolant(ModelTables& tables, const model::Amb
 }
 
 std::optional<model::HeatSource> read_heat_source(ModelTables& tables, std::string_view table) {
-  const Section s = tables.section(table);
-  if (!s.given()) return std::nullopt;
   const bool motor = table == "motor";
-  s.allow_only({"heat_W", "position_mm", "length_mm", "rotor_diameter_mm", "rotor_share"});
+  const Section s = tables.section(
+      table, {motor ? std::span<const Key>(motor_keys) : std::span<const Key>(drive_keys)});
+  if (!s.given()) return std::nullopt;
   model::HeatSource source{.heat = read_heat(tables, s)};
-  const Key position{"position_mm", "mm", 0, longest_mm},
-      length{"length_mm", "mm", 0.1, longest_mm};
-  if (motor) {
-    source.position = s.required(position) * mm;
-    source.length = s.required(length) * mm;
-  } else {
-    if (const auto value = s.number(position)) source.position = *value * mm;
-    if (const auto value = s.number(length)) source.length = *value * mm;
-  }
-  if (const auto value = s.number({"rotor_diameter_mm", "mm", 0.1, 5000}))
-    source.rotor_diameter = *value * mm;
-  const Key share{"rotor_share", "", 0, 1};
-  source.rotor_share = motor ? tables.number_or(s, share, source.rotor_share)
-                             : s.number(share).value_or(source.rotor_share);
+  const auto take = [&](double& value, std::string_view key) {
+    if (const auto given = s.number(key)) value = *given * mm;
+  };
+  take(source.position, "position_mm");
+  take(source.length, "length_mm");
+  take(source.rotor_diameter, "rotor_diameter_mm");
+  source.rotor_share = motor ? tables.number(s, "rotor_share") : s.value("rotor_share");
   return source;
 }
 
 std::vector<ThermometerPlace> read_sensors(const ModelTables& tables) {
-  const Section root(tables.source(), "", &tables.root());
   std::vector<ThermometerPlace> list;
-  for (const Section& s : tables_in(root, "sensor")) {
-    s.allow_only({"name", "part", "position_mm", "radius_mm"});
+  for (const Section& s : sensor_sections(tables, {sensor_keys})) {
     ThermometerPlace place{.name = sensor_name(s, list)};
     place.part = part_of(s);
-    const Key position{"position_mm", "mm", -longest_mm, longest_mm},
-        radius{"radius_mm", "mm", 0, 5000};
     const bool optional = place.part == ThermometerPlace::Part::coolant;
-    const auto take = [&](double& value, const Key& key) {
+    const auto take = [&](double& value, std::string_view key) {
       if (const auto given = s.number(key))
         value = *given * mm;
       else if (!optional)
         s.fail_missing(key);
     };
-    take(place.position, position);
-    take(place.radius, radius);
+    take(place.position, "position_mm");
+    take(place.radius, "radius_mm");
     list.push_back(std::move(place));
   }
   return list;

@@ -263,7 +263,7 @@ def key_pages():
                 limits = f"{number(key['from'])} to {number(key['to'])}{unit}" if key["from"] is not None and key["to"] is not None else unit
                 if key["choices"]:
                     limits = ", ".join(f'`"{one}"`' for one in key["choices"])
-                default = "**required**" if key["required"] else for_table(re.sub("^default: ", "", key["default"] or ""))
+                default = "**required**" if key["required"] else for_table(key["default"] or "")
                 text += f"| `{key['key']}` | {for_table(key['meaning'])} | {limits if key['choices'] else for_table(limits)} | {default} |\n"
                 expect(key["key"], f"reference/keys/{page}", "key")
             text += "\n"

@@ -49,7 +49,7 @@ class Correction(LoopModel):
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Correction:
-        """Read a file with ``[correction]`` (TOML; keys with their units: docs/files.md).
+        """Read a file with ``[correction]`` (TOML; keys with their units: ``raceway keys``).
 
         Raises
         ------

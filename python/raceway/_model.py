@@ -50,7 +50,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Model:
-        """Read a model file (TOML; keys with their units: docs/files.md).
+        """Read a model file (TOML; keys with their units: ``raceway keys``).
 
         Raises
         ------

@@ -17,6 +17,8 @@ TEST(Keys, AreFoundByWordsOfTableNameAndMeaning) {
   EXPECT_THAT(r.out, HasSubstr("[coolant]\n  pitch_mm  0.1 to 10000 mm; required\n"));
   EXPECT_THAT(r.out, Not(HasSubstr("flow_l_min")));
   EXPECT_THAT(run("keys tilt").out, HasSubstr("  tilt  locked or free; default \"locked\"\n"));
+  EXPECT_THAT(run("keys \"law contact K_rs\"").out,
+              HasSubstr("[friction]\n  K_rs  0 to 1e-06; default 0\n      law contact: "));
 }
 
 TEST(Keys, HaveUnitRangeDefaultAndMeaningAsJson) {
@@ -27,6 +29,7 @@ TEST(Keys, HaveUnitRangeDefaultAndMeaningAsJson) {
     EXPECT_EQ(key["from"].is_null(), key["to"].is_null()) << key;
   }
   EXPECT_EQ(keys[3]["key"], "ball_diameter_mm");
+  EXPECT_EQ(keys[3]["kind"], "number");
   EXPECT_EQ(keys[3]["unit"], "mm");
   EXPECT_EQ(keys[3]["from"], 0.1);
   EXPECT_EQ(keys[3]["to"], 300);
