@@ -4,7 +4,7 @@
 
 namespace raceway::io {
 
-/// Number of the formats of model files, JSON documents, slabs of a sweep and saved states. A file
+/// Number of the formats of model files, JSON documents and saved states. A file
 /// without a number has format 1. It grows when a file that was valid changes its meaning or can no
 /// longer be read (docs/design.md, "What is stable").
 inline constexpr int format_number = 1;

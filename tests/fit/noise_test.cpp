@@ -158,7 +158,8 @@ TEST(Whitening, KnowsWhatThePiecesOfADwellHaveInCommon) {
   covariance(0, 1) = covariance(1, 0) = covariance(2, 3) = covariance(3, 2) = 4.0 * c2 * h;
   const Eigen::MatrixXd w = whitening(Eigen::MatrixXd(Eigen::MatrixXd::Identity(4, 4)));
   EXPECT_LT((w * covariance * w.transpose() - Eigen::MatrixXd::Identity(4, 4)).norm(), 1e-12);
-  EXPECT_NEAR(whitening.log_determinant(), 2.0 * std::log(16.0 * (1.0 - std::pow(c2 * h, 2))), 1e-12);
+  EXPECT_NEAR(whitening.log_determinant(), 2.0 * std::log(16.0 * (1.0 - std::pow(c2 * h, 2))),
+              1e-12);
 }
 
 }  // namespace
