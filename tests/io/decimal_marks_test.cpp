@@ -22,7 +22,7 @@ std::string problem(const std::string& text, std::size_t row, std::size_t column
   return message_of([&] { (void)number(text, row, column); });
 }
 
-record::Record read(const std::string& text, const std::string& map) {
+record::Record record_by(const std::string& text, const std::string& map) {
   model::Model model = fit::synthetic_model();
   return read_record({"d.csv", text}, *make_subject(model),
                      {.columns = parse_column_map(map, "map.toml")});
@@ -67,17 +67,17 @@ TEST(DecimalMarks, AMapAnswersForAFile) {
   const std::string text =
       "speed_rpm;friction_torque_Nmm;axial_load_N;temperature_C\n600;113;200;30\n1.200;177;600;"
       "30\n";
-  EXPECT_THAT(message_of([&] { (void)read(text, "[columns]\n"); }),
+  EXPECT_THAT(message_of([&] { (void)record_by(text, "[columns]\n"); }),
               HasSubstr("d.csv:3: speed_rpm = 1.200: is it 1200"));
-  EXPECT_DOUBLE_EQ(read(text, "[columns]\ndecimal_mark = \",\"\n").value(record::speed, 1),
+  EXPECT_DOUBLE_EQ(record_by(text, "[columns]\ndecimal_mark = \",\"\n").value(record::speed, 1),
                    1200 * rpm);
-  EXPECT_DOUBLE_EQ(read(text, "[columns]\ndecimal_mark = \".\"\n").value(record::speed, 1),
+  EXPECT_DOUBLE_EQ(record_by(text, "[columns]\ndecimal_mark = \".\"\n").value(record::speed, 1),
                    1.2 * rpm);
-  EXPECT_THAT(message_of([&] { (void)read(text, "[columns]\ndecimal_mark = \"x\"\n"); }),
+  EXPECT_THAT(message_of([&] { (void)record_by(text, "[columns]\ndecimal_mark = \"x\"\n"); }),
               HasSubstr("decimal_mark"));
   // What contradicts the answer is told.
   EXPECT_THAT(message_of([&] {
-                (void)read(
+                (void)record_by(
                     "speed_rpm;friction_torque_Nmm;axial_load_N;temperature_C\n"
                     "600.5;113;200;30\n",
                     "[columns]\ndecimal_mark = \",\"\n");

@@ -15,7 +15,7 @@
 namespace raceway::io {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsSupersetOf;
@@ -46,7 +46,7 @@ fit::Comparison compared(const record::Channel& channel, double tolerance = unse
   return fit::compare(predicted, record, {.channel = &channel, .tolerance = tolerance});
 }
 
-std::set<std::string> keys(const json& object) {
+std::set<std::string> keys(const Json& object) {
   std::set<std::string> result;
   for (const auto& [key, _] : object.items()) result.insert(key);
   return result;
@@ -55,14 +55,14 @@ std::set<std::string> keys(const json& object) {
 TEST(Results, AComparisonOfOneChannelHasItAtTheTop) {
   const std::string text =
       comparison_json({"m.toml"}, {{compared(record::friction_torque)}}, two_sensors());
-  const json d = json::parse(text);
+  const Json d = Json::parse(text);
   EXPECT_EQ(keys(d), (std::set<std::string>{"format", "model", "quantity", "unit", "rows",
                                             "rows_not_predicted", "rmse", "mae", "max_abs", "bias",
                                             "fit_percent", "noise", "lack_of_fit", "statement",
                                             "where", "worst_rows", "data", "notes"}));
   EXPECT_EQ(d["quantity"], "friction_torque");
   EXPECT_EQ(d["unit"], "Nmm");
-  EXPECT_EQ(d["rows_not_predicted"], json({5}));
+  EXPECT_EQ(d["rows_not_predicted"], Json({5}));
   EXPECT_EQ(d["worst_rows"][0]["line"], 41);
   EXPECT_EQ(keys(d["noise"]), (std::set<std::string>{"rms", "source"}));
   // Digits of an offset are no digits of a temperature.
@@ -72,14 +72,14 @@ TEST(Results, AComparisonOfOneChannelHasItAtTheTop) {
 }
 
 TEST(Results, SeveralChannelsAreListedBelowTheFirst) {
-  const json d = json::parse(comparison_json(
+  const Json d = Json::parse(comparison_json(
       {"m.toml"}, {{compared(record::friction_torque), compared(record::axial_displacement, 1e-5)}},
       two_sensors()));
   EXPECT_EQ(d["quantity"], "friction_torque");
   EXPECT_FALSE(d.contains("within_tolerance"));
   ASSERT_EQ(d["channels"].size(), 2u);
   EXPECT_EQ(d["channels"][0]["rmse"], d["rmse"]);
-  const json& position = d["channels"][1];
+  const Json& position = d["channels"][1];
   EXPECT_EQ(position["quantity"], "axial_displacement");
   EXPECT_EQ(position["unit"], "um");
   EXPECT_EQ(position["rows"], 18) << "one was not read, one not predicted";
@@ -91,7 +91,7 @@ TEST(Results, NoiseThatWasEstimatedIsStated) {
   fit::Comparison c = compared(record::friction_torque);
   c.noise = {};
   c.estimated_noise = 0.00125;
-  const json d = json::parse(comparison_json({"m.toml"}, {{c}}, two_sensors()));
+  const Json d = Json::parse(comparison_json({"m.toml"}, {{c}}, two_sensors()));
   EXPECT_TRUE(d["noise"]["rms"].is_null());
   EXPECT_EQ(d["noise"]["source"], "none");
   EXPECT_DOUBLE_EQ(d["noise"]["estimated_rms"].get<double>(), 1.25);
@@ -104,8 +104,8 @@ TEST(Results, ACalibrationHas15Digits) {
   c.rows_not_predicted = {0, 2};
   const std::string text = calibration_json(c, two_sensors());
   EXPECT_THAT(text, HasSubstr("\"value\": 0.666666666666667,"));
-  const json d = json::parse(text);
-  EXPECT_EQ(d["rows_not_predicted"], json({3, 7}));
+  const Json d = Json::parse(text);
+  EXPECT_EQ(d["rows_not_predicted"], Json({3, 7}));
   EXPECT_DOUBLE_EQ(d["rmse_before"].get<double>(), 65.7);
   EXPECT_DOUBLE_EQ(d["rmse"].get<double>(), 12.3);
   EXPECT_FALSE(d.contains("channels"));
@@ -118,7 +118,7 @@ TEST(Results, ALikelihoodIsOfReadingsInTheUnitsOfTheDocument) {
   c.likelihood = {.readings = 39, .parameters = 2, .chi_square = 40.0, .log_determinant = -500.0};
   c.likelihood.deviance = -460.0;
   c.degrees_of_freedom = 37;
-  const json d = json::parse(calibration_json(c, two_sensors()));
+  const Json d = Json::parse(calibration_json(c, two_sensors()));
   // A reading in N mm is 1000 times as large a number, one in um a million times.
   const double shift = 2.0 * (20 * std::log(1e3) + 19 * std::log(1e6));
   EXPECT_NEAR(d["noise"]["log_determinant"].get<double>(), -500.0 + shift, 1e-9);
@@ -130,7 +130,7 @@ TEST(Results, ALikelihoodIsOfReadingsInTheUnitsOfTheDocument) {
   EXPECT_EQ(d["channels"][1]["readings"], 19);
   // Where only the size of the noise is unknown there are criteria all the same.
   c.likelihood.chi_square = c.likelihood.log_determinant = unset;
-  const json unknown = json::parse(calibration_json(c, two_sensors()));
+  const Json unknown = Json::parse(calibration_json(c, two_sensors()));
   EXPECT_TRUE(unknown["chi_square"].is_null() && unknown["noise"]["log_determinant"].is_null());
   EXPECT_EQ(unknown["aic"], d["aic"]);
 }
@@ -142,8 +142,8 @@ TEST(Results, AnIntervalSaysAtWhichSideItIsOpen) {
   c.channels = {{&record::friction_torque, 0.0657, 0.0123}};
   c.profile = {{.lower = 0.1, .upper = HUGE_VAL, .open_upper = true, .refits = 7}, {}};
   c.error_factor = 2.0;
-  const json d = json::parse(calibration_json(c, two_sensors()));
-  const json& f0 = d["parameters"]["f0"]["profile"];
+  const Json d = Json::parse(calibration_json(c, two_sensors()));
+  const Json& f0 = d["parameters"]["f0"]["profile"];
   EXPECT_EQ(f0["from"], 0.1);
   EXPECT_TRUE(f0["to"].is_null());
   EXPECT_EQ(f0["open_from"], false);
@@ -183,21 +183,21 @@ fit::Diagnosis diagnosis() {
 }
 
 TEST(Results, ADiagnosisNamesPointsByTheirChannels) {
-  const json d = json::parse(diagnosis_json("m.toml", two_sensors(), diagnosis()));
+  const Json d = Json::parse(diagnosis_json("m.toml", two_sensors(), diagnosis()));
   EXPECT_THAT(keys(d), IsSupersetOf({"model", "data", "verdict", "unit", "rmse_before", "noise",
                                      "baseline", "hold_out", "outlier_lines"}));
   for (const char* key : {"quantity", "channels", "within_tolerance", "rmse_held_out_Nmm"})
     EXPECT_FALSE(d.contains(key)) << key;
-  const json& point = d["suggested_measurements"][0];
+  const Json& point = d["suggested_measurements"][0];
   EXPECT_EQ(point["speed_rpm"], 6000.0);
   EXPECT_EQ(point["temperature_C"], 65.67);
   EXPECT_TRUE(point["preload_N"].is_null());
   EXPECT_EQ(point["repeats"], 2);
-  EXPECT_EQ(d["outlier_lines"], json({5, 11}));
+  EXPECT_EQ(d["outlier_lines"], Json({5, 11}));
   EXPECT_EQ(d["shape"]["torque_Nmm"], "c * speed_rpm^a");
   EXPECT_EQ(d["baseline"]["data"], "d.csv");
   EXPECT_DOUBLE_EQ(d["hold_out"][0]["rmse_after"].get<double>(), 3.0);
-  const json& effect = d["effects"][0];
+  const Json& effect = d["effects"][0];
   EXPECT_DOUBLE_EQ(effect["rmse_cross_validated"].get<double>(), 2.5);
   EXPECT_EQ(effect["parameters"]["size"]["value"], 40.0);
   EXPECT_EQ(effect["base_parameters"]["f0"]["before"], 2.0);
@@ -209,11 +209,11 @@ TEST(Results, ADiagnosisWithAToleranceSaysWhatDecides) {
   d.channels[0].tolerance = 0.02;
   d.within_tolerance = true;
   d.significant_but_immaterial = {"lubricant-drag"};
-  const json j = json::parse(diagnosis_json("m.toml", two_sensors(), d));
+  const Json j = Json::parse(diagnosis_json("m.toml", two_sensors(), d));
   EXPECT_DOUBLE_EQ(j["tolerance_Nmm"].get<double>(), 20.0);
   EXPECT_DOUBLE_EQ(j["rmse_held_out_Nmm"].get<double>(), 11.0);
   EXPECT_EQ(j["within_tolerance"], true);
-  EXPECT_EQ(j["significant_but_immaterial"], json({"lubricant-drag"}));
+  EXPECT_EQ(j["significant_but_immaterial"], Json({"lubricant-drag"}));
   EXPECT_DOUBLE_EQ(j["effects"][0]["rmse_held_out_Nmm"].get<double>(), 2.5);
 }
 
@@ -223,7 +223,7 @@ TEST(Results, WhatAddBoughtHoldsItsCalibration) {
       {.before = compared(record::friction_torque), .after = compared(record::friction_torque)}};
   r.channels[0].rmse_held_out_after = 0.003;
   r.calibration.channels = {{&record::friction_torque, 0.01, 0.002}};
-  const json d = json::parse(add_json("m.toml", two_sensors(), r));
+  const Json d = Json::parse(add_json("m.toml", two_sensors(), r));
   EXPECT_EQ(keys(d),
             (std::set<std::string>{"format", "model", "data", "refused", "reason", "gain", "unit",
                                    "before", "after", "rmse_held_out_before", "rmse_held_out_after",
@@ -245,7 +245,7 @@ TEST(Results, ACheckListsColumnsInTheirUnits) {
       {.id = "spin-friction", .ruled_out = "", .missing = "", .levels = ""},
       {.id = "torque-time-drift", .ruled_out = "", .missing = "time_s of every row", .levels = ""},
       {.id = "churning", .ruled_out = "another supply", .missing = "", .levels = ""}};
-  const json d = json::parse(check_json("7014", check, {"a = 1"}, {"b"}));
+  const Json d = Json::parse(check_json("7014", check, {"a = 1"}, {"b"}));
   EXPECT_EQ(keys(d),
             (std::set<std::string>{"format", "model", "quantity", "rows", "runs", "unit", "noise",
                                    "columns", "free_parameters", "effects", "defaults", "notes"}));

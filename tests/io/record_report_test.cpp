@@ -20,7 +20,7 @@
 namespace raceway::io {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::DoubleNear;
 using testing::Each;
 using testing::ElementsAre;
@@ -87,22 +87,22 @@ class RecordReport : public testing::Test {
   }
 
   /// The document in the page of the model above.
-  static json document(const record::Record& record) {
+  static Json document(const record::Record& record) {
     const CorrectionFile file = parse_correction(model_text, "z.toml");
     const auto subject = correction::aligned(file.models.front(), record, correction::Zero::mean);
     const std::string page = record_report("compare", "{}", record, {{"z.toml", subject, {}, {}}});
     const std::string open = "id=\"document\">";
     const std::size_t begin = page.find(open) + open.size();
-    return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+    return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
   }
 
-  static std::vector<double> column(const json& document, const std::string& name) {
-    for (const json& c : document["rows"]["columns"]) {
+  static std::vector<double> column(const Json& document, const std::string& name) {
+    for (const Json& c : document["rows"]["columns"]) {
       if (c["name"] != name) continue;
       if (!c.contains("values"))
         return std::vector<double>(document["rows"]["rows"], c["constant"].get<double>());
       std::vector<double> values;
-      for (const json& v : c["values"]) values.push_back(v.is_null() ? unset : v.get<double>());
+      for (const Json& v : c["values"]) values.push_back(v.is_null() ? unset : v.get<double>());
       return values;
     }
     ADD_FAILURE() << "no column " << name;
@@ -111,13 +111,13 @@ class RecordReport : public testing::Test {
 };
 
 TEST_F(RecordReport, PartsAddUpToThePredictionButForOneConstant) {
-  const json d = document(made(evenly(900, 60)));
-  const json& model = d["models"][0];
+  const Json d = document(made(evenly(900, 60)));
+  const Json& model = d["models"][0];
   ASSERT_EQ(model["parts"].size(), 3U);
-  EXPECT_EQ(model["parts"][0]["inputs"], json({"nose_temperature_C", "base_temperature_C"}));
+  EXPECT_EQ(model["parts"][0]["inputs"], Json({"nose_temperature_C", "base_temperature_C"}));
   EXPECT_EQ(model["parts"][2]["name"], "slow-drift");
   std::vector<double> rest = column(d, model["predicted"]);
-  for (const json& part : model["parts"]) {
+  for (const Json& part : model["parts"]) {
     const std::vector<double> share = column(d, part["column"]);
     for (std::size_t k = 0; k < rest.size(); ++k) rest[k] -= share[k];
   }
@@ -126,7 +126,7 @@ TEST_F(RecordReport, PartsAddUpToThePredictionButForOneConstant) {
 }
 
 TEST_F(RecordReport, WhatWasNotReadIsNotOnThePage) {
-  const json d = document(made(evenly(900, 60)));
+  const Json d = document(made(evenly(900, 60)));
   const std::vector<double> read = column(d, d["models"][0]["measured"]);
   for (std::size_t k = 0; k < read.size(); ++k) EXPECT_EQ(std::isnan(read[k]), k % 3 != 0) << k;
 }
@@ -135,7 +135,7 @@ TEST_F(RecordReport, APieceEndsBeforeEveryGapAndWithEveryRun) {
   std::vector<double> time = evenly(600, 60), runs(600, 0.0);
   for (std::size_t k = 200; k < 600; ++k) time[k] += 7200;  // a gap of two hours
   for (std::size_t k = 400; k < 600; ++k) runs[k] = 1.0;
-  const json d = document(made(time, runs));
+  const Json d = document(made(time, runs));
   const std::vector<double> piece = column(d, "piece"), hours = column(d, "hours");
   EXPECT_EQ(piece[199], 0.0);
   EXPECT_EQ(piece[200], 1.0);
@@ -148,7 +148,7 @@ TEST_F(RecordReport, APieceEndsBeforeEveryGapAndWithEveryRun) {
 TEST_F(RecordReport, RunsWhoseClocksBeginAnewStandOneAfterTheOther) {
   std::vector<double> time = evenly(600, 60), runs(600, 0.0);
   for (std::size_t k = 300; k < 600; ++k) time[k] = time[k - 300], runs[k] = 1.0;
-  const json d = document(made(time, runs));
+  const Json d = document(made(time, runs));
   const std::vector<double> hours = column(d, "hours");
   EXPECT_TRUE(d["runs_in_sequence"]);
   EXPECT_TRUE(std::is_sorted(hours.begin(), hours.end()));
@@ -157,8 +157,8 @@ TEST_F(RecordReport, RunsWhoseClocksBeginAnewStandOneAfterTheOther) {
 }
 
 TEST_F(RecordReport, EightPartsHoldAllReadings) {
-  const json d = document(made(evenly(900, 60)));
-  const json& parts = d["models"][0]["held_out_parts"];
+  const Json d = document(made(evenly(900, 60)));
+  const Json& parts = d["models"][0]["held_out_parts"];
   ASSERT_EQ(parts.size(), 8U);
   EXPECT_EQ(parts.front()["from_h"], 0.0);
   for (std::size_t k = 1; k < parts.size(); ++k)
@@ -177,7 +177,7 @@ TEST_F(RecordReport, OfMoreRowsThanAPageHoldsTheExtremesAreKept) {
   const std::map<std::string, std::size_t> spikes{
       {"hall_temperature_C", 1003}, {"x_feed_m_min", 77778}, {"displacement_z_um", 150006}};
   for (const auto& [name, row] : spikes) set(name, row, 99.0);
-  const json d = document(record);
+  const Json d = document(record);
   EXPECT_LT(d["rows"]["rows"].get<std::size_t>(), ReportColumns::most_rows + 20000);
   EXPECT_EQ(d["rows"]["total"], 250000);
   const auto most = [&](const std::string& name) {
@@ -191,8 +191,8 @@ TEST_F(RecordReport, OfMoreRowsThanAPageHoldsTheExtremesAreKept) {
 }
 
 TEST_F(RecordReport, TellsWhatAStepOfEachInputDoes) {
-  const json d = document(made(evenly(900, 60)));
-  const json& responses = d["models"][0]["responses"];
+  const Json d = document(made(evenly(900, 60)));
+  const Json& responses = d["models"][0]["responses"];
   ASSERT_EQ(responses.size(), 3U);
   EXPECT_EQ(responses[0]["input"], "nose temperature less base temperature");
   EXPECT_NEAR(responses[0]["parts"][0]["gain_um"].get<double>(), 5.0, 1e-9);

@@ -13,7 +13,7 @@
 namespace raceway::io {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -28,10 +28,10 @@ TEST(ReportColumns, AreJsonWithSevenDigitsAndNullForWhatIsNotKnown) {
   columns.add("speed_rpm", {1.0 / 3.0, unset, -0.0});
   columns.add("a\"<b>", {40.0, 40.0, 40.0});
   columns.add("unknown", {unset, unset, unset});
-  const json d = json::parse(columns.json());
+  const Json d = Json::parse(columns.json());
   EXPECT_EQ(d["total"], 3);
   EXPECT_EQ(d["rows"], 3);
-  EXPECT_EQ(d["columns"][0]["values"], json::parse("[0.3333333, null, 0]"));
+  EXPECT_EQ(d["columns"][0]["values"], Json::parse("[0.3333333, null, 0]"));
   EXPECT_EQ(d["columns"][1]["name"], "a\"<b>");
   EXPECT_EQ(d["columns"][1]["constant"], 40.0);
   EXPECT_TRUE(d["columns"][2]["constant"].is_null());
@@ -42,7 +42,7 @@ TEST(ReportColumns, OfTooManyRowsSomeAreKeptEvenlySpreadAndThoseAskedFor) {
   ReportColumns columns(rows);
   columns.add("line", rising(rows));
   columns.keep(3);
-  const json d = json::parse(columns.json());
+  const Json d = Json::parse(columns.json());
   const std::vector<double> kept = d["columns"][0]["values"];
   EXPECT_EQ(d["total"], rows);
   EXPECT_EQ(d["rows"], kept.size());
@@ -55,7 +55,7 @@ TEST(ReportColumns, MoreColumnsMakeFewerRows) {
   constexpr std::size_t rows = 60000;
   ReportColumns columns(rows);
   for (int k = 0; k < 50; ++k) columns.add(fmt::format("c{}", k), rising(rows));
-  const json d = json::parse(columns.json());
+  const Json d = Json::parse(columns.json());
   EXPECT_LE(d["rows"].get<std::size_t>() * 50, ReportColumns::most_numbers);
 }
 
@@ -66,12 +66,12 @@ TEST(ReportColumns, RefuseAColumnOfAnotherLength) {
 
 TEST(Report, NoTextOfTheDocumentCanEndItsData) {
   if (!report_available()) GTEST_SKIP() << "built with -DRACEWAY_REPORT=OFF";
-  const json document = {{"name", "</script><script>alert(1)</script><!-- & \u2028"}};
+  const Json document = {{"name", "</script><script>alert(1)</script><!-- & \u2028"}};
   const std::string page = report_page(document.dump());
   const std::string open = "id=\"document\">";
   const std::size_t begin = page.find(open) + open.size();
   const std::string data = page.substr(begin, page.find("</script>", begin) - begin);
-  EXPECT_EQ(json::parse(data), document);
+  EXPECT_EQ(Json::parse(data), document);
   EXPECT_THAT(data, Not(HasSubstr("<")));
   EXPECT_THAT(page, Not(HasSubstr("alert(1)</script>")));
 }
@@ -90,9 +90,9 @@ TEST(Report, OfSeveralChannelsThePageDrawsTheFirstAndNamesTheOthers) {
   const std::string page = comparison_report({"m.toml"}, {}, {channels}, record);
   const std::string open = "id=\"document\">";
   const std::size_t begin = page.find(open) + open.size();
-  const json d = json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  const Json d = Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
   EXPECT_EQ(d["quantity"]["name"], "friction_torque");
-  EXPECT_EQ(d["other_channels"], json({"axial displacement"}));
+  EXPECT_EQ(d["other_channels"], Json({"axial displacement"}));
   EXPECT_EQ(d["rows"]["total"], 19) << "rows in which the first was read";
   EXPECT_EQ(d["results"]["channels"].size(), 2u);
 }

@@ -16,17 +16,17 @@
 namespace raceway::io {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing::ElementsAre;
 
-json document_of(const std::string& page) {
+Json document_of(const std::string& page) {
   const std::string open = "id=\"document\">";
   const std::size_t begin = page.find(open) + open.size();
-  return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  return Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
 }
 
-json column_of_page(const json& document, const std::string& name) {
-  for (const json& c : document["rows"]["columns"])
+Json column_of_page(const Json& document, const std::string& name) {
+  for (const Json& c : document["rows"]["columns"])
     if (c["name"] == name) return c;
   ADD_FAILURE() << "no column " << name;
   return {};
@@ -57,23 +57,23 @@ TEST_F(SpindleReport, OfARunHasTheSectionAndTheColumnsOfItsCsv) {
   const std::vector<spindle::ProfileRow> profile{
       {.time = 1800, .inputs = {.speed = 4000 * rpm, .ambient_temperature = kelvin(20)}},
       {.time = 3600, .inputs = {.speed = 0.0, .ambient_temperature = kelvin(22)}}};
-  const json d = document_of(page_of(profile));
+  const Json d = document_of(page_of(profile));
   EXPECT_EQ(d["kind"], "spindle_run");
-  EXPECT_EQ(d["bearings"], json({"front_1", "front_2", "rear_1"}));
-  EXPECT_EQ(d["inputs"], json({"speed_rpm", "coolant_on", "ambient_temperature_C", "axial_load_N",
+  EXPECT_EQ(d["bearings"], Json({"front_1", "front_2", "rear_1"}));
+  EXPECT_EQ(d["inputs"], Json({"speed_rpm", "coolant_on", "ambient_temperature_C", "axial_load_N",
                                "radial_load_N"}));
   for (const char* name : {"axial_displacement_um", "thermal_displacement_um", "front_force_N",
                            "heat_stored_W", "rear_1_inner_ring_temperature_C", "front_2_force_N"})
     EXPECT_EQ(column_of_page(d, name)["values"].size(), d["rows"]["rows"]) << name;
-  const json& section = d["section"];
+  const Json& section = d["section"];
   const std::size_t cells = spindle::Simulator(of_.model).cells();
   EXPECT_EQ(section["cells"]["part"].size(), cells);
-  for (const json& moment : section["moments"]) EXPECT_EQ(moment["temperature_C"].size(), cells);
+  for (const Json& moment : section["moments"]) EXPECT_EQ(moment["temperature_C"].size(), cells);
   EXPECT_EQ(section["moments"].back()["time_s"], 3600.0);
   EXPECT_FALSE(section.contains("channel")) << "it has no coolant";
   // Of an O: the front set presses rearwards, the rear one forwards.
   std::vector<bool> rearwards;
-  for (const json& b : section["bearings"]) rearwards.push_back(b["pressed_rearwards"]);
+  for (const Json& b : section["bearings"]) rearwards.push_back(b["pressed_rearwards"]);
   EXPECT_THAT(rearwards, ElementsAre(true, true, false));
   EXPECT_EQ(section["bearings"][2]["position_mm"], 290.0);
 }
@@ -90,7 +90,7 @@ TEST_F(SpindleReport, OfASpeedWithoutSteadyStateHasNoNumbers) {
   states[0].moment = simulator.steady(states[0].inputs, states[0].report);
   states[1].inputs.speed = 9000 * rpm;
   states[1].report.status = spindle::Status::thermal_runaway;
-  const json d = document_of(spindle_steady_report(of_, states, {}, {}, "cells"));
+  const Json d = document_of(spindle_steady_report(of_, states, {}, {}, "cells"));
   EXPECT_FALSE(d.contains("section"));
   EXPECT_EQ(d["reports"][1]["status"], "thermal_runaway");
   EXPECT_TRUE(column_of_page(d, "friction_power_W")["values"][1].is_null());
@@ -110,13 +110,13 @@ TEST_F(SpindleReport, OfModesHasTheRowsOfItsJsonAndShapesOfSlowestAndFastest) {
     m.springs = spindle::bearing_springs(mounted.arrangement(), places, m.sets.bearings);
     m.modes = spindle::find_modes(beam, m.springs, m.speed);
   }
-  const json d = document_of(modes_report(of_, mounted.arrangement(), beam, places, false, speeds));
+  const Json d = document_of(modes_report(of_, mounted.arrangement(), beam, places, false, speeds));
   EXPECT_EQ(d["kind"], "modes");
-  EXPECT_EQ(d["results"], json::parse(campbell_json(mounted.arrangement(), speeds, of_.file)));
+  EXPECT_EQ(d["results"], Json::parse(campbell_json(mounted.arrangement(), speeds, of_.file)));
   ASSERT_EQ(d["shapes"].size(), 8u);
   EXPECT_EQ(d["shapes"].front()["speed_rpm"], 0.0);
   EXPECT_NEAR(d["shapes"].back()["speed_rpm"].get<double>(), 11000.0, 1e-9);
-  for (const json& mode : d["shapes"].back()["modes"]) {
+  for (const Json& mode : d["shapes"].back()["modes"]) {
     ASSERT_EQ(mode["y"].size(), beam.nodes().size());
     ASSERT_EQ(mode["z"].size(), beam.nodes().size());
   }
@@ -130,7 +130,7 @@ TEST_F(SpindleReport, OfAShaftWithoutBalanceHasNoLine) {
   const std::vector<double> places = spindle::bearing_places(*of_.model.spindle);
   const spindle::Beam beam(of_.model.spindle->shaft, places);
   const DeflectionResult none{.force = 1e7, .sets = {}, .shaft = {}};
-  const json d =
+  const Json d =
       document_of(deflection_report(of_, mounted.arrangement(), beam, places, false, none, {}, {}));
   EXPECT_EQ(d["kind"], "deflection");
   EXPECT_TRUE(d["line"].empty());
@@ -165,11 +165,11 @@ TEST_F(SpindleReport, OfStepsDrawsLinesWhereTheyAreValidAlone) {
   const spindle::StepResponses responses = steps_of({100.0, 300.0, 480.0});
   const spindle::PowerLaws laws = spindle::fit_power_laws(at_powers(responses.steps));
   ASSERT_NEAR(laws.valid_to, 500.0, 1e-6);
-  const json d = document_of(step_report("fe.csv", responses, laws, {"a note"}, nullptr, "", {}));
+  const Json d = document_of(step_report("fe.csv", responses, laws, {"a note"}, nullptr, "", {}));
   EXPECT_EQ(d["kind"], "steps");
-  EXPECT_EQ(d["results"]["notes"], json({"a note"}));
+  EXPECT_EQ(d["results"]["notes"], Json({"a note"}));
   EXPECT_FALSE(d.contains("rows")) << "there is no programme";
-  const json& drawn = d["laws"];
+  const Json& drawn = d["laws"];
   ASSERT_EQ(drawn["power_W"].size(), drawn["T_line_min"].size());
   for (std::size_t k = 0; k < drawn["power_W"].size(); ++k) {
     const double power = drawn["power_W"][k];
