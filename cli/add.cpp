@@ -100,8 +100,7 @@ Run setup_add(CLI::App& command) {
   command
       .add_option("MODEL EFFECT...", flags->names,
                   "model file (TOML), then the effects to switch on; see raceway effects.\n"
-                  "law:skf takes another base law in place of the model's, shape the power law\n"
-                  "that diagnose prints")
+                  "law:skf takes another base law, shape the one that diagnose prints")
       ->required()
       ->expected(2, 100)
       ->type_name("");

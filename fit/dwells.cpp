@@ -394,8 +394,10 @@ Averaged average_dwells(const Record& record) {
     result.dwells += ends.size();
     result.split += ends.size() > 1 ? 1 : 0;
   }
-  // A few rows that happen to stand still make no dwells of a ramp.
-  if (!result.any() || 2 * result.alone > record.rows()) return {.rows = record.rows()};
+  // A few rows that happen to stand still make no dwells of a ramp, and one operating point none of
+  // a record.
+  if (!result.any() || means.size() < 2 || 2 * result.alone > record.rows())
+    return {.rows = record.rows()};
   std::vector<std::size_t> wanted;
   for (const Stay& s : means) wanted.push_back(s.first);
   result.record = record.picked(wanted);

@@ -317,6 +317,16 @@ std::optional<Record> exchanged(Record data, const Channel& a, const Channel& b)
   return data;
 }
 
+/// The smallest share of the variance that one of the subject's other base models leaves.
+double unexplained_by_other_bases(const model::ModelSubject& subject, const Record& data) {
+  double least = HUGE_VAL;
+  for (const fit::OtherBase& base : subject.other_bases())
+    if (const auto* const other = dynamic_cast<const model::ModelSubject*>(base.subject.get()))
+      if (const Ratio ratio = ratio_of(*other, data); ratio.known())
+        least = std::min(least, ratio.unexplained());
+  return least;
+}
+
 std::optional<std::string> swapped_columns(const model::ModelSubject& subject, const Record& data,
                                            const Ratio& ratio) {
   const Channel& reading = *subject.measured().front().channel;
@@ -330,6 +340,7 @@ std::optional<std::string> swapped_columns(const model::ModelSubject& subject, c
   const bool scattered = ratio.known() && ratio.spread > std::log(1.2);
   if (!impossible && !ratio.far() && !scattered) return std::nullopt;
   std::optional<std::string> best;
+  double left = HUGE_VAL;  // of the variance, by the best
   double least = impossible    ? std::log(3.0)
                  : ratio.far() ? 0.5 * ratio.spread
                                : std::min(0.5 * ratio.spread, std::log(1.2));
@@ -344,8 +355,11 @@ std::optional<std::string> swapped_columns(const model::ModelSubject& subject, c
         continue;
       if (!impossible && !ratio.far() && other.unexplained() > 0.1 * ratio.unexplained()) continue;
       least = other.spread;
+      left = other.unexplained();
       best = fmt::format("columns {} and {} look swapped", a.name, b.name);
     }
+  // Another base law bends readings as far.
+  if (best && !impossible && unexplained_by_other_bases(subject, data) <= left) return std::nullopt;
   return best;
 }
 

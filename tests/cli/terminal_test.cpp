@@ -81,7 +81,7 @@ TEST(Messages, JsonErrorsSayWhere) {
   };
   const std::string absent = map("absent.toml", "radial_load_N = \"n\"\n");
   const std::string twice = map("twice.toml", "speed_rpm = \"a\"\nspeed_1_s = \"b\"\n");
-  const std::string unit = map("unit.toml", "axial_load_N = { column = \"F\", unit = \"kg\" }\n");
+  const std::string unit = map("unit.toml", "axial_load_N = { column = \"F\", unit = \"mm\" }\n");
   const std::string other = files.write("other.toml", "[columns]\n[rig]\n");
   const std::string mapped = "check " + files.model + " " + files.data + " --columns ";
   const std::string few = files.write("few.toml", "[bearing]\nball_count = 20\n");

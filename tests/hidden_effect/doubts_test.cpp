@@ -32,7 +32,7 @@ TEST(Doubts, AreNotRaisedByHiddenEffects) {
         continue;
       }
       for (const std::string& doubt : doubts)
-        ADD_FAILURE() << block.id << ", seed " << trial.setup.seed << ": " << doubt;
+        ADD_FAILURE() << trial.kind << ", seed " << trial.setup.seed << ": " << doubt;
       ++rigs;
     }
   EXPECT_GT(rigs, 200);

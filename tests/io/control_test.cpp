@@ -206,9 +206,9 @@ TEST(ControlC, ASensorThatSticksIsFoundAtShortSteps) {
       "sections = [{ gain_um_K = 5.0, time_constant_s = 2000 }]\n[export]\nstuck_s = 3600\n",
       "time_s,front_temperature_C\n0,22\n1,40\n");
   (void)c.folder.write("machine.h", control_c(c.plan, "machine"));
-  (void)c.folder.write("steps.c", R"(#include <stdio.h>
-#include "machine.h"
-int main(void) {
+  (void)c.folder.write("steps.c",
+                       "#include <stdio.h>\n#include \"machine.h\"\n"
+                       R"(int main(void) {
   static machine_state machine;
   machine_real in[machine_inputs + 1] = {20}, out[machine_outputs];
   long k;
