@@ -280,7 +280,7 @@ class ScatterSearch {
       const double middle = 0.5 * static_cast<double>(y.size() - 1);
       std::array<double, 3> state{};  // of the readings, of ones, of the trend
       double p = 1.0 - white;
-      double oo = 0.0, ot = 0.0, tt = 0.0, oy = 0.0, ty = 0.0, yy = 0.0;
+      double oo = 0.0, to = 0.0, tt = 0.0, oy = 0.0, ty = 0.0, yy = 0.0;
       for (std::size_t i = 0; i < y.size(); ++i) {
         if (i > 0) p = phi * phi * p + (1.0 - phi * phi) * (1.0 - white);
         const double s = p + white;
@@ -296,7 +296,7 @@ class ScatterSearch {
         oy += e[0] * e[1] / s;
         oo += e[1] * e[1] / s;
         ty += e[0] * e[2] / s;
-        ot += e[1] * e[2] / s;
+        to += e[1] * e[2] / s;
         tt += e[2] * e[2] / s;
         p -= p * p / s;
       }
@@ -304,7 +304,7 @@ class ScatterSearch {
       yy -= oy * oy / oo;
       freedom += static_cast<double>(y.size()) - 1.0;
       if (trend) {
-        const double own = tt - ot * ot / oo, with = ty - ot * oy / oo;
+        const double own = tt - to * to / oo, with = ty - to * oy / oo;
         log_determinant += std::log(own);
         yy -= with * with / own;
         freedom -= 1.0;

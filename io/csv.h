@@ -47,10 +47,10 @@ using FormFinder = std::function<CsvForm(std::string_view)>;
 /// Separator: comma, semicolon or tab, as found in the header. Lines that begin with `#` are
 /// comments; the last one above the data is the header where its cells fit the first row, and below
 /// the header a line whose cells fit is a row ("#N/A,20,0.1"). Blank lines and rows of empty cells
-/// are skipped, as are the header where it stands again and words behind the last row. A cell may be
-/// quoted ("a ""b"""), not broken over lines.
-/// Blanks around cells are dropped, and an apostrophe in front of =, +, - or @, with which cells
-/// are kept from being formulas (io/csv_text.h). Memory: the text plus 16 bytes per cell.
+/// are skipped, as are the header where it stands again and words behind the last row. A cell may
+/// be quoted ("a ""b"""), not broken over lines. Blanks around cells are dropped, and an apostrophe
+/// in front of =, +, - or @, with which cells are kept from being formulas (io/csv_text.h). Memory:
+/// the text plus 16 bytes per cell.
 class CsvTable {
  public:
   std::string source;                 ///< file name, for messages

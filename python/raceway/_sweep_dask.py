@@ -42,9 +42,7 @@ def _security() -> Any:
     try:
         return distributed.security.Security.temporary()
     except ImportError:
-        warnings.warn(
-            "other users of this computer can give work to these workers: apt install python3-cryptography", Doubt, stacklevel=5
-        )
+        warnings.warn("other users of this computer can give work to these workers: apt install python3-cryptography", Doubt, stacklevel=5)
         return None
 
 

@@ -603,9 +603,4 @@ def test_texts_of_a_merged_table_are_no_formulas(tmp_path):
     names = ["=1+1", "@SUM(A1)", "plain"]
     sweep.run(lambda item: {"remark": "-x" if item else "'+y", "=n": -2.5}, [0, 1, 2], names=names, folder=tmp_path / "slabs")
     assert main(["merge", str(tmp_path / "slabs"), "-o", str(tmp_path / "all.csv")]) == 0
-    assert (tmp_path / "all.csv").read_text().splitlines() == [
-        "name,remark,'=n,error",
-        "'=1+1,''+y,-2.5,",
-        "'@SUM(A1),'-x,-2.5,",
-        "plain,'-x,-2.5,",
-    ]
+    assert (tmp_path / "all.csv").read_text().splitlines() == ["name,remark,'=n,error", "'=1+1,''+y,-2.5,", "'@SUM(A1),'-x,-2.5,", "plain,'-x,-2.5,"]
