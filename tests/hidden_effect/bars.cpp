@@ -437,7 +437,8 @@ Interval wilson(int successes, int trials) {
   const double n = trials, p = successes / n, z = 1.959963984540054, z2 = z * z;
   const double middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
   const double half = z / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
-  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+  // At both ends the bound is exact, which rounding would miss.
+  return {successes == 0 ? 0.0 : middle - half, successes == trials ? 1.0 : middle + half};
 }
 
 bool Bar::missed() const { return at_least ? measured < must : measured > must; }
