@@ -52,6 +52,7 @@ TEST(Likelihood, IsThatOfTheNormalDistributionWithTheWholeCovariance) {
   const Eigen::VectorXd std = Eigen::VectorXd::LinSpaced(n, 0.5, 1.5);
   const RowOrder order{.step = {INFINITY, 1.0, 2.0, INFINITY, 1.0, 0.5},
                        .new_run = {true, false, false, true, false, false},
+                       .new_state = {},
                        .new_block = {}};
   const double phi = 0.7, share = 0.3, time[] = {0.0, 1.0, 3.0, 0.0, 1.0, 1.5};
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(n, n);
