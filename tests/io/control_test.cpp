@@ -223,9 +223,9 @@ TEST(ControlC, ASensorThatSticksIsFoundAtShortSteps) {
 }
 )");
   for (const char* precision : {"", "-DMACHINE_SINGLE"}) {
-    const double steps = std::stod(c.folder.shell(
+    const double found_at = std::stod(c.folder.shell(
         fmt::format("cc -std=c99 -O2 {} steps.c -o steps -lm && ./steps", precision)));
-    EXPECT_NEAR(steps, 10000, 10) << precision;
+    EXPECT_NEAR(found_at, 10000, 10) << precision;
   }
 }
 

@@ -84,7 +84,9 @@ TEST(KeyTables, ATableStandsInOnePiece) {
   std::set<std::string_view> seen;
   std::string_view table;
   for (const ListedKey& one : model_keys()) {
-    if (one.table != table) EXPECT_TRUE(seen.insert(one.table).second) << one.table;
+    if (one.table != table) {
+      EXPECT_TRUE(seen.insert(one.table).second) << one.table;
+    }
     table = one.table;
   }
 }
@@ -195,8 +197,9 @@ TEST(KeyTables, OtherKeysBesideACorrectionAreRefused) {
 TEST(KeyTables, EveryMeasuredQuantityHasATolerance) {
   const auto keys = model_keys();
   for (const record::Channel& channel : record::channels)
-    if (channel.role == record::Role::measured)
+    if (channel.role == record::Role::measured) {
       EXPECT_NO_THROW((void)listed_key(keys, "loop", tolerance_key(channel)));
+    }
 }
 
 }  // namespace

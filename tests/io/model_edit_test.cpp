@@ -195,8 +195,9 @@ TEST(WithModel, AnotherLawReadsBackAndLeavesAllElseAsItStood) {
       EXPECT_EQ(read.model.balanced_balls, false);
       // Every number stands there, so that another default changes nothing.
       for (const friction::Parameter& p : friction::parameters(wanted))
-        if (!friction::of_the_lubricant(p))
+        if (!friction::of_the_lubricant(p)) {
           EXPECT_THAT(written, HasSubstr("\n" + std::string(p.name) + " = "));
+        }
       EXPECT_THAT(written, HasSubstr("contact_angle_deg = 25.0        # as printed\n"));
       EXPECT_THAT(written, HasSubstr("# mine"));
       EXPECT_THAT(written,
