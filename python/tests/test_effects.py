@@ -71,8 +71,10 @@ def test_a_function_sees_all_rows_at_once(model, train):
         return 0.0 * state.speed_rpm + c
 
     model.with_effect(Effect("count", count, {"c": 1.0})).predict(train)
-    assert set(seen) == {len(train.to_frame())}
-    assert len(seen) <= 4  # threads may ask before the first answer is there
+    # Questions about units look at 80 of the rows; threads may ask before the first answer is there.
+    of_all = [rows for rows in seen if rows == len(train.to_frame())]
+    assert set(seen) <= {80, len(train.to_frame())}
+    assert 0 < len(of_all) <= 4
 
 
 def test_what_was_measured_is_not_shown(model, train):
