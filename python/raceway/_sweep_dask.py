@@ -52,7 +52,9 @@ def local_workers(count: int, dashboard: bool) -> Iterator[Any]:
     distributed = _dask()
     import dask
 
-    class QuietNanny(distributed.Nanny):
+    nanny: Any = distributed.Nanny
+
+    class QuietNanny(nanny):
         """Starts a worker without a dashboard of its own, which LocalCluster asks for with an address."""
 
         def __init__(self, *given: Any, **named: Any) -> None:

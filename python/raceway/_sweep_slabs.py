@@ -319,7 +319,10 @@ def _outcome(value: Any, error: Any, doubts: Any) -> Outcome:
     texts = [*(error or ()), *doubts]
     if not all(type(text) is str for text in texts) or (error is not None and len(error) != 3):
         raise ValueError("holds an item that no sweep makes")
-    return Outcome(None if error else pickle.dumps(value, 5), error and tuple(error), tuple(doubts))
+    if error:
+        kind, message, trace = error
+        return Outcome(None, (kind, message, trace), tuple(doubts))
+    return Outcome(pickle.dumps(value, 5), None, tuple(doubts))
 
 
 def slab_files(folder: str | os.PathLike[str]) -> list[pathlib.Path]:
