@@ -111,7 +111,8 @@ namespace {
 
 using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
 
-/// Of a matrix without a norm the shape alone is kept, under a threshold that no other has.
+/// Threshold that marks the decomposition of a matrix with an infinite norm. It keeps the shape
+/// only.
 constexpr double of_no_norm = -1.0;
 
 std::shared_ptr<Qr> pivoted_qr(const MatrixXd& A) {

@@ -39,7 +39,7 @@ struct BearingFrequencies {
   return nominal_frequencies(g.ball_count, g.diameter_ratio(), contact_angle);
 }
 
-/// Of cylindrical rollers that roll without slip: the formulas above at α = 0.
+/// Frequencies of cylindrical rollers that roll without slip: the formulas above at α = 0.
 [[nodiscard]] inline BearingFrequencies rolling_frequencies(const RollerGeometry& g) {
   return nominal_frequencies(g.roller_count, g.diameter_ratio(), 0.0);
 }

@@ -295,7 +295,7 @@ void require(const OperatingPoint& point) {
   }
 }
 
-/// Where the ring is about, under a radial load on straight rollers.
+/// Start of the search: approximate ring position under a radial load on straight rollers.
 Vector4 first_ring(const RollerBearing& bearing, const OperatingPoint& p, double clearance) {
   const double radial = std::hypot(p.radial_load, p.radial_load_z);
   if (!(radial > 0.0)) return Vector4::Zero();

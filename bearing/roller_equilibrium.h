@@ -56,7 +56,7 @@ struct RollerEquilibrium {
   bool loose = false;
   SolveReport report;
 
-  /// How the solve ended, in the words of the JSON results: "loose", "converged" and the like.
+  /// Status as the JSON results write it: "loose", "converged" and so on.
   [[nodiscard]] std::string_view status() const { return loose ? "loose" : name(report.status); }
   /// Σ Qi and Σ Qo over all rollers [N].
   [[nodiscard]] double inner_sum() const;

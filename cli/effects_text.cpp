@@ -32,8 +32,8 @@ void paragraph(std::string heading, std::string_view words) {
   }
 }
 
-/// What an effect changes, in the forms that it has: the torque of a rig, the displacement of a
-/// shaft, temperatures and displacement of a spindle.
+/// Names the measurements that an effect changes: torque of a rig, displacement of a shaft,
+/// temperatures and displacement of a spindle.
 std::string changes(std::string_view id) {
   const auto moves = [&](Form form) { return effects::find(id, form)->moves(form); };
   std::string text = moves(Form::rig) ? moves(Form::shaft) ? "both" : "torque" : "";

@@ -29,7 +29,7 @@ class Program {
 
  private:
   CLI::App app_{
-      "Friction and kinematics of spindle bearings: compute, and hold against measurements."};
+      "Computes friction and kinematics of spindle bearings, and compares them with measurements."};
   std::map<CLI::App*, Run> runs_;
 };
 

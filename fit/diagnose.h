@@ -17,7 +17,7 @@ struct DiagnoseOptions {
   int tried_before = 0;  ///< other candidates once tried on these data, for the multiplicity
   int most_rows = most_rows_of_a_fit;
   bool pairs = true;
-  /// Where no candidate explains the misfit, the subject's other base models are tried too.
+  /// Tries the subject's other base models too if no candidate explains the misfit.
   bool other_bases = true;
   NoiseOptions noise{};
   std::function<void(double share, std::string_view step)> progress{};
@@ -33,9 +33,9 @@ struct DiagnoseOptions {
 /// Level of the gate: 1 %. An effect is admitted where -2 ln L falls by more than ln N + 2 ln m,
 /// and stands beside all others within 6 of the best.
 ///
-/// Where nothing explains the misfit, or something only acts like it, other base models
+/// If no candidate explains the misfit, or one only acts like it, the other base models
 /// (Subject::other_bases()) are calibrated to the readings and compared like candidates. The
-/// verdict stays that of the model as given.
+/// verdict is still about the model as given.
 ///
 /// Fewer than 15 rows do not tell their noise: from 8 on it is the declared one, and only
 /// candidates of one number are tried, alone.

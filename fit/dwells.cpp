@@ -45,7 +45,7 @@ struct Held {
   std::span<const double> values;
   double step = 0.0, least = 0.0;
 
-  /// How far a row may be from the others of its dwell.
+  /// Largest distance of a row from the mean of its dwell.
   [[nodiscard]] double width(double about) const {
     return std::max(std::min(step, of_own_size * std::abs(about)), least);
   }
@@ -179,7 +179,8 @@ std::vector<std::size_t> pieces_of(const Record& record, const Stay& s) {
   return ends;
 }
 
-/// What the scatter within dwells is like: s² (w white + (1 - w) φ^|i - k|), s = scale |y|^power.
+/// Covariance of two readings within a dwell: s² (w white + (1 - w) φ^|i - k|), s = scale
+/// |y|^power.
 struct Scatter {
   double scale = 0.0, power = 0.0, correlation = 0.0, white = 1.0;
 
@@ -423,7 +424,8 @@ Averaged average_dwells(const Record& record) {
 std::string Averaged::statement() const {
   std::vector<std::string_view> words;
   for (const Channel* channel : channels) words.push_back(channel->words);
-  std::string text = fmt::format("{} rows are {} dwells", rows - alone, dwells);
+  std::string text =
+      fmt::format("{} rows are {} dwell{}", rows - alone, dwells, dwells == 1 ? "" : "s");
   if (alone > 0) text += fmt::format(" and {} rows outside of dwells", alone);
   text += fmt::format(": {} of consecutive rows at equal settings are averaged",
                       fmt::join(words, ", "));

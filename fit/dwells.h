@@ -21,7 +21,7 @@ inline constexpr record::Channel dwell_state{
 inline constexpr record::Channel dwell_scatter{
     .name = "dwell_scatter", .words = "scatter of a mean", .role = record::Role::deviation};
 
-/// What averaging made of a record.
+/// A record after averaging, and what was averaged.
 struct Averaged {
   record::Record record{};          ///< a row for each dwell, and for each row outside of one
   std::size_t rows = 0;             ///< of the record before

@@ -165,7 +165,7 @@ std::string by_verdict(const Diagnosis& d) {
   return "Something is missing that no effect of the catalogue explains: " + error_and_noise(d);
 }
 
-/// Where another base model leaves nothing to be explained.
+/// Headline if another base model explains the data.
 std::string other_base(const Diagnosis& d) {
   const OtherBaseTried& base = d.other_bases.front();
   const Channel& channel = d.channels.front().channel();

@@ -25,7 +25,7 @@ class Investigation {
   void attribute();
   /// Whether that holds on rows that no fit saw, with sizes that one can believe.
   void confirm();
-  /// Whether another base model does better, where that does not hold of any candidate.
+  /// Compares other base models if no candidate explains the misfit.
   void try_other_bases();
   /// What to measure next where the data cannot tell.
   void propose();

@@ -219,8 +219,8 @@ class NoiseSearch {
                       some_columns_, some_deviation_);
   }
 
-  /// Of means the share that neighbours may have in common: not the scatter within, nor that of an
-  /// input. Of rows all.
+  /// Share of each standard deviation that neighbours can have in common. Scatter within a dwell
+  /// and of an input is excluded; single rows have no excluded part.
   [[nodiscard]] Eigen::VectorXd common(const Shares& shares, const Parts& parts) const {
     if (readings_.within.size() == 0 || declared_) return {};
     const Eigen::VectorXd all = shape(shares, parts, Eigen::VectorXd::Ones(parts.reading.size()));
@@ -473,8 +473,8 @@ class NoiseSearch {
     }
   }
 
-  /// What the pieces of one dwell have in common: neighbours know as much of each other, however
-  /// that is shared out.
+  /// Finds the offset that the pieces of one dwell have in common. It competes with the correlation
+  /// between neighbours, so both are searched together.
   void find_states() {
     const double phi = noise_.correlation, g = noise_.run_share;
     double best = misfit(phi, g, shares_) + worth_a_parameter * (phi > 0.0 ? 1.0 : 0.0);

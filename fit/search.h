@@ -61,10 +61,10 @@ class Search {
   /// No wrong datum, and no shape without a law behind it.
   [[nodiscard]] bool is_physics(const Explanation& e) const;
   [[nodiscard]] std::vector<std::string> ids_of(const Explanation& e) const;
-  /// The rms of what is left, weighed by the noise of each channel and without outliers, is larger
-  /// than without it.
+  /// True if the explanation raises the rms residual, weighed by the noise of each channel and
+  /// without outliers.
   [[nodiscard]] bool raises_the_error(const Explanation& e) const;
-  /// The same is smaller than without it, by this share at least.
+  /// True if it lowers that rms residual by this share at least.
   [[nodiscard]] bool lowers_the_error(const Explanation& e, double share) const;
   /// The error of an explanation on held-out blocks, the largest share of a channel's tolerance.
   [[nodiscard]] double share_of_tolerance(const Response& response, const ResponseFit& fit) const;

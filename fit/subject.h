@@ -122,7 +122,7 @@ struct Formula {
   std::vector<Input> inputs{};
 };
 
-/// What is missing as a formula in the inputs, ready to be an effect of the user's own.
+/// Formula in the inputs that describes the misfit, ready to be written as a user-made effect.
 struct Shape {
   std::string key;  ///< of the file, under which it stands
   std::string formula;

@@ -66,7 +66,7 @@ struct RollerPalmgrenLoad {
 };
 
 /// f0 of a cylindrical roller bearing by the way its lubricant comes [1]:
-/// grease 0.8, oil-air 1.5, bath 3, jet 6; 1.5 where nobody says.
+/// grease 0.8, oil-air 1.5, bath 3, jet 6; 1.5 without a supply.
 /// Source: read in the public program thermca, after Jungnickel.
 [[nodiscard]] double usual_roller_f0(std::optional<Supply> supply);
 

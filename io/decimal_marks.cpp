@@ -28,7 +28,7 @@ bool is_below_1000(std::string_view cell) {
          std::all_of(digits.begin(), digits.end(), is_digit);
 }
 
-/// What the cells say of one mark.
+/// Uses of one mark in the cells.
 struct Uses {
   bool any = false, decimal = false;
   std::vector<std::uint8_t> grouped{}, as_decimal{};  ///< by column: a cell has it so

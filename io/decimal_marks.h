@@ -8,7 +8,7 @@
 /// Shared by the readers of CSV files; not for other code.
 namespace raceway::io {
 
-/// Whether a number is written in groups of three digits: "1.200" and "12.345.678", with ',' as the
+/// True if a number is written in groups of three digits: "1.200" and "12.345.678", with ',' as the
 /// decimal mark also "1.200,5". A group in front has no zero first: "0.200" is none.
 [[nodiscard]] bool is_grouped(std::string_view cell, char thousands, char decimal = '\0');
 

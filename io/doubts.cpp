@@ -64,7 +64,7 @@ Ratio ratio_of(const model::ModelSubject& subject, const Record& data) {
   try {
     predicted = fit::predict(subject, data);
   } catch (const std::invalid_argument&) {
-    return {};  // is told by whoever needs the record
+    return {};  // the reader of the record reports it
   }
   double largest = 0.0;
   for (std::size_t i = 0; i < read.size(); ++i)
@@ -120,7 +120,7 @@ bool has_impossible_input(const model::ModelSubject& subject, const Record& data
   return false;
 }
 
-/// How a model fits the readings once its free numbers are refitted to them.
+/// Fit of a model whose free numbers were refitted to the readings.
 struct Refitted {
   double error = unset;  ///< rms of the errors relative to the readings [1]
   double oddness = 0.0;  ///< of the numbers found: squared distance from those believed
@@ -161,7 +161,7 @@ Refitted refitted(const model::ModelSubject& subject, Record data) {
       result.oddness += far * far;
     }
   } catch (const std::invalid_argument&) {
-    return {};  // is told by whoever needs the record
+    return {};  // the reader of the record reports it
   }
   return result;
 }

@@ -4,15 +4,15 @@
 
 namespace raceway::io {
 
-/// Number of the formats of model files, JSON documents and saved states. A file
-/// without a number has format 1. It grows when a file that was valid changes its meaning or can no
+/// Number of the formats of model files, JSON documents and saved states. A file without a number
+/// has format 1. The number grows when a file that was valid changes its meaning or can no
 /// longer be read (docs/design.md, "What is stable").
 inline constexpr int format_number = 1;
 
 /// The first line of a model file.
 inline constexpr std::string_view format_line = "format = 1\n";
 
-/// What a message says of a file of another format: "must be 1, which ...".
+/// End of the message about a file of another format.
 inline constexpr std::string_view other_format =
     "must be 1, the format that this version of raceway reads; use the version that wrote the file";
 

@@ -14,7 +14,7 @@
 /// io/key_tables.h lists all of them.
 namespace raceway::io {
 
-/// What may stand behind a key.
+/// Values that a key takes.
 struct Form {
   std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
   double lower = unset, upper = unset;  ///< of a number, closed, in `unit`
@@ -35,7 +35,7 @@ struct Form {
 
 struct Required {};
 
-/// What holds where a key is left out.
+/// Value of a key that the file leaves out.
 struct Default {
   double value = unset;      ///< of a number, in its unit; `unset` alone: no default
   std::string_view words{};  ///< one of the words of its form, or what the default depends on

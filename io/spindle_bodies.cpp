@@ -126,7 +126,7 @@ constexpr Key gap_keys[]{
     {"end_mm", on_the_shaft, unset, "behind the nose face"},
 };
 
-/// What a table says of its material, the rest by default.
+/// Material of a table; numbers that the table leaves out have defaults.
 SolidMaterial read_solid(ModelTables& tables, const Section& s) {
   SolidMaterial solid;
   for (const auto& [key, number, unit] : solid_numbers)

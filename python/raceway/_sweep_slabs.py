@@ -299,7 +299,7 @@ def read_header(path: pathlib.Path) -> dict[str, Any]:
 
 
 def read_slab(path: pathlib.Path) -> SlabFile:
-    """Read a slab, whoever made it: it is data, and whatever else is refused."""
+    """Read a slab from any source. It may hold data only; anything else is refused."""
     with open(path, "rb") as file:
         header = _header(path, file.readline(_LONGEST_HEADER))
         content = file.read()

@@ -402,7 +402,7 @@ def workers(count: int | None = None, *, dashboard: bool = False) -> Iterator[An
 
 
 def load(folder: str | os.PathLike[str]) -> Sweep:
-    """Put the slabs of a folder together, whoever made them. They are data: reading them runs no code.
+    """Join the slabs of a folder. Slabs hold data only: reading them runs no code.
 
     Raises
     ------

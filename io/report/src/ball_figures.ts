@@ -1,4 +1,4 @@
-// What single balls carry, of the states beside a table.
+// Loads, pressures and contact angles of single balls, at the states of a table.
 import { aroundOption } from './around';
 import { legend, valueAxis } from './chart';
 import type { BearingState } from './document';

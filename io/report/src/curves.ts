@@ -33,7 +33,7 @@ interface CurvesOf {
   choices: HTMLElement[];
 }
 
-/// Every measured point with the curve that it belongs to; a value that was not recorded is that of the curve.
+/// Assigns each measured point to a curve. A value that was not recorded counts as equal to the value of the curve.
 function placed(view: TableView, points: Rows, curves: Slice[]): Placed[] {
   const off = (name: string, value: number | undefined, k: number, width: number) => value !== undefined && points.has(name) && !(Math.abs(points.at(name, k) - value) <= width);
   const radial = view.radial;

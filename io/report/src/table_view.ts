@@ -25,7 +25,7 @@ export class TableView {
   readonly preload_N: number | undefined;
   readonly chosen: { radial: number; temperature: number; axial: number; logarithmic: boolean };
 
-  /// What a choice draws again.
+  /// Figures that a choice redraws.
   readonly figures: Figure[] = [];
 
   constructor(report: TableReport) {
