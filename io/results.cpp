@@ -8,7 +8,7 @@
 #include "bearing/frequencies.h"
 #include "bearing/seat.h"
 #include "bearing/shoulder.h"
-#include "io/json_text.h"
+#include "io/model_objects.h"
 #include "io/units.h"
 #include "model/bearing_life.h"
 #include "record/units.h"

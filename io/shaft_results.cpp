@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "io/csv_text.h"
-#include "io/json_text.h"
+#include "io/model_objects.h"
 #include "io/printable.h"
 #include "io/units.h"
 #include "record/units.h"
