@@ -1,4 +1,4 @@
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

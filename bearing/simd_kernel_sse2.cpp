@@ -1,4 +1,4 @@
-#include "bearing/simd_kernel_impl.h"
+#include "bearing/detail/simd_kernel_impl.h"
 
 namespace raceway::bearing {
 

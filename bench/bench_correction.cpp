@@ -7,9 +7,9 @@
 
 #include "correction/correction_subject.h"
 #include "correction/identify.h"
+#include "files/correction_file.h"
+#include "files/series_file.h"
 #include "fit/diagnose.h"
-#include "io/correction_file.h"
-#include "io/series_file.h"
 #include "record/series_channel.h"
 #include "tests/places.h"
 
@@ -26,8 +26,8 @@ struct Machine {
 
 Machine read_machine(const std::string& name) {
   const std::string folder = tests::source_dir() + "/data/corrections/" + name + "/";
-  correction::Model model = io::read_correction(folder + "correction.toml").models.front();
-  record::Record data = io::read_series(folder + "train.csv", {model.displacement}, {});
+  correction::Model model = files::read_correction(folder + "correction.toml").models.front();
+  record::Record data = files::read_series(folder + "train.csv", {model.displacement}, {});
   return {std::move(model), std::move(data)};
 }
 

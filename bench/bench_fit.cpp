@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "effects/catalogue.h"
+#include "files/data_file.h"
+#include "files/model_file.h"
+#include "files/subject.h"
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
-#include "io/data_file.h"
-#include "io/model_file.h"
-#include "io/subject.h"
 #include "tests/places.h"
 
 namespace {
@@ -27,8 +27,8 @@ struct Rig {
 
 Rig read_rig(const std::string& name) {
   const std::string folder = tests::source_dir() + "/tests/hidden_effect/rigs/" + name + "/";
-  model::Model model = io::read_model(folder + "model.toml").model;
-  record::Record data = io::read_record(folder + "train.csv", *io::make_subject(model));
+  model::Model model = files::read_model(folder + "model.toml").model;
+  record::Record data = files::read_record(folder + "train.csv", *files::make_subject(model));
   return {std::move(model), std::move(data)};
 }
 
@@ -57,7 +57,7 @@ Rig measured_rig(std::size_t rows) {
   rig.data.set(record::radial_load, std::vector<double>(rows, 0.0));
   rig.data.set(record::temperature, std::move(temperature));
   std::normal_distribution<double> scatter(0.0, 0.01);
-  std::vector<double> readings = fit::predict(*io::make_subject(truth), rig.data);
+  std::vector<double> readings = fit::predict(*files::make_subject(truth), rig.data);
   for (double& reading : readings) reading *= 1.0 + scatter(random);
   rig.data.set(record::friction_torque, std::move(readings));
   return rig;
@@ -65,7 +65,7 @@ Rig measured_rig(std::size_t rows) {
 
 void diagnose(benchmark::State& state, const Rig& rig, const fit::DiagnoseOptions& options) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
-  const auto subject = io::make_subject(rig.model);
+  const auto subject = files::make_subject(rig.model);
   for (auto _ : state) {
     const fit::Diagnosis d = fit::diagnose(*subject, rig.data, options);
     benchmark::DoNotOptimize(&d);
@@ -85,7 +85,7 @@ void calibrate(benchmark::State& state, std::size_t rows, bool offset, std::size
     add_effect(rig.model, "load-offset", 1.0);
     rig.model.free.push_back("load-offset.force_N");
   }
-  const auto subject = io::make_subject(rig.model);
+  const auto subject = files::make_subject(rig.model);
   int steps = 0;
   for (auto _ : state) {
     const fit::Calibration c = fit::calibrate(*subject, rig.data);
@@ -118,8 +118,8 @@ record::Record rows_of_a_shaft() {
 /// One evaluation of measured displacement with a parameter that moves every balance: what a fit
 /// does some thirty times.
 void displacement_response(benchmark::State& state) {
-  const auto subject = io::make_subject(
-      io::read_model(tests::source_dir() + "/data/spindles/two_against_one.toml").model);
+  const auto subject = files::make_subject(
+      files::read_model(tests::source_dir() + "/data/spindles/two_against_one.toml").model);
   const record::Record data = rows_of_a_shaft();
   const auto prepared = subject->prepare(data);
   const auto predictor = subject->predictor(data, {"contact_angle_deg"}, prepared);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "io/catalogue_file.h"
-#include "io/model_file.h"
+#include "files/catalogue_file.h"
+#include "files/model_file.h"
 #include "model/prediction.h"
 #include "session/solve_states.h"
 
@@ -19,16 +19,17 @@ struct Silent final : session::Messages {
 
 constexpr std::size_t states = 100000;
 
-io::ModelFile model_of(friction::FrictionLaw law) {
-  const auto rows = io::read_catalogues();
-  return io::parse_model(io::new_model_text(io::find_bearing(rows, "S 6014 C"), law), "model");
+files::ModelFile model_of(friction::FrictionLaw law) {
+  const auto rows = files::read_catalogues();
+  return files::parse_model(files::new_model_text(files::find_bearing(rows, "S 6014 C"), law),
+                            "model");
 }
 
 double speed_rpm(std::size_t i) { return 0.12 * static_cast<double>(i); }
 
 /// The states as the library predicts them, in pieces that its callers take.
 void predict_sweep(benchmark::State& state, friction::FrictionLaw law) {
-  const io::ModelFile file = model_of(law);
+  const files::ModelFile file = model_of(law);
   constexpr std::size_t piece = 256;
   std::vector<bearing::OperatingPoint> points(states);
   for (std::size_t i = 0; i < states; ++i)
@@ -56,7 +57,7 @@ BENCHMARK_CAPTURE(predict_sweep, contact, friction::FrictionLaw::contact)
 
 /// The same as Python and C ask for them, with every column.
 void solve_states(benchmark::State& state, friction::FrictionLaw law) {
-  const io::ModelFile file = model_of(law);
+  const files::ModelFile file = model_of(law);
   std::vector<double> speeds(states), loads(states, 500.0);
   for (std::size_t i = 0; i < states; ++i) speeds[i] = speed_rpm(i);
   const auto array = [](const std::vector<double>& values) {

@@ -4,7 +4,7 @@
 #include <exception>
 #include <new>
 
-#include "io/error.h"
+#include "text/error.h"
 
 namespace raceway::c {
 
@@ -32,7 +32,7 @@ void Reply::put(std::string_view text) noexcept {
 void explain(Reply& reply) noexcept {
   try {
     throw;
-  } catch (const io::InputError& e) {
+  } catch (const text::InputError& e) {
     reply.put(e.what());
   } catch (const std::bad_alloc&) {
     reply.put("raceway: not enough memory");

@@ -5,15 +5,15 @@
 #include <memory>
 
 #include "c/message_text.h"
-#include "io/error.h"
 #include "session/open_input.h"
 #include "session/solve_states.h"
+#include "text/error.h"
 
 namespace raceway::c {
 
 raceway_model* open_handle(const session::Source& source) {
   MessageText said;
-  io::ModelFile file = session::open_model(said, source, session::Accepts::rig_or_shaft);
+  files::ModelFile file = session::open_model(said, source, session::Accepts::rig_or_shaft);
   session::warn_of_ignored_data(said, file);
   std::vector<std::string> columns = session::state_columns(file.model);
   return new raceway_model{std::move(file), said.text(), std::move(columns)};
@@ -44,9 +44,9 @@ std::vector<std::string> column_names(const raceway_model& model, const int* col
   if (columns == nullptr) return names;
   for (std::size_t i = 0; i < count; ++i) {
     if (columns[i] < 0 || static_cast<std::size_t>(columns[i]) >= model.columns.size())
-      throw io::InputError(fmt::format("columns[{}] = {}: must be from 0 to {}", i, columns[i],
-                                       model.columns.size() - 1),
-                           {.key = "columns"});
+      throw text::InputError(fmt::format("columns[{}] = {}: must be from 0 to {}", i, columns[i],
+                                         model.columns.size() - 1),
+                             {.key = "columns"});
     names.push_back(model.columns[static_cast<std::size_t>(columns[i])]);
   }
   return names;

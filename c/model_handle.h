@@ -6,26 +6,26 @@
 
 #include "bearing/solve.h"
 #include "c/raceway.h"
-#include "io/model_file.h"
+#include "files/model_file.h"
 #include "session/source.h"
 
 /// What the caller's pointer stands for; nothing in it changes, so that threads may share it.
 struct raceway_model {
-  raceway::io::ModelFile file;
+  raceway::files::ModelFile file;
   std::string messages;
   std::vector<std::string> columns;
 };
 
 namespace raceway::c {
 
-/// Reads a model as `solve` and `table` do. Throws io::InputError. The caller owns it.
+/// Reads a model as `solve` and `table` do. Throws text::InputError. The caller owns it.
 [[nodiscard]] raceway_model* open_handle(const session::Source& source);
 
 /// A number of raceway.h.
 [[nodiscard]] int status_number(bearing::SolveStatus status);
 
-/// Names of these columns; empty, which stands for all, of none. Throws io::InputError for one that
-/// there is not.
+/// Names of these columns; empty, which stands for all, of none. Throws text::InputError for one
+/// that there is not.
 [[nodiscard]] std::vector<std::string> column_names(const raceway_model& model, const int* columns,
                                                     std::size_t count);
 

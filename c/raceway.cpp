@@ -10,9 +10,9 @@
 
 #include "c/message_text.h"
 #include "c/model_handle.h"
-#include "io/error.h"
-#include "io/number_range.h"
 #include "session/solve_states.h"
+#include "text/error.h"
+#include "text/number_range.h"
 
 namespace {
 
@@ -25,16 +25,16 @@ constexpr double most_states = 1e8;  // as of a table of the command
 constexpr std::array names{"speed_rpm", "axial_load_N", "radial_load_N", "temperature_C"};
 constexpr std::ptrdiff_t step = sizeof(double);
 
-/// Throws io::InputError for NULL.
+/// Throws text::InputError for NULL.
 template <typename T>
 T& required(T* pointer, const char* name) {
-  if (pointer == nullptr) throw io::InputError(fmt::format("{} is NULL", name), {.key = name});
+  if (pointer == nullptr) throw text::InputError(fmt::format("{} is NULL", name), {.key = name});
   return *pointer;
 }
 
 void require_count(double count) {
   if (count > most_states)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{:.10g} states: at most {:.0e} in one call", count, most_states));
 }
 
@@ -57,12 +57,12 @@ session::StateArrays in_a_row(std::size_t count, const Arrays& data, const int* 
 
 using Axis = std::span<const double>;
 
-/// Throws io::InputError with the place on the axis.
+/// Throws text::InputError with the place on the axis.
 void check_axis(std::size_t k, Axis axis, bool shaft) {
-  const std::array ranges{io::speed_range, shaft ? io::signed_load_range : io::load_range,
-                          io::load_range, io::temperature_range};
+  const std::array ranges{text::speed_range, shaft ? text::signed_load_range : text::load_range,
+                          text::load_range, text::temperature_range};
   for (std::size_t i = 0; i < axis.size(); ++i)
-    io::require_range(axis[i], ranges[k], fmt::format("{}[{}]", names[k], i));
+    text::require_range(axis[i], ranges[k], fmt::format("{}[{}]", names[k], i));
 }
 
 /// A grid over axes that may be empty, the first running fastest.
@@ -149,8 +149,8 @@ raceway_model* raceway_create_from_file(const char* path, char* message, size_t 
   return guarded<raceway_model*>(reply, nullptr, [&] {
     const std::string name = &required(path, "path");
     if (name == "-")
-      throw io::InputError("-: standard input belongs to the program that calls; name a file",
-                           {.file = name});
+      throw text::InputError("-: standard input belongs to the program that calls; name a file",
+                             {.file = name});
     return c::open_handle(session::Source(name));
   });
 }

@@ -9,9 +9,9 @@
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/output_file.h"
 #include "session/loop.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -58,15 +58,15 @@ void print(const fit::AddResult& r) {
 }
 
 int run(const AddFlags& flags) {
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   if (!flags.output.empty() && flags.loop.per_record.empty())
-    io::require_writable(flags.output, if_exists);
+    text::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   std::vector<std::string> ids, files{flags.data};
   for (std::size_t k = 1; k < flags.names.size(); ++k)
     (flags.names[k].ends_with(".csv") ? files : ids).push_back(flags.names[k]);
   if (ids.empty())
-    throw io::InputError(
+    throw text::InputError(
         "raceway add: EFFECT is missing: it comes behind MODEL; see raceway effects",
         {.key = "EFFECT"});
   const session::LoopQuestion asked =

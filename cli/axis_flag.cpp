@@ -6,18 +6,18 @@
 #include <cmath>
 #include <string_view>
 
-#include "io/csv.h"
-#include "io/error.h"
+#include "text/csv.h"
+#include "text/error.h"
 
 namespace raceway::cli {
 namespace {
 
 double one_number(std::string_view text, const std::string& flag) {
-  const io::ParsedNumber n = io::parse_number(text, false);
+  const text::ParsedNumber n = text::parse_number(text, false);
   if (!n.problem.empty())
-    throw io::InputError(fmt::format("{}: {} {}; write 100,300,900 or 0:12000:250 (from:to:step)",
-                                     flag, io::quoted(text), n.problem),
-                         {.key = flag});
+    throw text::InputError(fmt::format("{}: {} {}; write 100,300,900 or 0:12000:250 (from:to:step)",
+                                       flag, text::quoted(text), n.problem),
+                           {.key = flag});
   return n.value;
 }
 
@@ -36,24 +36,24 @@ std::vector<double> axis(const std::string& text, const std::string& flag) {
     }
     const std::size_t second = item.find(':', first + 1);
     if (second == std::string_view::npos)
-      throw io::InputError(flag + ": " + io::quoted(item) + ": a range is from:to:step",
-                           {.key = flag});
+      throw text::InputError(flag + ": " + text::quoted(item) + ": a range is from:to:step",
+                             {.key = flag});
     const double from = one_number(item.substr(0, first), flag);
     const double to = one_number(item.substr(first + 1, second - first - 1), flag);
     const double step = one_number(item.substr(second + 1), flag);
     if (!(step > 0.0) || to < from)
-      throw io::InputError(
-          flag + ": " + io::quoted(item) + ": a range goes up from:to by a step above 0",
+      throw text::InputError(
+          flag + ": " + text::quoted(item) + ": a range goes up from:to by a step above 0",
           {.key = flag});
     const double count = std::floor((to - from) / step * (1.0 + 1e-12) + 1e-9);
     if (count + static_cast<double>(values.size()) > 1e7)
-      throw io::InputError(flag + ": " + io::quoted(item) + ": more than ten million values",
-                           {.key = flag});
+      throw text::InputError(flag + ": " + text::quoted(item) + ": more than ten million values",
+                             {.key = flag});
     for (double i = 0.0; i <= count; i += 1.0) values.push_back(from + i * step);
   }
   if (!std::is_sorted(values.begin(), values.end()) ||
       std::adjacent_find(values.begin(), values.end()) != values.end())
-    throw io::InputError(flag + ": the values must grow", {.key = flag});
+    throw text::InputError(flag + ": the values must grow", {.key = flag});
   return values;
 }
 

@@ -14,7 +14,7 @@ void BandFlag::declare(CLI::App& command) {
                    "lacks and the noise of a reading are no part of it");
 }
 
-std::optional<model::Band> BandFlag::of(const io::ModelFile& file) const {
+std::optional<model::Band> BandFlag::of(const files::ModelFile& file) const {
   if (!on) return std::nullopt;
   return session::band_of(
       file, "--band",

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "io/model_file.h"
+#include "files/model_file.h"
 #include "model/band.h"
 
 namespace raceway::cli {
@@ -15,9 +15,9 @@ struct BandFlag {
 
   /// Declares the flag.
   void declare(CLI::App& command);
-  /// Nothing where nobody asked. Throws io::InputError for a model without a covariance of its
+  /// Nothing where nobody asked. Throws text::InputError for a model without a covariance of its
   /// values.
-  [[nodiscard]] std::optional<model::Band> of(const io::ModelFile& file) const;
+  [[nodiscard]] std::optional<model::Band> of(const files::ModelFile& file) const;
 };
 
 /// "+- 0.23" for a half width [SI] and the factor of its unit.

@@ -6,10 +6,10 @@
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/text_table.h"
-#include "io/catalogue_file.h"
-#include "io/error.h"
-#include "io/results.h"
+#include "files/catalogue_file.h"
 #include "record/units.h"
+#include "results/results.h"
+#include "text/error.h"
 
 namespace raceway::cli {
 namespace {
@@ -26,14 +26,14 @@ bool is_size(double wanted, double size) {
 }
 
 int list_bearings(const BearingsFlags& flags) {
-  auto rows = io::matching_bearings(io::read_catalogues(), flags.filter);
-  std::erase_if(rows, [&](const io::CatalogueBearing& r) {
+  auto rows = files::matching_bearings(files::read_catalogues(), flags.filter);
+  std::erase_if(rows, [&](const files::CatalogueBearing& r) {
     return !is_size(flags.bore, r.geometry.bore) ||
            !is_size(flags.outer_diameter, r.geometry.outer_diameter);
   });
   const bool json = flags.json;
   if (rows.empty())
-    throw io::InputError(
+    throw text::InputError(
         fmt::format(
             "raceway bearings: no bearing has \"{}\" in its name{}; without a filter all are "
             "listed",
@@ -41,7 +41,7 @@ int list_bearings(const BearingsFlags& flags) {
             std::isnan(flags.bore) && std::isnan(flags.outer_diameter) ? "" : " and this size"),
         {.key = "FILTER"});
   if (json) {
-    put_document(io::bearings_json(rows));
+    put_document(results::bearings_json(rows));
   } else {
     TextTable table({{"bearing", "", true},
                      {"bore", "mm"},
@@ -51,7 +51,7 @@ int list_bearings(const BearingsFlags& flags) {
                      {"ball", "mm"},
                      {"angle", "deg"},
                      {"C0", "N"}});
-    for (const io::CatalogueBearing& r : rows)
+    for (const files::CatalogueBearing& r : rows)
       table.add({r.full_name(), fmt::format("{:.4g}", r.geometry.bore / mm),
                  fmt::format("{:.4g}", r.geometry.outer_diameter / mm),
                  fmt::format("{:.5g}", r.geometry.pitch_diameter / mm),

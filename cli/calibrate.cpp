@@ -11,9 +11,9 @@
 #include "cli/messages.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/output_file.h"
 #include "session/loop.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -82,20 +82,21 @@ void print(const fit::Calibration& c) {
 
 int run(const CalibrateFlags& flags) {
   if (flags.output == "-")
-    throw io::InputError("raceway calibrate: --output -: stdout shows the parameters; name a file",
-                         {.key = "--output"});
+    throw text::InputError(
+        "raceway calibrate: --output -: stdout shows the parameters; name a file",
+        {.key = "--output"});
   if (flags.data.empty() && !flags.loop.per_record.empty())
-    throw io::InputError("raceway calibrate: --per-record needs measurements: DATA is missing",
-                         {.key = "DATA"});
+    throw text::InputError("raceway calibrate: --per-record needs measurements: DATA is missing",
+                           {.key = "DATA"});
   if (flags.data.empty() && flags.profile)
-    throw io::InputError("raceway calibrate: --profile needs measurements: DATA is missing",
-                         {.key = "DATA"});
+    throw text::InputError("raceway calibrate: --profile needs measurements: DATA is missing",
+                           {.key = "DATA"});
   if (flags.data.empty())
     return calibrate_conformity(
         {.model = flags.model, .output = flags.output, .json = flags.json, .force = flags.force});
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   if (!flags.output.empty() && flags.loop.per_record.empty())
-    io::require_writable(flags.output, if_exists);
+    text::require_writable(flags.output, if_exists);
   const session::LoopQuestion asked =
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
   const FittedModels output(flags.output, if_exists);

@@ -8,12 +8,12 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
-#include "io/conformity_results.h"
-#include "io/error.h"
-#include "io/model_file.h"
-#include "io/output_file.h"
+#include "files/model_file.h"
+#include "results/conformity_results.h"
 #include "session/open_input.h"
 #include "shaft/conformity.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -23,31 +23,31 @@ namespace {
 constexpr double poor = 0.05;
 
 struct Start {
-  io::CatalogueBearing row;
-  std::string text;                    ///< of the model to be changed
-  std::vector<io::NamedFile> files{};  ///< that it names
+  files::CatalogueBearing row;
+  std::string text;                       ///< of the model to be changed
+  std::vector<files::NamedFile> files{};  ///< that it names
 };
 
 Start start_of(const std::string& model) {
   std::error_code ignored;
   if (model != "-" && !model.ends_with(".toml") && !std::filesystem::exists(model, ignored)) {
-    io::CatalogueBearing row = io::find_bearing(io::read_catalogues(), model);
-    std::string text = io::new_model_text(row);
+    files::CatalogueBearing row = files::find_bearing(files::read_catalogues(), model);
+    std::string text = files::new_model_text(row);
     return {.row = std::move(row), .text = std::move(text)};
   }
-  io::ModelFile file = session::open_model(messages(), model);
+  files::ModelFile file = session::open_model(messages(), model);
   if (file.catalogue.empty())
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("raceway calibrate: DATA is missing; without measurements {} needs catalogue = "
                     "\"NAME\" "
                     "under [bearing], whose printed rigidities the conformity is fitted to",
                     model),
         {.file = model, .key = "catalogue"});
-  return {io::find_bearing(io::read_catalogues(), file.catalogue), std::move(file.text),
+  return {files::find_bearing(files::read_catalogues(), file.catalogue), std::move(file.text),
           std::move(file.files)};
 }
 
-std::vector<shaft::PairRigidity> classes_of(const io::CatalogueBearing& row) {
+std::vector<shaft::PairRigidity> classes_of(const files::CatalogueBearing& row) {
   std::vector<shaft::PairRigidity> classes;
   for (const auto& [name, preload] :
        {std::pair{"L", &row.light}, {"M", &row.medium}, {"S", &row.strong}})
@@ -55,7 +55,7 @@ std::vector<shaft::PairRigidity> classes_of(const io::CatalogueBearing& row) {
       classes.push_back(
           {.preload_class = name, .preload = preload->force, .printed = preload->axial_rigidity});
   if (classes.empty())
-    throw io::InputError(
+    throw text::InputError(
         row.full_name() +
             ": the catalogue prints no axial rigidity at a preload, so nothing tells "
             "the conformity",
@@ -63,7 +63,7 @@ std::vector<shaft::PairRigidity> classes_of(const io::CatalogueBearing& row) {
   return classes;
 }
 
-void print(const io::CatalogueBearing& row, const shaft::ConformityFit& fit) {
+void print(const files::CatalogueBearing& row, const shaft::ConformityFit& fit) {
   fmt::print("{}: groove conformity from the axial rigidity of a preloaded pair at rest\n\n",
              row.full_name());
   TextTable table({{"class", "", true},
@@ -89,8 +89,8 @@ std::string names_of(const shaft::ConformityFit& fit) {
 }  // namespace
 
 int calibrate_conformity(const ConformityFlags& flags) {
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
   const Start start = start_of(flags.model);
   // The rigidities are printed for steel balls and the row as it stands, whatever the model
   // changes.
@@ -98,7 +98,7 @@ int calibrate_conformity(const ConformityFlags& flags) {
       {start.row.geometry, bearing::steel(), bearing::steel()}, classes_of(start.row));
   const bool found = fit.status == fit::FitStatus::converged && fit.at_bound == record::Bound::none;
   if (flags.json)
-    put_document(io::conformity_json(start.row.full_name(), fit));
+    put_document(results::conformity_json(start.row.full_name(), fit));
   else if (fit.status == fit::FitStatus::converged)
     print(start.row, fit);
   if (!found) {
@@ -116,11 +116,12 @@ int calibrate_conformity(const ConformityFlags& flags) {
   const std::string origin =
       fmt::format("fitted to the catalogue's rigidity at preload {}{}", names_of(fit),
                   std::isnan(fit.std) ? "" : fmt::format(", std {}", number(fit.std, 1)));
-  const std::string text = io::with_values(
+  const std::string text = files::with_values(
       start.text,
-      std::vector<io::KeyValue>{{"bearing.inner_conformity", shown, origin},
-                                {"bearing.outer_conformity", shown, "the same for both"}});
-  io::write_text(flags.output, io::with_names_from(text, start.files, flags.output), if_exists);
+      std::vector<files::KeyValue>{{"bearing.inner_conformity", shown, origin},
+                                   {"bearing.outer_conformity", shown, "the same for both"}});
+  text::write_text(flags.output, files::with_names_from(text, start.files, flags.output),
+                   if_exists);
   say(flags.output + " written");
   return done;
 }

@@ -8,10 +8,10 @@
 #include "cli/messages.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/output_file.h"
-#include "io/sensor_file.h"
+#include "files/sensor_file.h"
 #include "session/reading.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -26,8 +26,8 @@ std::optional<int> degree_of(const std::string& text) {
   if (text == "auto") return std::nullopt;
   if (text.size() == 1 && text[0] >= '1' && text[0] <= '0' + rig::highest_sensor_degree)
     return text[0] - '0';
-  throw io::InputError(fmt::format("--degree = {}: must be 1, 2, 3 or auto", text),
-                       {.key = "--degree"});
+  throw text::InputError(fmt::format("--degree = {}: must be 1, 2, 3 or auto", text),
+                         {.key = "--degree"});
 }
 
 std::string p_text(double p) { return p < 1e-4 ? "p < 0.0001" : fmt::format("p = {:.2g}", p); }
@@ -46,7 +46,7 @@ void print_curve(const rig::SensorCalibration& c, const std::string& source) {
       {{"coefficient", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
   for (int k = 0; k <= c.degree(); ++k)
     table.add({fmt::format("b{}", k), number(s.coefficients[k], 6), number(c.std(k), 2),
-               io::coefficient_unit(k)});
+               files::coefficient_unit(k)});
   fmt::print("{}", table.text(terminal_width()));
   if (c.degree() == 1)
     fmt::print("M = (signal {} {:.6g} V) / {:.6g} V/Nm\n", s.coefficients[0] < 0.0 ? '+' : '-',
@@ -95,37 +95,38 @@ void print_errors(const rig::SensorCalibration& c) {
 int run(const SensorFlags& flags) {
   const std::optional<int> degree = degree_of(flags.degree);
   if (flags.readings == "-" && isatty(STDIN_FILENO) != 0)
-    throw io::InputError("raceway calibrate-sensor: CSV is -, and nothing is piped in",
-                         {.key = "CSV"});
+    throw text::InputError("raceway calibrate-sensor: CSV is -, and nothing is piped in",
+                           {.key = "CSV"});
   if (flags.json && flags.output == "-")
-    throw io::InputError(
+    throw text::InputError(
         "raceway calibrate-sensor: --json and --output - both write to stdout; take one",
         {.key = "--output"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (to_file) io::require_writable(flags.output, if_exists);
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (to_file) text::require_writable(flags.output, if_exists);
 
-  const io::SensorReadings read = io::read_sensor_readings(flags.readings, flags.reading.options());
+  const files::SensorReadings read =
+      files::read_sensor_readings(flags.readings, flags.reading.options());
   tell(read.notes);
   const rig::SensorCalibration c = [&] {
     try {
       return rig::calibrate_sensor(read.readings, degree);
     } catch (const std::invalid_argument& e) {
-      throw io::InputError(read.source + ": " + e.what(), {.file = read.source});
+      throw text::InputError(read.source + ": " + e.what(), {.file = read.source});
     }
   }();
   tell(c.notes);
   warn(c.warnings);
   if (flags.json) {
-    put_document(io::sensor_calibration_json(c, read.source));
+    put_document(files::sensor_calibration_json(c, read.source));
   } else if (flags.output != "-") {
     print_curve(c, read.source);
     print_tests(c);
     print_errors(c);
   }
-  const std::string text = io::torque_sensor_text(c, read.source);
+  const std::string text = files::torque_sensor_text(c, read.source);
   if (to_file) {
-    io::write_text(flags.output, text, if_exists);
+    text::write_text(flags.output, text, if_exists);
     say(flags.output + " written");
   } else if (flags.output == "-") {
     fmt::print("{}", text);

@@ -9,15 +9,15 @@
 #include "cli/messages.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/number_text.h"
-#include "io/output_file.h"
-#include "io/record_text.h"
-#include "io/results.h"
-#include "io/subject.h"
-#include "io/suggest_columns.h"
+#include "files/subject.h"
+#include "files/suggest_columns.h"
+#include "results/record_text.h"
+#include "results/results.h"
 #include "session/loop.h"
 #include "session/open_input.h"
+#include "text/error.h"
+#include "text/number_text.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -71,9 +71,10 @@ void print(const fit::Check& c, const record::Record& data) {
 /// A map of the columns of the file on stdout.
 int suggest(const std::string& model, const std::string& path) {
   if (path.ends_with(".toml"))
-    throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
-  const io::ModelFile file = session::open_model(messages(), model, session::Accepts::rig_or_shaft);
-  fmt::print("{}", io::suggested_columns(path, *io::make_subject(file.model)));
+    throw text::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
+  const files::ModelFile file =
+      session::open_model(messages(), model, session::Accepts::rig_or_shaft);
+  fmt::print("{}", files::suggested_columns(path, *files::make_subject(file.model)));
   return done;
 }
 
@@ -98,7 +99,7 @@ void print(const correction::RecordCheck& c) {
       c.sampling, c.duration / 3600.0, c.readings, c.reading_interval, c.shortest, c.longest);
   for (const correction::RecordCheck::Quantum& q : c.quanta)
     fmt::print("{}: last digit {:.3g} {}\n", q.column->name, q.step / q.column->factor,
-               io::difference_unit(*q.column));
+               text::difference_unit(*q.column));
   for (const correction::RecordCheck::Printed& p : c.printed) {
     std::vector<std::string> lags;
     for (const double tau : p.check.time_constants)
@@ -113,18 +114,18 @@ void print(const correction::RecordCheck& c) {
 int run_model(const CheckFlags& flags) {
   const session::LoopModel::About model = session::describe(messages(), flags.model, flags.loop);
   if (flags.json)
-    put_document(io::model_check_json(model.name, model.defaults, model.notes));
+    put_document(results::model_check_json(model.name, model.defaults, model.notes));
   else
     print_defaults(model.source, model.defaults);
   return done;
 }
 
 int run(const CheckFlags& flags) {
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   if (flags.output == "-")
-    throw io::InputError("raceway check: --output -: stdout shows what was read; name a file",
-                         {.key = "--output"});
-  if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+    throw text::InputError("raceway check: --output -: stdout shows what was read; name a file",
+                           {.key = "--output"});
+  if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
   if (flags.data.empty()) return run_model(flags);
   const session::CheckedModel checked =
       session::check(messages(), flags.model, flags.data, flags.loop);
@@ -140,7 +141,7 @@ int run(const CheckFlags& flags) {
     print_defaults(checked.model.source, checked.model.defaults);
   }
   if (!flags.output.empty()) {
-    io::write_text(flags.output, io::record_text(checked.data), if_exists);
+    text::write_text(flags.output, results::record_text(checked.data), if_exists);
     say(fmt::format("{} written, {} rows", flags.output, checked.data.rows()));
   }
   return done;

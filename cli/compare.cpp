@@ -7,8 +7,8 @@
 #include "cli/messages.h"
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
-#include "io/error.h"
 #include "session/loop.h"
+#include "text/error.h"
 
 namespace raceway::cli {
 namespace {
@@ -30,7 +30,7 @@ std::size_t first_data(const std::vector<std::string>& files) {
 
 int run(const CompareFlags& flags) {
   if (flags.files.size() < 2)
-    throw io::InputError(
+    throw text::InputError(
         "raceway compare: DATA is missing: one model or more come first, the measurements last",
         {.key = "DATA"});
   const auto data_begin =

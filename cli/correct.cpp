@@ -10,10 +10,10 @@
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "io/correction_results.h"
-#include "io/error.h"
-#include "io/output_file.h"
+#include "results/correction_results.h"
 #include "session/correction_run.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -27,7 +27,7 @@ struct CorrectFlags {
 };
 
 /// How far off the predictions may be, and where more so.
-void print_band(const io::Corrected& c, const record::Record& record) {
+void print_band(const results::Corrected& c, const record::Record& record) {
   if (c.band.empty()) return;
   const auto widest = std::max_element(
       c.band.begin(), c.band.end(), [](double a, double b) { return !(a >= b) && !std::isnan(b); });
@@ -44,7 +44,7 @@ void print_band(const io::Corrected& c, const record::Record& record) {
   fmt::print("\n");
 }
 
-void print(const std::vector<io::Corrected>& list, const record::Record& record) {
+void print(const std::vector<results::Corrected>& list, const record::Record& record) {
   TextTable table({{"displacement", "", true},
                    {"predicted from", "um"},
                    {"to", "um"},
@@ -52,7 +52,7 @@ void print(const std::vector<io::Corrected>& list, const record::Record& record)
                    {"RMS", "um"},
                    {"largest", "um"},
                    {"fit", "%"}});
-  for (const io::Corrected& c : list) {
+  for (const results::Corrected& c : list) {
     const auto [low, high] = std::minmax_element(c.predicted.begin(), c.predicted.end());
     table.add({std::string(c.displacement->name), number(*low / um, 4), number(*high / um, 4),
                fmt::format("{}", c.metrics.readings), number(c.metrics.rms / um, 3),
@@ -62,16 +62,16 @@ void print(const std::vector<io::Corrected>& list, const record::Record& record)
              (record.values(record::time).back() - record.values(record::time).front()) / 3600.0,
              table.text(terminal_width()));
   fmt::print("RMS and largest: what is left of the readings when one constant is taken off\n");
-  for (const io::Corrected& c : list) print_band(c, record);
+  for (const results::Corrected& c : list) print_band(c, record);
 }
 
 int run(const CorrectFlags& flags) {
   if (flags.json && flags.output == "-")
-    throw io::InputError("raceway correct: --json and --output - both write to stdout; take one",
-                         {.key = "--output"});
+    throw text::InputError("raceway correct: --json and --output - both write to stdout; take one",
+                           {.key = "--output"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (to_file) io::require_writable(flags.output, if_exists);
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (to_file) text::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   flags.learning.check(if_exists);
   session::SeriesQuestion asked =
@@ -84,7 +84,7 @@ int run(const CorrectFlags& flags) {
   if (!flags.output.empty()) {
     const std::string csv = run.csv();
     if (to_file) {
-      io::write_text(flags.output, csv, if_exists);
+      text::write_text(flags.output, csv, if_exists);
       say(fmt::format("{} written, {} rows", flags.output, run.asked.data.rows()));
     } else {
       fmt::print("{}", csv);

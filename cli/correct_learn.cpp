@@ -9,8 +9,8 @@
 #include "cli/messages.h"
 #include "cli/text_table.h"
 #include "correction/learning.h"
-#include "io/error.h"
-#include "io/learning_results.h"
+#include "results/learning_results.h"
+#include "text/error.h"
 
 namespace raceway::cli {
 namespace {
@@ -24,7 +24,7 @@ std::string next_reading(const correction::Learning& l) {
   return fmt::format("{:.1f} h", l.next_reading / an_hour);
 }
 
-void print_errors(const std::vector<io::Learnt>& list) {
+void print_errors(const std::vector<results::Learnt>& list) {
   TextTable table({{"displacement", "", true},
                    {"learnt", ""},
                    {"judged by", ""},
@@ -32,7 +32,7 @@ void print_errors(const std::vector<io::Learnt>& list) {
                    {"last zero", "um"},
                    {"learning", "um"},
                    {"due in", ""}});
-  for (const io::Learnt& one : list) {
+  for (const results::Learnt& one : list) {
     const correction::Learning& l = one.learning;
     const auto count =
         std::count_if(l.readings.begin(), l.readings.end(), [](const auto& r) { return r.learnt; });
@@ -49,7 +49,7 @@ void print_errors(const std::vector<io::Learnt>& list) {
 }
 
 /// Gains, and those lags that stand out.
-void print_gains(const io::Learnt& one, bool several) {
+void print_gains(const results::Learnt& one, bool several) {
   TextTable table({{"gain of", "", true}, {"learnt", ""}, {"std", ""}, {"", "", true}});
   for (const correction::LearntGain& g : one.learning.gains) {
     const double unit = g.is_lag ? um : 0.01;
@@ -80,18 +80,18 @@ void LearnFlags::declare(CLI::App& command) {
       ->type_name("MODEL2");
 }
 
-void LearnFlags::check(io::IfExists if_exists) const {
+void LearnFlags::check(text::IfExists if_exists) const {
   const auto needs = [&](const std::string& value, const std::string& flag) {
     if (!value.empty() && !learn)
-      throw io::InputError(flag + ": belongs to --learn", {.key = flag});
+      throw text::InputError(flag + ": belongs to --learn", {.key = flag});
   };
   needs(choices.every, "--every");
   needs(choices.forget, "--forget");
   needs(save, "--save");
   choices.check();
   if (save == "-")
-    throw io::InputError("--save -: stdout shows the numbers; name a file", {.key = "--save"});
-  if (!save.empty()) io::require_writable(save, if_exists);
+    throw text::InputError("--save -: stdout shows the numbers; name a file", {.key = "--save"});
+  if (!save.empty()) text::require_writable(save, if_exists);
 }
 
 void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
@@ -104,13 +104,14 @@ void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
     if (output.csv == "-") {
       fmt::print("{}", csv);
     } else {
-      io::write_text(output.csv, csv, output.if_exists);
+      text::write_text(output.csv, csv, output.if_exists);
       say(fmt::format("{} written, {} rows", output.csv, record.rows()));
     }
   }
   if (!flags.save.empty()) {
-    io::write_text(flags.save, io::with_names_from(run.text(), run.asked.file.files, flags.save),
-                   output.if_exists);
+    text::write_text(flags.save,
+                     files::with_names_from(run.text(), run.asked.file.files, flags.save),
+                     output.if_exists);
     say(flags.save + " written");
   }
   if (output.json) {
@@ -120,7 +121,7 @@ void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
         "{}: {} rows over {:.4g} h\n\n", record.source, record.rows(),
         (record.values(record::time).back() - record.values(record::time).front()) / an_hour);
     print_errors(run.learnt);
-    for (const io::Learnt& one : run.learnt) print_gains(one, run.learnt.size() > 1);
+    for (const results::Learnt& one : run.learnt) print_gains(one, run.learnt.size() > 1);
   }
   warn(run.warnings);
 }

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "io/output_file.h"
 #include "session/correction_run.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 
@@ -16,16 +16,16 @@ struct LearnFlags {
 
   /// Declares the flags.
   void declare(CLI::App& command);
-  /// Before anything is read. Throws io::InputError: a flag without --learn, a duration that is
+  /// Before anything is read. Throws text::InputError: a flag without --learn, a duration that is
   /// none, a file that cannot be written.
-  void check(io::IfExists if_exists) const;
+  void check(text::IfExists if_exists) const;
 };
 
 /// Where the results of `correct` go.
 struct CorrectOutput {
   std::string csv{};  ///< file, "-" for stdout, empty for none
   bool json = false;
-  io::IfExists if_exists = io::IfExists::refuse;
+  text::IfExists if_exists = text::IfExists::refuse;
 };
 
 /// All of `correct --learn` behind reading its files.

@@ -9,11 +9,11 @@
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/output_file.h"
-#include "io/shaft_results.h"
+#include "results/shaft_results.h"
 #include "session/open_input.h"
 #include "session/spindle_deflection.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -26,17 +26,17 @@ struct DeflectionFlags {
 };
 
 /// As text, zero where rounding left it.
-std::string across(double first, double second, const io::DeflectionResult& r) {
+std::string across(double first, double second, const results::DeflectionResult& r) {
   const double value = std::hypot(first, second);
   const double load = std::abs(r.force) + std::abs(r.axial_force) + std::abs(r.moment);
   return number(value < 1e-9 * load ? 0.0 : value);
 }
 
 void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
-  const io::DeflectionResult& r = found.result;
+  const results::DeflectionResult& r = found.result;
   const bearing::Arrangement& a = found.beam.sets.arrangement();
   fmt::print("Deflection of {} under {} at {:.6g} mm, {:.6g} rpm, {}\n", found.file.model.name,
-             io::load_words(r), f.at_mm, f.speed_rpm, f.warm ? "warm" : "cold");
+             results::load_words(r), f.at_mm, f.speed_rpm, f.warm ? "warm" : "cold");
   if (r.sets.converged())
     fmt::print(
         "preload {:.4g} N as mounted; at this speed, without the force: front {} N, rear {} N\n",
@@ -73,7 +73,7 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
       flattest = std::fmin(flattest, ball.inner_contact_angle);
       steepest = std::fmax(steepest, ball.inner_contact_angle);
     }
-    table.add({io::bearing_place(a, i), number(load[0]), across(load[1], load[2], r),
+    table.add({results::bearing_place(a, i), number(load[0]), across(load[1], load[2], r),
                across(load[3], load[4], r), number(least), number(most), number(flattest / degree),
                number(steepest / degree), fmt::format("{}", e.lost_balls()),
                number(e.stiffness(0, 0) / N_per_um), number(e.stiffness(1, 1) / N_per_um),
@@ -84,11 +84,12 @@ void print(const DeflectionFlags& f, const session::SpindleDeflection& found) {
 
 int run(const DeflectionFlags& f) {
   if (f.json && f.output == "-")
-    throw io::InputError("raceway deflection: --json and --output - both write to stdout; take one",
-                         {.key = "--output"});
+    throw text::InputError(
+        "raceway deflection: --json and --output - both write to stdout; take one",
+        {.key = "--output"});
   const bool to_file = !f.output.empty() && f.output != "-";
-  const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse_naming_replace;
-  if (to_file) io::require_writable(f.output, if_exists);
+  const auto if_exists = f.force ? text::IfExists::replace : text::IfExists::refuse_naming_replace;
+  if (to_file) text::require_writable(f.output, if_exists);
   f.report.check(if_exists);
   const session::DeflectionQuestion question{.force = f.force_N,
                                              .axial = f.direction == "axial",
@@ -100,11 +101,11 @@ int run(const DeflectionFlags& f) {
                                              .coolant_on = f.coolant == "on",
                                              .wording = session::Wording::flags};
   session::check(question);
-  const io::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
+  const files::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
   const session::SpindleDeflection found = session::spindle_deflection(file, question);
   if (!f.output.empty()) {
     if (to_file) {
-      io::write_text(f.output, found.csv(), if_exists);
+      text::write_text(f.output, found.csv(), if_exists);
       say(fmt::format("{} written, {} places", f.output, found.beam.beam.nodes().size()));
     } else {
       fmt::print("{}", found.csv());

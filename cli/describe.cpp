@@ -6,9 +6,9 @@
 
 #include "cli/commands.h"
 #include "cli/messages.h"
-#include "io/error.h"
-#include "io/names.h"
-#include "io/output_file.h"
+#include "text/error.h"
+#include "text/names.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -23,8 +23,8 @@ const CLI::App& find_command(const CLI::App& app, const std::string& name) {
     if (known->get_name() == name) return *known;
     names.push_back(known->get_name());
   }
-  throw io::InputError(
-      "raceway describe: " + name + ": no such command" + io::suggestion(name, names),
+  throw text::InputError(
+      "raceway describe: " + name + ": no such command" + text::suggestion(name, names),
       {.key = "COMMAND"});
 }
 
@@ -34,7 +34,7 @@ void write_tree(const CLI::App& app, const std::filesystem::path& folder) {
     const std::filesystem::path path = folder / file;
     std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
-    io::write_text(path.string(), text, io::IfExists::replace);
+    text::write_text(path.string(), text, text::IfExists::replace);
   };
   write("bash-completion/completions/raceway", bash_completion(app));
   write("zsh/site-functions/_raceway", zsh_completion(app));
@@ -57,7 +57,7 @@ int run(const CLI::App& app, const DescribeFlags& flags) {
     fmt::print("{}", flags.command.empty() ? man_page(app)
                                            : man_page_of_command(find_command(app, flags.command)));
   else
-    throw io::InputError("raceway describe: FORMAT must be bash, zsh or man", {.key = "FORMAT"});
+    throw text::InputError("raceway describe: FORMAT must be bash, zsh or man", {.key = "FORMAT"});
   return done;
 }
 

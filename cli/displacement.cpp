@@ -10,16 +10,16 @@
 #include "cli/messages.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/output_file.h"
-#include "io/report.h"
-#include "io/shaft_results.h"
+#include "report/report.h"
+#include "results/shaft_results.h"
 #include "session/bands.h"
 #include "session/law_statement.h"
 #include "session/open_input.h"
 #include "session/operating_point.h"
 #include "session/shaft_answers.h"
 #include "shaft/shaft_balance.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -37,7 +37,7 @@ std::vector<double> given(double value) {
   return std::isnan(value) ? std::vector<double>() : std::vector{value};
 }
 
-std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const io::ModelFile& file) {
+std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const files::ModelFile& file) {
   const friction::TableAxes axes = session::table_axes(messages(), file,
                                                        {.speed_rpm = axis(f.speed, "--speed"),
                                                         .axial_load_N = given(f.axial_load),
@@ -45,7 +45,7 @@ std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const io::Mode
                                                         .temperature_C = given(f.temperature)},
                                                        session::Wording::flags);
   if (axes.speed.size() > 1000000)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("raceway displacement: {} speeds: at most 1e6", axes.speed.size()),
         {.key = "--speed"});
   std::vector<shaft::ShaftPoint> result;
@@ -57,7 +57,7 @@ std::vector<shaft::ShaftPoint> points(const DisplacementFlags& f, const io::Mode
 }
 
 void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
-           std::span<const shaft::ShaftPrediction> predictions, const io::BandOfResult* band) {
+           std::span<const shaft::ShaftPrediction> predictions, const results::BandOfResult* band) {
   const bearing::Arrangement a = shaft::mounted_arrangement(model);
   const bearing::LiftOff free = lift_off(a);
   fmt::print("Shaft position of {} in its arrangement, positive towards the tool\n", model.name);
@@ -93,8 +93,8 @@ void print(const model::Model& model, std::span<const shaft::ShaftPoint> asked,
 }
 
 /// The kinematic law of the curve, as fit-law finds it.
-io::LawOfReport law_of(std::span<const shaft::ShaftPoint> asked,
-                       std::span<const shaft::ShaftPrediction> predictions) {
+report::LawOfReport law_of(std::span<const shaft::ShaftPoint> asked,
+                           std::span<const shaft::ShaftPrediction> predictions) {
   std::vector<shaft::DisplacementPoint> curve;
   for (std::size_t k = 0; k < asked.size(); ++k)
     if (predictions[k].equilibrium.report.converged())
@@ -129,32 +129,34 @@ std::vector<std::string> warnings(const model::Model& model,
 
 int run(const DisplacementFlags& flags) {
   if (flags.json && flags.output == "-")
-    throw io::InputError(
+    throw text::InputError(
         "raceway displacement: --json and --output - both write to stdout; take one",
         {.key = "--output"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (to_file) io::require_writable(flags.output, if_exists);
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (to_file) text::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
-  const io::ModelFile file = session::open_model(messages(), flags.model, session::Accepts::shaft);
+  const files::ModelFile file =
+      session::open_model(messages(), flags.model, session::Accepts::shaft);
   const model::Model& model = file.model;
   const std::vector<shaft::ShaftPoint> asked = points(flags, file);
   const std::optional<model::Band> band = flags.band.of(file);
   const std::vector<shaft::ShaftPrediction> predictions = shaft::predict_shaft(model, asked);
-  std::optional<io::BandOfResult> half_widths;
+  std::optional<results::BandOfResult> half_widths;
   if (band) half_widths = session::shaft_band(*band, asked);
-  const io::BandOfResult* const of_band = half_widths ? &*half_widths : nullptr;
+  const results::BandOfResult* const of_band = half_widths ? &*half_widths : nullptr;
   if (!flags.output.empty()) {
-    const std::string csv = io::displacement_text(model, asked, predictions, file.text, of_band);
+    const std::string csv =
+        results::displacement_text(model, asked, predictions, file.text, of_band);
     if (to_file) {
-      io::write_text(flags.output, csv, if_exists);
+      text::write_text(flags.output, csv, if_exists);
       say(fmt::format("{} written, {} speeds", flags.output, asked.size()));
     } else {
       fmt::print("{}", csv);
     }
   }
   if (flags.json) {
-    put_document(io::displacement_json(model, asked, predictions, of_band));
+    put_document(results::displacement_json(model, asked, predictions, of_band));
   } else if (flags.output.empty()) {
     print(model, asked, predictions, of_band);
     if (band) fmt::print("+-: {}\n", session::band_statement(*band));
@@ -162,9 +164,9 @@ int run(const DisplacementFlags& flags) {
   const std::vector<std::string> said = warnings(model, asked, predictions);
   flags.report.write(
       [&] {
-        return io::displacement_report(file.source, model, asked, predictions,
-                                       law_of(asked, predictions), said,
-                                       {session::of_page(file, model)});
+        return report::displacement_report(file.source, model, asked, predictions,
+                                           law_of(asked, predictions), said,
+                                           {session::of_page(file, model)});
       },
       flags.force);
   warn(said);

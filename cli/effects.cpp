@@ -11,10 +11,10 @@
 #include "cli/messages.h"
 #include "correction/catalogue.h"
 #include "effects/catalogue.h"
-#include "io/error.h"
-#include "io/names.h"
-#include "io/results.h"
 #include "model/own_data.h"
+#include "results/results.h"
+#include "text/error.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -51,18 +51,18 @@ std::vector<Description> forms_of(std::string_view id) {
   std::vector<std::string> ids;
   for (const Description& known : effects::catalogue()) ids.emplace_back(known.id);
   for (const correction::EffectCard& card : correction::catalogue()) ids.emplace_back(card.id);
-  const std::string near = io::suggestion(id, ids);
-  throw io::InputError(fmt::format("raceway effects: {}: no such effect{}", id,
-                                   near.empty() ? "; raceway effects lists them" : near),
-                       {.key = "ID"});
+  const std::string near = text::suggestion(id, ids);
+  throw text::InputError(fmt::format("raceway effects: {}: no such effect{}", id,
+                                     near.empty() ? "; raceway effects lists them" : near),
+                         {.key = "ID"});
 }
 
 /// `card`: of records over time, or null.
 int explain(const std::vector<Description>& forms, const correction::EffectCard* card, bool json) {
   if (json) {
     put_document(forms.size() == 1 && !card
-                     ? io::effect_json(forms[0])
-                     : io::effects_json(forms, std::span(card, card ? 1 : 0)));
+                     ? results::effect_json(forms[0])
+                     : results::effects_json(forms, std::span(card, card ? 1 : 0)));
     return done;
   }
   for (const Description& d : forms) {
@@ -77,8 +77,8 @@ int explain(const std::vector<Description>& forms, const correction::EffectCard*
 std::vector<correction::EffectCard> matching_cards(const std::string& words) {
   std::vector<correction::EffectCard> found;
   for (const correction::EffectCard& card : correction::catalogue())
-    if (io::lower_case(fmt::format("{} {} {}", card.id, card.title, card.form))
-            .find(io::lower_case(words)) != std::string::npos)
+    if (text::lower_case(fmt::format("{} {} {}", card.id, card.title, card.form))
+            .find(text::lower_case(words)) != std::string::npos)
       found.push_back(card);
   return found;
 }
@@ -86,7 +86,7 @@ std::vector<correction::EffectCard> matching_cards(const std::string& words) {
 int list(std::span<const Description> found, std::span<const correction::EffectCard> cards,
          bool json) {
   if (json) {
-    put_document(io::effects_json(found, cards));
+    put_document(results::effects_json(found, cards));
     return done;
   }
   if (!found.empty()) print_effect_list(found);

@@ -7,9 +7,9 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/run_files.h"
-#include "io/error.h"
-#include "io/output_file.h"
 #include "session/control_export.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -21,27 +21,27 @@ struct ExportFlags {
 
 int run(const ExportFlags& flags) {
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   const bool with_hal = to_file && flags.format == "linuxcnc";
   const session::HalFiles hal = session::hal_files(flags.output);
   session::require_control_name(flags.format, flags.output);
-  if (to_file) io::require_writable(flags.output, if_exists);
+  if (to_file) text::require_writable(flags.output, if_exists);
   for (const std::string& file : {hal.start, hal.shutdown})
-    if (with_hal) io::require_writable(file, if_exists);
+    if (with_hal) text::require_writable(file, if_exists);
   if (!flags.record.empty()) add_input(flags.record);
   const session::Source record(flags.record);
   const auto [plan, text, hal_start, hal_shutdown] = session::export_plan(
       session::open_plan(messages(), flags.model, flags.record.empty() ? nullptr : &record),
       flags.format, flags.output);
   if (to_file) {
-    std::vector<io::OutputFile> files{{flags.output, text}};
+    std::vector<text::OutputFile> files{{flags.output, text}};
     if (with_hal) {
       files.push_back({hal.start, hal_start});
       files.push_back({hal.shutdown, hal_shutdown});
     }
-    io::write_files(files, if_exists);
+    text::write_files(files, if_exists);
     std::size_t parts = 0;
-    for (const io::ControlAxis& a : plan.axes)
+    for (const control::ControlAxis& a : plan.axes)
       parts += a.sections.size() + a.elements.size() + a.feedthroughs.size() + a.kinematics.size();
     say(fmt::format("{} written: {} displacement{} of {} part{} from {} input{}", flags.output,
                     plan.axes.size(), plan.axes.size() == 1 ? "" : "s", parts,

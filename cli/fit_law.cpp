@@ -9,11 +9,11 @@
 #include "cli/number_flag.h"
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/output_file.h"
 #include "session/law_fit.h"
 #include "session/reading.h"
 #include "shaft/displacement_table.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -26,7 +26,7 @@ struct FitLawFlags {
 };
 
 void print(const shaft::KinematicLawFit& f, const std::string& source,
-           const std::optional<io::LawAtSpeed>& at, const std::string& statement) {
+           const std::optional<results::LawAtSpeed>& at, const std::string& statement) {
   fmt::print("u = A n^(1 - B exp(-C n)), u in um, n in rpm, of {}\n\n", source);
   TextTable table({{"parameter", "", true}, {"value", ""}, {"std error", ""}, {"unit", "", true}});
   for (const record::Parameter& p : f.parameters)
@@ -48,18 +48,18 @@ void print(const shaft::KinematicLawFit& f, const std::string& source,
 
 int run(const FitLawFlags& flags) {
   if (flags.curve == "-" && isatty(STDIN_FILENO) != 0)
-    throw io::InputError("raceway fit-law: CSV is missing, and nothing is piped in",
-                         {.key = "CSV"});
+    throw text::InputError("raceway fit-law: CSV is missing, and nothing is piped in",
+                           {.key = "CSV"});
   if (flags.json && flags.output == "-")
-    throw io::InputError("raceway fit-law: --json and --output - both write to stdout; take one",
-                         {.key = "--output"});
+    throw text::InputError("raceway fit-law: --json and --output - both write to stdout; take one",
+                           {.key = "--output"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (to_file) io::require_writable(flags.output, if_exists);
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (to_file) text::require_writable(flags.output, if_exists);
 
   const session::LawFit found = session::fit_law(messages(), flags.curve, flags.reading, flags.at);
   const shaft::KinematicLawFit& f = found.fit;
-  const io::DisplacementCurve& curve = found.curve;
+  const files::DisplacementCurve& curve = found.curve;
   const std::string table_file = flags.output.empty() ? "-o FILE writes it" : flags.output;
   if (flags.json) {
     put_document(found.json(table_file));
@@ -69,9 +69,9 @@ int run(const FitLawFlags& flags) {
   // The table rests on the rows alone and is written also where no law was found.
   if (!flags.output.empty()) {
     const shaft::DisplacementTable table = shaft::make_displacement_table(curve.points);
-    const std::string text = io::displacement_table_text(table, curve.source);
+    const std::string text = files::displacement_table_text(table, curve.source);
     if (to_file) {
-      io::write_text(flags.output, text, if_exists);
+      text::write_text(flags.output, text, if_exists);
       say(fmt::format("{} written, {} speeds", flags.output, table.speed.size()));
     } else {
       fmt::print("{}", text);

@@ -7,7 +7,7 @@
 
 #include "cli/messages.h"
 #include "cli/run_files.h"
-#include "io/names.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -32,13 +32,13 @@ std::vector<std::string> FittedModels::files(const fit::Subject& subject) const 
 }
 
 std::string FittedModels::names(const fit::Subject& subject) const {
-  return io::listed(files(subject));
+  return text::listed(files(subject));
 }
 
 void FittedModels::require_writable(const fit::Subject& subject) const {
   const std::vector<std::string> list = files(subject);
   if (list.size() > 1) check_outputs(list);
-  for (const std::string& file : list) io::require_writable(file, if_exists_);
+  for (const std::string& file : list) text::require_writable(file, if_exists_);
 }
 
 void FittedModels::write(const session::LoopQuestion& asked,
@@ -50,13 +50,13 @@ void FittedModels::write(const session::LoopQuestion& asked,
     tell(
         {fmt::format("{} {} written as a corrected datum, so no covariance is: calibrate "
                      "{} for one",
-                     io::listed(data), data.size() == 1 ? "is" : "are", paths.front())});
+                     text::listed(data), data.size() == 1 ? "is" : "are", paths.front())});
   std::vector<std::string> texts;
   for (std::size_t k = 0; k < paths.size(); ++k)
-    texts.push_back(io::with_names_from(fitted.texts[k], asked.model->about().files, paths[k]));
-  std::vector<io::OutputFile> files;
+    texts.push_back(files::with_names_from(fitted.texts[k], asked.model->about().files, paths[k]));
+  std::vector<text::OutputFile> files;
   for (std::size_t k = 0; k < paths.size(); ++k) files.push_back({paths[k], texts[k]});
-  io::write_files(files, if_exists_);
+  text::write_files(files, if_exists_);
   for (const std::string& path : paths) say(path + " written");
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "fit/calibrate.h"
-#include "io/output_file.h"
 #include "session/loop.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 
@@ -14,10 +14,10 @@ namespace raceway::cli {
 class FittedModels {
  public:
   /// `output` may be empty: then nothing is written.
-  FittedModels(std::string output, io::IfExists if_exists)
+  FittedModels(std::string output, text::IfExists if_exists)
       : output_(std::move(output)), if_exists_(if_exists) {}
 
-  /// Throws io::InputError where a file that will be written cannot be.
+  /// Throws text::InputError where a file that will be written cannot be.
   void require_writable(const fit::Subject& subject) const;
   /// Writes the models that `calibration` found, and says so.
   void write(const session::LoopQuestion& asked, const fit::Calibration& calibration) const;
@@ -28,7 +28,7 @@ class FittedModels {
   [[nodiscard]] std::vector<std::string> files(const fit::Subject& subject) const;
 
   std::string output_;
-  io::IfExists if_exists_;
+  text::IfExists if_exists_;
 };
 
 }  // namespace raceway::cli

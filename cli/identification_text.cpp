@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cli/text_table.h"
-#include "io/names.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -101,7 +101,7 @@ void print_identification(const correction::Identification& found, const record:
 void print_baseline(const record::Channel& displacement, const correction::ArxBaseline& a,
                     const record::Record& record) {
   fmt::print("{} of {}: ARX from {} on {} points every {:.4g} s\n\n", displacement.name,
-             record.source, io::listed(a.inputs), a.rows, a.sampling);
+             record.source, text::listed(a.inputs), a.rows, a.sampling);
   TextTable table({{"order", ""},
                    {"one step", "um"},
                    {"fit", "%"},

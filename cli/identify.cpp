@@ -12,11 +12,11 @@
 #include "cli/shared_flags.h"
 #include "cli/text_table.h"
 #include "correction/baseline.h"
-#include "io/correction_results.h"
-#include "io/error.h"
-#include "io/output_file.h"
+#include "results/correction_results.h"
 #include "session/correction_input.h"
 #include "session/identification.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -29,9 +29,10 @@ struct IdentifyFlags {
 };
 
 /// What the found models are worth on a record that they did not see.
-std::vector<io::Validation> validated(const std::vector<correction::Model>& models,
-                                      const IdentifyFlags& flags, const io::CorrectionFile& file) {
-  std::vector<io::Validation> list;
+std::vector<results::Validation> validated(const std::vector<correction::Model>& models,
+                                           const IdentifyFlags& flags,
+                                           const files::CorrectionFile& file) {
+  std::vector<results::Validation> list;
   if (flags.validate.empty()) return list;
   const record::Record other =
       session::open_series(messages(), flags.validate, models, flags.reading.options(file.columns));
@@ -51,7 +52,7 @@ std::vector<io::Validation> validated(const std::vector<correction::Model>& mode
 /// Shows what it is worth; a control is not given it.
 int run_arx(const IdentifyFlags& flags) {
   if (!flags.output.empty())
-    throw io::InputError(
+    throw text::InputError(
         "--output: an ARX model is fitted one step ahead and is not written; sections are, without "
         "--baseline",
         {.key = "--output"});
@@ -64,7 +65,7 @@ int run_arx(const IdentifyFlags& flags) {
     if (!flags.json) print_baseline(*model.displacement, found.back().second, asked.data);
     warn(found.back().second.messages);
   }
-  if (flags.json) put_document(io::arx_json(asked.file.source, asked.data, found));
+  if (flags.json) put_document(results::arx_json(asked.file.source, asked.data, found));
   return done;
 }
 
@@ -85,11 +86,11 @@ correction::Identification identified(const IdentifyFlags& flags, session::Serie
 
 int run(const IdentifyFlags& flags) {
   if (flags.choices.baseline == "arx") return run_arx(flags);
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
   if (flags.output == "-")
-    throw io::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
-                         {.key = "--output"});
-  if (!flags.output.empty()) io::require_writable(flags.output, if_exists);
+    throw text::InputError("raceway identify: --output -: stdout shows the numbers; name a file",
+                           {.key = "--output"});
+  if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
   flags.choices.check();
   session::SeriesQuestion asked =
       session::ask_series(messages(), flags.model, flags.data, flags.reading);
@@ -104,14 +105,14 @@ int run(const IdentifyFlags& flags) {
     }
     warn(found.back().messages);
   }
-  const std::vector<io::Validation> validations = validated(models, flags, asked.file);
+  const std::vector<results::Validation> validations = validated(models, flags, asked.file);
   if (flags.json)
-    put_document(io::identification_json(asked.file.source, asked.data, found, validations));
+    put_document(results::identification_json(asked.file.source, asked.data, found, validations));
   if (!flags.output.empty()) {
-    io::write_text(flags.output,
-                   io::with_names_from(session::identified_text(asked, models, flags.choices),
-                                       asked.file.files, flags.output),
-                   if_exists);
+    text::write_text(flags.output,
+                     files::with_names_from(session::identified_text(asked, models, flags.choices),
+                                            asked.file.files, flags.output),
+                     if_exists);
     say(flags.output + " written");
   }
   return done;

@@ -9,18 +9,18 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/key_tables.h"
-#include "io/names.h"
+#include "files/key_tables.h"
+#include "text/error.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
 
-using io::ListedKey;
+using files::ListedKey;
 
 /// "0.1 to 300 mm", or the words that may stand there.
-std::string allowed(const io::Form& form) {
-  if (!form.words.empty()) return io::listed(form.choices(), "or");
+std::string allowed(const files::Form& form) {
+  if (!form.words.empty()) return text::listed(form.choices(), "or");
   if (!std::isfinite(form.lower)) return std::string(form.unit);
   return fmt::format("{:.6g} to {:.6g}{}{}", form.lower, form.upper, form.unit.empty() ? "" : " ",
                      form.unit);
@@ -29,8 +29,8 @@ std::string allowed(const io::Form& form) {
 /// Whether every word stands in table, key or meaning.
 bool tells_of(const ListedKey& one, const std::string& words) {
   const std::string whole =
-      io::lower_case(fmt::format("[{}] {} {}", one.table, one.key.name, one.meaning()));
-  std::istringstream in(io::lower_case(words));
+      text::lower_case(fmt::format("[{}] {} {}", one.table, one.key.name, one.meaning()));
+  std::istringstream in(text::lower_case(words));
   for (std::string word; in >> word;)
     if (whole.find(word) == std::string::npos) return false;
   return true;
@@ -51,16 +51,16 @@ void print_key(const ListedKey& one) {
 }
 
 int show_keys(const std::string& words, bool json) {
-  std::vector<ListedKey> keys = io::model_keys();
+  std::vector<ListedKey> keys = files::model_keys();
   std::erase_if(keys, [&](const ListedKey& one) { return !tells_of(one, words); });
   if (keys.empty())
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("raceway keys: no key has \"{}\" in its table, name or meaning; without words "
                     "all are listed, numbers of effects by raceway effects ID",
                     words),
         {.key = "WORDS"});
   if (json) {
-    put_document(io::model_keys_json(keys));
+    put_document(files::model_keys_json(keys));
     return done;
   }
   std::string_view table;

@@ -12,8 +12,8 @@
 #include "cli/messages.h"
 #include "cli/process.h"
 #include "cli/program.h"
-#include "io/error.h"
-#include "io/results.h"
+#include "results/results.h"
+#include "text/error.h"
 
 namespace {
 
@@ -29,7 +29,7 @@ int finished(int status) {
 
 /// On stderr, and with --json as a document on stdout too; gives the exit status.
 int refuse(const cli::Refusal& refusal, bool json) {
-  if (json) std::fputs(io::error_json(refusal.message, refusal.place).c_str(), stdout);
+  if (json) std::fputs(results::error_json(refusal.message, refusal.place).c_str(), stdout);
   cli::complain(refusal.message);
   return cli::wrong_input;
 }
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
     return finished(run(argc, argv));
   } catch (const cli::Refusal& refusal) {
     return refused(refusal);
-  } catch (const io::InputError& e) {
+  } catch (const text::InputError& e) {
     return refused({e.what(), e.place});
   } catch (const std::system_error& e) {
     if (std::ferror(stdout) == 0) return refused({fmt::format("raceway: {}", e.what())});

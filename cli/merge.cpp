@@ -5,10 +5,10 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/table_memory.h"
-#include "io/error.h"
-#include "io/input_file.h"
-#include "io/output_file.h"
-#include "io/table_file.h"
+#include "files/table_file.h"
+#include "text/error.h"
+#include "text/input_file.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -20,19 +20,19 @@ struct MergeFlags {
 };
 
 int run(const MergeFlags& flags) {
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (flags.output != "-") io::require_writable(flags.output, if_exists);
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (flags.output != "-") text::require_writable(flags.output, if_exists);
   require_memory_to_merge(flags.slabs);
-  std::vector<io::SlabText> slabs;
+  std::vector<files::SlabText> slabs;
   for (const std::string& name : flags.slabs)
-    slabs.push_back({io::input_name(name), io::read_text(name)});
-  const std::string text = io::merged_table_text(slabs);
+    slabs.push_back({text::input_name(name), text::read_text(name)});
+  const std::string text = files::merged_table_text(slabs);
   slabs.clear();
   if (flags.output == "-") {
     fmt::print("{}", text);
     return done;
   }
-  io::write_text(flags.output, text, if_exists);
+  text::write_text(flags.output, text, if_exists);
   say(fmt::format("{} written from {} slabs", flags.output, flags.slabs.size()));
   return done;
 }

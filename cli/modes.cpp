@@ -8,10 +8,10 @@
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/output_file.h"
 #include "session/open_input.h"
 #include "session/spindle_modes.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -41,7 +41,7 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
     columns.push_back({fmt::format("K {}", i + 1), "N/um"});
   for (int k = 1; k <= f.count; ++k) columns.push_back({fmt::format("f{}", k), "Hz"});
   TextTable table(columns);
-  for (const io::ModesAtSpeed& r : found.speeds) {
+  for (const results::ModesAtSpeed& r : found.speeds) {
     const bool known = r.sets.converged();
     std::vector<std::string> row{fmt::format("{:.6g}", r.speed / rpm),
                                  number(known ? r.sets.equilibrium.front_force : unset),
@@ -67,13 +67,13 @@ void print(const ModesFlags& f, const session::SpindleModes& found) {
 
 int run(const ModesFlags& f) {
   if (f.json && (f.output == "-" || f.shapes == "-"))
-    throw io::InputError("raceway modes: --json and a file - both write to stdout; take one",
-                         {.key = "--output"});
-  const auto if_exists = f.force ? io::IfExists::replace : io::IfExists::refuse;
+    throw text::InputError("raceway modes: --json and a file - both write to stdout; take one",
+                           {.key = "--output"});
+  const auto if_exists = f.force ? text::IfExists::replace : text::IfExists::refuse;
   for (const std::string& path : {f.output, f.shapes})
-    if (!path.empty() && path != "-") io::require_writable(path, if_exists);
+    if (!path.empty() && path != "-") text::require_writable(path, if_exists);
   f.report.check(f.force);
-  const io::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
+  const files::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
   const session::SpindleModes found = session::spindle_modes(file, {.speeds = campbell_speeds(f),
                                                                     .warm = f.warm,
                                                                     .coolant_on = f.coolant == "on",
@@ -83,7 +83,7 @@ int run(const ModesFlags& f) {
       fmt::print("{}", text);
       return;
     }
-    io::write_text(path, text, if_exists);
+    text::write_text(path, text, if_exists);
     say(fmt::format("{} written, {} speeds", path, found.speeds.size()));
   };
   if (!f.output.empty()) write(f.output, found.csv());

@@ -5,8 +5,8 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
-#include "io/output_file.h"
 #include "session/new_model.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -22,7 +22,8 @@ int run(const NewFlags& flags) {
   if (flags.output.empty() || flags.output == "-") {
     fmt::print("{}", text);
   } else {
-    io::write_text(flags.output, text, flags.force ? io::IfExists::replace : io::IfExists::refuse);
+    text::write_text(flags.output, text,
+                     flags.force ? text::IfExists::replace : text::IfExists::refuse);
     say(flags.output + " written");
   }
   return done;

@@ -4,23 +4,23 @@
 
 #include <algorithm>
 
-#include "io/csv.h"
-#include "io/error.h"
-#include "io/units.h"
 #include "record/units.h"
+#include "text/csv.h"
+#include "text/error.h"
+#include "text/units.h"
 
 namespace raceway::cli {
 namespace {
 
 double number_of(const std::string& number, const std::string& shown, const NumberRange& range,
                  const std::string& flag) {
-  const io::ParsedNumber parsed = io::parse_number(number, true);
+  const text::ParsedNumber parsed = text::parse_number(number, true);
   if (!parsed.problem.empty() || parsed.decimal_mark == ',')
-    throw io::InputError(
+    throw text::InputError(
         fmt::format(
-            "{} = {}: {}; {}", flag, io::quoted(shown),
+            "{} = {}: {}; {}", flag, text::quoted(shown),
             parsed.problem.empty() ? "has a decimal comma, a point is expected" : parsed.problem,
-            io::range_text(range)),
+            text::range_text(range)),
         {.key = flag});
   return parsed.value;
 }
@@ -40,14 +40,14 @@ CLI::Option* add_length(CLI::App& command, const std::string& flag, double& valu
                         const NumberRange& range, const std::string& help) {
   const auto take = [&value, range, flag](const std::string& text) {
     const std::size_t end = std::min(text.find_last_of("0123456789.,") + 1, text.size());
-    const io::Unit* const unit = end == text.size()
-                                     ? io::find_unit("mm")
-                                     : io::find_unit(text.substr(end), io::Dimension::length);
+    const text::Unit* const unit = end == text.size()
+                                       ? text::find_unit("mm")
+                                       : text::find_unit(text.substr(end), text::Dimension::length);
     if (!unit)
-      throw io::InputError(
+      throw text::InputError(
           fmt::format("{} = {}: no unit of length behind the number; write 70mm, 2.7559in or "
                       "millimetres without unit",
-                      flag, io::quoted(text)),
+                      flag, text::quoted(text)),
           {.key = flag});
     value = unit->to_SI(number_of(text.substr(0, end), text, range, flag));
     require_range(value / mm, range, flag);

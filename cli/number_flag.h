@@ -3,20 +3,20 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "io/number_range.h"
+#include "text/number_range.h"
 
 namespace raceway::cli {
 
-using io::load_range;
-using io::moment_range;
-using io::NumberRange;
-using io::require_range;
-using io::signed_load_range;
-using io::speed_range;
-using io::temperature_range;
+using text::load_range;
+using text::moment_range;
+using text::NumberRange;
+using text::require_range;
+using text::signed_load_range;
+using text::speed_range;
+using text::temperature_range;
 
 /// A flag that takes one number of a range; `value` keeps what it has where the flag is not given.
-/// Parsing throws io::InputError for anything else.
+/// Parsing throws text::InputError for anything else.
 CLI::Option* add_number(CLI::App& command, const std::string& flag, double& value,
                         const NumberRange& range, const std::string& help);
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "io/names.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -25,7 +25,7 @@ std::string flag_suggestion(const CLI::App& command, const std::string& flag) {
     }
   const std::string key = as_key(flag);
   const auto answer = [&](std::size_t i) { return "; did you mean " + flags[i] + "?"; };
-  if (const auto near = io::nearest_name(key, keys))
+  if (const auto near = text::nearest_name(key, keys))
     return answer(
         static_cast<std::size_t>(std::find(keys.begin(), keys.end(), *near) - keys.begin()));
   for (std::size_t i = 0; i < keys.size(); ++i)

@@ -17,9 +17,9 @@
 #include <thread>
 #include <vector>
 
-#include "io/names.h"
-#include "io/output_file.h"
-#include "io/printable.h"
+#include "text/names.h"
+#include "text/output_file.h"
+#include "text/printable.h"
 
 namespace raceway::cli {
 namespace {
@@ -46,10 +46,10 @@ sigset_t signals_to_stop() {
 }
 
 [[noreturn]] void stop(int number, const sigset_t& set) {
-  const std::vector<std::string> written = io::stop_writing();
+  const std::vector<std::string> written = text::stop_writing();
   write_message(fmt::format("{}raceway: stopped; {}\n", isatty(STDERR_FILENO) != 0 ? "\n" : "",
                             written.empty() ? "no file was written or changed"
-                                            : "whole and kept: " + io::listed(written)));
+                                            : "whole and kept: " + text::listed(written)));
   std::signal(number, SIG_DFL);
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
   std::raise(number);
@@ -100,7 +100,7 @@ InterruptFlag::~InterruptFlag() { flag_counts = false; }
 const std::atomic<bool>& InterruptFlag::raised() { return flag_is_up; }
 
 void write_message(std::string_view text) {
-  const std::string safe = io::printable(text, "\n\t");
+  const std::string safe = text::printable(text, "\n\t");
   std::fwrite(safe.data(), 1, safe.size(), stderr);
   std::fflush(stderr);
 }

@@ -8,7 +8,7 @@
 #include "cli/messages.h"
 #include "cli/parse_problem.h"
 #include "cli/run_files.h"
-#include "io/names.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -97,7 +97,8 @@ const CLI::App& Program::command(const std::string& name) const {
     if (known->get_name() == name) return *known;
     names.push_back(known->get_name());
   }
-  throw of_command_line("raceway", name + ": no such command" + io::suggestion(name, names), name);
+  throw of_command_line("raceway", name + ": no such command" + text::suggestion(name, names),
+                        name);
 }
 
 int Program::run(int argc, char** argv) {

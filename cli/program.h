@@ -4,14 +4,14 @@
 #include <string>
 
 #include "cli/commands.h"
-#include "io/error.h"
+#include "text/error.h"
 
 namespace raceway::cli {
 
 /// Ends a run before it has an answer.
 struct Refusal {
   std::string message;
-  io::Place place = {};
+  text::Place place = {};
 };
 
 /// The commands with their flags, and what runs them.
@@ -24,7 +24,7 @@ class Program {
   /// The command of that name; throws Refusal if there is none.
   [[nodiscard]] const CLI::App& command(const std::string& name) const;
 
-  /// Exit status. Throws Refusal, io::InputError and the exceptions of the libraries.
+  /// Exit status. Throws Refusal, text::InputError and the exceptions of the libraries.
   int run(int argc, char** argv);
 
  private:

@@ -1,32 +1,32 @@
 #include "cli/report_flag.h"
 
 #include "cli/messages.h"
-#include "io/error.h"
-#include "io/report.h"
+#include "report/report.h"
+#include "text/error.h"
 
 namespace raceway::cli {
 void ReportFlag::declare(CLI::App& command) {
   command
       .add_option("--report", path,
-                  io::report_available()
+                  report::report_available()
                       ? "page to write: the results as pictures, for any browser, offline"
                       : "not in this program, which was built with -DRACEWAY_REPORT=OFF")
       ->type_name("FILE");
 }
 
-void ReportFlag::check(io::IfExists if_exists) const {
+void ReportFlag::check(text::IfExists if_exists) const {
   if (path.empty()) return;
-  if (!io::report_available())
-    throw io::InputError(
+  if (!report::report_available())
+    throw text::InputError(
         "--report: this program was built without reports (-DRACEWAY_REPORT=OFF); with Node and "
         "npm installed, build it with -DRACEWAY_REPORT=ON",
         {.key = "--report"});
-  io::require_writable(path, if_exists);
+  text::require_writable(path, if_exists);
 }
 
-void ReportFlag::write(const std::function<std::string()>& page, io::IfExists if_exists) const {
+void ReportFlag::write(const std::function<std::string()>& page, text::IfExists if_exists) const {
   if (path.empty()) return;
-  io::write_text(path, page(), if_exists);
+  text::write_text(path, page(), if_exists);
   say(path + " written; open it in a browser");
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "io/output_file.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 
@@ -15,17 +15,17 @@ struct ReportFlag {
   /// Declares the flag.
   void declare(CLI::App& command);
   /// Refuses what could not be written, before the long calculation.
-  void check(io::IfExists if_exists) const;
+  void check(text::IfExists if_exists) const;
   void check(bool replace) const { check(either(replace)); }
   /// Writes the page, if one was asked for, and says so.
-  void write(const std::function<std::string()>& page, io::IfExists if_exists) const;
+  void write(const std::function<std::string()>& page, text::IfExists if_exists) const;
   void write(const std::function<std::string()>& page, bool replace) const {
     write(page, either(replace));
   }
 
  private:
-  static io::IfExists either(bool replace) {
-    return replace ? io::IfExists::replace : io::IfExists::refuse;
+  static text::IfExists either(bool replace) {
+    return replace ? text::IfExists::replace : text::IfExists::refuse;
   }
 };
 

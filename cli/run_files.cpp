@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "io/error.h"
-#include "io/printable.h"
+#include "text/error.h"
+#include "text/printable.h"
 
 namespace raceway::cli {
 namespace {
@@ -55,12 +55,12 @@ void require_no_input(const std::string& output, const std::string& own_model) {
   if (!own_model.empty() && same_file(output, own_model)) return;
   for (const std::string& input : files.inputs)
     if (same_file(output, input))
-      throw io::InputError(output +
-                           ": is read by this run, so it cannot be what it writes; name another "
-                           "file" +
-                           (input == output || input.starts_with("/dev/")
-                                ? ""
-                                : " (it is the same as " + input + ")"));
+      throw text::InputError(output +
+                             ": is read by this run, so it cannot be what it writes; name another "
+                             "file" +
+                             (input == output || input.starts_with("/dev/")
+                                  ? ""
+                                  : " (it is the same as " + input + ")"));
 }
 
 }  // namespace
@@ -76,8 +76,8 @@ void check_files(const CLI::App& command) {
     const std::string& name = option->get_single_name();
     for (const std::string& value : option->results()) {
       // It is printed with the results.
-      if (const auto code = io::control_character(value))
-        throw io::InputError(value + ": holds the control character " + *code);
+      if (const auto code = text::control_character(value))
+        throw text::InputError(value + ": holds the control character " + *code);
       if (is_one_of(name, written_flags)) {
         if (!value.empty() && value != "-") outputs.emplace_back("--" + name, value);
         continue;
@@ -95,8 +95,8 @@ void check_files(const CLI::App& command) {
     require_no_input(file, flag == "--output" ? files.own_model : "");
     for (std::size_t j = 0; j < k; ++j)
       if (same_file(outputs[j].second, file))
-        throw io::InputError(file + ": is named by " + outputs[j].first + " and by " + flag +
-                             "; name two files");
+        throw text::InputError(file + ": is named by " + outputs[j].first + " and by " + flag +
+                               "; name two files");
   }
 }
 
@@ -112,12 +112,12 @@ void check_outputs(const std::vector<std::string>& outputs) {
     require_no_input(outputs[k], files_of_run().own_model);
     for (std::size_t j = 0; j < k; ++j)
       if (same_file(outputs[j], outputs[k]))
-        throw io::InputError(outputs[k] + ": two records would be written into it; rename one");
+        throw text::InputError(outputs[k] + ": two records would be written into it; rename one");
     for (const std::string& named : files_of_run().outputs)
       if (same_file(named, outputs[k]))
-        throw io::InputError(named +
-                             ": this run writes another file of that name, too; name "
-                             "another one");
+        throw text::InputError(named +
+                               ": this run writes another file of that name, too; name "
+                               "another one");
   }
 }
 

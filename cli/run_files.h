@@ -9,7 +9,7 @@ namespace raceway::cli {
 
 /// Takes the files from a parsed command line: --output, --report, --plot, --save, --correction,
 /// --end-state and --field are written, every other argument that names a file is read, and so is
-/// standard input. Throws io::InputError where one of the first is one of the second, by whatever
+/// standard input. Throws text::InputError where one of the first is one of the second, by whatever
 /// path, or two of the first are one. `calibrate` and `add` may write onto their own MODEL. An
 /// argument with a control character is refused, too.
 void check_files(const CLI::App& command);
@@ -17,7 +17,7 @@ void check_files(const CLI::App& command);
 /// The same of outputs whose names come out during the run. After check_files().
 void check_outputs(const std::vector<std::string>& outputs);
 
-/// A file that a model names and that is read, too: it is none of the outputs, or io::InputError.
+/// A file that a model names and that is read, too: it is none of the outputs, or text::InputError.
 /// After check_files().
 void add_input(const std::string& file);
 

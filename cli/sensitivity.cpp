@@ -49,7 +49,8 @@ session::SensitivityQuestion question_of(const SensitivityFlags& f) {
   q.radial_loads_N = values(f.radial_load, "--radial-load");
   q.temperatures_C = values(f.temperature, "--temperature");
   for (const std::string& one : f.spread) {
-    const auto more = one.find('=') == one.npos ? io::read_spreads(one) : io::parse_spreads(one);
+    const auto more =
+        one.find('=') == one.npos ? files::read_spreads(one) : files::parse_spreads(one);
     q.spreads.insert(q.spreads.end(), more.begin(), more.end());
   }
   return q;
@@ -57,7 +58,7 @@ session::SensitivityQuestion question_of(const SensitivityFlags& f) {
 
 int run(const SensitivityFlags& flags) {
   session::SensitivityQuestion question = question_of(flags);
-  const io::ModelFile file =
+  const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
   std::optional<Progress> bar;
   if (shows_progress() && (flags.samples > 0 || flags.steady)) bar.emplace();
@@ -65,11 +66,11 @@ int run(const SensitivityFlags& flags) {
     question.progress = [&](double share) {
       bar->show(std::min(share, 0.999), "varying the data");
     };
-  const io::Sensitivity found = session::sensitivity(messages(), file, question);
+  const results::Sensitivity found = session::sensitivity(messages(), file, question);
   if (bar) bar->show(1.0);
   bar.reset();
   if (flags.json)
-    put_document(io::sensitivity_json(found));
+    put_document(results::sensitivity_json(found));
   else
     print_sensitivity(found, flags.all);
   warn(session::sensitivity_warnings(found));

@@ -7,8 +7,8 @@
 
 #include "cli/messages.h"
 #include "cli/text_table.h"
-#include "io/names.h"
 #include "session/sensitivity.h"
+#include "text/names.h"
 
 namespace raceway::cli {
 namespace {
@@ -25,7 +25,7 @@ std::string with_error(double value, double error) {
   return fmt::format("{:.3f} +-{:.3f}", shown, error);
 }
 
-std::string remark(const io::LocalSensitivity& local) {
+std::string remark(const results::LocalSensitivity& local) {
   std::string words;
   const auto add = [&](const char* more) {
     words += (words.empty() ? "" : ", ") + std::string(more);
@@ -53,14 +53,15 @@ void print_reasons(std::string_view what,
     std::vector<std::string> names;
     for (const auto& [name, other] : reasons)
       if (other == why) names.push_back(name);
-    print_words(fmt::format("{}: {} ({})", what, io::listed(names), why));
+    print_words(fmt::format("{}: {} ({})", what, text::listed(names), why));
   }
 }
 
 constexpr std::size_t most_named = 12;
 constexpr double least_share = 0.001;  // what a table lists, of the squares of the changes
 
-void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity& p, bool all) {
+void print_prediction(const results::Sensitivity& s, const results::PredictionSensitivity& p,
+                      bool all) {
   fmt::print("{} = {} at {}\n\n", p.name, number(p.value), session::words_of_state(s, p.state));
   std::vector<TextTable::Column> heads{{"datum", "", true}, {"value", ""}, {"+-", ""}};
   for (const char* name : {"derivative", "% per %", "change", "share %"})
@@ -73,8 +74,8 @@ void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity&
   TextTable table(heads);
   std::vector<std::string> left_out;
   for (const std::size_t k : p.order) {
-    const io::VariedDatum& d = s.data[k];
-    const io::LocalSensitivity& local = p.local[k];
+    const results::VariedDatum& d = s.data[k];
+    const results::LocalSensitivity& local = p.local[k];
     const auto at = std::find(s.sampled.begin(), s.sampled.end(), k);
     const fit::SobolIndex* const global =
         p.global && at != s.sampled.end()
@@ -106,7 +107,7 @@ void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity&
     print_words(fmt::format("below 0.1 % each: {}",
                             left_out.size() > most_named
                                 ? fmt::format("{} data, which --all lists", left_out.size())
-                                : io::listed(left_out)));
+                                : text::listed(left_out)));
   if (p.global) {
     double alone = 0.0;
     for (const fit::SobolIndex& one : p.global->inputs) alone += one.first;
@@ -119,14 +120,14 @@ void print_prediction(const io::Sensitivity& s, const io::PredictionSensitivity&
 
 }  // namespace
 
-void print_sensitivity(const io::Sensitivity& s, bool all) {
+void print_sensitivity(const results::Sensitivity& s, bool all) {
   fmt::print("What matters of {}\n", s.model);
-  for (const io::PredictionSensitivity& p : s.predictions) {
+  for (const results::PredictionSensitivity& p : s.predictions) {
     fmt::print("\n");
     print_prediction(s, p, all);
   }
   fmt::print("\n");
-  if (!s.does_not_enter.empty()) print_words("does not enter: " + io::listed(s.does_not_enter));
+  if (!s.does_not_enter.empty()) print_words("does not enter: " + text::listed(s.does_not_enter));
   print_reasons("not varied", s.not_varied);
   print_reasons("not sampled", s.not_sampled);
 }

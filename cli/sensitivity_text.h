@@ -1,10 +1,10 @@
 #pragma once
 
-#include "io/sensitivity_results.h"
+#include "results/sensitivity_results.h"
 
 namespace raceway::cli {
 
 /// Which datum matters most, in a terminal; `all`: with those that hardly do.
-void print_sensitivity(const io::Sensitivity& sensitivity, bool all);
+void print_sensitivity(const results::Sensitivity& sensitivity, bool all);
 
 }  // namespace raceway::cli

@@ -9,7 +9,7 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/text_table.h"
-#include "io/shaft_results.h"
+#include "results/shaft_results.h"
 #include "session/bands.h"
 #include "session/load_notes.h"
 #include "session/shaft_answers.h"
@@ -30,11 +30,12 @@ void print_bearings(const bearing::Arrangement& a, const shaft::ShaftPrediction&
                    {"heat", "W"}});
   for (std::size_t i = 0; i < p.equilibrium.bearings.size(); ++i) {
     const bearing::BearingInSet& b = p.equilibrium.bearings[i];
-    table.add(
-        {io::bearing_place(a, i), number(b.axial_load), number(b.ball.inner_contact_angle / degree),
-         number(b.ball.outer_contact_angle / degree), number(b.ball.inner_load),
-         number(b.ball.outer_load), number(b.inner_pressure / MPa), number(b.outer_pressure / MPa),
-         number(p.friction[i].torque / N_mm), number(p.friction[i].power_loss)});
+    table.add({results::bearing_place(a, i), number(b.axial_load),
+               number(b.ball.inner_contact_angle / degree),
+               number(b.ball.outer_contact_angle / degree), number(b.ball.inner_load),
+               number(b.ball.outer_load), number(b.inner_pressure / MPa),
+               number(b.outer_pressure / MPa), number(p.friction[i].torque / N_mm),
+               number(p.friction[i].power_loss)});
   }
   fmt::print("{}", table.text(terminal_width()));
 }
@@ -75,10 +76,10 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
   const auto predictions = shaft::predict_shaft(model, {&point, 1});
   const shaft::ShaftPrediction& p = predictions[0];
   const bearing::SolveStatus status = p.status();
-  std::optional<io::BandOfResult> half_widths;
+  std::optional<results::BandOfResult> half_widths;
   if (band) half_widths = session::shaft_band(*band, {&point, 1});
   if (json)
-    put_document(io::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr));
+    put_document(results::shaft_solve_json(model, point, p, half_widths ? &*half_widths : nullptr));
   if (status != bearing::SolveStatus::converged) {
     complain(fmt::format("raceway solve: {}: {:.6g} rpm, {:.6g} N external load: {}", file,
                          point.speed / rpm, point.external_load, session::shaft_problem(model, p)));
@@ -95,7 +96,7 @@ int solve_shaft(const std::string& file, const model::Model& model, const shaft:
   for (std::size_t i = 0; i < p.equilibrium.bearings.size(); ++i) {
     const bearing::BearingInSet& b = p.equilibrium.bearings[i];
     const bearing::Arrangement& a = model.shaft->arrangement;
-    notes.look(*a.bearings()[i].bearing, io::bearing_place(a, i),
+    notes.look(*a.bearings()[i].bearing, results::bearing_place(a, i),
                {.speed = point.speed, .axial_load = point.external_load},
                {.axial_load = b.axial_load,
                 .radial_load = 0.0,

@@ -8,7 +8,7 @@
 #include "cli/number_flag.h"
 #include "cli/shaft.h"
 #include "cli/state_text.h"
-#include "io/results.h"
+#include "results/results.h"
 #include "session/bands.h"
 #include "session/open_input.h"
 #include "session/operating_point.h"
@@ -25,7 +25,7 @@ struct SolveFlags {
 };
 
 int run(const SolveFlags& flags) {
-  const io::ModelFile file =
+  const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
   session::warn_of_ignored_data(messages(), file);
   const std::optional<model::Band> band = flags.band.of(file);
@@ -36,11 +36,11 @@ int run(const SolveFlags& flags) {
                        flags.json, band ? &*band : nullptr);
   const session::PointAnswer answer = session::solve_point(file.model, point);
   const bearing::BearingEquilibrium& e = answer.equilibrium;
-  std::optional<io::BandOfResult> half_widths;
+  std::optional<results::BandOfResult> half_widths;
   if (band) half_widths = session::point_band(*band, point);
   if (flags.json) {
-    put_document(io::solve_json(file.model, point, e, answer.friction, answer.heat,
-                                half_widths ? &*half_widths : nullptr));
+    put_document(results::solve_json(file.model, point, e, answer.friction, answer.heat,
+                                     half_widths ? &*half_widths : nullptr));
   } else if (answer.converged()) {
     print_state(file.model, point, answer);
     if (band) print_band(*band, half_widths->half_widths);

@@ -10,12 +10,12 @@
 #include "cli/shared_flags.h"
 #include "cli/spindle_steady.h"
 #include "cli/text_table.h"
-#include "io/error.h"
-#include "io/output_file.h"
 #include "session/open_input.h"
 #include "session/reading.h"
 #include "session/spindle_run.h"
 #include "session/spindle_steady.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -28,14 +28,14 @@ struct SpindleFlags {
   session::Reading reading;
   ReportFlag report;
 
-  [[nodiscard]] io::IfExists if_exists() const {
-    return force ? io::IfExists::replace : io::IfExists::refuse;
+  [[nodiscard]] text::IfExists if_exists() const {
+    return force ? text::IfExists::replace : text::IfExists::refuse;
   }
 };
 
 void check_flags(const SpindleFlags& f) {
   const auto fail = [](const std::string& why, const char* flag) {
-    throw io::InputError("raceway spindle: " + why, {.key = flag});
+    throw text::InputError("raceway spindle: " + why, {.key = flag});
   };
   if (f.profile.empty() == f.speed.empty())
     fail("must have one of --speed-profile and --speed with --steady", "--speed");
@@ -49,7 +49,7 @@ void check_flags(const SpindleFlags& f) {
   if (f.json && f.output == "-")
     fail("--json and --output - both write to stdout; take one", "--output");
   for (const std::string& path : {f.output, f.end_state, f.field})
-    if (!path.empty() && path != "-") io::require_writable(path, f.if_exists());
+    if (!path.empty() && path != "-") text::require_writable(path, f.if_exists());
   f.report.check(f.force);
 }
 
@@ -61,7 +61,7 @@ void put_file(const SpindleFlags& f, const std::string& path, const std::string&
     fmt::print("{}", text);
     return;
   }
-  io::write_text(path, text, f.if_exists());
+  text::write_text(path, text, f.if_exists());
   say(fmt::format("{} written, {}", path, what));
 }
 
@@ -77,15 +77,15 @@ double ambient_of(const SpindleFlags& f) {
   return std::isnan(f.ambient) ? unset : kelvin(f.ambient);
 }
 
-int run_steady(const SpindleFlags& f, const io::ModelFile& file) {
+int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
   session::SteadyQuestion question{.speeds = axis(f.speed, "--speed"),
                                    .ambient_temperature = ambient_of(f),
                                    .coolant_on = f.coolant == "on"};
   require_all(question.speeds, speed_range, "--speed");
   for (double& speed : question.speeds) speed *= rpm;
   if ((!f.field.empty() || !f.end_state.empty()) && question.speeds.size() > 1)
-    throw io::InputError("raceway spindle: --field and --end-state are of one speed",
-                         {.key = "--speed"});
+    throw text::InputError("raceway spindle: --field and --end-state are of one speed",
+                           {.key = "--speed"});
   const session::SteadySpindle found = session::steady_spindle(file, question);
   const std::size_t count = found.states.size();
   put_file(f, f.output, found.csv(), fmt::format("{} speed{}", count, count == 1 ? "" : "s"));
@@ -125,7 +125,7 @@ void print_run(const session::SpindleRun& found) {
   fmt::print("{}\n", session::words(found.mesh));
 }
 
-int run_profile(const SpindleFlags& f, const io::ModelFile& file) {
+int run_profile(const SpindleFlags& f, const files::ModelFile& file) {
   session::RunQuestion question{.programme = f.profile,
                                 .reading = f.reading,
                                 .ambient_temperature = ambient_of(f),
@@ -146,7 +146,7 @@ int run_profile(const SpindleFlags& f, const io::ModelFile& file) {
 
 int run(const SpindleFlags& flags) {
   check_flags(flags);
-  const io::ModelFile file =
+  const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
   session::require_spindle(file);
   return flags.steady ? run_steady(flags, file) : run_profile(flags, file);

@@ -21,7 +21,7 @@ void print_temperatures(const model::Model& model, const spindle::Moment& m) {
                      {"force", "N"},
                      {"friction", "W"}});
     for (std::size_t k = 0; k < m.bearings.size(); ++k)
-      table.add({io::bearing_label(model, k), in_celsius(m.bearings[k].inner_ring_temperature),
+      table.add({results::bearing_label(model, k), in_celsius(m.bearings[k].inner_ring_temperature),
                  in_celsius(m.bearings[k].outer_ring_temperature), number(m.bearings[k].force),
                  number(m.bearings[k].power)});
     fmt::print("{}\n", table.text(terminal_width()));
@@ -41,7 +41,7 @@ void print_heat(const spindle::HeatBalance& heat) {
       number(heat.machine), heat.stored);
 }
 
-void print_one(const model::Model& model, const io::SteadyState& s) {
+void print_one(const model::Model& model, const results::SteadyState& s) {
   fmt::print("{} at {:.6g} rpm, coolant {}: {}\n\n", model.spindle->name, s.inputs.speed / rpm,
              !model.spindle->coolant ? "none"
              : s.inputs.coolant_on   ? "on"
@@ -59,7 +59,7 @@ void print_one(const model::Model& model, const io::SteadyState& s) {
              number(m.displacement / um), number(m.kinematic_displacement / um));
 }
 
-void print_list(const model::Model& model, const std::vector<io::SteadyState>& states) {
+void print_list(const model::Model& model, const std::vector<results::SteadyState>& states) {
   TextTable table({{"speed", "rpm"},
                    {"friction", "W"},
                    {"displacement", "um"},
@@ -68,7 +68,7 @@ void print_list(const model::Model& model, const std::vector<io::SteadyState>& s
                    {"stiffness", "N/um"},
                    {"hottest ring", "C"},
                    {"status", "", true}});
-  for (const io::SteadyState& s : states) {
+  for (const results::SteadyState& s : states) {
     double hottest = unset;
     for (const spindle::BearingState& b : s.moment.bearings)
       hottest = std::fmax(hottest, std::fmax(b.inner_ring_temperature, b.outer_ring_temperature));
@@ -86,7 +86,7 @@ void print_list(const model::Model& model, const std::vector<io::SteadyState>& s
 
 void print_steady(const session::SteadySpindle& found) {
   const model::Model& model = found.file.model;
-  const std::vector<io::SteadyState>& states = found.states;
+  const std::vector<results::SteadyState>& states = found.states;
   if (states.size() == 1)
     print_one(model, states.front());
   else

@@ -10,15 +10,15 @@
 #include "cli/report_flag.h"
 #include "cli/run_files.h"
 #include "cli/step_response_text.h"
-#include "io/correction_file.h"
-#include "io/error.h"
-#include "io/output_file.h"
-#include "io/step_correction.h"
-#include "io/step_import.h"
-#include "io/superposition.h"
+#include "files/correction_file.h"
+#include "files/step_import.h"
+#include "results/step_correction.h"
+#include "results/superposition.h"
 #include "session/open_input.h"
 #include "session/spindle_steps.h"
 #include "session/step_parts.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -38,7 +38,7 @@ struct StepFlags {
 
 void check_step_flags(const StepFlags& f) {
   const auto refuse = [](const std::string& why, const std::string& key) {
-    throw io::InputError("raceway step-response: " + why, {.key = key});
+    throw text::InputError("raceway step-response: " + why, {.key = key});
   };
   if (f.json && f.output == "-")
     refuse("--json and --output - both write to stdout; take one", "--output");
@@ -55,20 +55,20 @@ void check_step_flags(const StepFlags& f) {
 }
 
 /// Step responses from files.
-session::SpindleSteps imported_steps(const StepFlags& flags, const io::ModelFile* file) {
-  std::vector<io::LoadCase> cases;
-  if (!flags.import.empty()) cases = io::read_load_cases(flags.import);
-  const io::HistoryUnits units = io::history_units(flags.units, "--units");
+session::SpindleSteps imported_steps(const StepFlags& flags, const files::ModelFile* file) {
+  std::vector<files::LoadCase> cases;
+  if (!flags.import.empty()) cases = files::read_load_cases(flags.import);
+  const files::HistoryUnits units = files::history_units(flags.units, "--units");
   for (const std::string& given : flags.load_cases) {
     const std::size_t equals = given.find('=');
     if (equals != given.npos) add_input(given.substr(equals + 1));
-    cases.push_back(io::read_history(given, units));
+    cases.push_back(files::read_history(given, units));
   }
   return session::imported_steps(cases, flags.import.empty() ? "time histories" : flags.import,
                                  file, flags.temperature);
 }
 
-session::SpindleSteps simulated_steps(const StepFlags& flags, const io::ModelFile& file) {
+session::SpindleSteps simulated_steps(const StepFlags& flags, const files::ModelFile& file) {
   session::StepQuestion question{.speeds = axis(flags.speed, "--speed"),
                                  .duration = flags.hours * one_hour,
                                  .coolant_on = flags.coolant == "on",
@@ -80,51 +80,51 @@ session::SpindleSteps simulated_steps(const StepFlags& flags, const io::ModelFil
 
 void write_correction_of(const StepFlags& flags, const session::SpindleSteps& steps) {
   try {
-    const io::StepCorrection written = io::step_correction(
+    const results::StepCorrection written = results::step_correction(
         session::correction_of_steps(
             messages(), steps,
             {.law = flags.law, .lags = flags.lags, .wording = session::Wording::flags}),
         flags.correction);
-    io::write_step_correction(written, flags.correction, flags.force);
+    results::write_step_correction(written, flags.correction, flags.force);
     std::string tables;
     for (const auto& [file, text] : written.tables) tables += (tables.empty() ? "" : ", ") + file;
     say(fmt::format("{} written, with {}", flags.correction, tables));
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(fmt::format("raceway step-response: --correction: {}", e.what()),
-                         {.key = "--correction"});
+    throw text::InputError(fmt::format("raceway step-response: --correction: {}", e.what()),
+                           {.key = "--correction"});
   }
 }
 
 /// The correction as it was written against the whole simulation, over a programme of speeds.
-std::optional<io::Superposition> superposition_of(const StepFlags& flags,
-                                                  const session::SpindleSteps& steps) {
+std::optional<results::Superposition> superposition_of(const StepFlags& flags,
+                                                       const session::SpindleSteps& steps) {
   if (flags.programme.empty()) return std::nullopt;
-  const io::CorrectionFile written = io::read_correction(flags.correction);
-  io::Superposition s =
+  const files::CorrectionFile written = files::read_correction(flags.correction);
+  results::Superposition s =
       session::superposition_of_steps(steps, written.models.front(), flags.programme);
   if (s.report.converged())
     say(fmt::format("over {} the correction differs from the simulation by {}", flags.programme,
-                    io::superposition_text(s)));
+                    results::superposition_text(s)));
   else
     warn(fmt::format("{}: the simulation ended early: {}", flags.programme, s.report.message));
   return s;
 }
 
 void require_step_files(const StepFlags& flags) {
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (!flags.output.empty() && flags.output != "-") io::require_writable(flags.output, if_exists);
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (!flags.output.empty() && flags.output != "-") text::require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   if (flags.correction.empty()) return;
-  const std::vector<std::string> tables = io::step_correction_tables(flags.correction);
+  const std::vector<std::string> tables = results::step_correction_tables(flags.correction);
   check_outputs(tables);
-  io::require_writable(flags.correction, if_exists);
-  for (const std::string& table : tables) io::require_writable(table, if_exists);
+  text::require_writable(flags.correction, if_exists);
+  for (const std::string& table : tables) text::require_writable(table, if_exists);
 }
 
 int run(const StepFlags& flags) {
   check_step_flags(flags);
   require_step_files(flags);
-  std::optional<io::ModelFile> file;
+  std::optional<files::ModelFile> file;
   if (!flags.model.empty())
     file = session::open_model(messages(), flags.model, session::Accepts::shaft);
   const session::SpindleSteps steps = flags.imports()
@@ -134,15 +134,15 @@ int run(const StepFlags& flags) {
     if (flags.output == "-") {
       fmt::print("{}", steps.csv());
     } else {
-      io::write_text(flags.output, steps.csv(),
-                     flags.force ? io::IfExists::replace : io::IfExists::refuse);
+      text::write_text(flags.output, steps.csv(),
+                       flags.force ? text::IfExists::replace : text::IfExists::refuse);
       say(fmt::format("{} written, {} step responses", flags.output, steps.responses.steps.size()));
     }
   }
   if (!flags.json && flags.output.empty()) print_steps(steps);
   tell(steps.notes);
   if (!flags.correction.empty()) write_correction_of(flags, steps);
-  std::optional<io::Superposition> error;
+  std::optional<results::Superposition> error;
   if (steps.file) error = superposition_of(flags, steps);
   if (flags.json) put_document(steps.json(error ? &*error : nullptr));
   flags.report.write([&] { return steps.page(error ? &*error : nullptr, flags.programme); },

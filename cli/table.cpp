@@ -16,16 +16,16 @@
 #include "cli/shared_flags.h"
 #include "cli/stribeck_text.h"
 #include "cli/table_memory.h"
-#include "io/csv.h"
-#include "io/error.h"
-#include "io/output_file.h"
-#include "io/report.h"
-#include "io/subject.h"
-#include "io/table_plot.h"
+#include "files/subject.h"
+#include "report/report.h"
+#include "report/table_plot.h"
 #include "session/bands.h"
 #include "session/open_input.h"
 #include "session/reading.h"
 #include "session/table_question.h"
+#include "text/csv.h"
+#include "text/error.h"
+#include "text/output_file.h"
 
 namespace raceway::cli {
 namespace {
@@ -59,41 +59,42 @@ friction::TableSlab slab(const std::string& text) {
   const std::size_t count = slash == text.npos ? 0 : whole(all.substr(slash + 1));
   constexpr std::size_t most = 1000000;
   if (index == 0 || index > count || count > most)
-    throw io::InputError(
-        "--slab: " + io::quoted(text) + ": write i/N with i from 1 to N, N up to a million, as 2/4",
-        {.key = "--slab"});
+    throw text::InputError("--slab: " + text::quoted(text) +
+                               ": write i/N with i from 1 to N, N up to a million, as 2/4",
+                           {.key = "--slab"});
   return {.index = index - 1, .count = count};
 }
 
 int run(const TableFlags& flags) {
   if (flags.format != "csv" && flags.output.empty())
-    throw io::InputError("raceway table: --format is that of the file: --output is missing",
-                         {.key = "--format"});
+    throw text::InputError("raceway table: --format is that of the file: --output is missing",
+                           {.key = "--format"});
   if (flags.format != "csv" && !flags.slab.empty())
-    throw io::InputError("raceway table: a slab is to be merged, which takes --format csv alone",
-                         {.key = "--slab"});
+    throw text::InputError("raceway table: a slab is to be merged, which takes --format csv alone",
+                           {.key = "--slab"});
   if (flags.json && flags.output == "-")
-    throw io::InputError("raceway table: --json and --output - both write to stdout; take one",
-                         {.key = "--output"});
+    throw text::InputError("raceway table: --json and --output - both write to stdout; take one",
+                           {.key = "--output"});
   const friction::TableSlab part = slab(flags.slab);
   if (!flags.slab.empty() && (flags.output.empty() || flags.json))
-    throw io::InputError("raceway table: a slab is for a file to be merged: --slab needs --output",
-                         {.key = "--slab"});
+    throw text::InputError(
+        "raceway table: a slab is for a file to be merged: --slab needs --output",
+        {.key = "--slab"});
   const bool to_file = !flags.output.empty() && flags.output != "-";
-  const auto if_exists = flags.force ? io::IfExists::replace : io::IfExists::refuse;
-  if (to_file) io::require_writable(flags.output, if_exists);
-  if (!flags.plot.empty()) io::require_writable(flags.plot, if_exists);
+  const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
+  if (to_file) text::require_writable(flags.output, if_exists);
+  if (!flags.plot.empty()) text::require_writable(flags.plot, if_exists);
   if (!flags.data.empty() && flags.report.path.empty())
-    throw io::InputError("raceway table: --data is drawn in a report: --report is missing",
-                         {.key = "--report"});
+    throw text::InputError("raceway table: --data is drawn in a report: --report is missing",
+                           {.key = "--report"});
   flags.report.check(flags.force);
-  const io::ModelFile file =
+  const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::rig_or_shaft);
   const model::Model& model = file.model;
   session::warn_of_ignored_data(messages(), file);
   std::optional<record::Record> measured;
   if (!flags.data.empty())
-    measured = session::open_data(messages(), flags.data, *io::make_subject(model),
+    measured = session::open_data(messages(), flags.data, *files::make_subject(model),
                                   flags.reading.options(file));
   const session::TableQuestion question{
       .axes = {values(flags.speed, "--speed"), values(flags.axial_load, "--axial-load"),
@@ -123,7 +124,7 @@ int run(const TableFlags& flags) {
   if (!flags.output.empty()) {
     const std::string text = answer.text(file, flags.format, progress(solved, made, "writing"));
     if (to_file)
-      io::write_text(flags.output, text, if_exists);
+      text::write_text(flags.output, text, if_exists);
     else
       fmt::print("{}", text);
   }
@@ -131,7 +132,7 @@ int run(const TableFlags& flags) {
   bar.reset();
   if (to_file) say(fmt::format("{} written, {} points", flags.output, points));
   if (!flags.plot.empty()) {
-    io::write_text(flags.plot, io::table_svg(table, model.name), if_exists);
+    text::write_text(flags.plot, report::table_svg(table, model.name), if_exists);
     say(flags.plot + " written");
   }
   if (flags.json) {
@@ -144,9 +145,9 @@ int run(const TableFlags& flags) {
     tell({"band: " + session::band_statement(*answer.band)});
   flags.report.write(
       [&] {
-        return io::table_report(file.source, model, table,
-                                session::states_to_draw(model, table.axes),
-                                measured ? &*measured : nullptr, {session::of_page(file, model)});
+        return report::table_report(
+            file.source, model, table, session::states_to_draw(model, table.axes),
+            measured ? &*measured : nullptr, {session::of_page(file, model)});
       },
       flags.force);
   tell(answer.notes(model));

@@ -10,7 +10,7 @@
 #include <fstream>
 
 #include "cli/messages.h"
-#include "io/error.h"
+#include "text/error.h"
 
 namespace raceway::cli {
 namespace {
@@ -63,13 +63,13 @@ void require_memory(const friction::TableAxes& axes, const friction::TableSlab& 
     all *= static_cast<double>(axis->size());
   const double points = all / static_cast<double>(slab.count);
   if (points > most_points)
-    throw io::InputError(fmt::format("raceway table: {:.10g} points: at most 1e8 in one go; {}",
-                                     points, slabs(all, most_points)));
+    throw text::InputError(fmt::format("raceway table: {:.10g} points: at most 1e8 in one go; {}",
+                                       points, slabs(all, most_points)));
   const double bytes = points * bytes_per_point(columns, form);
   // Some is for the program and for others.
   const double most = 0.8 * memory();
   if (bytes > most)
-    throw io::InputError(fmt::format(
+    throw text::InputError(fmt::format(
         "raceway table: {:.10g} points take {:.3g} GB of memory, and {:.3g} GB can be had; {}",
         points, bytes / GB, most / GB, slabs(bytes * static_cast<double>(slab.count), most)));
   if (bytes > GB)
@@ -85,7 +85,7 @@ void require_memory_to_merge(const std::vector<std::string>& files) {
   }
   const double most = 0.8 * memory();
   if (bytes > most)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("raceway merge: the slabs and their table take {:.3g} GB of memory, and {:.3g} "
                     "GB can be had",
                     bytes / GB, most / GB));

@@ -11,13 +11,13 @@ namespace raceway::cli {
 /// What becomes of the points of a table.
 enum class TableForm { text, file, json };
 
-/// Throws io::InputError for a table with more points than can be made in one go, or that takes
+/// Throws text::InputError for a table with more points than can be made in one go, or that takes
 /// more memory than there is: how much, and into how many slabs to cut it. Says on stderr what a
 /// large one takes. Before anything is made. `columns`: how many numbers a point has.
 void require_memory(const friction::TableAxes& axes, const friction::TableSlab& slab,
                     std::size_t columns, TableForm form);
 
-/// Throws io::InputError where the slabs and their table do not fit into memory together.
+/// Throws text::InputError where the slabs and their table do not fit into memory together.
 void require_memory_to_merge(const std::vector<std::string>& files);
 
 }  // namespace raceway::cli

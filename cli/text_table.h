@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/number_text.h"
+#include "text/number_text.h"
 
 namespace raceway::cli {
 
@@ -35,7 +35,7 @@ class TextTable {
 /// Words in lines of at most `width` characters, longer only where a word is.
 [[nodiscard]] std::vector<std::string> filled(std::string_view words, std::size_t width);
 
-using io::number;
+using text::number;
 
 /// A value with the decimals that number() gives `scale`, for values to be read against it; never
 /// "-0.0". `sign` writes + before positive values.

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "correction/correction_subject.h"
 #include "correction/numbers.h"
 #include "correction/range.h"

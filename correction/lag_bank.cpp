@@ -9,7 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "correction/alignment.h"
 #include "correction/numbers.h"
 #include "correction/range.h"

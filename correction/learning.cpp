@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "correction/learnt_parts.h"
+#include "correction/detail/learnt_parts.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
 

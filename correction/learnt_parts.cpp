@@ -1,4 +1,4 @@
-#include "correction/learnt_parts.h"
+#include "correction/detail/learnt_parts.h"
 
 #include <fmt/format.h>
 

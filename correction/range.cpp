@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "correction/correction_subject.h"
 #include "correction/numbers.h"
 #include "correction/simulation.h"

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 
 namespace raceway::correction {
 namespace {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "fit/approximation_loop.h"
+#include "fit/detail/other_bases.h"
 #include "fit/effect_sizes.h"
-#include "fit/other_bases.h"
 #include "fit/search.h"
 #include "fit/unknown_shape.h"
 #include "fit/verdict_text.h"

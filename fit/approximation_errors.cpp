@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/approximation.h"
 
 namespace raceway::fit {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/effect_sizes.h"
 #include "fit/headline.h"
 #include "fit/residual_course.h"

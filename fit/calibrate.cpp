@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "fit/approximation_loop.h"
+#include "fit/detail/weighed.h"
 #include "fit/identifiability.h"
 #include "fit/verdict_text.h"
-#include "fit/weighed.h"
 
 namespace raceway::fit {
 

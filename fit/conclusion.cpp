@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "fit/detail/investigation.h"
 #include "fit/effect_sizes.h"
-#include "fit/investigation.h"
 #include "fit/verdict_text.h"
 
 // The sentence that a user reads first.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fit/approximation_loop.h"
-#include "fit/investigation.h"
+#include "fit/detail/investigation.h"
 
 namespace raceway::fit {
 

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <type_traits>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/distributions.h"
 #include "fit/subspace.h"
 

@@ -5,7 +5,7 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 
 namespace raceway::fit {
 

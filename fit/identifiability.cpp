@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/verdict_text.h"
 
 namespace raceway::fit {

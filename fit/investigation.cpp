@@ -1,4 +1,4 @@
-#include "fit/investigation.h"
+#include "fit/detail/investigation.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/effect_sizes.h"
 #include "fit/headline.h"
 #include "fit/next_points.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 
 namespace raceway::fit {
 

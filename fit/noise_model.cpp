@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/distributions.h"
 #include "fit/dwells.h"
 #include "record/levels.h"

@@ -1,4 +1,4 @@
-#include "fit/other_bases.h"
+#include "fit/detail/other_bases.h"
 
 #include <algorithm>
 #include <cmath>

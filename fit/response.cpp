@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/least_squares.h"
 
 namespace raceway::fit {

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/least_squares.h"
 #include "fit/noise.h"
 

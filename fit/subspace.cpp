@@ -1,6 +1,6 @@
 #include "fit/subspace.h"
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 
 namespace raceway::fit {
 

@@ -1,4 +1,4 @@
-#include "fit/weighed.h"
+#include "fit/detail/weighed.h"
 
 #include <algorithm>
 #include <cmath>

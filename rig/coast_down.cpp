@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "record/median.h"
-#include "rig/release.h"
-#include "rig/speed_regression.h"
-#include "rig/torque_rows.h"
+#include "rig/detail/release.h"
+#include "rig/detail/speed_regression.h"
+#include "rig/detail/torque_rows.h"
 
 namespace raceway::rig {
 namespace {

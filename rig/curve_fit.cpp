@@ -1,8 +1,8 @@
-#include "rig/curve_fit.h"
+#include "rig/detail/curve_fit.h"
 
 #include <cmath>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "fit/distributions.h"
 
 namespace raceway::rig {

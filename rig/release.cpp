@@ -1,4 +1,4 @@
-#include "rig/release.h"
+#include "rig/detail/release.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "record/median.h"
 
 namespace raceway::rig {

@@ -9,7 +9,7 @@
 
 #include "fit/distributions.h"
 #include "record/levels.h"
-#include "rig/curve_fit.h"
+#include "rig/detail/curve_fit.h"
 
 namespace raceway::rig {
 namespace {

@@ -1,10 +1,10 @@
-#include "rig/speed_regression.h"
+#include "rig/detail/speed_regression.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 #include "record/median.h"
 
 namespace raceway::rig {

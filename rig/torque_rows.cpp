@@ -1,4 +1,4 @@
-#include "rig/torque_rows.h"
+#include "rig/detail/torque_rows.h"
 
 #include <cstddef>
 

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "io/error.h"
-#include "io/names.h"
-#include "io/subject.h"
+#include "files/subject.h"
 #include "model/heat_split.h"
 #include "session/operating_point.h"
 #include "session/shaft_answers.h"
 #include "session/table_columns.h"
+#include "text/error.h"
+#include "text/names.h"
 
 namespace raceway::session {
 namespace {
@@ -30,9 +30,10 @@ std::vector<double> torques_and_losses(const model::Model& model,
 
 }  // namespace
 
-model::Band band_of(const io::ModelFile& file, std::string_view asked_by, std::string_view remedy) {
+model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
+                    std::string_view remedy) {
   if (!file.model.covariance)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{}: {} has no [calibration.covariance] of the values that stand in it; {}",
                     asked_by, file.source, remedy),
         {.file = file.source, .key = "calibration.covariance"});
@@ -42,7 +43,7 @@ model::Band band_of(const io::ModelFile& file, std::string_view asked_by, std::s
 std::string band_statement(const model::Band& band) {
   return fmt::format(
       "95 % band of the fitted {} alone; what the model lacks and noise are no part of it",
-      io::listed(band.fitted()));
+      text::listed(band.fitted()));
 }
 
 std::vector<std::string> band_columns(const model::Model& model) {
@@ -63,11 +64,11 @@ void fill_band(const model::Model& model, const model::Band& band,
                 out[i].columns.end() - static_cast<std::ptrdiff_t>(count));
 }
 
-io::BandOfResult point_band(const model::Band& band, const bearing::OperatingPoint& point) {
-  io::BandOfResult result{.parameters = band.fitted(),
-                          .names = {"friction_torque_band_Nmm", "power_loss_band_W",
-                                    "inner_ring_heat_band_W", "outer_ring_heat_band_W"},
-                          .half_widths = {}};
+results::BandOfResult point_band(const model::Band& band, const bearing::OperatingPoint& point) {
+  results::BandOfResult result{.parameters = band.fitted(),
+                               .names = {"friction_torque_band_Nmm", "power_loss_band_W",
+                                         "inner_ring_heat_band_W", "outer_ring_heat_band_W"},
+                               .half_widths = {}};
   result.half_widths = band([&](const model::Model& m) {
     const model::FrictionPrediction f = model::predict_friction(m, point, true);
     if (!f.report.converged()) return std::vector<double>(4, unset);
@@ -78,7 +79,7 @@ io::BandOfResult point_band(const model::Band& band, const bearing::OperatingPoi
 }
 
 std::vector<double> record_band(const model::Band& band, const record::Record& record) {
-  return band([&](const model::Model& m) { return fit::predict(*io::make_subject(m), record); });
+  return band([&](const model::Model& m) { return fit::predict(*files::make_subject(m), record); });
 }
 
 }  // namespace raceway::session

@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "bearing/operating_point.h"
+#include "files/model_file.h"
 #include "friction/stribeck_table.h"
-#include "io/band_of_result.h"
-#include "io/model_file.h"
 #include "model/band.h"
 #include "record/record.h"
+#include "results/band_of_result.h"
 
 namespace raceway::session {
 
 /// The band of what a model predicts, as far as its fitted parameters go. `asked_by`: the flag or
-/// argument that asks for it, `remedy`: who makes a model with one. Throws io::InputError for a
+/// argument that asks for it, `remedy`: who makes a model with one. Throws text::InputError for a
 /// model without a covariance of its values.
-[[nodiscard]] model::Band band_of(const io::ModelFile& file, std::string_view asked_by,
+[[nodiscard]] model::Band band_of(const files::ModelFile& file, std::string_view asked_by,
                                   std::string_view remedy);
 
 /// What a band is, in a sentence.
@@ -32,8 +32,8 @@ void fill_band(const model::Model& model, const model::Band& band,
                std::span<friction::TablePoint> out);
 
 /// Of one bearing at one point: friction torque, loss, heat of both rings.
-[[nodiscard]] io::BandOfResult point_band(const model::Band& band,
-                                          const bearing::OperatingPoint& point);
+[[nodiscard]] results::BandOfResult point_band(const model::Band& band,
+                                               const bearing::OperatingPoint& point);
 
 /// Of the readings that fit::predict() gives of a record, in their order [SI].
 [[nodiscard]] std::vector<double> record_band(const model::Band& band,

@@ -4,17 +4,17 @@
 
 #include <stdexcept>
 
-#include "io/error.h"
+#include "text/error.h"
 
 namespace raceway::session {
 
-BeamOfModel beam_of(const io::ModelFile& file, double load_place) {
+BeamOfModel beam_of(const files::ModelFile& file, double load_place) {
   const model::Model& model = file.model;
   if (!model.spindle || model.spindle->shaft.segments.empty())
-    throw io::InputError(file.source +
-                             ": has no [shaft] with segments: length_mm and diameter_mm of each "
-                             "piece from the nose to the rear are needed",
-                         {.file = file.source, .key = "shaft.segment"});
+    throw text::InputError(file.source +
+                               ": has no [shaft] with segments: length_mm and diameter_mm of each "
+                               "piece from the nose to the rear are needed",
+                           {.file = file.source, .key = "shaft.segment"});
   try {
     const std::vector<double> places = spindle::bearing_places(*model.spindle);
     std::vector<double> nodes = places;
@@ -22,7 +22,7 @@ BeamOfModel beam_of(const io::ModelFile& file, double load_place) {
     spindle::Beam beam(model.spindle->shaft, nodes);
     return {places, std::move(beam), spindle::SetsOfSpindle(model)};
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
+    throw text::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
   }
 }
 

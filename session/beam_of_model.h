@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/model_file.h"
+#include "files/model_file.h"
 #include "spindle/beam.h"
 #include "spindle/sets_at_speed.h"
 
@@ -16,9 +16,9 @@ struct BeamOfModel {
   spindle::SetsOfSpindle sets;
 };
 
-/// Nodes at the bearings and at `load_place` [m]. Throws io::InputError for a model that has no
+/// Nodes at the bearings and at `load_place` [m]. Throws text::InputError for a model that has no
 /// [shaft] with segments, and with the file's name before what is wrong with it.
-[[nodiscard]] BeamOfModel beam_of(const io::ModelFile& file, double load_place);
+[[nodiscard]] BeamOfModel beam_of(const files::ModelFile& file, double load_place);
 
 /// What the sets run under: the external load of the model and, warm, its ambient.
 [[nodiscard]] spindle::Inputs inputs_at(const model::Model& model, double speed, bool coolant_on);

@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "effects/formula.h"
+#include "files/subject.h"
 #include "fit/several_records.h"
-#include "io/error.h"
-#include "io/names.h"
-#include "io/record_report.h"
-#include "io/subject.h"
 #include "model/corrected_data.h"
 #include "model/parameters.h"
 #include "model/row.h"
+#include "report/record_report.h"
 #include "rig/torque_sensor.h"
+#include "text/error.h"
+#include "text/names.h"
 
 namespace raceway::session {
 namespace {
@@ -111,7 +111,7 @@ void tell_not_predicted(Messages& messages, const std::string& file, const model
 std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
                                                const record::Record& data, const Names& own) {
   const auto fail = [](const std::string& why) {
-    throw io::InputError("--per-record" + why, {.key = "--per-record"});
+    throw text::InputError("--per-record" + why, {.key = "--per-record"});
   };
   // Runs of all records of a spindle are simulated by themselves.
   if (model.spindle && !own.empty())
@@ -123,7 +123,7 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
         fmt::format(" {}: {} is one record, whose parameters are all its own; name two files of "
                     "measurements or more",
                     fmt::join(own, ","), data.source));
-  const std::shared_ptr<const fit::Subject> alone = io::make_subject(model);
+  const std::shared_ptr<const fit::Subject> alone = files::make_subject(model);
   if (model.spindle || data.parts.empty()) return alone;
   // Free in the model too, so that an effect of which a number is named counts as one to be learnt.
   model::Model wanted = model;
@@ -133,7 +133,7 @@ std::shared_ptr<const fit::Subject> subject_of(const model::Model& model,
       wanted.free.push_back(name);
   try {
     (void)fit::find_parameters(*alone, own);
-    return std::make_shared<fit::SeveralRecords>(io::make_subject(wanted), data, own);
+    return std::make_shared<fit::SeveralRecords>(files::make_subject(wanted), data, own);
   } catch (const std::invalid_argument& e) {
     fail(fmt::format(": {}", e.what()));
     throw;
@@ -144,14 +144,14 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 
 class BearingInLoop final : public LoopModel {
  public:
-  BearingInLoop(io::ModelFile file, Defaults defaults)
+  BearingInLoop(files::ModelFile file, Defaults defaults)
       : LoopModel({.source = file.source,
                    .name = file.model.name,
                    .defaults = file.defaults,
                    .notes = file.notes,
                    .files = file.files}),
         file_(std::move(file)),
-        written_(io::make_subject(file_.model)),
+        written_(files::make_subject(file_.model)),
         defaults_(defaults) {}
 
   std::shared_ptr<const fit::Subject> as_written() const override { return written_; }
@@ -172,20 +172,20 @@ class BearingInLoop final : public LoopModel {
     if (!file_.model.shaft && defaults_ == Defaults::count) warn_of_ignored_data(messages, file_);
     const auto* const first = dynamic_cast<const BearingInLoop*>(&other);
     if (!first)
-      throw io::InputError(
+      throw text::InputError(
           file_.source + ": has no [correction]: only corrections can be compared with one",
           {.file = file_.source, .key = "correction"});
     if (file_.model.spindle.has_value() != first->file_.model.spindle.has_value())
-      throw io::InputError(file_.source + ": a spindle is compared with spindles alone",
-                           {.file = file_.source});
+      throw text::InputError(file_.source + ": a spindle is compared with spindles alone",
+                             {.file = file_.source});
     warn_of_other_rig(messages, first->file_);
   }
 
   ComparedModel compared(Messages& messages, const record::Record& data, const CompareOptions& how,
                          const Names& per_record) const override {
     if (how.zero != "mean")
-      throw io::InputError("--zero: belongs to corrections; all else is compared as it is",
-                           {.key = "--zero"});
+      throw text::InputError("--zero: belongs to corrections; all else is compared as it is",
+                             {.key = "--zero"});
     model::Model wanted = file_.model;
     Names names = how.refit;
     for (const std::string& own : per_record)
@@ -212,21 +212,23 @@ class BearingInLoop final : public LoopModel {
 
   std::string page(const record::Record& data, const fit::Diagnosis& found) const override {
     if (written_->approximates())
-      return io::record_diagnosis_report(file_.source, data, found, {},
-                                         {of_page(file_, file_.model)});
-    return io::diagnosis_report(file_.source, *written_, data, found,
-                                {of_page(file_, file_.model)});
+      return report::record_diagnosis_report(file_.source, data, found, {},
+                                             {of_page(file_, file_.model)});
+    return report::diagnosis_report(file_.source, *written_, data, found,
+                                    {of_page(file_, file_.model)});
   }
 
   std::string page(const record::Record& data, const fit::AddResult& found) const override {
-    const std::vector<io::ModelOfPage> used{of_page(file_, model_of(*found.calibration.subject))};
-    if (written_->approximates()) return io::record_add_report(file_.source, data, found, {}, used);
-    return io::add_report(file_.source, data, found, used);
+    const std::vector<report::ModelOfPage> used{
+        of_page(file_, model_of(*found.calibration.subject))};
+    if (written_->approximates())
+      return report::record_add_report(file_.source, data, found, {}, used);
+    return report::add_report(file_.source, data, found, used);
   }
 
   FittedTexts fitted_texts(const record::Record&, const fit::Calibration& found) const override {
     FittedTexts result{.records = records_apart(*found.subject)};
-    io::ModelFile written = file_;
+    files::ModelFile written = file_;
     (void)take_own_effects(written.model);
     for (std::size_t k = 0; k < std::max<std::size_t>(1, result.records.size()); ++k) {
       model::Model model = model_of_record(found, k);
@@ -237,7 +239,7 @@ class BearingInLoop final : public LoopModel {
           result.corrected_data = std::move(data);
         }
       result.own_effects.push_back(take_own_effects(model));
-      result.texts.push_back(io::with_model(written, model));
+      result.texts.push_back(files::with_model(written, model));
     }
     return result;
   }
@@ -245,7 +247,7 @@ class BearingInLoop final : public LoopModel {
  private:
   /// What the rows lack is filled in from the first model; another rig would need other rows. They
   /// are read by its sensor, too.
-  void warn_of_other_rig(Messages& messages, const io::ModelFile& first) const {
+  void warn_of_other_rig(Messages& messages, const files::ModelFile& first) const {
     const model::Rig& rig = file_.model.rig;
     const model::Rig& of_first = first.model.rig;
     const auto warn = [&](const std::string& what) {
@@ -266,7 +268,7 @@ class BearingInLoop final : public LoopModel {
                        first.source));
   }
 
-  io::ModelFile file_;
+  files::ModelFile file_;
   std::shared_ptr<const model::ModelSubject> written_;
   Defaults defaults_;
 };
@@ -275,17 +277,17 @@ class BearingInLoop final : public LoopModel {
 
 std::unique_ptr<LoopModel> open_bearing(Messages& messages, const Source& source,
                                         const LoopOptions& options, std::size_t place) {
-  io::ModelFile file = open_model(messages, source, Accepts::rig_or_shaft, options.defaults);
+  files::ModelFile file = open_model(messages, source, Accepts::rig_or_shaft, options.defaults);
   if (options.amend) options.amend(file, place);
   options.tolerance.set(file);
   Names known;
-  for (const fit::Measured& m : io::make_subject(file.model)->measured())
+  for (const fit::Measured& m : files::make_subject(file.model)->measured())
     known.emplace_back(m.channel->name);
   if (!options.channel.empty() &&
       std::find(known.begin(), known.end(), options.channel) == known.end())
-    throw io::InputError(fmt::format("--channel {}: {} predicts {}", options.channel, file.source,
-                                     io::listed(known)),
-                         {.file = file.source, .key = "--channel"});
+    throw text::InputError(fmt::format("--channel {}: {} predicts {}", options.channel, file.source,
+                                       text::listed(known)),
+                           {.file = file.source, .key = "--channel"});
   return std::make_unique<BearingInLoop>(std::move(file), options.defaults);
 }
 

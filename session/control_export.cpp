@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <utility>
 
-#include "io/control/check_record.h"
-#include "io/control/formats.h"
-#include "io/control/table_reader.h"
-#include "io/error.h"
-#include "io/input_file.h"
+#include "control/check_record.h"
+#include "control/formats.h"
+#include "control/table_reader.h"
 #include "session/correction_input.h"
 #include "session/reading.h"
+#include "text/error.h"
+#include "text/input_file.h"
 
 namespace raceway::session {
 namespace {
@@ -29,16 +29,17 @@ std::string name_of(const std::string& output) {
   return name;
 }
 
-io::ControlPlan plan_of(Messages& messages, const Source& model, const Source* record) {
-  const io::CorrectionFile file = open_corrections(messages, model);
-  io::ControlPlan plan = io::control_plan(file.models, file.control, file.source);
+control::ControlPlan plan_of(Messages& messages, const Source& model, const Source* record) {
+  const files::CorrectionFile file = open_corrections(messages, model);
+  control::ControlPlan plan = control::control_plan(file.models, file.control, file.source);
   if (record) {
     const record::Record data =
         open_series(messages, *record, file.models, Reading{}.options(file.columns));
-    plan.check = io::check_of(plan, file.models, data);
-    for (std::string& note : io::coarse_sensors(plan, data)) plan.notes.push_back(std::move(note));
+    plan.check = control::check_of(plan, file.models, data);
+    for (std::string& note : control::coarse_sensors(plan, data))
+      plan.notes.push_back(std::move(note));
   } else {
-    plan.check = io::made_up_check(plan, file.models);
+    plan.check = control::made_up_check(plan, file.models);
   }
   if (plan.check.rows.empty())
     plan.notes.push_back("no record is in it, so that its own check has nothing to replay");
@@ -52,7 +53,7 @@ void require_control_name(const std::string& format, const std::string& output) 
   const std::string name = name_of(output);
   const std::filesystem::path path(output);
   if (path.extension() != ".py" || path.stem() != name)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("--output {}: a component of LinuxCNC has the name of its file, letters, "
                     "digits and _ with .py at the end: {}",
                     output, (path.parent_path() / (name + ".py")).string()),
@@ -64,31 +65,32 @@ HalFiles hal_files(const std::string& output) {
   return {stem + ".hal", stem + "_shutdown.hal"};
 }
 
-io::ControlPlan open_plan(Messages& messages, const Source& model, const Source* record) {
-  const std::string text = model.text ? *model.text : io::peek_text(model.name);
-  if (!io::is_control_table(text)) return plan_of(messages, model, record);
+control::ControlPlan open_plan(Messages& messages, const Source& model, const Source* record) {
+  const std::string text = model.text ? *model.text : text::peek_text(model.name);
+  if (!control::is_control_table(text)) return plan_of(messages, model, record);
   if (record)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("--record {}: {} is a table that export wrote, which has its record in it",
                     record->name, model.name),
         {.key = "--record"});
-  return io::read_control_table(model.text ? *model.text : io::read_text(model.name), model.name);
+  return control::read_control_table(model.text ? *model.text : text::read_text(model.name),
+                                     model.name);
 }
 
-ControlExport export_plan(io::ControlPlan plan, const std::string& format,
+ControlExport export_plan(control::ControlPlan plan, const std::string& format,
                           const std::string& output) {
   ControlExport result;
   if (format == "linuxcnc") {
-    io::count_in_whole_numbers(plan);
+    control::count_in_whole_numbers(plan);
     const std::string name = name_of(output),
                       program = std::filesystem::path(output).filename().string();
-    result.hal = io::control_hal(plan, name, program);
-    result.hal_shutdown = io::control_hal_shutdown(plan, name, program);
+    result.hal = control::control_hal(plan, name, program);
+    result.hal_shutdown = control::control_hal_shutdown(plan, name, program);
   }
-  result.text = format == "python"     ? io::control_python(plan)
-                : format == "c"        ? io::control_c(plan, name_of(output))
-                : format == "linuxcnc" ? io::control_linuxcnc(plan)
-                                       : io::control_csv(plan);
+  result.text = format == "python"     ? control::control_python(plan)
+                : format == "c"        ? control::control_c(plan, name_of(output))
+                : format == "linuxcnc" ? control::control_linuxcnc(plan)
+                                       : control::control_csv(plan);
   result.plan = std::move(plan);
   return result;
 }

@@ -9,10 +9,10 @@
 #include "correction/correction_subject.h"
 #include "correction/phases.h"
 #include "correction/series.h"
-#include "io/error.h"
-#include "io/names.h"
-#include "io/record_report.h"
+#include "report/record_report.h"
 #include "session/correction_input.h"
+#include "text/error.h"
+#include "text/names.h"
 
 namespace raceway::session {
 namespace {
@@ -26,7 +26,7 @@ correction::Zero zero_of(const std::string& zero) {
 class CorrectionInLoop final : public LoopModel {
  public:
   /// `index`: of the model in the file.
-  CorrectionInLoop(io::CorrectionFile file, std::size_t index)
+  CorrectionInLoop(files::CorrectionFile file, std::size_t index)
       : LoopModel({.source = file.source,
                    .name = file.models[index].name,
                    .defaults = file.defaults,
@@ -42,7 +42,7 @@ class CorrectionInLoop final : public LoopModel {
   record::Record read(Messages& messages, const std::vector<Source>& data, const Reading& reading,
                       const LoopModels& compared_with) const override {
     if (data.size() != 1)
-      throw io::InputError(
+      throw text::InputError(
           "a correction is held against one record; runs of one machine are rows of one file with "
           "their run_id",
           {.key = "DATA"});
@@ -73,7 +73,7 @@ class CorrectionInLoop final : public LoopModel {
 
   void stand_beside(Messages&, const LoopModel& first) const override {
     if (!dynamic_cast<const CorrectionInLoop*>(&first))
-      throw io::InputError(
+      throw text::InputError(
           first.about().source + ": has no [correction]: only corrections can be compared with one",
           {.file = first.about().source, .key = "correction"});
   }
@@ -116,11 +116,11 @@ class CorrectionInLoop final : public LoopModel {
   }
 
   std::string page(const record::Record& data, const fit::Diagnosis& found) const override {
-    return io::record_diagnosis_report(file_.source, data, found, file_.defaults);
+    return report::record_diagnosis_report(file_.source, data, found, file_.defaults);
   }
 
   std::string page(const record::Record& data, const fit::AddResult& found) const override {
-    return io::record_add_report(file_.source, data, found, file_.defaults);
+    return report::record_add_report(file_.source, data, found, file_.defaults);
   }
 
   FittedTexts fitted_texts(const record::Record& data,
@@ -128,7 +128,7 @@ class CorrectionInLoop final : public LoopModel {
     std::vector<correction::Model> models = file_.models;
     models[index_] = correction::trusted(found, data);
     return {.records = {},
-            .texts = {io::with_corrections(file_, models)},
+            .texts = {files::with_corrections(file_, models)},
             .corrected_data = {},
             .own_effects = {{}}};
   }
@@ -138,11 +138,11 @@ class CorrectionInLoop final : public LoopModel {
 
   static void refuse(const Names& per_record) {
     if (!per_record.empty())
-      throw io::InputError("--per-record: a correction is held against one record",
-                           {.key = "--per-record"});
+      throw text::InputError("--per-record: a correction is held against one record",
+                             {.key = "--per-record"});
   }
 
-  io::CorrectionFile file_;
+  files::CorrectionFile file_;
   std::size_t index_;
 };
 
@@ -150,20 +150,20 @@ class CorrectionInLoop final : public LoopModel {
 
 std::unique_ptr<LoopModel> open_correction(Messages& messages, const Source& source,
                                            const LoopOptions& options) {
-  io::CorrectionFile file = open_corrections(messages, source, options.defaults);
+  files::CorrectionFile file = open_corrections(messages, source, options.defaults);
   Names known;
   for (const correction::Model& m : file.models) known.emplace_back(m.displacement->name);
   if (options.channel.empty() && known.size() > 1)
-    throw io::InputError(fmt::format("{}: has several [[correction]]: choose one by --channel {}",
-                                     file.source, fmt::join(known, " or ")),
-                         {.file = file.source, .key = "--channel"});
+    throw text::InputError(fmt::format("{}: has several [[correction]]: choose one by --channel {}",
+                                       file.source, fmt::join(known, " or ")),
+                           {.file = file.source, .key = "--channel"});
   const auto chosen = options.channel.empty()
                           ? known.begin()
                           : std::find(known.begin(), known.end(), options.channel);
   if (chosen == known.end())
-    throw io::InputError(
-        fmt::format("--channel {}: {} models {}", options.channel, file.source, io::listed(known)),
-        {.file = file.source, .key = "--channel"});
+    throw text::InputError(fmt::format("--channel {}: {} models {}", options.channel, file.source,
+                                       text::listed(known)),
+                           {.file = file.source, .key = "--channel"});
   const auto index = static_cast<std::size_t>(chosen - known.begin());
   options.tolerance.set(file.models[index], file.source);
   return std::make_unique<CorrectionInLoop>(std::move(file), index);

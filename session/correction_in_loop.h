@@ -6,7 +6,7 @@
 
 namespace raceway::session {
 
-/// The correction of one displacement, for the loop. Throws io::InputError as open_loop_model(),
+/// The correction of one displacement, for the loop. Throws text::InputError as open_loop_model(),
 /// and for a displacement that the file does not model.
 [[nodiscard]] std::unique_ptr<LoopModel> open_correction(Messages& messages, const Source& file,
                                                          const LoopOptions& options);

@@ -9,20 +9,22 @@
 #include "correction/record_check.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
-#include "io/error.h"
-#include "io/names.h"
-#include "io/number_text.h"
-#include "io/series_file.h"
+#include "files/series_file.h"
+#include "text/error.h"
+#include "text/names.h"
+#include "text/number_text.h"
 
 namespace raceway::session {
 
-using io::number;
+using text::number;
 
-io::CorrectionFile open_corrections(Messages& messages, const Source& source, Defaults defaults) {
+files::CorrectionFile open_corrections(Messages& messages, const Source& source,
+                                       Defaults defaults) {
   const std::string& path = source.name;
-  io::CorrectionFile file = source.text ? io::parse_correction(*source.text, path, source.files)
-                                        : io::read_correction(path);
-  for (const io::NamedFile& named : file.files) messages.reads(named.path);
+  files::CorrectionFile file = source.text
+                                   ? files::parse_correction(*source.text, path, source.files)
+                                   : files::read_correction(path);
+  for (const files::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
     messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
@@ -33,18 +35,18 @@ io::CorrectionFile open_corrections(Messages& messages, const Source& source, De
 
 record::Record open_series(Messages& messages, const Source& data,
                            const std::vector<correction::Model>& models,
-                           const io::ReadOptions& options, const Period& period) {
+                           const files::ReadOptions& options, const Period& period) {
   const std::string& path = data.name;
   if (path.ends_with(".toml"))
-    throw io::InputError(path + ": stands where a record over time (CSV) is expected",
-                         {.file = path});
+    throw text::InputError(path + ": stands where a record over time (CSV) is expected",
+                           {.file = path});
   std::vector<const record::Channel*> wanted, needed;
   for (const correction::Model& m : models) {
     wanted.push_back(m.displacement);
     for (const record::Channel* c : correction::inputs_of(m))
       if (std::find(needed.begin(), needed.end(), c) == needed.end()) needed.push_back(c);
   }
-  record::Record record = io::read_series(data, wanted, needed, options);
+  record::Record record = files::read_series(data, wanted, needed, options);
   period.apply(record, wanted);
   messages.notes(record.notes);
   return record;
@@ -60,7 +62,7 @@ SeriesQuestion ask_series(Messages& messages, const Source& model, const Source&
 
 void require_readings(const correction::Model& model, const record::Record& record) {
   if (!record.has(*model.displacement))
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{}: has no column {}", record.source, model.displacement->name),
         {.file = record.source, .key = std::string(model.displacement->name)});
 }
@@ -68,8 +70,8 @@ void require_readings(const correction::Model& model, const record::Record& reco
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record) {
   if (const std::string beyond = correction::power_beyond_element(model, record); !beyond.empty())
-    throw io::InputError(fmt::format("{} with {}: {}", record.source, source, beyond),
-                         {.file = record.source});
+    throw text::InputError(fmt::format("{} with {}: {}", record.source, source, beyond),
+                           {.file = record.source});
   const std::vector<std::string> faults = correction::check_record(model, record).of_its_inputs;
   messages.warnings(faults);
   record.notes.insert(record.notes.end(), faults.begin(), faults.end());

@@ -6,7 +6,7 @@
 #include "correction/model.h"
 #include "correction/range.h"
 #include "correction/series.h"
-#include "io/correction_file.h"
+#include "files/correction_file.h"
 #include "record/record.h"
 #include "session/messages.h"
 #include "session/open_input.h"
@@ -16,32 +16,33 @@
 namespace raceway::session {
 
 /// Reads a file of corrections, counts the defaults that were used, and says what is to be known of
-/// it. Throws io::InputError as its reader, in a word for a model that has no correction.
-[[nodiscard]] io::CorrectionFile open_corrections(Messages& messages, const Source& file,
-                                                  Defaults defaults = Defaults::count);
+/// it. Throws text::InputError as its reader, in a word for a model that has no correction.
+[[nodiscard]] files::CorrectionFile open_corrections(Messages& messages, const Source& file,
+                                                     Defaults defaults = Defaults::count);
 
 /// Reads a record over time for all of these models, of which only readings of that period count,
 /// and says what is to be known of it.
 [[nodiscard]] record::Record open_series(Messages& messages, const Source& data,
                                          const std::vector<correction::Model>& models,
-                                         const io::ReadOptions& options, const Period& period = {});
+                                         const files::ReadOptions& options,
+                                         const Period& period = {});
 
 /// All models of a file with one record.
 struct SeriesQuestion {
-  io::CorrectionFile file{};
+  files::CorrectionFile file{};
   record::Record data{};
 };
-/// Throws io::InputError as open_corrections() and open_series().
+/// Throws text::InputError as open_corrections() and open_series().
 [[nodiscard]] SeriesQuestion ask_series(Messages& messages, const Source& model, const Source& data,
                                         const Reading& reading,
                                         Defaults defaults = Defaults::count);
 
-/// Throws io::InputError for a record without a column of the displacement.
+/// Throws text::InputError for a record without a column of the displacement.
 void require_readings(const correction::Model& model, const record::Record& record);
 
 /// Looks at a record before a model is fitted to it. Warns of sensors on which the model rests and
 /// that stick, leap or never vary; into the notes of the record, too, for who reads results as
-/// JSON. Throws io::InputError where a power leaves the range of a delay element.
+/// JSON. Throws text::InputError where a power leaves the range of a delay element.
 void prepare_fit(Messages& messages, const correction::Model& model, const std::string& source,
                  record::Record& record);
 

@@ -13,10 +13,10 @@
 #include "correction/band.h"
 #include "correction/learning.h"
 #include "fit/noise.h"
-#include "io/csv.h"
-#include "io/error.h"
-#include "io/record_report.h"
-#include "io/units.h"
+#include "report/record_report.h"
+#include "text/csv.h"
+#include "text/error.h"
+#include "text/units.h"
 
 namespace raceway::session {
 namespace {
@@ -35,12 +35,12 @@ double share_within(const std::vector<double>& band, double noise, std::span<con
   return readings > 0 ? static_cast<double>(within) / static_cast<double>(readings) : unset;
 }
 
-io::Corrected corrected_by(const correction::Model& model, const record::Record& record,
-                           std::vector<std::string>& messages) {
+results::Corrected corrected_by(const correction::Model& model, const record::Record& record,
+                                std::vector<std::string>& messages) {
   const auto subject = correction::aligned(model, record, correction::Zero::none);
-  io::Corrected result{.displacement = model.displacement,
-                       .initial_state = model.initial_state,
-                       .predicted = fit::predict(*subject, record)};
+  results::Corrected result{.displacement = model.displacement,
+                            .initial_state = model.initial_state,
+                            .predicted = fit::predict(*subject, record)};
   const auto series = std::make_shared<const correction::Series>(record);
   result.parts = correction::contributions(subject->model(), *series);
   result.beyond = correction::beyond_range(model, *series);
@@ -71,8 +71,8 @@ io::Corrected corrected_by(const correction::Model& model, const record::Record&
 }
 
 /// As they were compared: with the constant that leaves least, where something was read.
-std::vector<io::DrawnModel> drawn(const SeriesQuestion& asked) {
-  std::vector<io::DrawnModel> list;
+std::vector<report::DrawnModel> drawn(const SeriesQuestion& asked) {
+  std::vector<report::DrawnModel> list;
   for (const correction::Model& model : asked.file.models)
     list.push_back(
         {.name = std::string(model.displacement->words),
@@ -87,13 +87,13 @@ std::vector<io::DrawnModel> drawn(const SeriesQuestion& asked) {
 /// "4h", "30 min" in seconds.
 double duration(const std::string& text, const std::string& flag) {
   const auto wrong = [&](const std::string& why) {
-    throw io::InputError(fmt::format("{} {}: {}", flag, io::quoted(text), why), {.key = flag});
+    throw text::InputError(fmt::format("{} {}: {}", flag, text::quoted(text), why), {.key = flag});
   };
   double value = 0.0;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
-  const io::Unit* const unit =
-      error == std::errc() ? io::find_unit({end, last}, io::Dimension::time) : nullptr;
+  const text::Unit* const unit =
+      error == std::errc() ? text::find_unit({end, last}, text::Dimension::time) : nullptr;
   if (!unit) wrong("write a number and its unit (s, min, h, d), as 4h");
   const double seconds = unit->to_SI(value);
   if (!(seconds > 0.0) || !(seconds <= 1e9)) wrong("must be above 0, and 1e9 s at most");
@@ -128,7 +128,7 @@ std::vector<std::string> notes_on(const correction::Model& model) {
   return notes;
 }
 
-std::vector<std::string> warnings_on(const io::Learnt& one, const record::Record& record) {
+std::vector<std::string> warnings_on(const results::Learnt& one, const record::Record& record) {
   constexpr double an_hour = 3600.0;
   std::vector<std::string> list;
   const auto place = [&](std::size_t row) {
@@ -152,7 +152,7 @@ auto on_record(const SeriesQuestion& asked, const Work& work) {
   try {
     return work();
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{} with {}: {}", asked.data.source, asked.file.source, e.what()),
         {.file = asked.data.source});
   }
@@ -161,13 +161,13 @@ auto on_record(const SeriesQuestion& asked, const Work& work) {
 }  // namespace
 
 std::string CorrectionRun::json() const {
-  return io::corrected_json(asked.file.source, asked.data, corrected, warnings);
+  return results::corrected_json(asked.file.source, asked.data, corrected, warnings);
 }
 
-std::string CorrectionRun::csv() const { return io::corrected_text(asked.data, corrected); }
+std::string CorrectionRun::csv() const { return results::corrected_text(asked.data, corrected); }
 
 std::string CorrectionRun::page() const {
-  return io::record_report("correct", json(), asked.data, drawn(asked));
+  return report::record_report("correct", json(), asked.data, drawn(asked));
 }
 
 CorrectionRun correct(SeriesQuestion asked) {
@@ -183,18 +183,18 @@ void LearningChoices::check() const { (void)options_of(*this); }
 std::string LearningRun::json() const {
   std::vector<std::string> messages = warnings;
   messages.insert(messages.end(), notes.begin(), notes.end());
-  return io::learnt_json(asked.file.source, asked.data, learnt, messages);
+  return results::learnt_json(asked.file.source, asked.data, learnt, messages);
 }
 
-std::string LearningRun::csv() const { return io::learnt_text(asked.data, learnt); }
+std::string LearningRun::csv() const { return results::learnt_text(asked.data, learnt); }
 
 std::string LearningRun::text() const {
   std::vector<correction::Model> models;
-  for (const io::Learnt& one : learnt) {
+  for (const results::Learnt& one : learnt) {
     models.push_back(one.learning.model);
     models.back().range.clear();  // what the file has stays
   }
-  return io::with_corrections(asked.file, models);
+  return files::with_corrections(asked.file, models);
 }
 
 LearningRun learn(SeriesQuestion asked, const LearningChoices& choices) {

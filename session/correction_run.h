@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/correction_results.h"
-#include "io/learning_results.h"
+#include "results/correction_results.h"
+#include "results/learning_results.h"
 #include "session/correction_input.h"
 
 namespace raceway::session {
@@ -12,7 +12,7 @@ namespace raceway::session {
 /// What the corrections of a file make of a record.
 struct CorrectionRun {
   SeriesQuestion asked{};
-  std::vector<io::Corrected> corrected{};  ///< of each displacement
+  std::vector<results::Corrected> corrected{};  ///< of each displacement
   std::vector<std::string> warnings{};
 
   [[nodiscard]] std::string json() const;
@@ -22,7 +22,7 @@ struct CorrectionRun {
   [[nodiscard]] std::string page() const;
 };
 
-/// Throws io::InputError for what the record does not allow.
+/// Throws text::InputError for what the record does not allow.
 [[nodiscard]] CorrectionRun correct(SeriesQuestion asked);
 
 /// How a correction learns from the readings of a record, as durations with their unit ("4h");
@@ -30,14 +30,14 @@ struct CorrectionRun {
 struct LearningChoices {
   std::string every{}, forget{};
 
-  /// Before anything is read. Throws io::InputError for a duration that is none.
+  /// Before anything is read. Throws text::InputError for a duration that is none.
   void check() const;
 };
 
 /// What the corrections of a file learnt from the readings of a record.
 struct LearningRun {
   SeriesQuestion asked{};
-  std::vector<io::Learnt> learnt{};  ///< of each displacement
+  std::vector<results::Learnt> learnt{};  ///< of each displacement
   std::vector<std::string> warnings{}, notes{};
 
   [[nodiscard]] std::string json() const;
@@ -47,7 +47,7 @@ struct LearningRun {
   [[nodiscard]] std::string text() const;
 };
 
-/// Throws io::InputError for what the record does not allow.
+/// Throws text::InputError for what the record does not allow.
 [[nodiscard]] LearningRun learn(SeriesQuestion asked, const LearningChoices& choices);
 
 }  // namespace raceway::session

@@ -1,4 +1,4 @@
-#include "session/global_sensitivity.h"
+#include "session/detail/global_sensitivity.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "io/error.h"
+#include "text/error.h"
 
 namespace raceway::session::varied {
 
-using io::Sensitivity;
-using io::VariedDatum;
+using results::Sensitivity;
+using results::VariedDatum;
 
 namespace {
 
@@ -49,15 +49,15 @@ std::vector<std::string> cannot_tell(const Sensitivity& s, const fit::SobolIndic
 
 fit::SobolDesign design_of(const SensitivityQuestion& q, const Sensitivity& s) {
   if (s.sampled.empty())
-    throw io::InputError("no datum with a spread enters: there is nothing to sample");
+    throw text::InputError("no datum with a spread enters: there is nothing to sample");
   if ((s.sampled.size() + 2) * s.predictions.size() > most_numbers / q.samples)
-    throw io::InputError(fmt::format(
+    throw text::InputError(fmt::format(
         "{} samples of {} data and {} predictions are more than {:.0g} numbers: take fewer",
         q.samples, s.sampled.size(), s.predictions.size(), static_cast<double>(most_numbers)));
   try {
     return {s.sampled.size(), q.samples, q.seed};
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(e.what(), {.key = "samples"});
+    throw text::InputError(e.what(), {.key = "samples"});
   }
 }
 

@@ -9,10 +9,10 @@
 #include "correction/alignment.h"
 #include "correction/lag_bank.h"
 #include "correction/series.h"
-#include "io/error.h"
-#include "io/names.h"
 #include "record/series_channel.h"
 #include "session/open_input.h"
+#include "text/error.h"
+#include "text/names.h"
 
 namespace raceway::session {
 namespace {
@@ -24,18 +24,19 @@ std::pair<int, int> orders_of(const std::string& text) {
     int value = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
     if (error != std::errc() || end != part.data() + part.size() || value < 1 || value > 6)
-      throw io::InputError(fmt::format("--order {}: must be a number of sections from 1 to 6, or a "
-                                       "range of them as 1:3",
-                                       text),
-                           {.key = "--order"});
+      throw text::InputError(
+          fmt::format("--order {}: must be a number of sections from 1 to 6, or a "
+                      "range of them as 1:3",
+                      text),
+          {.key = "--order"});
     return value;
   };
   const std::string_view all = text;
   if (colon == text.npos) return {number(all), number(all)};
   const std::pair result{number(all.substr(0, colon)), number(all.substr(colon + 1))};
   if (result.first > result.second)
-    throw io::InputError(fmt::format("--order {}: the first is above the second", text),
-                         {.key = "--order"});
+    throw text::InputError(fmt::format("--order {}: the first is above the second", text),
+                           {.key = "--order"});
   return result;
 }
 
@@ -49,10 +50,10 @@ std::vector<double> lags_of(const std::vector<std::string>& texts) {
     constexpr double longest = 1e7;
     if (error != std::errc() || end != text.data() + text.size() || !(value >= 0.0) ||
         value > longest)
-      throw io::InputError(fmt::format("--lags {}: must be auto, or time constants from 0 (at "
-                                       "once) to 1e7 s by comma, as 0,1200,3600",
-                                       text),
-                           {.key = "--lags"});
+      throw text::InputError(fmt::format("--lags {}: must be auto, or time constants from 0 (at "
+                                         "once) to 1e7 s by comma, as 0,1200,3600",
+                                         text),
+                             {.key = "--lags"});
     if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
   }
   return list;
@@ -74,9 +75,9 @@ std::vector<const record::Channel*> offered(const std::vector<std::string>& name
     if (!c || !c->is_input() || !record.has(*c)) {
       std::vector<std::string> known;
       for (const record::Column& column : record.columns) known.emplace_back(column.channel->name);
-      throw io::InputError(fmt::format("--inputs {}: {} has no such input{}", name, record.source,
-                                       io::suggestion(name, known)),
-                           {.file = record.source, .key = "--inputs"});
+      throw text::InputError(fmt::format("--inputs {}: {} has no such input{}", name, record.source,
+                                         text::suggestion(name, known)),
+                             {.file = record.source, .key = "--inputs"});
     }
     list.push_back(c);
   }
@@ -130,8 +131,8 @@ correction::Identification identified(Messages& messages, SeriesQuestion& asked,
     return choices.lags.empty() ? sections(model, asked.data, choices)
                                 : bank(model, asked.data, choices);
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(fmt::format("{} with {}: {}", asked.data.source, source, e.what()),
-                         {.file = asked.data.source});
+    throw text::InputError(fmt::format("{} with {}: {}", asked.data.source, source, e.what()),
+                           {.file = asked.data.source});
   }
 }
 
@@ -162,8 +163,8 @@ Validated validated(const correction::Model& model, const record::Record& other)
 std::string identified_text(const SeriesQuestion& asked,
                             const std::vector<correction::Model>& found,
                             const IdentifyChoices& choices) {
-  if (choices.baseline.empty()) return io::with_corrections(asked.file, found);
-  return io::new_corrections(found, "Multiple linear regression on " + asked.data.source);
+  if (choices.baseline.empty()) return files::with_corrections(asked.file, found);
+  return files::new_corrections(found, "Multiple linear regression on " + asked.data.source);
 }
 
 }  // namespace raceway::session

@@ -8,7 +8,7 @@
 
 #include "correction/baseline.h"
 #include "correction/identify.h"
-#include "io/correction_results.h"
+#include "results/correction_results.h"
 #include "session/correction_input.h"
 #include "session/messages.h"
 #include "session/source.h"
@@ -24,13 +24,13 @@ struct IdentifyChoices {
   std::function<void(double share, std::string_view step)> progress{};
   std::function<bool()> cancelled{};
 
-  /// Before anything is read. Throws io::InputError for an order or lags that are none.
+  /// Before anything is read. Throws text::InputError for an order or lags that are none.
   void check() const;
 };
 
 /// Finds structure and numbers of one of the models of `asked`; warnings of the sensors stand in
-/// the notes of its record, too. Throws io::InputError: no such input, no readings, what the record
-/// does not allow; and fit::Cancelled.
+/// the notes of its record, too. Throws text::InputError: no such input, no readings, what the
+/// record does not allow; and fit::Cancelled.
 [[nodiscard]] correction::Identification identified(Messages& messages, SeriesQuestion& asked,
                                                     const correction::Model& model,
                                                     const IdentifyChoices& choices);
@@ -42,7 +42,7 @@ struct IdentifyChoices {
 
 /// What a model is worth on a record that it did not see, and what is to be known of that.
 struct Validated {
-  io::Validation validation{};
+  results::Validation validation{};
   std::vector<std::string> warnings{};
 };
 [[nodiscard]] Validated validated(const correction::Model& model, const record::Record& other);

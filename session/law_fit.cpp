@@ -5,21 +5,22 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "io/error.h"
 #include "session/law_statement.h"
+#include "text/error.h"
 
 namespace raceway::session {
 namespace {
 
-std::optional<io::LawAtSpeed> law_at(double speed_rpm, const shaft::KinematicLaw& law) {
+std::optional<results::LawAtSpeed> law_at(double speed_rpm, const shaft::KinematicLaw& law) {
   if (std::isnan(speed_rpm)) return std::nullopt;
-  const io::LawAtSpeed at{speed_rpm * rpm, evaluate(law, speed_rpm * rpm)};
+  const results::LawAtSpeed at{speed_rpm * rpm, evaluate(law, speed_rpm * rpm)};
   if (!at.value.inside)
-    throw io::InputError(fmt::format("--at = {:.10g} rpm: the law is valid from {:.10g} to {:.10g} "
-                                     "rpm, where its rows lie; it "
-                                     "is not extrapolated",
-                                     speed_rpm, law.lowest_speed / rpm, law.highest_speed / rpm),
-                         {.key = "--at"});
+    throw text::InputError(
+        fmt::format("--at = {:.10g} rpm: the law is valid from {:.10g} to {:.10g} "
+                    "rpm, where its rows lie; it "
+                    "is not extrapolated",
+                    speed_rpm, law.lowest_speed / rpm, law.highest_speed / rpm),
+        {.key = "--at"});
   return at;
 }
 
@@ -28,17 +29,17 @@ std::optional<io::LawAtSpeed> law_at(double speed_rpm, const shaft::KinematicLaw
 std::string LawFit::statement(const std::string& table) const { return law_statement(fit, table); }
 
 std::string LawFit::json(const std::string& table) const {
-  return io::kinematic_law_json(fit, statement(table), at);
+  return results::kinematic_law_json(fit, statement(table), at);
 }
 
 LawFit fit_law(Messages& messages, const Source& curve, const Reading& reading, double at_rpm) {
   LawFit result;
-  result.curve = io::read_displacement_curve(curve, reading.options());
+  result.curve = files::read_displacement_curve(curve, reading.options());
   messages.notes(result.curve.notes);
   try {
     result.fit = shaft::fit_kinematic_law(result.curve.points);
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(result.curve.source + ": " + e.what(), {.file = result.curve.source});
+    throw text::InputError(result.curve.source + ": " + e.what(), {.file = result.curve.source});
   }
   messages.warnings(result.fit.notes);
   result.at = law_at(at_rpm, result.fit.law);

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "io/displacement_curve.h"
-#include "io/kinematic_results.h"
+#include "files/displacement_curve.h"
+#include "results/kinematic_results.h"
 #include "session/messages.h"
 #include "session/reading.h"
 #include "session/source.h"
@@ -13,9 +13,9 @@ namespace raceway::session {
 
 /// The law of kinematic displacement, fitted to a curve.
 struct LawFit {
-  io::DisplacementCurve curve{};
+  files::DisplacementCurve curve{};
   shaft::KinematicLawFit fit{};
-  std::optional<io::LawAtSpeed> at{};
+  std::optional<results::LawAtSpeed> at{};
 
   /// How well it follows the curve; `table` says where the table is that replaces it.
   [[nodiscard]] std::string statement(const std::string& table) const;
@@ -23,7 +23,7 @@ struct LawFit {
 };
 
 /// Reads a curve of displacements over speeds and fits the law to it; `at_rpm`: a speed at which it
-/// is asked for, NaN without. Throws io::InputError: a curve of too few speeds, a speed where the
+/// is asked for, NaN without. Throws text::InputError: a curve of too few speeds, a speed where the
 /// law is not valid.
 [[nodiscard]] LawFit fit_law(Messages& messages, const Source& curve, const Reading& reading,
                              double at_rpm);

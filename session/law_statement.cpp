@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include "io/number_text.h"
+#include "text/number_text.h"
 
 namespace raceway::session {
 
-using io::number;
+using text::number;
 
 using shaft::KinematicLawVerdict;
 

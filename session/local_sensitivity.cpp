@@ -1,4 +1,4 @@
-#include "session/local_sensitivity.h"
+#include "session/detail/local_sensitivity.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "io/error.h"
 #include "model/parameters.h"
+#include "text/error.h"
 
 namespace raceway::session::varied {
 
-using io::LocalSensitivity;
-using io::VariedDatum;
+using results::LocalSensitivity;
+using results::VariedDatum;
 
 namespace {
 
@@ -114,19 +114,19 @@ void take_standard_errors(const model::Model& model, Data& data) {
 
 void take_spreads(const model::Model& model, const SensitivityQuestion& q, Data& data) {
   take_standard_errors(model, data);
-  for (const io::SpreadText& text : q.spreads) {
+  for (const files::SpreadText& text : q.spreads) {
     VariedDatum& datum = data.all()[data.find(text.name)];
-    datum.spread = io::spread_of(text, datum.value);
+    datum.spread = files::spread_of(text, datum.value);
     datum.spread_from = "given";
     if (datum.whole && datum.spread != std::floor(datum.spread))
-      throw io::InputError(fmt::format("spread of {} = {}: must be a whole number: it is a count",
-                                       text.name, text.text),
-                           {.key = text.name});
+      throw text::InputError(fmt::format("spread of {} = {}: must be a whole number: it is a count",
+                                         text.name, text.text),
+                             {.key = text.name});
   }
 }
 
 std::vector<Around> predict_around(Data& data, const Predictor& predictor,
-                                   const SensitivityQuestion& q, io::Sensitivity& s) {
+                                   const SensitivityQuestion& q, results::Sensitivity& s) {
   std::vector<Around> around(data.all().size());
   for (std::size_t k = 0; k < around.size(); ++k) {
     VariedDatum& datum = data.all()[k];
@@ -162,7 +162,7 @@ std::vector<Around> predict_around(Data& data, const Predictor& predictor,
 
 std::vector<std::size_t> take_what_enters(const Data& data, const std::vector<Around>& around,
                                           const std::vector<double>& here, bool sampled,
-                                          io::Sensitivity& s) {
+                                          results::Sensitivity& s) {
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < around.size(); ++k) {
     const Around& one = around[k];
@@ -191,7 +191,7 @@ std::vector<std::size_t> take_what_enters(const Data& data, const std::vector<Ar
     }
     const bool given = datum.spread_from == "given";
     if (!spread_refused.empty() && sampled && given)
-      throw io::InputError(
+      throw text::InputError(
           fmt::format("spread of {} = {:.6g} ({}): leaves what a model may have: {}", datum.name,
                       datum.spread, datum.spread_from, spread_refused),
           {.key = datum.name});
@@ -207,7 +207,7 @@ std::vector<std::size_t> take_what_enters(const Data& data, const std::vector<Ar
 
 void differentiate(std::size_t i, const std::vector<VariedDatum>& data,
                    const std::vector<std::size_t>& places, const std::vector<Around>& around,
-                   io::PredictionSensitivity& p) {
+                   results::PredictionSensitivity& p) {
   double largest = 0.0, squares = 0.0;
   for (std::size_t k = 0; k < places.size(); ++k) {
     LocalSensitivity local;

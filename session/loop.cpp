@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "fit/dwells.h"
-#include "io/diagnosis_results.h"
-#include "io/error.h"
-#include "io/record_report.h"
-#include "io/results.h"
 #include "model/model_changes.h"
+#include "report/record_report.h"
+#include "results/diagnosis_results.h"
+#include "results/results.h"
+#include "text/error.h"
 
 namespace raceway::session {
 namespace {
@@ -86,15 +86,15 @@ std::vector<double> predict(const LoopQuestion& asked) {
 }
 
 std::string json(const LoopQuestion& asked, const fit::Calibration& found) {
-  return io::calibration_json(found, asked.data);
+  return results::calibration_json(found, asked.data);
 }
 
 std::string json(const LoopQuestion& asked, const fit::Diagnosis& found) {
-  return io::diagnosis_json(asked.source(), asked.data, found);
+  return results::diagnosis_json(asked.source(), asked.data, found);
 }
 
 std::string json(const LoopQuestion& asked, const fit::AddResult& found) {
-  return io::add_json(asked.source(), asked.data, found);
+  return results::add_json(asked.source(), asked.data, found);
 }
 
 std::string page(const LoopQuestion& asked, const fit::Diagnosis& found) {
@@ -119,13 +119,13 @@ std::string ComparedModels::json() const {
   std::vector<correction::Beyond> beyond;
   for (const ComparedModel& model : models)
     if (model.beyond) beyond.push_back(*model.beyond);
-  return io::comparison_json(names, errors(), data, beyond);
+  return results::comparison_json(names, errors(), data, beyond);
 }
 
 std::string ComparedModels::page() const {
-  std::vector<io::ModelOfPage> facts;
+  std::vector<report::ModelOfPage> facts;
   std::vector<model::Model> used;
-  std::vector<io::DrawnModel> drawn;
+  std::vector<report::DrawnModel> drawn;
   for (const ComparedModel& model : models) {
     drawn.push_back(model.drawn);
     if (!model.facts) continue;
@@ -133,8 +133,9 @@ std::string ComparedModels::page() const {
     used.push_back(model.facts->model);
   }
   if (models.back().subject->approximates())
-    return io::record_report("compare", json(), data, drawn, facts, model::changes_between(used));
-  return io::comparison_report(names, used, errors(), data, facts);
+    return report::record_report("compare", json(), data, drawn, facts,
+                                 model::changes_between(used));
+  return report::comparison_report(names, used, errors(), data, facts);
 }
 
 ComparedModels compare(Messages& messages, const std::vector<Source>& models,
@@ -167,8 +168,8 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
 }
 
 std::string CheckedModel::json() const {
-  return io::check_json(model.name, check, model.defaults, notes,
-                        over_time ? &*over_time : nullptr);
+  return results::check_json(model.name, check, model.defaults, notes,
+                             over_time ? &*over_time : nullptr);
 }
 
 CheckedModel check(Messages& messages, const Source& source, const Source& data,

@@ -27,12 +27,12 @@ struct LoopQuestion {
   [[nodiscard]] const std::string& source() const { return model->about().source; }
 };
 
-/// Opens both and says what is to be known of them. Throws io::InputError as open_loop_model(),
+/// Opens both and says what is to be known of them. Throws text::InputError as open_loop_model(),
 /// LoopModel::read() and LoopModel::for_fit().
 [[nodiscard]] LoopQuestion ask(Messages& messages, const Source& model,
                                const std::vector<Source>& data, const LoopOptions& options);
 
-/// As those of fit, and io::InputError for what the data do not allow. `effects`: as people name
+/// As those of fit, and text::InputError for what the data do not allow. `effects`: as people name
 /// them.
 [[nodiscard]] fit::Calibration calibrate(const LoopQuestion& asked,
                                          const fit::CalibrateOptions& options = {});
@@ -65,8 +65,8 @@ struct ComparedModels {
 };
 
 /// Compares them with the same rows, which are read by the columns and the sensor of the first.
-/// What `how` names, and what each record has for itself, is fitted before. Throws io::InputError,
-/// also for models of different kinds.
+/// What `how` names, and what each record has for itself, is fitted before. Throws
+/// text::InputError, also for models of different kinds.
 [[nodiscard]] ComparedModels compare(Messages& messages, const std::vector<Source>& models,
                                      const std::vector<Source>& data, const CompareOptions& how,
                                      const LoopOptions& options);

@@ -6,32 +6,32 @@
 #include <stdexcept>
 #include <utility>
 
+#include "files/model_parts.h"
 #include "fit/several_records.h"
-#include "io/error.h"
-#include "io/input_file.h"
-#include "io/model_parts.h"
-#include "io/names.h"
 #include "session/bearing_in_loop.h"
 #include "session/correction_in_loop.h"
 #include "session/correction_input.h"
+#include "text/error.h"
+#include "text/input_file.h"
+#include "text/names.h"
 
 namespace raceway::session {
 namespace {
 
-io::ModelParts parts_of(const Source& file) {
-  return file.text ? io::parts_of(*file.text) : io::parts_of_file(file.name);
+files::ModelParts parts_of(const Source& file) {
+  return file.text ? files::parts_of(*file.text) : files::parts_of_file(file.name);
 }
 
 /// The part that a column belongs to; of a file with one part that. A file with two asks.
-Part part_of(const io::ModelParts& parts, const Source& file, const LoopOptions& options) {
+Part part_of(const files::ModelParts& parts, const Source& file, const LoopOptions& options) {
   if (options.part != Part::any) return options.part;
   if (parts.displacements.empty()) return Part::bearing;
   if (!parts.bearing) return Part::correction;
   if (options.channel.empty())
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{}: describes a bearing and the correction of {}: choose by --channel, of the "
                     "bearing --channel friction_torque_Nmm",
-                    file.name, io::listed(parts.displacements)),
+                    file.name, text::listed(parts.displacements)),
         {.file = file.name, .key = "--channel"});
   return std::find(parts.displacements.begin(), parts.displacements.end(), options.channel) ==
                  parts.displacements.end()
@@ -42,10 +42,10 @@ Part part_of(const io::ModelParts& parts, const Source& file, const LoopOptions&
 }  // namespace
 
 LoopModel::About describe(Messages& messages, const Source& file, const LoopOptions& options) {
-  const io::ModelParts parts = parts_of(file);
+  const files::ModelParts parts = parts_of(file);
   const bool both = parts.bearing && !parts.displacements.empty();
   if (both && !file.text)  // standard input is read once
-    return describe(messages, {io::input_name(file.name), io::read_text(file.name)}, options);
+    return describe(messages, {text::input_name(file.name), text::read_text(file.name)}, options);
   LoopModel::About about;
   const auto add = [&](const auto& part, std::string name) {
     about.source = part.source;
@@ -54,14 +54,15 @@ LoopModel::About describe(Messages& messages, const Source& file, const LoopOpti
     about.notes.insert(about.notes.end(), part.notes.begin(), part.notes.end());
   };
   if (parts.bearing || parts.displacements.empty()) {
-    const io::ModelFile model = open_model(messages, file, Accepts::rig_or_shaft, options.defaults);
+    const files::ModelFile model =
+        open_model(messages, file, Accepts::rig_or_shaft, options.defaults);
     add(model, model.model.name);
   }
   if (!parts.displacements.empty()) {
-    const io::CorrectionFile corrections = open_corrections(messages, file, options.defaults);
+    const files::CorrectionFile corrections = open_corrections(messages, file, options.defaults);
     Names names;
     for (const correction::Model& m : corrections.models) names.push_back(m.name);
-    add(corrections, io::listed(names));
+    add(corrections, text::listed(names));
   }
   return about;
 }

@@ -9,15 +9,15 @@
 
 #include "correction/range.h"
 #include "correction/record_check.h"
+#include "files/model_file.h"
 #include "fit/add.h"
 #include "fit/calibrate.h"
 #include "fit/compare.h"
 #include "fit/diagnosis.h"
 #include "fit/subject.h"
-#include "io/model_file.h"
-#include "io/record_report.h"
-#include "io/report.h"
 #include "record/record.h"
+#include "report/record_report.h"
+#include "report/report.h"
 #include "session/messages.h"
 #include "session/open_input.h"
 #include "session/reading.h"
@@ -44,7 +44,7 @@ struct LoopOptions {
   Part part = Part::any;
   Defaults defaults = Defaults::count;
   /// Gives the model of that place among several what no file can say; may be empty.
-  std::function<void(io::ModelFile&, std::size_t)> amend{};
+  std::function<void(files::ModelFile&, std::size_t)> amend{};
 };
 
 /// How models are held against a record.
@@ -74,8 +74,8 @@ struct ComparedModel {
   std::shared_ptr<const fit::Subject> subject{};
   std::vector<fit::Comparison> errors{};       ///< by measured channel
   std::optional<correction::Beyond> beyond{};  ///< of a correction: what its numbers never saw
-  io::DrawnModel drawn{};
-  std::optional<io::ModelOfPage> facts{};  ///< of all else
+  report::DrawnModel drawn{};
+  std::optional<report::ModelOfPage> facts{};  ///< of all else
 };
 
 /// What a file describes, opened for the loop: a bearing on its rig, the sets on a shaft, a
@@ -88,7 +88,7 @@ class LoopModel {
     std::string name;
     std::vector<std::string> defaults{};  ///< that were used
     std::vector<std::string> notes{};
-    std::vector<io::NamedFile> files{};  ///< that it names
+    std::vector<files::NamedFile> files{};  ///< that it names
   };
 
   explicit LoopModel(About about) : about_(std::move(about)) {}
@@ -98,12 +98,12 @@ class LoopModel {
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> as_written() const = 0;
 
   /// Reads measurements of it and of those that it is compared with, and says what is to be known
-  /// of them. Several files are joined to one record. Throws io::InputError.
+  /// of them. Several files are joined to one record. Throws text::InputError.
   [[nodiscard]] virtual record::Record read(Messages& messages, const std::vector<Source>& data,
                                             const Reading& reading,
                                             const LoopModels& compared_with = {}) const = 0;
   /// As a fit takes it. What is doubtful of its inputs is said, and stands in the notes of the
-  /// record. Throws io::InputError for what the record does not allow, and for `per_record`.
+  /// record. Throws text::InputError for what the record does not allow, and for `per_record`.
   [[nodiscard]] virtual std::shared_ptr<const fit::Subject> for_fit(
       Messages& messages, record::Record& data, const Names& per_record) const = 0;
   /// The effects that a person means by these names. Throws std::invalid_argument where one name
@@ -111,7 +111,7 @@ class LoopModel {
   [[nodiscard]] virtual Names meant(const Names& effects, const record::Record& data) const = 0;
 
   /// Says what is to be known of it beside the first of several that are compared. Throws
-  /// io::InputError where they cannot be.
+  /// text::InputError where they cannot be.
   virtual void stand_beside(Messages& messages, const LoopModel& first) const = 0;
   /// Held against a record, after a fit of what `how` and `per_record` name. Throws
   /// std::invalid_argument for what the record does not allow.
@@ -135,7 +135,7 @@ class LoopModel {
   About about_;
 };
 
-/// What a file says of itself, of all that it describes. Throws io::InputError as the readers.
+/// What a file says of itself, of all that it describes. Throws text::InputError as the readers.
 [[nodiscard]] LoopModel::About describe(Messages& messages, const Source& file,
                                         const LoopOptions& options);
 
@@ -148,7 +148,7 @@ class LoopModel {
                                         const record::Record& data, const Names& names);
 
 /// Opens the part of a file that is asked, which `place` of several it is, and says what is to be
-/// known of it. Throws io::InputError as the readers and Tolerance, and for a file with several
+/// known of it. Throws text::InputError as the readers and Tolerance, and for a file with several
 /// parts of which none is chosen.
 [[nodiscard]] std::unique_ptr<LoopModel> open_loop_model(Messages& messages, const Source& file,
                                                          const LoopOptions& options,

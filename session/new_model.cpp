@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "io/catalogue_file.h"
-#include "io/error.h"
-#include "io/model_file.h"
+#include "files/catalogue_file.h"
+#include "files/model_file.h"
+#include "text/error.h"
 
 namespace raceway::session {
 namespace {
@@ -20,8 +20,9 @@ friction::FrictionLaw wanted_law(const NewModel& wanted) {
 }
 
 /// What the flags say of a bearing; of one in the catalogue they must say nothing.
-io::BearingOutline outline(const NewModel& wanted, const std::vector<io::CatalogueBearing>& rows) {
-  io::BearingOutline result = io::outline_of(wanted.bearing, rows);
+files::BearingOutline outline(const NewModel& wanted,
+                              const std::vector<files::CatalogueBearing>& rows) {
+  files::BearingOutline result = files::outline_of(wanted.bearing, rows);
   if (!std::isnan(wanted.outline.bore)) result.bore = wanted.outline.bore;
   if (!std::isnan(wanted.outline.outer_diameter))
     result.outer_diameter = wanted.outline.outer_diameter;
@@ -34,49 +35,50 @@ io::BearingOutline outline(const NewModel& wanted, const std::vector<io::Catalog
 }  // namespace
 
 std::string new_model_text(Messages& messages, const NewModel& wanted) {
-  const auto rows = io::read_catalogues();
-  const io::BearingOutline& given = wanted.outline;
+  const auto rows = files::read_catalogues();
+  const files::BearingOutline& given = wanted.outline;
   const bool described = !std::isnan(given.bore) || !std::isnan(given.outer_diameter) ||
                          !std::isnan(wanted.contact_angle) || given.ball_count > 0;
-  if (const io::CatalogueBearing* const row = io::known_bearing(rows, wanted.bearing)) {
+  if (const files::CatalogueBearing* const row = files::known_bearing(rows, wanted.bearing)) {
     if (described)
-      throw io::InputError(
+      throw text::InputError(
           fmt::format("raceway new: {} is in the catalogue, with its inner geometry; --bore, "
                       "--outer-diameter, --balls and --contact-angle are for one that is not",
                       row->full_name()),
           {.key = "BEARING"});
-    if (given.ball_material == "steel") return io::new_model_text(*row, wanted_law(wanted));
-    io::CatalogueBearing hybrid = *row;
+    if (given.ball_material == "steel") return files::new_model_text(*row, wanted_law(wanted));
+    files::CatalogueBearing hybrid = *row;
     if (!std::isnan(row->static_load_rating_silicon_nitride))
       hybrid.geometry.static_load_rating = row->static_load_rating_silicon_nitride;
-    return io::model_text(hybrid, {.title = fmt::format("Model of a hybrid {} on a rig. Every "
-                                                        "default is written out: change what you "
-                                                        "know better.",
-                                                        row->full_name()),
-                                   .ball_material = given.ball_material,
-                                   .of_key = {},
-                                   .law = wanted_law(wanted)});
+    return files::model_text(hybrid,
+                             {.title = fmt::format("Model of a hybrid {} on a rig. Every "
+                                                   "default is written out: change what you "
+                                                   "know better.",
+                                                   row->full_name()),
+                              .ball_material = given.ball_material,
+                              .of_key = {},
+                              .law = wanted_law(wanted)});
   }
-  const io::BearingOutline known = outline(wanted, rows);
+  const files::BearingOutline known = outline(wanted, rows);
   // A misspelt name of the catalogue is answered with the nearest ones.
   if (!described && std::isnan(known.bore)) {
     try {
-      (void)io::find_bearing(rows, wanted.bearing);
-    } catch (const io::InputError& e) {
-      throw io::InputError(std::string(e.what()) +
-                               "\nwith --bore and --outer-diameter, and --balls if it is known, "
-                               "the inner geometry of "
-                               "one that is not is estimated",
-                           e.place);
+      (void)files::find_bearing(rows, wanted.bearing);
+    } catch (const text::InputError& e) {
+      throw text::InputError(std::string(e.what()) +
+                                 "\nwith --bore and --outer-diameter, and --balls if it is known, "
+                                 "the inner geometry of "
+                                 "one that is not is estimated",
+                             e.place);
     }
   }
-  const io::EstimatedBearing bearing = io::estimated_bearing(known, rows);
+  const files::EstimatedBearing bearing = files::estimated_bearing(known, rows);
   messages.note(fmt::format(
       "{} is not in the catalogue: {:.6g} x {:.6g} mm, {:.4g} deg{}; what is estimated "
       "is marked in the model",
       wanted.bearing, known.bore / mm, known.outer_diameter / mm,
       bearing.outline.contact_angle / degree, std::isnan(given.bore) ? " by its designation" : ""));
-  return io::estimated_model_text(bearing, wanted_law(wanted));
+  return files::estimated_model_text(bearing, wanted_law(wanted));
 }
 
 }  // namespace raceway::session

@@ -2,21 +2,21 @@
 
 #include <string>
 
-#include "io/bearing_estimate.h"
+#include "files/bearing_estimate.h"
 #include "session/messages.h"
 
 namespace raceway::session {
 
 /// A bearing that somebody wants a model of.
 struct NewModel {
-  std::string bearing{};         ///< its designation
-  io::BearingOutline outline{};  ///< of one that is in no catalogue; the ball material of any
-  double contact_angle = unset;  ///< of the same [deg]
-  std::string law = "contact";   ///< or "palmgren", "skf"
+  std::string bearing{};            ///< its designation
+  files::BearingOutline outline{};  ///< of one that is in no catalogue; the ball material of any
+  double contact_angle = unset;     ///< of the same [deg]
+  std::string law = "contact";      ///< or "palmgren", "skf"
 };
 
-/// A commented model file with the defaults of its law. Throws io::InputError for a bearing that is
-/// not known and not described.
+/// A commented model file with the defaults of its law. Throws text::InputError for a bearing that
+/// is not known and not described.
 [[nodiscard]] std::string new_model_text(Messages& messages, const NewModel& wanted);
 
 }  // namespace raceway::session

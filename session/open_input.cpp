@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "io/data_file.h"
-#include "io/doubts.h"
-#include "io/error.h"
-#include "io/spindle_record.h"
+#include "files/data_file.h"
+#include "files/doubts.h"
+#include "files/spindle_record.h"
 #include "model/ignored_data.h"
 #include "model/steps.h"
 #include "shaft/displacement_rows.h"
+#include "text/error.h"
 
 namespace raceway::session {
 
@@ -20,25 +20,26 @@ void refuse_data(const std::string& model, const record::Record& data,
   std::string message = error.what();
   if (const std::string place = data.source + ": "; message.starts_with(place))
     message.erase(0, place.size());
-  throw io::InputError(fmt::format("{} with {}: {}", data.source, model, message),
-                       {.file = data.source});
+  throw text::InputError(fmt::format("{} with {}: {}", data.source, model, message),
+                         {.file = data.source});
 }
 
-io::ModelFile open_model(Messages& messages, const Source& source, Accepts accepts,
-                         Defaults defaults) {
+files::ModelFile open_model(Messages& messages, const Source& source, Accepts accepts,
+                            Defaults defaults) {
   const std::string& path = source.name;
-  io::ModelFile file = [&] {
+  files::ModelFile file = [&] {
     try {
-      return source.text ? io::parse_model(*source.text, path, source.files) : io::read_model(path);
-    } catch (const io::InputError& e) {
+      return source.text ? files::parse_model(*source.text, path, source.files)
+                         : files::read_model(path);
+    } catch (const text::InputError& e) {
       if (!path.ends_with(".csv")) throw;
-      throw io::InputError(
+      throw text::InputError(
           std::string(e.what()) + "\n" + path + ": stands where a model (TOML) is expected",
           e.place);
     }
   }();
   if (file.model.shaft && accepts == Accepts::rig)
-    throw io::InputError(
+    throw text::InputError(
         path +
             ": has an [arrangement]: this command works on a single bearing on a rig; "
             "displacement, solve, table, check, compare, diagnose, add and calibrate with data "
@@ -46,11 +47,11 @@ io::ModelFile open_model(Messages& messages, const Source& source, Accepts accep
             "a shaft",
         {.file = path, .key = "arrangement"});
   if (!file.model.shaft && accepts == Accepts::shaft)
-    throw io::InputError(path +
-                             ": has no [arrangement]: a shaft position needs one, with layout, "
-                             "front, rear and preload_N",
-                         {.file = path, .key = "arrangement"});
-  for (const io::NamedFile& named : file.files) messages.reads(named.path);
+    throw text::InputError(path +
+                               ": has no [arrangement]: a shaft position needs one, with layout, "
+                               "front, rear and preload_N",
+                           {.file = path, .key = "arrangement"});
+  for (const files::NamedFile& named : file.files) messages.reads(named.path);
   const std::size_t count = defaults == Defaults::count ? file.defaults.size() : 0;
   if (count > 0)
     messages.note(fmt::format("{} default{}: raceway check {} lists {}", count,
@@ -60,7 +61,7 @@ io::ModelFile open_model(Messages& messages, const Source& source, Accepts accep
   return file;
 }
 
-void warn_of_ignored_data(Messages& messages, const io::ModelFile& file) {
+void warn_of_ignored_data(Messages& messages, const files::ModelFile& file) {
   const std::vector<std::string> ignored = model::ignored_by_friction(file.model, file.written);
   if (ignored.empty()) return;
   const friction::FrictionLaw law = file.model.law;
@@ -74,7 +75,7 @@ void warn_of_ignored_data(Messages& messages, const io::ModelFile& file) {
       skf ? "" : " takes in"));
 }
 
-io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used) {
+report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used) {
   return {.file = file.source, .model = used, .defaults = file.defaults};
 }
 
@@ -91,30 +92,30 @@ void put(Messages& messages, record::Record& data, std::vector<std::string> line
 }
 
 record::Record open_one(Messages& messages, const Source& source,
-                        const model::ModelSubject& subject, const io::ReadOptions& options,
+                        const model::ModelSubject& subject, const files::ReadOptions& options,
                         bool of_several) {
   const std::string& path = source.name;
   if (path.ends_with(".toml"))
-    throw io::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
+    throw text::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
   if (const auto& spindle = subject.model().spindle) {
-    record::Record data = io::read_spindle_record(source, *spindle, options);
+    record::Record data = files::read_spindle_record(source, *spindle, options);
     put(messages, data, std::exchange(data.notes, {}), of_several ? path : std::string(),
         &Messages::notes);
     return data;
   }
-  record::Record data = io::read_record(source, subject, options);
+  record::Record data = files::read_record(source, subject, options);
   if (std::string note = shaft::note_on_standstill(data); !note.empty())
     data.notes.push_back(std::move(note));
   const std::string from = of_several ? path : std::string();
   put(messages, data, std::exchange(data.notes, {}), from, &Messages::notes);
-  put(messages, data, io::doubts(subject, data), from, &Messages::warnings);
+  put(messages, data, files::doubts(subject, data), from, &Messages::warnings);
   return data;
 }
 
 }  // namespace
 
 record::Record open_data(Messages& messages, const Source& data, const model::ModelSubject& subject,
-                         const io::ReadOptions& options) {
+                         const files::ReadOptions& options) {
   return open_one(messages, data, subject, options, false);
 }
 
@@ -127,7 +128,7 @@ void tell_of_scale(const record::Record& data, std::vector<std::string>& message
 
 record::Record open_records(Messages& messages, const std::vector<Source>& data,
                             const std::string& model, const model::ModelSubject& subject,
-                            const io::ReadOptions& options) {
+                            const files::ReadOptions& options) {
   if (data.size() == 1) return open_data(messages, data.front(), subject, options);
   std::vector<record::Record> records;
   for (const Source& source : data) {
@@ -150,7 +151,7 @@ record::Record open_records(Messages& messages, const std::vector<Source>& data,
   try {
     return record::joined(std::move(records));
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(e.what());
+    throw text::InputError(e.what());
   }
 }
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "io/model_file.h"
-#include "io/report.h"
+#include "files/model_file.h"
 #include "model/model_subject.h"
 #include "record/record.h"
+#include "report/report.h"
 #include "session/messages.h"
 #include "session/source.h"
 
@@ -21,32 +21,32 @@ enum class Accepts { rig, rig_or_shaft, shaft };
 enum class Defaults { count, keep };
 
 /// Reads a model, counts the defaults that were used, and says what is to be known of it. Throws
-/// io::InputError for a model that is not accepted.
-[[nodiscard]] io::ModelFile open_model(Messages& messages, const Source& model,
-                                       Accepts accepts = Accepts::rig,
-                                       Defaults defaults = Defaults::count);
+/// text::InputError for a model that is not accepted.
+[[nodiscard]] files::ModelFile open_model(Messages& messages, const Source& model,
+                                          Accepts accepts = Accepts::rig,
+                                          Defaults defaults = Defaults::count);
 
 /// What a page says of a model, with the numbers that it was used with.
-[[nodiscard]] io::ModelOfPage of_page(const io::ModelFile& file, const model::Model& used);
+[[nodiscard]] report::ModelOfPage of_page(const files::ModelFile& file, const model::Model& used);
 
 /// Warns where the file says something of its bearing or solver that changes no digit of the
 /// friction torque: the law takes no account of it.
-void warn_of_ignored_data(Messages& messages, const io::ModelFile& file);
+void warn_of_ignored_data(Messages& messages, const files::ModelFile& file);
 
 /// Reads measurements for a model, a coast-down turned into torque. What is to be known of them and
 /// what is doubtful of them is said, and stands in the notes of the record.
 [[nodiscard]] record::Record open_data(Messages& messages, const Source& data,
                                        const model::ModelSubject& subject,
-                                       const io::ReadOptions& options);
+                                       const files::ReadOptions& options);
 
 /// The same of one file or several, which are joined to one record. Each must be of what the model
 /// stands for; `model` is its file, for messages.
 [[nodiscard]] record::Record open_records(Messages& messages, const std::vector<Source>& data,
                                           const std::string& model,
                                           const model::ModelSubject& subject,
-                                          const io::ReadOptions& options);
+                                          const files::ReadOptions& options);
 
-/// Puts the name of the model before what `fit` says of the data, and makes it an io::InputError.
+/// Puts the name of the model before what `fit` says of the data, and makes it an text::InputError.
 [[noreturn]] void refuse_data(const std::string& model, const record::Record& data,
                               const std::invalid_argument& error);
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "io/error.h"
-#include "io/number_range.h"
-#include "io/number_text.h"
-#include "io/plausible.h"
+#include "files/plausible.h"
+#include "text/error.h"
+#include "text/number_range.h"
+#include "text/number_text.h"
 
 namespace raceway::session {
 namespace {
@@ -16,16 +16,16 @@ double or_else(double asked, double of_model) { return std::isnan(asked) ? of_mo
 
 /// The values of an axis [SI].
 std::vector<double> axis_of(std::vector<double> values, double otherwise,
-                            const io::NumberRange& range, const std::string& name, double unit,
+                            const text::NumberRange& range, const std::string& name, double unit,
                             double offset) {
   if (values.empty()) return {otherwise};
   for (std::size_t i = 0; i < values.size(); ++i) {
-    io::require_range(values[i], range,
-                      name.starts_with("--") ? name : fmt::format("{}[{}]", name, i));
+    text::require_range(values[i], range,
+                        name.starts_with("--") ? name : fmt::format("{}[{}]", name, i));
     if (i > 0 && values[i] <= values[i - 1])
-      throw io::InputError(
+      throw text::InputError(
           fmt::format("{}: the values of an axis of a table must rise, and {} follows {}", name,
-                      io::number(values[i]), io::number(values[i - 1])),
+                      text::number(values[i]), text::number(values[i - 1])),
           {.key = name});
   }
   for (double& value : values) value = value * unit + offset;
@@ -35,12 +35,12 @@ std::vector<double> axis_of(std::vector<double> values, double otherwise,
 void tell_of_kelvin(Messages& messages, const std::vector<double>& temperatures_C,
                     const std::string& name) {
   for (const double value : temperatures_C)
-    if (const std::string note = io::looks_like_kelvin(name, value); !note.empty())
+    if (const std::string note = files::looks_like_kelvin(name, value); !note.empty())
       return messages.note(note);
 }
 
-const io::NumberRange& axial_range(const model::Model& model) {
-  return model.shaft ? io::signed_load_range : io::load_range;
+const text::NumberRange& axial_range(const model::Model& model) {
+  return model.shaft ? text::signed_load_range : text::load_range;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ bearing::OperatingPoint point_of(const model::Model& model, const AskedPoint& as
   return point;
 }
 
-void require_loads(Messages& messages, const io::ModelFile& file, const GivenLoads& given,
+void require_loads(Messages& messages, const files::ModelFile& file, const GivenLoads& given,
                    Wording wording) {
   const model::Model& model = file.model;
   const std::string axial = named(wording, "--axial-load", "axial_load_N");
@@ -70,12 +70,12 @@ void require_loads(Messages& messages, const io::ModelFile& file, const GivenLoa
     const std::string other =
         given.radial_load ? named(wording, "--radial-load", "radial_load_N")
                           : named(wording, "--moment-y, --moment-z", "moment_y_Nmm, moment_z_Nmm");
-    throw io::InputError(fmt::format("{}: {} has an [arrangement]: a shaft takes {} alone", other,
-                                     file.source, axial),
-                         {.file = file.source, .key = other});
+    throw text::InputError(fmt::format("{}: {} has an [arrangement]: a shaft takes {} alone", other,
+                                       file.source, axial),
+                           {.file = file.source, .key = other});
   }
   if (!given.axial_load && std::isnan(point_of(model).axial_load))
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{} is missing, and {} has no axial_load_N under [rig]", axial, file.source),
         {.file = file.source, .key = axial});
   if (given.moments && model.solver.tilt == bearing::Tilt::locked)
@@ -85,33 +85,33 @@ void require_loads(Messages& messages, const io::ModelFile& file, const GivenLoa
         file.source, named(wording, "--moment-y and --moment-z", "moment_y_Nmm and moment_z_Nmm")));
 }
 
-bearing::OperatingPoint operating_point(Messages& messages, const io::ModelFile& file,
+bearing::OperatingPoint operating_point(Messages& messages, const files::ModelFile& file,
                                         const AskedPoint& asked, Wording wording) {
   const auto given = [](double number) { return !std::isnan(number); };
   const auto acts = [&](double number) { return given(number) && number != 0.0; };
-  const auto require = [&](double number, const io::NumberRange& range, const char* flag,
+  const auto require = [&](double number, const text::NumberRange& range, const char* flag,
                            const char* argument) {
-    if (given(number)) io::require_range(number, range, named(wording, flag, argument));
+    if (given(number)) text::require_range(number, range, named(wording, flag, argument));
   };
   require_loads(messages, file,
                 {.axial_load = given(asked.axial_load_N),
                  .radial_load = acts(asked.radial_load_N),
                  .moments = acts(asked.moment_y_Nmm) || acts(asked.moment_z_Nmm)},
                 wording);
-  require(asked.speed_rpm, io::speed_range, "--speed", "speed_rpm");
+  require(asked.speed_rpm, text::speed_range, "--speed", "speed_rpm");
   require(asked.axial_load_N, axial_range(file.model), "--axial-load", "axial_load_N");
-  require(asked.radial_load_N, io::load_range, "--radial-load", "radial_load_N");
-  require(asked.temperature_C, io::temperature_range, "--temperature", "temperature_C");
-  require(asked.moment_y_Nmm, io::moment_range, "--moment-y", "moment_y_Nmm");
-  require(asked.moment_z_Nmm, io::moment_range, "--moment-z", "moment_z_Nmm");
+  require(asked.radial_load_N, text::load_range, "--radial-load", "radial_load_N");
+  require(asked.temperature_C, text::temperature_range, "--temperature", "temperature_C");
+  require(asked.moment_y_Nmm, text::moment_range, "--moment-y", "moment_y_Nmm");
+  require(asked.moment_z_Nmm, text::moment_range, "--moment-z", "moment_z_Nmm");
   tell_of_kelvin(messages, {asked.temperature_C}, named(wording, "--temperature", "temperature_C"));
   return point_of(file.model, asked);
 }
 
-friction::TableAxes table_axes(Messages& messages, const io::ModelFile& file,
+friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
                                const AskedAxes& asked, Wording wording) {
   const std::string speed = named(wording, "--speed", "speed_rpm");
-  if (asked.speed_rpm.empty()) throw io::InputError(speed + " is missing", {.key = speed});
+  if (asked.speed_rpm.empty()) throw text::InputError(speed + " is missing", {.key = speed});
   require_loads(messages, file,
                 {.axial_load = !asked.axial_load_N.empty(),
                  .radial_load = !asked.radial_load_N.empty(),
@@ -120,13 +120,13 @@ friction::TableAxes table_axes(Messages& messages, const io::ModelFile& file,
   const bearing::OperatingPoint otherwise = point_of(file.model);
   const std::string temperature = named(wording, "--temperature", "temperature_C");
   tell_of_kelvin(messages, asked.temperature_C, temperature);
-  return {.speed = axis_of(asked.speed_rpm, unset, io::speed_range, speed, rpm, 0.0),
+  return {.speed = axis_of(asked.speed_rpm, unset, text::speed_range, speed, rpm, 0.0),
           .axial_load = axis_of(asked.axial_load_N, otherwise.axial_load, axial_range(file.model),
                                 named(wording, "--axial-load", "axial_load_N"), 1.0, 0.0),
-          .radial_load = axis_of(asked.radial_load_N, otherwise.radial_load, io::load_range,
+          .radial_load = axis_of(asked.radial_load_N, otherwise.radial_load, text::load_range,
                                  named(wording, "--radial-load", "radial_load_N"), 1.0, 0.0),
-          .temperature = axis_of(asked.temperature_C, otherwise.temperature, io::temperature_range,
-                                 temperature, 1.0, celsius_zero)};
+          .temperature = axis_of(asked.temperature_C, otherwise.temperature,
+                                 text::temperature_range, temperature, 1.0, celsius_zero)};
 }
 
 std::vector<shaft::ShaftPoint> shaft_points(std::span<const bearing::OperatingPoint> points) {

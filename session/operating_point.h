@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bearing/operating_point.h"
+#include "files/model_file.h"
 #include "friction/stribeck_table.h"
-#include "io/model_file.h"
 #include "session/messages.h"
 #include "session/wording.h"
 #include "shaft/shaft_prediction.h"
@@ -32,14 +32,15 @@ struct GivenLoads {
   bool axial_load = false, radial_load = false, moments = false;
 };
 
-/// Throws io::InputError for an axial load that neither the question nor the model has, and for
+/// Throws text::InputError for an axial load that neither the question nor the model has, and for
 /// what a shaft does not take. Warns of moments that change nothing.
-void require_loads(Messages& messages, const io::ModelFile& file, const GivenLoads& given,
+void require_loads(Messages& messages, const files::ModelFile& file, const GivenLoads& given,
                    Wording wording);
 
-/// A point that is asked, with its numbers in their ranges. Throws io::InputError as
+/// A point that is asked, with its numbers in their ranges. Throws text::InputError as
 /// require_loads(), and for a number out of its range.
-[[nodiscard]] bearing::OperatingPoint operating_point(Messages& messages, const io::ModelFile& file,
+[[nodiscard]] bearing::OperatingPoint operating_point(Messages& messages,
+                                                      const files::ModelFile& file,
                                                       const AskedPoint& asked, Wording wording);
 
 /// Axes of a table, each rising; an empty one has the one value of the model.
@@ -47,8 +48,8 @@ struct AskedAxes {
   std::vector<double> speed_rpm{}, axial_load_N{}, radial_load_N{}, temperature_C{};
 };
 
-/// Throws io::InputError as operating_point(), for no speed and for an axis that does not rise.
-[[nodiscard]] friction::TableAxes table_axes(Messages& messages, const io::ModelFile& file,
+/// Throws text::InputError as operating_point(), for no speed and for an axis that does not rise.
+[[nodiscard]] friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
                                              const AskedAxes& asked, Wording wording);
 
 /// The points of an operating point as those of a shaft.

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "io/csv.h"
-#include "io/error.h"
-#include "io/units.h"
+#include "text/csv.h"
+#include "text/error.h"
+#include "text/units.h"
 
 namespace raceway::session {
 namespace {
@@ -18,13 +18,13 @@ double seconds_of(const std::string& text, const std::string& flag) {
   double value = unset;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value);
-  const io::Unit* const unit =
-      error == std::errc() ? io::find_unit(std::string_view(end, last)) : nullptr;
-  if (!unit || unit->dimension != io::Dimension::time || !(value >= 0.0) || !std::isfinite(value))
-    throw io::InputError(fmt::format("{}: {}: write a time since the first row and its unit, as "
-                                     "22h, 90min or 3600s",
-                                     flag, io::quoted(text)),
-                         {.key = flag});
+  const text::Unit* const unit =
+      error == std::errc() ? text::find_unit(std::string_view(end, last)) : nullptr;
+  if (!unit || unit->dimension != text::Dimension::time || !(value >= 0.0) || !std::isfinite(value))
+    throw text::InputError(fmt::format("{}: {}: write a time since the first row and its unit, as "
+                                       "22h, 90min or 3600s",
+                                       flag, text::quoted(text)),
+                           {.key = flag});
   return value * unit->factor;
 }
 
@@ -53,7 +53,7 @@ void Period::apply(record::Record& record,
     }
   }
   if (all > 0 && left == 0)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{}: no reading {}{}{}{}: the record goes from 0 to {:.4g} h", record.source,
                     from.empty() ? "" : "from " + from, !from.empty() && !until.empty() ? " " : "",
                     until.empty() ? "" : "until " + until, " counts",

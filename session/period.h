@@ -14,7 +14,7 @@ struct Period {
 
   [[nodiscard]] bool is_given() const { return !from.empty() || !until.empty(); }
   /// Takes readings of these displacements out that are outside, and notes how many are left.
-  /// Throws io::InputError: no time, none left.
+  /// Throws text::InputError: no time, none left.
   void apply(record::Record& record, const std::vector<const record::Channel*>& measured) const;
 };
 

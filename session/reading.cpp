@@ -1,34 +1,34 @@
 #include "session/reading.h"
 
-#include "io/error.h"
+#include "text/error.h"
 
 namespace raceway::session {
 
-io::ReadOptions Reading::options(const io::ModelFile& model) const {
+files::ReadOptions Reading::options(const files::ModelFile& model) const {
   if (period.is_given())
-    throw io::InputError(
+    throw text::InputError(
         model.model.spindle
             ? "--from, --until: a spindle is simulated from the first row on, and held against all "
               "of them; cut the file"
             : "--from, --until: belong to records over time, of a model with [correction]",
         {.key = period.from.empty() ? "--until" : "--from"});
-  io::ReadOptions result = options(model.columns);
+  files::ReadOptions result = options(model.columns);
   result.sensor = model.sensor;
   return result;
 }
 
-io::ReadOptions Reading::options(const io::ColumnMap& of_model) const {
-  io::ReadOptions result = options();
+files::ReadOptions Reading::options(const files::ColumnMap& of_model) const {
+  files::ReadOptions result = options();
   if (columns.empty() && columns_text.empty()) result.columns = of_model;
   return result;
 }
 
-io::ReadOptions Reading::options() const {
-  io::ReadOptions result{.columns = {}, .sensor = {}, .drop_nan = drop_nan};
+files::ReadOptions Reading::options() const {
+  files::ReadOptions result{.columns = {}, .sensor = {}, .drop_nan = drop_nan};
   if (!columns_text.empty())
-    result.columns = io::parse_column_map(columns_text, "columns");
+    result.columns = files::parse_column_map(columns_text, "columns");
   else if (!columns.empty())
-    result.columns = io::read_column_map(columns);
+    result.columns = files::read_column_map(columns);
   return result;
 }
 

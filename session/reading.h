@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/model_file.h"
+#include "files/model_file.h"
 #include "session/period.h"
 
 namespace raceway::session {
@@ -15,11 +15,11 @@ struct Reading {
   Period period{};  ///< declared where records over time are read
 
   /// How measurements are read: by the map of the flag, else by [columns] of the model. Throws
-  /// io::InputError for a period: rows of a friction rig are no course in time.
-  [[nodiscard]] io::ReadOptions options(const io::ModelFile& model) const;
-  [[nodiscard]] io::ReadOptions options(const io::ColumnMap& of_model) const;
+  /// text::InputError for a period: rows of a friction rig are no course in time.
+  [[nodiscard]] files::ReadOptions options(const files::ModelFile& model) const;
+  [[nodiscard]] files::ReadOptions options(const files::ColumnMap& of_model) const;
   /// The same without a model.
-  [[nodiscard]] io::ReadOptions options() const;
+  [[nodiscard]] files::ReadOptions options() const;
 };
 
 }  // namespace raceway::session

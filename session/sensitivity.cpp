@@ -5,24 +5,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/names.h"
-#include "io/plausible.h"
-#include "session/global_sensitivity.h"
-#include "session/local_sensitivity.h"
+#include "files/plausible.h"
+#include "session/detail/global_sensitivity.h"
+#include "session/detail/local_sensitivity.h"
+#include "session/detail/varied_model.h"
 #include "session/solve_states.h"
 #include "session/spindle_steady.h"
 #include "session/table_columns.h"
-#include "session/varied_model.h"
+#include "text/error.h"
+#include "text/names.h"
 
 namespace raceway::session {
 
-using io::PredictionSensitivity;
-using io::Sensitivity;
+using results::PredictionSensitivity;
+using results::Sensitivity;
 
 namespace {
 
-void require_question(const io::ModelFile& file, const SensitivityQuestion& q) {
+void require_question(const files::ModelFile& file, const SensitivityQuestion& q) {
   const auto named_as = [&](const varied::Axis& axis) {
     return std::string(q.wording == Wording::flags ? axis.flag : axis.name);
   };
@@ -30,23 +30,23 @@ void require_question(const io::ModelFile& file, const SensitivityQuestion& q) {
   const bool shaft = file.model.shaft.has_value();
   for (const varied::Axis& axis : varied::axes_of(q, shaft)) {
     if (axis.name == "speed_rpm" && axis.values.empty())
-      throw io::InputError(named_as(axis) + " is missing", {.key = named_as(axis)});
-    for (const double value : axis.values) io::require_range(value, axis.range, named_as(axis));
+      throw text::InputError(named_as(axis) + " is missing", {.key = named_as(axis)});
+    for (const double value : axis.values) text::require_range(value, axis.range, named_as(axis));
     if (axis.values.empty()) continue;
     if (q.steady && axis.name != "speed_rpm")
-      throw io::InputError(
+      throw text::InputError(
           fmt::format("{}: the steady state of a spindle has loads and temperatures of its model",
                       named_as(axis)),
           {.file = file.source, .key = named_as(axis)});
     if (shaft && axis.name == "radial_load_N")
-      throw io::InputError(
+      throw text::InputError(
           fmt::format("{}: {} has an [arrangement]: a shaft takes axial loads alone",
                       named_as(axis), file.source),
           {.file = file.source, .key = named_as(axis)});
   }
   if (!shaft && q.axial_loads_N.empty() && std::isnan(file.model.rig.axial_load)) {
     const std::string name = named(q.wording, "--axial-load", "axial_load_N");
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{} is missing, and {} has no axial_load_N under [rig]", name, file.source),
         {.file = file.source, .key = name});
   }
@@ -65,8 +65,9 @@ std::vector<std::string> wanted_columns(const model::Model& model, const Sensiti
       std::vector<std::string> all;
       for (const auto& [short_name, column] : words) all.push_back(short_name);
       all.insert(all.end(), columns.begin(), columns.end());
-      throw io::InputError(
-          fmt::format("{}: no such prediction; there are {}", one, io::listed(all)), {.key = one});
+      throw text::InputError(
+          fmt::format("{}: no such prediction; there are {}", one, text::listed(all)),
+          {.key = one});
     }
     if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
   }
@@ -105,13 +106,13 @@ std::vector<std::pair<std::string, std::string>> sensitivity_words(const model::
   return words;
 }
 
-Sensitivity sensitivity(Messages& messages, const io::ModelFile& file,
+Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
                         const SensitivityQuestion& q) {
   require_question(file, q);
   const model::Model& model = file.model;
   const varied::Predictor predictor(q, wanted_columns(model, q), model);
   for (const double value : q.temperatures_C)
-    if (const std::string doubt = io::looks_like_kelvin("temperature_C", value); !doubt.empty())
+    if (const std::string doubt = files::looks_like_kelvin("temperature_C", value); !doubt.empty())
       messages.note(doubt);
   const std::vector<varied::Axis> axes = varied::axes_of(q, model.shaft.has_value());
   const std::vector<varied::State> states = varied::states_of(axes);
@@ -126,7 +127,7 @@ Sensitivity sensitivity(Messages& messages, const io::ModelFile& file,
 
   varied::take_spreads(model, q, data);
   const varied::Outcome here = data.predict(predictor, {});
-  if (!here.refused.empty()) throw io::InputError(file.source + ": " + here.refused);
+  if (!here.refused.empty()) throw text::InputError(file.source + ": " + here.refused);
   const std::vector<varied::Around> around = predict_around(data, predictor, q, s);
   const std::vector<std::size_t> places =
       take_what_enters(data, around, here.values, q.samples > 0, s);
@@ -164,7 +165,7 @@ std::vector<std::string> sensitivity_warnings(const Sensitivity& s) {
           std::vector<std::string> at;
           for (std::size_t k = 0; k < s.first_failed.size(); ++k)
             at.push_back(fmt::format("{} = {:.6g}", s.data[s.sampled[k]].name, s.first_failed[k]));
-          return io::listed(at);
+          return text::listed(at);
         }()));
   return lines;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/sensitivity_results.h"
+#include "results/sensitivity_results.h"
 #include "session/messages.h"
 #include "session/wording.h"
 
@@ -21,14 +21,14 @@ struct SensitivityQuestion {
   std::vector<double> speeds_rpm{}, axial_loads_N{}, radial_loads_N{}, temperatures_C{};
   bool steady = false;  ///< of a whole spindle, where its speed leads
   bool coolant_on = true;
-  std::vector<io::SpreadText> spreads{};
+  std::vector<files::SpreadText> spreads{};
   /// Names of the data that are varied, or of tables with all that is in them; empty: all.
   std::vector<std::string> data{};
   std::size_t samples = 0;  ///< of global indices; 0: none
   std::uint64_t seed = 1;
   Wording wording = Wording::flags;
   /// Makes of a model as read what is asked, where that is more than its file says.
-  std::function<void(io::ModelFile&)> amend{};
+  std::function<void(files::ModelFile&)> amend{};
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(double)> progress{};  ///< called with the share that is done
 };
@@ -50,14 +50,14 @@ struct SensitivityQuestion {
 /// spread to value + spread, independent of each other.
 ///
 /// Points are solved on all cores; neither their number nor their order changes a digit. Throws
-/// io::InputError for what was asked wrong, fit::Cancelled where `cancelled` is set meanwhile.
-[[nodiscard]] io::Sensitivity sensitivity(Messages& messages, const io::ModelFile& file,
-                                          const SensitivityQuestion& question);
+/// text::InputError for what was asked wrong, fit::Cancelled where `cancelled` is set meanwhile.
+[[nodiscard]] results::Sensitivity sensitivity(Messages& messages, const files::ModelFile& file,
+                                               const SensitivityQuestion& question);
 
 /// "speed_rpm 6000, axial_load_N 300" of a state.
-[[nodiscard]] std::string words_of_state(const io::Sensitivity& s, std::size_t state);
+[[nodiscard]] std::string words_of_state(const results::Sensitivity& s, std::size_t state);
 
 /// What has no value, one line each.
-[[nodiscard]] std::vector<std::string> sensitivity_warnings(const io::Sensitivity& s);
+[[nodiscard]] std::vector<std::string> sensitivity_warnings(const results::Sensitivity& s);
 
 }  // namespace raceway::session

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/shaft_results.h"
+#include "results/shaft_results.h"
 #include "shaft/lift_off.h"
 
 namespace raceway::session {
@@ -12,7 +12,7 @@ namespace {
 
 std::string places_of(const shaft::UnloadedRange& range, const bearing::Arrangement& a) {
   std::vector<std::string> places;
-  for (const std::size_t i : range.bearings) places.push_back(io::bearing_place(a, i));
+  for (const std::size_t i : range.bearings) places.push_back(results::bearing_place(a, i));
   return fmt::format("{}", fmt::join(places, ", "));
 }
 
@@ -55,8 +55,9 @@ std::string shaft_problem(const model::Model& model, const shaft::ShaftPredictio
   }
 }
 
-io::BandOfResult shaft_band(const model::Band& band, std::span<const shaft::ShaftPoint> points) {
-  io::BandOfResult result{
+results::BandOfResult shaft_band(const model::Band& band,
+                                 std::span<const shaft::ShaftPoint> points) {
+  results::BandOfResult result{
       .parameters = band.fitted(),
       .names = {"axial_displacement_band_um", "friction_torque_band_Nmm", "power_loss_band_W"},
       .half_widths = {}};

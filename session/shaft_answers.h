@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/band_of_result.h"
 #include "model/band.h"
+#include "results/band_of_result.h"
 #include "shaft/shaft_prediction.h"
 
 namespace raceway::session {
@@ -21,7 +21,7 @@ namespace raceway::session {
                                         const shaft::ShaftPrediction& prediction);
 
 /// The band of position, torque and loss at every point.
-[[nodiscard]] io::BandOfResult shaft_band(const model::Band& band,
-                                          std::span<const shaft::ShaftPoint> points);
+[[nodiscard]] results::BandOfResult shaft_band(const model::Band& band,
+                                               std::span<const shaft::ShaftPoint> points);
 
 }  // namespace raceway::session

@@ -11,12 +11,8 @@
 #include <numeric>
 #include <utility>
 
+#include "files/plausible.h"
 #include "fit/problem.h"
-#include "io/error.h"
-#include "io/names.h"
-#include "io/number_range.h"
-#include "io/plausible.h"
-#include "io/units.h"
 #include "model/prediction.h"
 #include "record/digits.h"
 #include "session/bands.h"
@@ -24,6 +20,10 @@
 #include "session/shaft_answers.h"
 #include "session/solve_point.h"
 #include "session/table_columns.h"
+#include "text/error.h"
+#include "text/names.h"
+#include "text/number_range.h"
+#include "text/units.h"
 
 namespace raceway::session {
 namespace {
@@ -67,7 +67,7 @@ using Field = double bearing::OperatingPoint::*;
 struct Input {
   std::string_view name;
   NumberArray StateArrays::*array;
-  io::NumberRange range;
+  text::NumberRange range;
   Field field;
   double unit, offset;  // to SI
 };
@@ -75,13 +75,15 @@ struct Input {
 const std::vector<Input>& inputs() {
   using Point = bearing::OperatingPoint;
   static const std::vector<Input> all{
-      {"speed_rpm", &StateArrays::speed_rpm, io::speed_range, &Point::speed, rpm, 0.0},
-      {"axial_load_N", &StateArrays::axial_load_N, io::load_range, &Point::axial_load, 1.0, 0.0},
-      {"radial_load_N", &StateArrays::radial_load_N, io::load_range, &Point::radial_load, 1.0, 0.0},
-      {"temperature_C", &StateArrays::temperature_C, io::temperature_range, &Point::temperature,
+      {"speed_rpm", &StateArrays::speed_rpm, text::speed_range, &Point::speed, rpm, 0.0},
+      {"axial_load_N", &StateArrays::axial_load_N, text::load_range, &Point::axial_load, 1.0, 0.0},
+      {"radial_load_N", &StateArrays::radial_load_N, text::load_range, &Point::radial_load, 1.0,
+       0.0},
+      {"temperature_C", &StateArrays::temperature_C, text::temperature_range, &Point::temperature,
        1.0, celsius_zero},
-      {"moment_y_Nmm", &StateArrays::moment_y_Nmm, io::moment_range, &Point::moment_y, N_mm, 0.0},
-      {"moment_z_Nmm", &StateArrays::moment_z_Nmm, io::moment_range, &Point::moment_z, N_mm, 0.0}};
+      {"moment_y_Nmm", &StateArrays::moment_y_Nmm, text::moment_range, &Point::moment_y, N_mm, 0.0},
+      {"moment_z_Nmm", &StateArrays::moment_z_Nmm, text::moment_range, &Point::moment_z, N_mm,
+       0.0}};
   return all;
 }
 
@@ -94,28 +96,29 @@ bool is_constant(const NumberArray& array) {
 void check(Messages& messages, const Input& input, const StateArrays& states, bool shaft) {
   const NumberArray& array = states.*input.array;
   if (!array.given() || states.size() == 0) return;
-  io::NumberRange range = input.range;
-  if (shaft && input.array == &StateArrays::axial_load_N) range = io::signed_load_range;
+  text::NumberRange range = input.range;
+  if (shaft && input.array == &StateArrays::axial_load_N) range = text::signed_load_range;
   const std::size_t count = is_constant(array) ? 1 : states.size();
   Walk walk(array, states.shape, 0);
   bool said = input.array != &StateArrays::temperature_C;
   for (std::size_t i = 0; i < count; ++i) {
     const double value = walk.next();
     if (!(value >= range.lower && value <= range.upper))
-      io::require_range(value, range,
-                        std::string(input.name) +
-                            (count == 1 ? std::string() : Walk(array, states.shape, i).place()));
+      text::require_range(value, range,
+                          std::string(input.name) +
+                              (count == 1 ? std::string() : Walk(array, states.shape, i).place()));
     if (said) continue;
-    const std::string note = io::looks_like_kelvin(input.name, value);
+    const std::string note = files::looks_like_kelvin(input.name, value);
     said = !note.empty();
     if (said) messages.note(note);
   }
 }
 
 /// What holds where an array is not given, of arrays that are in order.
-bearing::OperatingPoint checked(Messages& messages, const io::ModelFile& file,
+bearing::OperatingPoint checked(Messages& messages, const files::ModelFile& file,
                                 const StateArrays& states) {
-  if (!states.speed_rpm.given()) throw io::InputError("speed_rpm is missing", {.key = "speed_rpm"});
+  if (!states.speed_rpm.given())
+    throw text::InputError("speed_rpm is missing", {.key = "speed_rpm"});
   require_loads(messages, file,
                 {.axial_load = states.axial_load_N.given(),
                  .radial_load = states.radial_load_N.given(),
@@ -134,8 +137,8 @@ std::vector<std::size_t> chosen(const std::vector<std::string>& all,
   for (const std::string& name : wanted) {
     const auto found = std::find(all.begin(), all.end(), name);
     if (found == all.end())
-      throw io::InputError(fmt::format("{}: no such result; there are {}", name, io::listed(all)),
-                           {.key = name});
+      throw text::InputError(
+          fmt::format("{}: no such result; there are {}", name, text::listed(all)), {.key = name});
     places.push_back(static_cast<std::size_t>(found - all.begin()));
   }
   return places;
@@ -195,16 +198,16 @@ std::string beyond_a_state(const effects::Description& effect) {
   return {};
 }
 
-void require_rig(const io::ModelFile& file) {
+void require_rig(const files::ModelFile& file) {
   if (file.model.shaft)
-    throw io::InputError(
+    throw text::InputError(
         file.source + ": has an [arrangement]: a reading is that of a bearing on a rig",
         {.file = file.source, .key = "arrangement"});
   for (const effects::Effect& effect : file.model.effects)
     if (const std::string more = beyond_a_state(*effect.description); !more.empty())
-      throw io::InputError(fmt::format("{}: {} needs {}, which single states do not have",
-                                       file.source, effect.description->id, more),
-                           {.file = file.source, .key = std::string(effect.description->id)});
+      throw text::InputError(fmt::format("{}: {} needs {}, which single states do not have",
+                                         file.source, effect.description->id, more),
+                             {.file = file.source, .key = std::string(effect.description->id)});
 }
 
 }  // namespace
@@ -219,16 +222,16 @@ std::vector<std::string> state_columns(const model::Model& model) {
   return names;
 }
 
-bearing::OperatingPoint single_state(Messages& messages, const io::ModelFile& file,
+bearing::OperatingPoint single_state(Messages& messages, const files::ModelFile& file,
                                      const StateArrays& states) {
   const bearing::OperatingPoint otherwise = checked(messages, file, states);
   if (states.size() != 1)
-    throw io::InputError(fmt::format("one state is wanted, not {}", states.size()));
+    throw text::InputError(fmt::format("one state is wanted, not {}", states.size()));
   return Block(states, otherwise, 0, 1).points().front();
 }
 
-SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const StateArrays& states,
-                          const std::vector<std::string>& columns,
+SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
+                          const StateArrays& states, const std::vector<std::string>& columns,
                           const std::atomic<bool>* cancelled, const model::Band* band) {
   const bearing::OperatingPoint otherwise = checked(messages, file, states);
   std::vector<std::string> all = state_columns(file.model), wanted = columns;
@@ -243,7 +246,7 @@ SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const S
   std::vector<double> units;
   for (const std::size_t place : places) {
     solved.columns.push_back(all[place]);
-    units.push_back(io::column_unit(all[place]));
+    units.push_back(text::column_unit(all[place]));
   }
   solved.values.resize(places.size() * size);
   solved.status.resize(size);
@@ -262,8 +265,8 @@ SolvedStates solve_states(Messages& messages, const io::ModelFile& file, const S
   return solved;
 }
 
-SolvedStates solve_state(Messages& messages, const io::ModelFile& file, const StateArrays& states,
-                         const model::Band* band) {
+SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
+                         const StateArrays& states, const model::Band* band) {
   const model::Model& model = file.model;
   const bearing::OperatingPoint point = single_state(messages, file, states);
   SolvedStates solved{.columns = state_columns(model), .values = {}, .status = {}};
@@ -290,11 +293,11 @@ SolvedStates solve_state(Messages& messages, const io::ModelFile& file, const St
   solved.status = {result.status};
   for (std::size_t c = 0; c < solved.columns.size(); ++c)
     solved.values[c] =
-        record::with_digits(solved.values[c] / io::column_unit(solved.columns[c]), 15);
+        record::with_digits(solved.values[c] / text::column_unit(solved.columns[c]), 15);
   return solved;
 }
 
-PredictedStates predict_states(Messages& messages, const io::ModelFile& file,
+PredictedStates predict_states(Messages& messages, const files::ModelFile& file,
                                const StateArrays& states) {
   require_rig(file);
   const bearing::OperatingPoint otherwise = checked(messages, file, states);

@@ -7,7 +7,7 @@
 
 #include "bearing/operating_point.h"
 #include "bearing/solve.h"
-#include "io/model_file.h"
+#include "files/model_file.h"
 #include "model/band.h"
 #include "session/messages.h"
 
@@ -46,10 +46,10 @@ struct SolvedStates {
 ///
 /// `columns`: those that are wanted, by name; all where empty. With a `band` of the model its
 /// columns (band_columns()) follow. Loads and temperatures that are not given are those of the
-/// model. Throws io::InputError: no speed, no load, a number out of its range (with its place in
+/// model. Throws text::InputError: no speed, no load, a number out of its range (with its place in
 /// the array), an unknown column, radial loads or moments on a shaft; Cancelled where `cancelled`
 /// is set meanwhile. Memory: what is returned, and a block per thread.
-[[nodiscard]] SolvedStates solve_states(Messages& messages, const io::ModelFile& file,
+[[nodiscard]] SolvedStates solve_states(Messages& messages, const files::ModelFile& file,
                                         const StateArrays& states,
                                         const std::vector<std::string>& columns = {},
                                         const std::atomic<bool>* cancelled = nullptr,
@@ -58,12 +58,12 @@ struct SolvedStates {
 /// All columns of one state by itself, with the 15 digits that `raceway solve` shows, and what is
 /// to be known of it. Many states are solved side by side, and differ by what docs/speed.md says.
 /// Throws as solve_states(), and for more than one state.
-[[nodiscard]] SolvedStates solve_state(Messages& messages, const io::ModelFile& file,
+[[nodiscard]] SolvedStates solve_state(Messages& messages, const files::ModelFile& file,
                                        const StateArrays& states,
                                        const model::Band* band = nullptr);
 
 /// The operating point of arrays of one number each; throws as solve_states(), and for more.
-[[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const io::ModelFile& file,
+[[nodiscard]] bearing::OperatingPoint single_state(Messages& messages, const files::ModelFile& file,
                                                    const StateArrays& states);
 
 /// Readings of a rig at states: the friction torque of all its bearings, as its sensor shows it.
@@ -73,9 +73,9 @@ struct PredictedStates {
 };
 
 /// What a rig reads at many states; no further column, so that balls are solved for only where the
-/// model needs them. Otherwise as solve_states(). Throws io::InputError also for a shaft, and for
+/// model needs them. Otherwise as solve_states(). Throws text::InputError also for a shaft, and for
 /// an effect that needs what no state has, a time or a temperature of a ring.
-[[nodiscard]] PredictedStates predict_states(Messages& messages, const io::ModelFile& file,
+[[nodiscard]] PredictedStates predict_states(Messages& messages, const files::ModelFile& file,
                                              const StateArrays& states);
 
 }  // namespace raceway::session

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "io/source.h"
+#include "files/source.h"
 
 namespace raceway::session {
 
-using io::Source;
+using files::Source;
 
 /// Files, by their paths.
 [[nodiscard]] inline std::vector<Source> files(const std::vector<std::string>& paths) {

@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
-#include "io/beam_report.h"
-#include "io/error.h"
 #include "record/units.h"
+#include "report/beam_report.h"
 #include "session/open_input.h"
+#include "text/error.h"
 
 namespace raceway::session {
 namespace {
 
 /// The bent shaft by the stiffness that the sets have without the force, each `stiffer` times as
 /// stiff; empty where nothing holds it.
-Eigen::VectorXd tangent_line(const BeamOfModel& b, const io::DeflectionResult& r,
+Eigen::VectorXd tangent_line(const BeamOfModel& b, const results::DeflectionResult& r,
                              double stiffer = 1.0) {
   if (r.axial || !r.sets.converged()) return {};
   std::vector<spindle::PlaneSpring> in_y;
@@ -29,22 +29,22 @@ Eigen::VectorXd tangent_line(const BeamOfModel& b, const io::DeflectionResult& r
 }
 
 /// Displacement where the force acts, by that stiffness.
-double tangent_displacement(const BeamOfModel& b, const io::DeflectionResult& r) {
+double tangent_displacement(const BeamOfModel& b, const results::DeflectionResult& r) {
   if (r.axial) return r.force / r.sets.equilibrium.axial_stiffness;
   const Eigen::VectorXd shape = tangent_line(b, r);
   return shape.size() > 0 ? b.beam.at(r.at, shape)[0] : unset;
 }
 
-io::DeflectionResult solve_deflection(const model::Model& model, BeamOfModel& b,
-                                      const DeflectionQuestion& q) {
-  io::DeflectionResult r{.speed = q.speed,
-                         .force = q.force,
-                         .at = q.at,
-                         .axial = q.axial,
-                         .axial_force = q.axial_force,
-                         .moment = q.moment,
-                         .sets = {},
-                         .shaft = {}};
+results::DeflectionResult solve_deflection(const model::Model& model, BeamOfModel& b,
+                                           const DeflectionQuestion& q) {
+  results::DeflectionResult r{.speed = q.speed,
+                              .force = q.force,
+                              .at = q.at,
+                              .axial = q.axial,
+                              .axial_force = q.axial_force,
+                              .moment = q.moment,
+                              .sets = {},
+                              .shaft = {}};
   r.sets = b.sets.at(inputs_at(model, r.speed, q.coolant_on), q.warm);
   if (!r.sets.converged()) return r;
   r.tangent = tangent_displacement(b, r);
@@ -73,8 +73,8 @@ io::DeflectionResult solve_deflection(const model::Model& model, BeamOfModel& b,
 
 void check(const DeflectionQuestion& q) {
   const auto refuse = [&](const std::string& why, const std::string& key) {
-    throw io::InputError((q.wording == Wording::flags ? "raceway deflection: " : "") + why,
-                         {.key = key});
+    throw text::InputError((q.wording == Wording::flags ? "raceway deflection: " : "") + why,
+                           {.key = key});
   };
   const std::string force = named(q.wording, "--force", "force_N");
   const std::string moment = named(q.wording, "--moment", "moment_Nm");
@@ -87,7 +87,7 @@ void check(const DeflectionQuestion& q) {
          named(q.wording, "--direction", "direction"));
 }
 
-SpindleDeflection spindle_deflection(const io::ModelFile& file,
+SpindleDeflection spindle_deflection(const files::ModelFile& file,
                                      const DeflectionQuestion& question) {
   check(question);
   SpindleDeflection answer{.file = file, .beam = beam_of(file, question.at), .warm = question.warm};
@@ -108,18 +108,18 @@ std::vector<std::string> SpindleDeflection::warnings() const {
 }
 
 std::string SpindleDeflection::json() const {
-  return io::deflection_json(beam.sets.arrangement(), result, file.source);
+  return results::deflection_json(beam.sets.arrangement(), result, file.source);
 }
 
 std::string SpindleDeflection::csv() const {
-  return io::deflection_text(beam.beam, result, file.source, file.text);
+  return results::deflection_text(beam.beam, result, file.source, file.text);
 }
 
 std::string SpindleDeflection::page() const {
   constexpr double rigid = 1e6;  // times as stiff
-  return io::deflection_report(of_page(file, file.model), beam.sets.arrangement(), beam.beam,
-                               beam.places, warm, result, tangent_line(beam, result),
-                               tangent_line(beam, result, rigid));
+  return report::deflection_report(of_page(file, file.model), beam.sets.arrangement(), beam.beam,
+                                   beam.places, warm, result, tangent_line(beam, result),
+                                   tangent_line(beam, result, rigid));
 }
 
 }  // namespace raceway::session

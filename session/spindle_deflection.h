@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "io/beam_results.h"
-#include "io/model_file.h"
-#include "io/number_range.h"
+#include "files/model_file.h"
+#include "results/beam_results.h"
 #include "session/beam_of_model.h"
 #include "session/wording.h"
+#include "text/number_range.h"
 
 namespace raceway::session {
 
-inline constexpr io::NumberRange at_range{0.0, 1e5, "mm"};
-inline constexpr io::NumberRange moment_load_range{-1e5, 1e5, "N m"};
+inline constexpr text::NumberRange at_range{0.0, 1e5, "mm"};
+inline constexpr text::NumberRange moment_load_range{-1e5, 1e5, "N m"};
 
 struct DeflectionQuestion {
   double force = 0.0;        ///< [N]; axial: positive towards the tool
@@ -28,14 +28,14 @@ struct DeflectionQuestion {
   const std::atomic<bool>* cancelled = nullptr;  ///< as Simulator::stop_on()
 };
 
-/// Throws io::InputError where nothing pushes, or loads do not go together.
+/// Throws text::InputError where nothing pushes, or loads do not go together.
 void check(const DeflectionQuestion& question);
 
 /// A shaft under a force.
 struct SpindleDeflection {
-  io::ModelFile file;
+  files::ModelFile file;
   BeamOfModel beam;
-  io::DeflectionResult result{};
+  results::DeflectionResult result{};
   bool warm = false;
 
   [[nodiscard]] bool converged() const { return result.converged(); }
@@ -47,8 +47,8 @@ struct SpindleDeflection {
   [[nodiscard]] std::string page() const;
 };
 
-/// Throws io::InputError as check(), and for a model whose shaft has no segments.
-[[nodiscard]] SpindleDeflection spindle_deflection(const io::ModelFile& file,
+/// Throws text::InputError as check(), and for a model whose shaft has no segments.
+[[nodiscard]] SpindleDeflection spindle_deflection(const files::ModelFile& file,
                                                    const DeflectionQuestion& question);
 
 }  // namespace raceway::session

@@ -7,21 +7,21 @@
 #include <utility>
 
 #include "fit/problem.h"
-#include "io/beam_report.h"
-#include "io/error.h"
 #include "record/units.h"
+#include "report/beam_report.h"
 #include "session/open_input.h"
+#include "text/error.h"
 
 namespace raceway::session {
 namespace {
 
-std::vector<io::ModesAtSpeed> find_all(const model::Model& model, BeamOfModel& b,
-                                       const ModesQuestion& q) {
-  std::vector<io::ModesAtSpeed> results(q.speeds.size());
+std::vector<results::ModesAtSpeed> find_all(const model::Model& model, BeamOfModel& b,
+                                            const ModesQuestion& q) {
+  std::vector<results::ModesAtSpeed> results(q.speeds.size());
   std::vector<double> held_at;
   std::vector<std::vector<spindle::Spring>> springs;
   for (std::size_t i = 0; i < q.speeds.size(); ++i) {
-    io::ModesAtSpeed& r = results[i];
+    results::ModesAtSpeed& r = results[i];
     r.speed = q.speeds[i];
     r.sets = b.sets.at(inputs_at(model, r.speed, q.coolant_on), q.warm);
     if (!r.sets.converged()) continue;
@@ -46,10 +46,10 @@ std::vector<io::ModesAtSpeed> find_all(const model::Model& model, BeamOfModel& b
 
 }  // namespace
 
-SpindleModes spindle_modes(const io::ModelFile& file, const ModesQuestion& question) {
+SpindleModes spindle_modes(const files::ModelFile& file, const ModesQuestion& question) {
   constexpr std::size_t most = 10000;
   if (question.speeds.size() > most)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("raceway modes: {} speeds: at most {}", question.speeds.size(), most),
         {.key = "--speed"});
   SpindleModes answer{.file = file, .beam = beam_of(file, 0.0), .warm = question.warm};
@@ -69,7 +69,7 @@ std::vector<std::string> SpindleModes::notes() const {
 
 std::vector<std::string> SpindleModes::warnings() const {
   std::vector<std::string> lines;
-  for (const io::ModesAtSpeed& r : speeds)
+  for (const results::ModesAtSpeed& r : speeds)
     if (!r.converged())
       lines.push_back(fmt::format("{:.6g} rpm: {}{}", r.speed / rpm, r.status(),
                                   r.sets.message.empty() ? "" : ", " + r.sets.message));
@@ -77,20 +77,20 @@ std::vector<std::string> SpindleModes::warnings() const {
 }
 
 std::string SpindleModes::json() const {
-  return io::campbell_json(beam.sets.arrangement(), speeds, file.source);
+  return results::campbell_json(beam.sets.arrangement(), speeds, file.source);
 }
 
 std::string SpindleModes::csv() const {
-  return io::campbell_text(beam.sets.arrangement(), speeds, file.source, file.text);
+  return results::campbell_text(beam.sets.arrangement(), speeds, file.source, file.text);
 }
 
 std::string SpindleModes::shapes_csv() const {
-  return io::mode_shapes_text(beam.beam, speeds, file.source, file.text);
+  return results::mode_shapes_text(beam.beam, speeds, file.source, file.text);
 }
 
 std::string SpindleModes::page() const {
-  return io::modes_report(of_page(file, file.model), beam.sets.arrangement(), beam.beam,
-                          beam.places, warm, speeds);
+  return report::modes_report(of_page(file, file.model), beam.sets.arrangement(), beam.beam,
+                              beam.places, warm, speeds);
 }
 
 }  // namespace raceway::session

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/beam_results.h"
-#include "io/model_file.h"
+#include "files/model_file.h"
+#include "results/beam_results.h"
 #include "session/beam_of_model.h"
 
 namespace raceway::session {
@@ -20,9 +20,9 @@ struct ModesQuestion {
 
 /// Modes of a shaft on its bearings against speed.
 struct SpindleModes {
-  io::ModelFile file;
+  files::ModelFile file;
   BeamOfModel beam;
-  std::vector<io::ModesAtSpeed> speeds{};
+  std::vector<results::ModesAtSpeed> speeds{};
   bool warm = false;
 
   [[nodiscard]] bool converged() const;
@@ -35,7 +35,8 @@ struct SpindleModes {
   [[nodiscard]] std::string page() const;
 };
 
-/// Throws io::InputError for a model whose shaft has no segments, and too many speeds.
-[[nodiscard]] SpindleModes spindle_modes(const io::ModelFile& file, const ModesQuestion& question);
+/// Throws text::InputError for a model whose shaft has no segments, and too many speeds.
+[[nodiscard]] SpindleModes spindle_modes(const files::ModelFile& file,
+                                         const ModesQuestion& question);
 
 }  // namespace raceway::session

@@ -6,21 +6,21 @@
 #include <cmath>
 #include <span>
 
-#include "io/error.h"
-#include "io/plausible.h"
-#include "io/spindle_record.h"
-#include "io/spindle_report.h"
+#include "files/plausible.h"
+#include "files/spindle_record.h"
 #include "record/units.h"
+#include "report/spindle_report.h"
 #include "session/open_input.h"
 #include "session/spindle_steady.h"
 #include "spindle/drawn_run.h"
 #include "spindle/record_rows.h"
+#include "text/error.h"
 
 namespace raceway::session {
 namespace {
 
-record::Record read_programme(const RunQuestion& q, const io::ModelFile& file) {
-  return io::read_spindle_record(q.programme, *file.model.spindle, q.reading.options(file));
+record::Record read_programme(const RunQuestion& q, const files::ModelFile& file) {
+  return files::read_spindle_record(q.programme, *file.model.spindle, q.reading.options(file));
 }
 
 /// Of a temperature that the spindle is to run under, the first row tells.
@@ -28,19 +28,19 @@ void warn_of_kelvin(Messages& messages, const record::Record& record) {
   for (const record::Column& column : record.columns) {
     const std::string_view name = column.channel->name;
     if (!name.ends_with("_C") || !column.channel->is_input() || column.values.empty()) continue;
-    const std::string doubt = io::looks_like_kelvin(name, celsius(column.values.front()));
+    const std::string doubt = files::looks_like_kelvin(name, celsius(column.values.front()));
     if (!doubt.empty()) messages.warn(record.source + ": " + doubt);
   }
 }
 
 std::vector<spindle::ProfileRow> read_profile(Messages& messages, const RunQuestion& q,
-                                              const io::ModelFile& file) {
+                                              const files::ModelFile& file) {
   const record::Record record = read_programme(q, file);
   messages.notes(record.notes);
   warn_of_kelvin(messages, record);
   const std::string& name = q.programme.name;
   if (record.runs.size() > 1)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("{}: has {} runs; a speed programme is one", name, record.runs.size()),
         {.file = name, .key = "run_id"});
   try {
@@ -53,7 +53,7 @@ std::vector<spindle::ProfileRow> read_profile(Messages& messages, const RunQuest
     }
     return profile;
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(e.what(), {.file = name});
+    throw text::InputError(e.what(), {.file = name});
   }
 }
 
@@ -62,13 +62,13 @@ std::optional<spindle::State> read_start(Messages& messages, const RunQuestion& 
                                          double first_row) {
   if (!q.start) {
     if (first_row < 0.0)
-      throw io::InputError(fmt::format("{}: time_s = {:.6g} s: a programme begins at 0 s",
-                                       q.programme.name, first_row),
-                           {.file = q.programme.name, .key = "time_s"});
+      throw text::InputError(fmt::format("{}: time_s = {:.6g} s: a programme begins at 0 s",
+                                         q.programme.name, first_row),
+                             {.file = q.programme.name, .key = "time_s"});
     return std::nullopt;
   }
-  spindle::State start = q.start->text ? io::parse_spindle_state(*q.start->text, q.start->name)
-                                       : io::read_spindle_state(q.start->name);
+  spindle::State start = q.start->text ? results::parse_spindle_state(*q.start->text, q.start->name)
+                                       : results::read_spindle_state(q.start->name);
   if (first_row < start.time) {
     messages.note(
         fmt::format("{} is of {:.6g} s, and the programme begins at {:.6g} s: its time counts "
@@ -81,7 +81,7 @@ std::optional<spindle::State> read_start(Messages& messages, const RunQuestion& 
 
 }  // namespace
 
-SpindleRun simulate_spindle(Messages& messages, const io::ModelFile& file,
+SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                             const RunQuestion& question) {
   require_spindle(file);
   const std::string& name = question.programme.name;
@@ -94,15 +94,15 @@ SpindleRun simulate_spindle(Messages& messages, const io::ModelFile& file,
   try {
     answer.run = simulator.simulate(profile, answer.start ? &*answer.start : nullptr);
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(fmt::format("{} with {}: {}", name, file.source, e.what()),
-                         {.file = question.start ? question.start->name : name});
+    throw text::InputError(fmt::format("{} with {}: {}", name, file.source, e.what()),
+                           {.file = question.start ? question.start->name : name});
   }
   answer.field = simulator.field(answer.run.end);
   const auto fastest = std::max_element(
       profile.begin(), profile.end(),
       [](const auto& a, const auto& b) { return a.inputs.speed < b.inputs.speed; });
   answer.mesh = question.mesh ? mesh_estimate(file.model, fastest->inputs, question.cancelled)
-                              : io::MeshEstimate{.cells = simulator.cells()};
+                              : results::MeshEstimate{.cells = simulator.cells()};
   return answer;
 }
 
@@ -114,18 +114,18 @@ std::vector<std::string> SpindleRun::warnings() const {
 }
 
 std::string SpindleRun::json() const {
-  return io::spindle_run_json(file.model, profile, run, mesh);
+  return results::spindle_run_json(file.model, profile, run, mesh);
 }
 
 std::string SpindleRun::csv() const {
-  return io::spindle_run_text(file.model, profile, run, file.text);
+  return results::spindle_run_text(file.model, profile, run, file.text);
 }
 
 std::string SpindleRun::page() const {
   spindle::Simulator simulator = simulator_of(file);
   const spindle::DrawnRun drawn =
       spindle::drawn_run(simulator, profile, start ? &*start : nullptr, run);
-  std::vector<io::DrawnField> fields;
+  std::vector<report::DrawnField> fields;
   for (const spindle::State& state : drawn.states) {
     const auto row = std::lower_bound(drawn.rows.begin(), drawn.rows.end(), state.time,
                                       [](const auto& r, double time) { return r.time < time; });
@@ -133,14 +133,16 @@ std::string SpindleRun::page() const {
                       .speed = row == drawn.rows.end() ? unset : row->inputs.speed,
                       .cells = simulator.field(state)});
   }
-  return io::spindle_run_report(of_page(file, file.model), programme, profile.size(), run, drawn,
-                                fields, mesh, words(mesh));
+  return report::spindle_run_report(of_page(file, file.model), programme, profile.size(), run,
+                                    drawn, fields, mesh, words(mesh));
 }
 
-std::string SpindleRun::end_state() const { return io::spindle_state_json(file.model, run.end); }
+std::string SpindleRun::end_state() const {
+  return results::spindle_state_json(file.model, run.end);
+}
 
 std::string SpindleRun::field_csv() const {
-  return io::spindle_field_text(field, file.model.spindle->name);
+  return results::spindle_field_text(field, file.model.spindle->name);
 }
 
 }  // namespace raceway::session

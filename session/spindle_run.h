@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/model_file.h"
-#include "io/spindle_results.h"
+#include "files/model_file.h"
+#include "results/spindle_results.h"
 #include "session/messages.h"
 #include "session/reading.h"
 #include "session/source.h"
@@ -25,12 +25,12 @@ struct RunQuestion {
 };
 
 struct SpindleRun {
-  io::ModelFile file;
+  files::ModelFile file;
   std::string programme{};  ///< its name
   std::vector<spindle::ProfileRow> profile{};
   std::optional<spindle::State> start{};
   spindle::Run run{};
-  io::MeshEstimate mesh{};
+  results::MeshEstimate mesh{};
   std::vector<spindle::FieldCell> field{};  ///< at the end
 
   [[nodiscard]] bool converged() const { return run.report.converged(); }
@@ -43,9 +43,9 @@ struct SpindleRun {
   [[nodiscard]] std::string field_csv() const;
 };
 
-/// Throws io::InputError for a model that is no spindle, a programme without time or speed, one of
-/// several runs or one that begins before 0 s, and a state of another spindle.
-[[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const io::ModelFile& file,
+/// Throws text::InputError for a model that is no spindle, a programme without time or speed, one
+/// of several runs or one that begins before 0 s, and a state of another spindle.
+[[nodiscard]] SpindleRun simulate_spindle(Messages& messages, const files::ModelFile& file,
                                           const RunQuestion& question);
 
 }  // namespace raceway::session

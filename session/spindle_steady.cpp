@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/spindle_report.h"
 #include "record/units.h"
+#include "report/spindle_report.h"
 #include "session/open_input.h"
+#include "text/error.h"
 
 namespace raceway::session {
 namespace {
@@ -26,8 +26,8 @@ double hottest_inner_ring(const spindle::Moment& m) {
   return hottest;
 }
 
-io::SteadyState steady_state(spindle::Simulator& simulator, const spindle::Inputs& inputs) {
-  io::SteadyState s;
+results::SteadyState steady_state(spindle::Simulator& simulator, const spindle::Inputs& inputs) {
+  results::SteadyState s;
   s.inputs = inputs;
   s.moment = simulator.steady(inputs, s.report);
   if (s.report.converged() && simulator.sets()) {
@@ -38,16 +38,16 @@ io::SteadyState steady_state(spindle::Simulator& simulator, const spindle::Input
 }
 
 /// Sections for the page, of up to a dozen of the speeds that have a steady state.
-std::vector<io::DrawnField> fields_of(spindle::Simulator& simulator,
-                                      const std::vector<io::SteadyState>& states) {
+std::vector<report::DrawnField> fields_of(spindle::Simulator& simulator,
+                                          const std::vector<results::SteadyState>& states) {
   constexpr std::size_t most = 12;
-  std::vector<const io::SteadyState*> found;
-  for (const io::SteadyState& s : states)
+  std::vector<const results::SteadyState*> found;
+  for (const results::SteadyState& s : states)
     if (s.report.converged()) found.push_back(&s);
-  std::vector<io::DrawnField> fields;
+  std::vector<report::DrawnField> fields;
   const std::size_t count = std::min(most, found.size());
   for (std::size_t k = 0; k < count; ++k) {
-    const io::SteadyState& s = *found[count == 1 ? 0 : k * (found.size() - 1) / (count - 1)];
+    const results::SteadyState& s = *found[count == 1 ? 0 : k * (found.size() - 1) / (count - 1)];
     spindle::Report report;
     static_cast<void>(simulator.steady(s.inputs, report));
     fields.push_back({.speed = s.inputs.speed, .cells = simulator.field(simulator.state())});
@@ -57,26 +57,26 @@ std::vector<io::DrawnField> fields_of(spindle::Simulator& simulator,
 
 }  // namespace
 
-void require_spindle(const io::ModelFile& file) {
+void require_spindle(const files::ModelFile& file) {
   if (file.model.spindle) return;
-  throw io::InputError(file.source +
-                           ": is no spindle: with [shaft] and [housing] beside its [arrangement] "
-                           "a model is one",
-                       {.file = file.source, .key = "shaft"});
+  throw text::InputError(file.source +
+                             ": is no spindle: with [shaft] and [housing] beside its [arrangement] "
+                             "a model is one",
+                         {.file = file.source, .key = "shaft"});
 }
 
-spindle::Simulator simulator_of(const io::ModelFile& file) {
+spindle::Simulator simulator_of(const files::ModelFile& file) {
   try {
     return spindle::Simulator(file.model);
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
+    throw text::InputError(fmt::format("{}: {}", file.source, e.what()), {.file = file.source});
   }
 }
 
-io::MeshEstimate mesh_estimate(const model::Model& model, const spindle::Inputs& inputs,
-                               const std::atomic<bool>* cancelled) {
+results::MeshEstimate mesh_estimate(const model::Model& model, const spindle::Inputs& inputs,
+                                    const std::atomic<bool>* cancelled) {
   spindle::Simulator own(model);
-  io::MeshEstimate mesh{.cells = own.cells()};
+  results::MeshEstimate mesh{.cells = own.cells()};
   if (model.spindle->network) return mesh;
   model::Model changed = model;
   changed.spindle->cells = other_cells(model.spindle->cells);
@@ -94,7 +94,7 @@ io::MeshEstimate mesh_estimate(const model::Model& model, const spindle::Inputs&
   return mesh;
 }
 
-std::string words(const io::MeshEstimate& mesh) {
+std::string words(const results::MeshEstimate& mesh) {
   if (!mesh.known()) return fmt::format("{} cells", mesh.cells);
   return fmt::format(
       "{} cells; {} give {:+.2g} um, {:+.2g} K of the hottest inner ring and {:+.2g} N in front "
@@ -103,7 +103,7 @@ std::string words(const io::MeshEstimate& mesh) {
       -mesh.front_force, mesh.speed / rpm);
 }
 
-SteadySpindle steady_spindle(const io::ModelFile& file, const SteadyQuestion& question) {
+SteadySpindle steady_spindle(const files::ModelFile& file, const SteadyQuestion& question) {
   require_spindle(file);
   SteadySpindle answer{.file = file};
   spindle::Simulator simulator = simulator_of(file);
@@ -117,7 +117,7 @@ SteadySpindle steady_spindle(const io::ModelFile& file, const SteadyQuestion& qu
   const auto last = std::find_if(answer.states.rbegin(), answer.states.rend(),
                                  [](const auto& s) { return s.report.converged(); });
   answer.mesh = last == answer.states.rend()
-                    ? io::MeshEstimate{.cells = simulator.cells()}
+                    ? results::MeshEstimate{.cells = simulator.cells()}
                     : mesh_estimate(file.model, last->inputs, question.cancelled);
   if (last != answer.states.rbegin()) return answer;
   answer.end = simulator.state();
@@ -132,7 +132,7 @@ bool SteadySpindle::converged() const {
 
 std::vector<std::string> SteadySpindle::warnings() const {
   std::vector<std::string> lines;
-  for (const io::SteadyState& s : states)
+  for (const results::SteadyState& s : states)
     if (!s.report.converged())
       lines.push_back(fmt::format("{:.6g} rpm: {}: {}", s.inputs.speed / rpm,
                                   spindle::name(s.report.status), s.report.message));
@@ -140,23 +140,25 @@ std::vector<std::string> SteadySpindle::warnings() const {
 }
 
 std::string SteadySpindle::json() const {
-  return io::spindle_steady_json(file.model, states, mesh);
+  return results::spindle_steady_json(file.model, states, mesh);
 }
 
 std::string SteadySpindle::csv() const {
-  return io::spindle_steady_text(file.model, states, file.text);
+  return results::spindle_steady_text(file.model, states, file.text);
 }
 
 std::string SteadySpindle::page() const {
   spindle::Simulator simulator = simulator_of(file);
-  return io::spindle_steady_report(of_page(file, file.model), states, fields_of(simulator, states),
-                                   mesh, words(mesh));
+  return report::spindle_steady_report(of_page(file, file.model), states,
+                                       fields_of(simulator, states), mesh, words(mesh));
 }
 
-std::string SteadySpindle::end_state() const { return io::spindle_state_json(file.model, end); }
+std::string SteadySpindle::end_state() const {
+  return results::spindle_state_json(file.model, end);
+}
 
 std::string SteadySpindle::field_csv() const {
-  return io::spindle_field_text(field, file.model.spindle->name);
+  return results::spindle_field_text(field, file.model.spindle->name);
 }
 
 }  // namespace raceway::session

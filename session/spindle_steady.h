@@ -4,25 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "io/model_file.h"
-#include "io/spindle_results.h"
+#include "files/model_file.h"
+#include "results/spindle_results.h"
 
 /// Steady states of a spindle, as they are asked for.
 namespace raceway::session {
 
-/// Throws io::InputError for a model that is no spindle.
-void require_spindle(const io::ModelFile& file);
+/// Throws text::InputError for a model that is no spindle.
+void require_spindle(const files::ModelFile& file);
 
-/// Throws io::InputError, with the name of the file, for one that cannot be mounted or meshed.
-[[nodiscard]] spindle::Simulator simulator_of(const io::ModelFile& file);
+/// Throws text::InputError, with the name of the file, for one that cannot be mounted or meshed.
+[[nodiscard]] spindle::Simulator simulator_of(const files::ModelFile& file);
 
 /// The steady state under these inputs with the cells of the model, held against the next finer
 /// ones (of the finest, the next coarser). Not known of a network, and where either has none.
-[[nodiscard]] io::MeshEstimate mesh_estimate(const model::Model& model,
-                                             const spindle::Inputs& inputs,
-                                             const std::atomic<bool>* cancelled = nullptr);
+[[nodiscard]] results::MeshEstimate mesh_estimate(const model::Model& model,
+                                                  const spindle::Inputs& inputs,
+                                                  const std::atomic<bool>* cancelled = nullptr);
 /// In words, a line.
-[[nodiscard]] std::string words(const io::MeshEstimate& mesh);
+[[nodiscard]] std::string words(const results::MeshEstimate& mesh);
 
 struct SteadyQuestion {
   std::vector<double> speeds{};        ///< [rad/s]
@@ -33,9 +33,9 @@ struct SteadyQuestion {
 
 /// Steady states, one for each speed.
 struct SteadySpindle {
-  io::ModelFile file;
-  std::vector<io::SteadyState> states{};
-  io::MeshEstimate mesh{};
+  files::ModelFile file;
+  std::vector<results::SteadyState> states{};
+  results::MeshEstimate mesh{};
   spindle::State end{};                     ///< of the last speed; nothing where it has none
   std::vector<spindle::FieldCell> field{};  ///< the same, cell by cell
 
@@ -49,8 +49,8 @@ struct SteadySpindle {
   [[nodiscard]] std::string field_csv() const;
 };
 
-/// Throws io::InputError for a model that is no spindle.
-[[nodiscard]] SteadySpindle steady_spindle(const io::ModelFile& file,
+/// Throws text::InputError for a model that is no spindle.
+[[nodiscard]] SteadySpindle steady_spindle(const files::ModelFile& file,
                                            const SteadyQuestion& question);
 
 }  // namespace raceway::session

@@ -6,19 +6,19 @@
 #include <cmath>
 #include <utility>
 
-#include "io/error.h"
-#include "io/number_text.h"
-#include "io/series_file.h"
-#include "io/step_report.h"
-#include "io/step_results.h"
+#include "files/series_file.h"
 #include "record/units.h"
+#include "report/step_report.h"
+#include "results/step_results.h"
 #include "session/open_input.h"
 #include "session/step_parts.h"
+#include "text/error.h"
+#include "text/number_text.h"
 
 namespace raceway::session {
 namespace {
 
-using io::number;
+using text::number;
 
 constexpr double one_hour = 3600.0;
 
@@ -57,32 +57,33 @@ void add_laws(SpindleSteps& steps) {
   steps.notes = notes_on_steps(steps.responses, steps.laws);
 }
 
-io::StepLaw step_law_of(const std::string& name) {
-  return name == "power"  ? io::StepLaw::power
-         : name == "line" ? io::StepLaw::line
-                          : io::StepLaw::curve;
+results::StepLaw step_law_of(const std::string& name) {
+  return name == "power"  ? results::StepLaw::power
+         : name == "line" ? results::StepLaw::line
+                          : results::StepLaw::curve;
 }
 
 /// With one delay element or two: as asked for, else two where one does not do. Of a spindle that
 /// can be simulated it is tried: two may fit the steps of a cold spindle, and not a warm one.
 correction::Model chosen_model(Messages& messages, const SpindleSteps& steps,
-                               const StepCorrectionQuestion& q, io::StepCorrectionParts parts) {
+                               const StepCorrectionQuestion& q,
+                               results::StepCorrectionParts parts) {
   const spindle::StepResponses& responses = steps.responses;
   if (q.lags != "auto") {
     parts.two_lags = q.lags == "two";
-    return io::step_model(responses, parts);
+    return results::step_model(responses, parts);
   }
-  if (!spindle::need_two(responses.steps)) return io::step_model(responses, parts);
-  correction::Model one = io::step_model(responses, parts);
+  if (!spindle::need_two(responses.steps)) return results::step_model(responses, parts);
+  correction::Model one = results::step_model(responses, parts);
   parts.two_lags = true;
-  correction::Model two = io::step_model(responses, parts);
+  correction::Model two = results::step_model(responses, parts);
   const model::Model* const model = steps.model();
   if (!model || !model->spindle || !steps.simulated) return two;
-  const record::Record trial = io::trial_programme(parts.power.back().speed);
-  const io::Superposition of_one =
-      io::superposition(*model, one, trial, conditions_of(steps), q.cancelled);
-  const io::Superposition of_two =
-      io::superposition(*model, two, trial, conditions_of(steps), q.cancelled);
+  const record::Record trial = results::trial_programme(parts.power.back().speed);
+  const results::Superposition of_one =
+      results::superposition(*model, one, trial, conditions_of(steps), q.cancelled);
+  const results::Superposition of_two =
+      results::superposition(*model, two, trial, conditions_of(steps), q.cancelled);
   if (!of_one.report.converged()) return two;
   messages.note(
       fmt::format("over {:.0f} h of half hours at several speeds one delay element is off by "
@@ -101,7 +102,7 @@ std::string name_of_model(const SpindleSteps& steps) {
 
 }  // namespace
 
-SpindleSteps simulated_steps(Messages& messages, const io::ModelFile& file,
+SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                              const StepQuestion& question) {
   const std::string key = named(question.wording, "--speed", "speed_rpm");
   std::vector<double> speeds = question.speeds;
@@ -111,7 +112,7 @@ SpindleSteps simulated_steps(Messages& messages, const io::ModelFile& file,
   }
   constexpr std::size_t most = 1000;
   if (speeds.empty() || speeds.size() > most)
-    throw io::InputError(
+    throw text::InputError(
         fmt::format("raceway step-response: {} speeds above 0 rpm: must be from 1 to {}",
                     speeds.size(), most),
         {.key = key});
@@ -124,17 +125,17 @@ SpindleSteps simulated_steps(Messages& messages, const io::ModelFile& file,
   return steps;
 }
 
-SpindleSteps imported_steps(const std::vector<io::LoadCase>& cases, const std::string& source,
-                            const io::ModelFile* file, double temperature_C) {
+SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases, const std::string& source,
+                            const files::ModelFile* file, double temperature_C) {
   SpindleSteps steps{.source = source, .temperature_C = temperature_C};
   if (file) steps.file = *file;
   const model::Model* const model = steps.model();
-  steps.responses.steps = io::fit_load_cases(cases);
+  steps.responses.steps = files::fit_load_cases(cases);
   for (std::size_t k = 0; k < cases.size(); ++k) {
     spindle::StepResponse& step = steps.responses.steps[k];
     if (!std::isnan(step.power_end)) continue;
     if (!model)
-      throw io::InputError(
+      throw text::InputError(
           fmt::format("{}: load case {}: has a speed and no power, which follows from the friction "
                       "of a model: name the MODEL, or give power_W",
                       cases[k].place.text(), cases[k].name),
@@ -142,7 +143,7 @@ SpindleSteps imported_steps(const std::vector<io::LoadCase>& cases, const std::s
     step.power_start = step.power_end = friction_power(*model, step.speed, temperature_C);
   }
   const bool at_once = std::any_of(cases.begin(), cases.end(),
-                                   [](const io::LoadCase& c) { return c.at_once != 0.0; });
+                                   [](const files::LoadCase& c) { return c.at_once != 0.0; });
   if (model && !at_once)
     for (spindle::StepResponse& step : steps.responses.steps)
       if (!std::isnan(step.speed)) step.kinematic = kinematic_at(*model, step.speed);
@@ -163,17 +164,18 @@ std::vector<std::string> SpindleSteps::warnings() const {
 }
 
 std::string SpindleSteps::csv() const {
-  return io::step_responses_text(responses, source, file ? file->text : "");
+  return results::step_responses_text(responses, source, file ? file->text : "");
 }
 
-std::string SpindleSteps::json(const io::Superposition* error) const {
-  return io::step_responses_json(responses, laws, notes, error);
+std::string SpindleSteps::json(const results::Superposition* error) const {
+  return results::step_responses_json(responses, laws, notes, error);
 }
 
-std::string SpindleSteps::page(const io::Superposition* error, const std::string& programme) const {
-  std::vector<io::ModelOfPage> facts;
+std::string SpindleSteps::page(const results::Superposition* error,
+                               const std::string& programme) const {
+  std::vector<report::ModelOfPage> facts;
   if (file) facts.push_back(of_page(*file, file->model));
-  return io::step_report(source, responses, laws, notes, error, programme, facts);
+  return report::step_report(source, responses, laws, notes, error, programme, facts);
 }
 
 correction::Model correction_of_steps(Messages& messages, const SpindleSteps& steps,
@@ -187,13 +189,14 @@ correction::Model correction_of_steps(Messages& messages, const SpindleSteps& st
                        .law = step_law_of(question.law)});
 }
 
-io::Superposition superposition_of_steps(const SpindleSteps& steps,
-                                         const correction::Model& correction,
-                                         const Source& programme,
-                                         const std::atomic<bool>* cancelled) {
+results::Superposition superposition_of_steps(const SpindleSteps& steps,
+                                              const correction::Model& correction,
+                                              const Source& programme,
+                                              const std::atomic<bool>* cancelled) {
   const std::vector<const record::Channel*> wanted{&record::time, &record::speed};
-  const record::Record record = io::read_series(programme, {}, wanted);
-  return io::superposition(*steps.model(), correction, record, conditions_of(steps), cancelled);
+  const record::Record record = files::read_series(programme, {}, wanted);
+  return results::superposition(*steps.model(), correction, record, conditions_of(steps),
+                                cancelled);
 }
 
 }  // namespace raceway::session

@@ -6,20 +6,20 @@
 #include <vector>
 
 #include "correction/model.h"
-#include "io/model_file.h"
-#include "io/number_range.h"
-#include "io/step_correction.h"
-#include "io/step_import.h"
-#include "io/superposition.h"
+#include "files/model_file.h"
+#include "files/step_import.h"
+#include "results/step_correction.h"
+#include "results/superposition.h"
 #include "session/messages.h"
 #include "session/source.h"
 #include "session/wording.h"
 #include "spindle/power_laws.h"
 #include "spindle/step_response.h"
+#include "text/number_range.h"
 
 namespace raceway::session {
 
-inline constexpr io::NumberRange step_hours_range{0.1, 1000.0, "h"};
+inline constexpr text::NumberRange step_hours_range{0.1, 1000.0, "h"};
 
 struct StepQuestion {
   std::vector<double> speeds{};  ///< [rad/s], rising
@@ -31,8 +31,8 @@ struct StepQuestion {
 
 /// Step responses of a spindle, simulated or read, with the laws K(P) and T(P) of all of them.
 struct SpindleSteps {
-  std::optional<io::ModelFile> file{};  ///< none where they were read without a model
-  std::string source{};                 ///< what they are of
+  std::optional<files::ModelFile> file{};  ///< none where they were read without a model
+  std::string source{};                    ///< what they are of
   spindle::StepResponses responses{};
   spindle::PowerLaws laws{};
   std::vector<std::string> notes{};
@@ -46,20 +46,20 @@ struct SpindleSteps {
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] std::string csv() const;
   /// `error` of a correction over a programme, null where none was asked for.
-  [[nodiscard]] std::string json(const io::Superposition* error = nullptr) const;
-  [[nodiscard]] std::string page(const io::Superposition* error = nullptr,
+  [[nodiscard]] std::string json(const results::Superposition* error = nullptr) const;
+  [[nodiscard]] std::string page(const results::Superposition* error = nullptr,
                                  const std::string& programme = {}) const;
 };
 
-/// Throws io::InputError without a speed above 0 or with too many; std::invalid_argument for a
+/// Throws text::InputError without a speed above 0 or with too many; std::invalid_argument for a
 /// model that is no spindle.
-[[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const io::ModelFile& file,
+[[nodiscard]] SpindleSteps simulated_steps(Messages& messages, const files::ModelFile& file,
                                            const StepQuestion& question);
 
 /// Of load cases that were read; `file` may be null. Those with a speed alone have the power of the
 /// model there, at a temperature of its lubricant [C]; NaN: that of its rig.
-[[nodiscard]] SpindleSteps imported_steps(const std::vector<io::LoadCase>& cases,
-                                          const std::string& source, const io::ModelFile* file,
+[[nodiscard]] SpindleSteps imported_steps(const std::vector<files::LoadCase>& cases,
+                                          const std::string& source, const files::ModelFile* file,
                                           double temperature_C);
 
 /// What a correction of them is asked to be.
@@ -76,7 +76,7 @@ struct StepCorrectionQuestion {
                                                     const StepCorrectionQuestion& question);
 
 /// A correction of them against the whole simulation, over a programme of speeds.
-[[nodiscard]] io::Superposition superposition_of_steps(
+[[nodiscard]] results::Superposition superposition_of_steps(
     const SpindleSteps& steps, const correction::Model& correction, const Source& programme,
     const std::atomic<bool>* cancelled = nullptr);
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "io/number_text.h"
 #include "shaft/fit_kinematic_law.h"
 #include "shaft/shaft_prediction.h"
+#include "text/number_text.h"
 
 namespace raceway::session {
 namespace {
@@ -29,12 +29,12 @@ std::vector<shaft::ShaftPrediction> predicted_shaft(const model::Model& model,
 }
 
 /// Up to the least speed of a grid that has this power [W].
-std::vector<io::PowerAtSpeed> powers_of_model(const model::Model& model, double highest,
-                                              double temperature) {
+std::vector<results::PowerAtSpeed> powers_of_model(const model::Model& model, double highest,
+                                                   double temperature) {
   std::vector<double> speeds;
   for (double speed = grid_step; speed <= grid_end; speed += grid_step) speeds.push_back(speed);
   const std::vector<shaft::ShaftPrediction> found = predicted_shaft(model, speeds, temperature);
-  std::vector<io::PowerAtSpeed> powers;
+  std::vector<results::PowerAtSpeed> powers;
   for (std::size_t k = 0; k < speeds.size(); ++k) {
     if (found[k].status() != bearing::SolveStatus::converged) break;
     powers.push_back({speeds[k], found[k].power_loss});

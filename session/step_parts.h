@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/step_correction.h"
 #include "model/model.h"
+#include "results/step_correction.h"
 #include "shaft/kinematic_law.h"
 #include "spindle/step_response.h"
 
@@ -23,7 +23,7 @@ namespace raceway::session {
 
 /// Of a correction, what step responses do not tell: power over speed, and what moves at once.
 struct StepParts {
-  std::vector<io::PowerAtSpeed> power = {};
+  std::vector<results::PowerAtSpeed> power = {};
   std::optional<shaft::KinematicLaw> kinematic = {};
   std::vector<std::string> notes = {};
 };

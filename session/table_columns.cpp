@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "bearing/contact_pressure.h"
-#include "io/shaft_results.h"
 #include "model/bearing_life.h"
 #include "model/heat_split.h"
 #include "model/prediction.h"
+#include "results/shaft_results.h"
 #include "session/load_notes.h"
 #include "session/operating_point.h"
 
@@ -84,7 +84,7 @@ std::vector<std::string> shaft_columns(const model::Model& model) {
          {std::string_view("axial_load_N"), std::string_view("friction_torque_Nmm"),
           std::string_view("inner_contact_angle_deg"), std::string_view("outer_contact_angle_deg"),
           inner_pressure, outer_pressure, lost_balls})
-      names.push_back(fmt::format("{}_{}", io::bearing_place(a, i), name));
+      names.push_back(fmt::format("{}_{}", results::bearing_place(a, i), name));
   names.emplace_back("axial_displacement_um");
   return names;
 }
@@ -172,7 +172,7 @@ std::vector<std::string> table_notes(const model::Model& model,
   LoadNotes notes;
   const auto column_of = [&](std::size_t i, std::string_view name) {
     const std::string place =
-        model.shaft ? io::bearing_place(model.shaft->arrangement, i) + "_" : std::string();
+        model.shaft ? results::bearing_place(model.shaft->arrangement, i) + "_" : std::string();
     for (std::size_t c = 0; c < table.columns.size(); ++c)
       if (table.columns[c] == place + std::string(name)) return c;
     return table.columns.size();
@@ -187,7 +187,7 @@ std::vector<std::string> table_notes(const model::Model& model,
     const bearing::Bearing& bearing =
         model.shaft ? *model.shaft->arrangement.bearings()[i].bearing : model.bearing;
     const std::string place =
-        model.shaft ? io::bearing_place(model.shaft->arrangement, i) : std::string();
+        model.shaft ? results::bearing_place(model.shaft->arrangement, i) : std::string();
     for (std::size_t k = 0; k < table.points(); ++k) {
       const bearing::OperatingPoint p = table.point(table.first() + k);
       const auto row = table.row(k);

@@ -6,11 +6,11 @@
 #include <map>
 #include <utility>
 
+#include "files/table_exchange.h"
+#include "files/table_file.h"
 #include "fit/problem.h"
-#include "io/results.h"
-#include "io/table_exchange.h"
-#include "io/table_file.h"
 #include "model/prediction.h"
+#include "results/results.h"
 #include "session/bands.h"
 #include "session/contact_statement.h"
 #include "session/table_columns.h"
@@ -36,7 +36,8 @@ std::vector<double> spread(const std::vector<double>& values, std::size_t most) 
 
 }  // namespace
 
-TablePlan plan_table(Messages& messages, const io::ModelFile& file, const TableQuestion& question) {
+TablePlan plan_table(Messages& messages, const files::ModelFile& file,
+                     const TableQuestion& question) {
   TablePlan plan{.axes = table_axes(messages, file, question.axes, question.wording),
                  .columns = table_columns(file.model)};
   if (question.band)
@@ -44,7 +45,7 @@ TablePlan plan_table(Messages& messages, const io::ModelFile& file, const TableQ
   return plan;
 }
 
-TableAnswer make_table(const io::ModelFile& file, const TableQuestion& question, TablePlan plan,
+TableAnswer make_table(const files::ModelFile& file, const TableQuestion& question, TablePlan plan,
                        const std::function<void(double)>& progress,
                        const std::atomic<bool>* cancelled) {
   const auto fill = [&](auto points, auto out) {
@@ -58,17 +59,18 @@ TableAnswer make_table(const io::ModelFile& file, const TableQuestion& question,
 }
 
 std::string TableAnswer::json(const model::Model& model) const {
-  const io::BandOfResult of_band{.parameters = band ? band->fitted() : std::vector<std::string>(),
-                                 .names = {},
-                                 .half_widths = {}};
-  return io::table_json(model, table, band ? &of_band : nullptr);
+  const results::BandOfResult of_band{
+      .parameters = band ? band->fitted() : std::vector<std::string>(),
+      .names = {},
+      .half_widths = {}};
+  return results::table_json(model, table, band ? &of_band : nullptr);
 }
 
-std::string TableAnswer::text(const io::ModelFile& file, const std::string& format,
+std::string TableAnswer::text(const files::ModelFile& file, const std::string& format,
                               const std::function<void(double)>& progress) const {
-  if (format == "plain") return io::plain_table_text(table);
-  if (format == "modelica") return io::modelica_table_text(table, file.model.name);
-  return io::table_text(table, file.model.name, file.text, progress);
+  if (format == "plain") return files::plain_table_text(table);
+  if (format == "modelica") return files::modelica_table_text(table, file.model.name);
+  return files::table_text(table, file.model.name, file.text, progress);
 }
 
 std::vector<std::string> TableAnswer::notes(const model::Model& model) const {
@@ -105,7 +107,7 @@ TableFailures failures(const model::Model& model, const friction::StribeckTable&
   return result;
 }
 
-io::BearingStates states_to_draw(const model::Model& model, const friction::TableAxes& grid) {
+report::BearingStates states_to_draw(const model::Model& model, const friction::TableAxes& grid) {
   if (model.shaft) return {};
   std::vector<bearing::OperatingPoint> points;
   for (const double radial : spread(grid.radial_load, 3))
@@ -117,7 +119,7 @@ io::BearingStates states_to_draw(const model::Model& model, const friction::Tabl
                           .temperature = grid.temperature.front()});
   std::vector<model::FrictionPrediction> predictions(points.size());
   model::predict_sweep(model, points, predictions, true);
-  io::BearingStates states;
+  report::BearingStates states;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (predictions[i].equilibrium && predictions[i].equilibrium->report.converged())
       states.emplace_back(points[i], std::move(predictions[i]));

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "files/model_file.h"
 #include "friction/stribeck_table.h"
-#include "io/model_file.h"
-#include "io/report.h"
 #include "model/band.h"
+#include "report/report.h"
 #include "session/messages.h"
 #include "session/operating_point.h"
 #include "session/wording.h"
@@ -29,8 +29,8 @@ struct TablePlan {
   friction::TableAxes axes;
   std::vector<std::string> columns;
 };
-/// Throws io::InputError as table_axes().
-[[nodiscard]] TablePlan plan_table(Messages& messages, const io::ModelFile& file,
+/// Throws text::InputError as table_axes().
+[[nodiscard]] TablePlan plan_table(Messages& messages, const files::ModelFile& file,
                                    const TableQuestion& question);
 
 /// The table, and what it can be written as.
@@ -40,7 +40,7 @@ struct TableAnswer {
 
   [[nodiscard]] std::string json(const model::Model& model) const;
   /// `format`: csv, with the model in its head, plain or modelica.
-  [[nodiscard]] std::string text(const io::ModelFile& file, const std::string& format,
+  [[nodiscard]] std::string text(const files::ModelFile& file, const std::string& format,
                                  const std::function<void(double)>& progress = {}) const;
   /// What a user should know of it.
   [[nodiscard]] std::vector<std::string> notes(const model::Model& model) const;
@@ -48,7 +48,7 @@ struct TableAnswer {
 
 /// Solves all points, on all cores. `progress` is called with the share that is done. Throws
 /// fit::Cancelled where `cancelled` is set meanwhile.
-[[nodiscard]] TableAnswer make_table(const io::ModelFile& file, const TableQuestion& question,
+[[nodiscard]] TableAnswer make_table(const files::ModelFile& file, const TableQuestion& question,
                                      TablePlan plan,
                                      const std::function<void(double)>& progress = {},
                                      const std::atomic<bool>* cancelled = nullptr);
@@ -64,7 +64,7 @@ struct TableFailures {
 
 /// Points whose balls a report draws: some speeds at some pairs of loads. None for a shaft, whose
 /// bearings do not carry the loads of the grid.
-[[nodiscard]] io::BearingStates states_to_draw(const model::Model& model,
-                                               const friction::TableAxes& grid);
+[[nodiscard]] report::BearingStates states_to_draw(const model::Model& model,
+                                                   const friction::TableAxes& grid);
 
 }  // namespace raceway::session

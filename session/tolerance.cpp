@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "correction/correction_subject.h"
-#include "io/csv.h"
-#include "io/error.h"
-#include "io/number_text.h"
-#include "io/subject.h"
+#include "files/subject.h"
+#include "text/csv.h"
+#include "text/error.h"
+#include "text/number_text.h"
 
 namespace raceway::session {
 namespace {
@@ -24,8 +24,8 @@ struct Amount {
 };
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
-  throw io::InputError(fmt::format("--tolerance: {}: {}", io::quoted(text), why),
-                       {.key = "--tolerance"});
+  throw text::InputError(fmt::format("--tolerance: {}: {}", text::quoted(text), why),
+                         {.key = "--tolerance"});
 }
 
 /// "2 N mm" is 2 and "Nmm".
@@ -45,7 +45,7 @@ Amount parsed(const std::string& text) {
 std::string allowed(const std::vector<fit::Measured>& measured) {
   std::vector<std::string> units;
   for (const fit::Measured& m : measured)
-    units.push_back(fmt::format("{} ({})", io::difference_unit(*m.channel), m.channel->words));
+    units.push_back(fmt::format("{} ({})", text::difference_unit(*m.channel), m.channel->words));
   return fmt::format("{}", fmt::join(units, ", "));
 }
 
@@ -64,11 +64,11 @@ void Tolerance::set(const std::vector<fit::Measured>& measured, const std::strin
     bool known = false;
     for (const fit::Measured& m : measured) {
       const record::Channel& channel = *m.channel;
-      if (io::difference_unit(channel) != given.unit) continue;
+      if (text::difference_unit(channel) != given.unit) continue;
       known = true;
       if (!std::isnan(m.tolerance))
         refuse(item, fmt::format("two of them: {} stands under [{}] of {}",
-                                 io::tolerance_key(channel), table, source));
+                                 text::tolerance_key(channel), table, source));
       take(channel, given.value * channel.factor);
     }
     if (!known)
@@ -77,9 +77,9 @@ void Tolerance::set(const std::vector<fit::Measured>& measured, const std::strin
   }
 }
 
-void Tolerance::set(io::ModelFile& file) const {
+void Tolerance::set(files::ModelFile& file) const {
   if (text.empty()) return;
-  set(io::make_subject(file.model)->measured(), file.source, "loop",
+  set(files::make_subject(file.model)->measured(), file.source, "loop",
       [&](const record::Channel& channel, double value) {
         file.model.tolerances.push_back({std::string(channel.name), value});
       });

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "correction/model.h"
+#include "files/model_file.h"
 #include "fit/subject.h"
-#include "io/model_file.h"
 
 namespace raceway::session {
 
@@ -16,9 +16,9 @@ struct Tolerance {
   std::string text;
 
   /// Gives them to the model, for this run. The unit says which measured channels are meant.
-  /// Throws io::InputError: no number with a unit, a unit in which nothing is measured, a channel
+  /// Throws text::InputError: no number with a unit, a unit in which nothing is measured, a channel
   /// that has a tolerance already.
-  void set(io::ModelFile& file) const;
+  void set(files::ModelFile& file) const;
   void set(correction::Model& model, const std::string& source) const;
 
  private:

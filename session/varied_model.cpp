@@ -1,4 +1,4 @@
-#include "session/varied_model.h"
+#include "session/detail/varied_model.h"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <stdexcept>
 
 #include "fit/problem.h"
-#include "io/error.h"
-#include "io/spindle_results.h"
-#include "io/units.h"
 #include "model/bearing_life.h"
+#include "results/spindle_results.h"
 #include "session/operating_point.h"
 #include "session/solve_states.h"
 #include "session/spindle_steady.h"
 #include "session/table_columns.h"
+#include "text/error.h"
+#include "text/units.h"
 
 namespace raceway::session::varied {
 namespace {
@@ -55,11 +55,11 @@ std::string without_place(const std::string& message, const std::string& source)
 }  // namespace
 
 std::vector<Axis> axes_of(const SensitivityQuestion& q, bool shaft) {
-  return {{"speed_rpm", "--speed", q.speeds_rpm, io::speed_range},
+  return {{"speed_rpm", "--speed", q.speeds_rpm, text::speed_range},
           {"axial_load_N", "--axial-load", q.axial_loads_N,
-           shaft ? io::signed_load_range : io::load_range},
-          {"radial_load_N", "--radial-load", q.radial_loads_N, io::load_range},
-          {"temperature_C", "--temperature", q.temperatures_C, io::temperature_range}};
+           shaft ? text::signed_load_range : text::load_range},
+          {"radial_load_N", "--radial-load", q.radial_loads_N, text::load_range},
+          {"temperature_C", "--temperature", q.temperatures_C, text::temperature_range}};
 }
 
 std::vector<State> states_of(const std::vector<Axis>& axes) {
@@ -74,7 +74,7 @@ std::vector<State> states_of(const std::vector<Axis>& axes) {
       }
     states = std::move(more);
     if (states.size() > most_states)
-      throw io::InputError(fmt::format("more than {} states were asked for", most_states));
+      throw text::InputError(fmt::format("more than {} states were asked for", most_states));
   }
   return states;
 }
@@ -82,7 +82,7 @@ std::vector<State> states_of(const std::vector<Axis>& axes) {
 std::vector<std::string> known_columns(const model::Model& model, bool steady) {
   std::vector<std::string> names;
   if (steady) {
-    for (const io::RunColumn& c : io::run_columns(model, {}, {}))
+    for (const results::RunColumn& c : results::run_columns(model, {}, {}))
       if (c.name != "speed_rpm") names.push_back(c.name);
     if (!model.spindle->network) {
       names.emplace_back(stiffness);
@@ -108,13 +108,13 @@ Predictor::Predictor(const SensitivityQuestion& question, std::vector<std::strin
     const auto at = std::find(table.begin(), table.end(), name);
     places_.push_back(static_cast<std::size_t>(at - table.begin()));
     if (at != table.end())
-      units_.push_back(io::column_unit(name));
+      units_.push_back(text::column_unit(name));
     else
       units_.push_back(1.0);
   }
 }
 
-std::vector<double> Predictor::operator()(const io::ModelFile& file,
+std::vector<double> Predictor::operator()(const files::ModelFile& file,
                                           const std::vector<State>& states) const {
   return question_.steady ? steady(file, states) : at_once(file.model, states);
 }
@@ -140,7 +140,7 @@ std::vector<double> Predictor::at_once(const model::Model& model,
   return values;
 }
 
-std::vector<double> Predictor::steady(const io::ModelFile& file,
+std::vector<double> Predictor::steady(const files::ModelFile& file,
                                       const std::vector<State>& states) const {
   spindle::Simulator simulator = simulator_of(file);
   simulator.stop_on(question_.cancelled);
@@ -151,7 +151,7 @@ std::vector<double> Predictor::steady(const io::ModelFile& file,
                                  .coolant_on = question_.coolant_on};
     spindle::Report report;
     const spindle::Moment m = simulator.steady(inputs, report);
-    std::vector<io::RunColumn> known = io::run_columns(file.model, inputs, m);
+    std::vector<results::RunColumn> known = results::run_columns(file.model, inputs, m);
     double hottest = unset;
     for (const spindle::BearingState& b : m.bearings)
       hottest = std::fmax(hottest, std::fmax(b.inner_ring_temperature, b.outer_ring_temperature));
@@ -160,22 +160,22 @@ std::vector<double> Predictor::steady(const io::ModelFile& file,
                      simulator.sets() ? simulator.sets()->axial_stiffness / N_per_um : unset});
     for (const std::string& name : wanted_) {
       const auto at = std::find_if(known.begin(), known.end(),
-                                   [&](const io::RunColumn& c) { return c.name == name; });
+                                   [&](const results::RunColumn& c) { return c.name == name; });
       values.push_back(report.converged() && at != known.end() ? at->value : unset);
     }
   }
   return values;
 }
 
-Data::Data(const io::ModelFile& file, const SensitivityQuestion& question,
+Data::Data(const files::ModelFile& file, const SensitivityQuestion& question,
            std::vector<State> states)
     : question_(question), of_model_(file), source_(file.source), states_(std::move(states)) {
-  for (const io::ModelDatum& d : of_model_.data())
+  for (const files::ModelDatum& d : of_model_.data())
     all_.push_back({.name = d.name,
                     .value = d.value,
-                    .origin = d.origin == io::ModelDatum::Origin::file         ? "file"
-                              : d.origin == io::ModelDatum::Origin::by_default ? "default"
-                                                                               : "catalogue",
+                    .origin = d.origin == files::ModelDatum::Origin::file         ? "file"
+                              : d.origin == files::ModelDatum::Origin::by_default ? "default"
+                                                                                  : "catalogue",
                     .whole = d.whole,
                     .has_elasticity = !in_celsius(d.name)});
   const std::vector<Axis> axes = axes_of(question, file.model.shaft.has_value());
@@ -221,10 +221,10 @@ Outcome Data::predict(const Predictor& predictor,
     for (State& s : states) s[axis] = value;
   }
   try {
-    io::ModelFile file = of_model_.with(of_file);
+    files::ModelFile file = of_model_.with(of_file);
     if (question_.amend) question_.amend(file);
     return {.values = predictor(file, states)};
-  } catch (const io::InputError& e) {
+  } catch (const text::InputError& e) {
     return {.refused = without_place(e.what(), source_)};
   } catch (const std::invalid_argument& e) {
     return {.refused = e.what()};

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "algebra/decompositions.h"
-#include "shaft/kinematic_law_search.h"
+#include "algebra/detail/decompositions.h"
+#include "shaft/detail/kinematic_law_search.h"
 
 namespace raceway::shaft {
 namespace {

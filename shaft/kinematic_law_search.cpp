@@ -1,4 +1,4 @@
-#include "shaft/kinematic_law_search.h"
+#include "shaft/detail/kinematic_law_search.h"
 
 #include <ceres/ceres.h>
 

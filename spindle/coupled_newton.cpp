@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 
 namespace raceway::spindle {
 namespace {

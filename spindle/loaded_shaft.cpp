@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 
 namespace raceway::spindle {
 namespace {

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "fit/problem.h"
+#include "spindle/detail/time_steps.h"
 #include "spindle/expansion_rows.h"
 #include "spindle/heat_flow.h"
 #include "spindle/spindle.h"
 #include "spindle/thermometer.h"
-#include "spindle/time_steps.h"
 
 namespace raceway::spindle {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "algebra/decompositions.h"
+#include "algebra/detail/decompositions.h"
 
 namespace raceway::spindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "spindle/time_steps.h"
+#include "spindle/detail/time_steps.h"
 
 namespace raceway::spindle {
 namespace {

@@ -1,4 +1,4 @@
-#include "friction/contact/contact_kernel_impl.h"
+#include "friction/contact/detail/contact_kernel_impl.h"
 
 namespace raceway::friction::contact {
 

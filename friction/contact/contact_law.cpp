@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "friction/contact/balanced_equilibrium.h"
-#include "friction/contact/contact_sums.h"
+#include "friction/contact/detail/contact_sums.h"
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "friction/contact/contact_kernel.h"
-#include "friction/contact/contact_sums.h"
+#include "friction/contact/detail/contact_sums.h"
 #include "friction/contact/ellipse_points.h"
 
 namespace raceway::friction::contact {

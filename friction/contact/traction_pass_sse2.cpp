@@ -1,4 +1,4 @@
-#include "friction/contact/traction_pass_impl.h"
+#include "friction/contact/detail/traction_pass_impl.h"
 
 namespace raceway::friction::contact {
 

@@ -2,10 +2,10 @@
 
 #include <pybind11/stl.h>
 
-#include "io/csv.h"
-#include "io/error.h"
-#include "io/number_text.h"
 #include "python/engine/arrays.h"
+#include "text/csv.h"
+#include "text/error.h"
+#include "text/number_text.h"
 
 namespace raceway::python {
 namespace {
@@ -35,16 +35,16 @@ void take(session::LoopOptions& options, const std::string& name, const py::hand
 /// What an answer makes when it is asked for, without the lock of the interpreter.
 template <typename Make>
 auto made(const Make& make, const char* missing) {
-  if (!make) throw io::InputError(missing);
+  if (!make) throw text::InputError(missing);
   const py::gil_scoped_release others;
   return make();
 }
 
 /// Columns of numbers, or lists of text.
 std::shared_ptr<session::Source> data_of_columns(const std::string& name, const py::dict& given) {
-  std::vector<io::DataColumn> columns;
+  std::vector<text::DataColumn> columns;
   for (const auto& [key, values] : given) {
-    io::DataColumn column{.name = key.cast<std::string>()};
+    text::DataColumn column{.name = key.cast<std::string>()};
     if (py::isinstance<py::array>(values)) {
       const auto numbers =
           values.cast<py::array_t<double, py::array::c_style | py::array::forcecast>>();
@@ -55,7 +55,7 @@ std::shared_ptr<session::Source> data_of_columns(const std::string& name, const 
     columns.push_back(std::move(column));
   }
   return std::make_shared<session::Source>(
-      std::make_shared<const io::CsvTable>(io::table_of_columns(name, std::move(columns))));
+      std::make_shared<const text::CsvTable>(text::table_of_columns(name, std::move(columns))));
 }
 
 py::list own_effects_of(const EngineAnswer& answer) {
@@ -81,7 +81,7 @@ std::vector<double> in_unit(const record::Channel& channel, std::span<const doub
   std::vector<double> values;
   values.reserve(si.size());
   for (const double value : si) {
-    const double in_unit_of_file = io::value_in_unit(channel, value);
+    const double in_unit_of_file = text::value_in_unit(channel, value);
     values.push_back(channel.role == record::Role::setting ? as_entered(in_unit_of_file)
                                                            : in_unit_of_file);
   }

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/error.h"
 #include "record/digits.h"
 #include "session/solve_states.h"
+#include "text/error.h"
 
 namespace raceway::python {
 
@@ -23,7 +23,7 @@ using Doubles = py::array_t<double>;
 /// filter such as frame.speed_rpm == 1500 would not find its rows.
 inline double as_entered(double value) { return record::with_digits(value, 13); }
 
-/// The shape that numpy gives arrays that are used together. Throws io::InputError where there is
+/// The shape that numpy gives arrays that are used together. Throws text::InputError where there is
 /// none.
 inline std::vector<std::size_t> broadcast_shape(
     const std::vector<std::pair<std::string, Doubles>>& arrays) {
@@ -42,8 +42,8 @@ inline std::vector<std::size_t> broadcast_shape(
         for (const auto& [other, of_other] : arrays)
           shapes += (shapes.empty() ? "" : ", ") + other + " " +
                     py::str(of_other.attr("shape")).cast<std::string>();
-        throw io::InputError("arrays of different shapes cannot be used together: " + shapes +
-                             "; give each one value, or the same shape");
+        throw text::InputError("arrays of different shapes cannot be used together: " + shapes +
+                               "; give each one value, or the same shape");
       }
       common = length;
     }

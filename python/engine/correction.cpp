@@ -9,15 +9,15 @@
 
 #include "correction/numbers.h"
 #include "correction/simulation.h"
-#include "io/displacement_curve.h"
-#include "io/error.h"
-#include "io/number_text.h"
+#include "files/displacement_curve.h"
 #include "python/engine/answer.h"
 #include "session/control_export.h"
 #include "session/correction_run.h"
 #include "session/identification.h"
 #include "session/law_fit.h"
 #include "shaft/displacement_table.h"
+#include "text/error.h"
+#include "text/number_text.h"
 
 namespace raceway::python {
 namespace {
@@ -28,9 +28,9 @@ session::SeriesQuestion ask(Heard& heard, const EngineCorrection& correction, co
   return session::ask_series(heard, correction.source(), *data, reading, session::Defaults::keep);
 }
 
-void fill_validations(EngineAnswer& answer, std::vector<io::Validation>& list, Heard& heard,
+void fill_validations(EngineAnswer& answer, std::vector<results::Validation>& list, Heard& heard,
                       const std::vector<correction::Model>& models, const Data& validate,
-                      const io::ReadOptions& options) {
+                      const files::ReadOptions& options) {
   if (!validate) return;
   const record::Record other = session::open_series(heard, *validate, models, options);
   for (const correction::Model& model : models) {
@@ -50,7 +50,7 @@ EngineAnswer arx(Heard& heard, const EngineCorrection& correction, const Data& d
     const std::vector<std::string>& messages = found.back().second.messages;
     answer.warnings.insert(answer.warnings.end(), messages.begin(), messages.end());
   }
-  answer.json = io::arx_json(asked.file.source, asked.data, found);
+  answer.json = results::arx_json(asked.file.source, asked.data, found);
   return answer;
 }
 
@@ -68,10 +68,10 @@ EngineAnswer identified(Heard& heard, const EngineCorrection& correction, const 
     const std::vector<std::string>& messages = found.back().messages;
     answer.warnings.insert(answer.warnings.end(), messages.begin(), messages.end());
   }
-  std::vector<io::Validation> validations;
+  std::vector<results::Validation> validations;
   fill_validations(answer, validations, heard, models, validate,
                    reading.options(asked.file.columns));
-  answer.json = io::identification_json(asked.file.source, asked.data, found, validations);
+  answer.json = results::identification_json(asked.file.source, asked.data, found, validations);
   answer.fitted.texts = {session::identified_text(asked, models, choices)};
   return answer;
 }
@@ -105,7 +105,7 @@ NamedColumns course(const session::SeriesQuestion& asked, const Predicted& predi
     const std::string name(channel.name);
     std::vector<double> values = in_unit(channel, predicted(k)), left = values;
     for (std::size_t row = 0; row < left.size(); ++row)
-      left[row] = io::value_in_unit(channel, asked.data.value(channel, row)) - values[row];
+      left[row] = text::value_in_unit(channel, asked.data.value(channel, row)) - values[row];
     columns.emplace_back("predicted_" + name, std::move(values));
     if (asked.data.has(channel)) columns.emplace_back("residual_" + name, std::move(left));
   }
@@ -171,8 +171,8 @@ EngineAnswer fit_law(const Data& curve, double at_rpm, const py::kwargs& given) 
     answer.json = found->json("-o FILE writes it");
     answer.converged = found->fit.converged();
     answer.csv = [found] {
-      return io::displacement_table_text(shaft::make_displacement_table(found->curve.points),
-                                         found->curve.source);
+      return files::displacement_table_text(shaft::make_displacement_table(found->curve.points),
+                                            found->curve.source);
     };
     return answer;
   });

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "io/correction_file.h"
+#include "files/correction_file.h"
 #include "python/engine/file.h"
 
 namespace raceway::python {
@@ -16,7 +16,7 @@ class EngineCorrection final : public EngineFile {
  public:
   EngineCorrection(const std::string& source, const std::string& text, const HeldFiles& held);
 
-  [[nodiscard]] const io::CorrectionFile& file() const { return file_; }
+  [[nodiscard]] const files::CorrectionFile& file() const { return file_; }
   [[nodiscard]] session::Source source() const override {
     return {file_.source, file_.text, file_.files};
   }
@@ -28,7 +28,7 @@ class EngineCorrection final : public EngineFile {
   [[nodiscard]] py::list inputs() const;
 
  private:
-  io::CorrectionFile file_;
+  files::CorrectionFile file_;
 };
 
 void bind_correction(py::module_& module);

@@ -5,8 +5,8 @@
 #include <tuple>
 #include <vector>
 
-#include "io/model_file.h"
-#include "io/named_files.h"
+#include "files/model_file.h"
+#include "files/named_files.h"
 #include "python/engine/heard.h"
 #include "session/loop_model.h"
 #include "session/source.h"
@@ -25,7 +25,7 @@ class EngineFile {
   [[nodiscard]] virtual session::Part part() const = 0;
   [[nodiscard]] virtual const std::vector<std::string>& defaults() const = 0;
   /// What no file can say, put into a model.
-  virtual void amend(io::ModelFile&) const {}
+  virtual void amend(files::ModelFile&) const {}
 
  protected:
   Heard heard_;
@@ -34,8 +34,8 @@ class EngineFile {
 /// Files that a model names, as Python keeps them: name, path and text of each.
 using HeldFiles = std::vector<std::tuple<std::string, std::string, std::string>>;
 
-[[nodiscard]] inline std::vector<io::NamedFile> named_files(const HeldFiles& held) {
-  std::vector<io::NamedFile> files;
+[[nodiscard]] inline std::vector<files::NamedFile> named_files(const HeldFiles& held) {
+  std::vector<files::NamedFile> files;
   for (const auto& [name, path, text] : held) files.push_back({name, path, text});
   return files;
 }

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <memory>
 
-#include "io/subject.h"
-#include "io/suggest_columns.h"
+#include "files/subject.h"
+#include "files/suggest_columns.h"
 #include "python/engine/answer.h"
 #include "python/engine/file.h"
 #include "python/engine/interruptible.h"
@@ -23,7 +23,9 @@ session::LoopOptions loop_options(const std::vector<const EngineFile*>& models,
   session::LoopOptions options = options_of(given);
   options.part = models.front()->part();
   options.defaults = session::Defaults::keep;
-  options.amend = [models](io::ModelFile& file, std::size_t place) { models[place]->amend(file); };
+  options.amend = [models](files::ModelFile& file, std::size_t place) {
+    models[place]->amend(file);
+  };
   return options;
 }
 
@@ -180,7 +182,7 @@ void bind_loop(py::module_& module) {
   module.def("check", &check);
   module.def("predict", &predict);
   module.def("suggest_columns", [](const EngineModel& model, const Data& data) {
-    return io::suggested_columns(*data, *io::make_subject(model.file().model));
+    return files::suggested_columns(*data, *files::make_subject(model.file().model));
   });
 }
 

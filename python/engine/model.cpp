@@ -8,16 +8,11 @@
 #include <map>
 
 #include "effects/catalogue.h"
-#include "io/csv_form.h"
-#include "io/input_file.h"
-#include "io/missing_cell.h"
-#include "io/output_file.h"
-#include "io/results.h"
-#include "io/shaft_results.h"
-#include "io/text_encoding.h"
 #include "model/parameters.h"
 #include "python/engine/answer.h"
 #include "python/engine/interruptible.h"
+#include "results/results.h"
+#include "results/shaft_results.h"
 #include "session/bands.h"
 #include "session/new_model.h"
 #include "session/open_input.h"
@@ -26,6 +21,11 @@
 #include "session/solve_point.h"
 #include "session/solve_states.h"
 #include "shaft/shaft_prediction.h"
+#include "text/csv_form.h"
+#include "text/input_file.h"
+#include "text/missing_cell.h"
+#include "text/output_file.h"
+#include "text/text_encoding.h"
 
 namespace raceway::python {
 namespace {
@@ -116,32 +116,33 @@ std::string solve_document(const EngineModel& model, const py::dict& given, bool
   Heard said;  // with the state itself
   const bearing::OperatingPoint point = session::single_state(said, model.file(), states);
   const model::Model& m = model.file().model;
-  std::optional<io::BandOfResult> half_widths;
+  std::optional<results::BandOfResult> half_widths;
   const auto of_band = [&] { return half_widths ? &*half_widths : nullptr; };
   if (!m.shaft) {
     if (band) half_widths = session::point_band(*band, point);
     const session::PointAnswer answer = session::solve_point(m, point);
-    return io::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat, of_band());
+    return results::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat,
+                               of_band());
   }
   const shaft::ShaftPoint asked = session::shaft_points({&point, 1}).front();
   if (band) half_widths = session::shaft_band(*band, {&asked, 1});
-  return io::shaft_solve_json(m, asked, shaft::predict_shaft(m, {&asked, 1})[0], of_band());
+  return results::shaft_solve_json(m, asked, shaft::predict_shaft(m, {&asked, 1})[0], of_band());
 }
 
 /// Python has UTF-8: what Excel writes of umlauts becomes that.
 std::string read_text(const std::string& path) {
-  std::string text = io::read_text(path);
-  if (io::is_utf16(text)) return io::utf8_from_utf16(text, path);
-  return io::is_utf8(text) ? text : io::utf8_from_latin1(text);
+  std::string text = text::read_text(path);
+  if (text::is_utf16(text)) return text::utf8_from_utf16(text, path);
+  return text::is_utf8(text) ? text : text::utf8_from_latin1(text);
 }
 
 /// A table in any form that records have, as one with commas, decimal points and every text in
 /// quotes: without titles and row of units, and nothing where no number was read.
 std::string plain_csv(const std::string& name, const std::string& text) {
   const auto form = [](std::string_view lines) {
-    return io::find_form(lines, [](std::string_view) { return false; });
+    return text::find_form(lines, [](std::string_view) { return false; });
   };
-  const io::CsvTable table = io::parse_csv(text, name, false, form);
+  const text::CsvTable table = text::parse_csv(text, name, false, form);
   std::string plain;
   const auto put = [&](std::size_t column, std::string_view cell, bool quote) {
     if (column > 0) plain += ',';
@@ -154,10 +155,10 @@ std::string plain_csv(const std::string& name, const std::string& text) {
   for (std::size_t row = 0; row < table.rows(); ++row) {
     plain += '\n';
     for (std::size_t c = 0; c < table.header.size(); ++c) {
-      std::string cell(io::is_missing(table.cell(row, c)) ? "" : table.cell(row, c));
-      const io::ParsedNumber number = table.parsed(row, c);
+      std::string cell(text::is_missing(table.cell(row, c)) ? "" : table.cell(row, c));
+      const text::ParsedNumber number = table.parsed(row, c);
       if (number.problem.empty()) {
-        const io::ParsedNumber as_written = io::parse_number(cell, true);
+        const text::ParsedNumber as_written = text::parse_number(cell, true);
         if (as_written.value != number.value) cell = fmt::format("{}", number.value);
         std::replace(cell.begin(), cell.end(), ',', '.');
       }
@@ -181,14 +182,14 @@ EngineModel::EngineModel(const std::string& source, const std::string& text, con
   heard_.notes(ignored.warning_lines);
 }
 
-void EngineModel::amend(io::ModelFile& file) const {
+void EngineModel::amend(files::ModelFile& file) const {
   for (const OwnEffect& own : own_) {
     const std::string& id = own.described.id;
     const auto has_id = [&](const effects::Effect& e) { return e.description->id == id; };
     if (effects::find(id, file.model.form()) ||
         std::any_of(file.model.effects.begin(), file.model.effects.end(), has_id))
-      throw io::InputError(id + ": there is an effect of this name; choose another one",
-                           {.key = id});
+      throw text::InputError(id + ": there is an effect of this name; choose another one",
+                             {.key = id});
     file.model.effects.push_back(own.effect());
   }
 }
@@ -217,7 +218,7 @@ py::list EngineModel::parameters() const {
 }
 
 std::string EngineModel::with_values(const py::dict& values) const {
-  std::vector<io::KeyValue> changes;
+  std::vector<files::KeyValue> changes;
   const std::vector<record::Parameter> known = model::parameters(file_.model);
   for (const auto& [key, value] : values) {
     const auto name = key.cast<std::string>();
@@ -228,14 +229,14 @@ std::string EngineModel::with_values(const py::dict& values) const {
       continue;
     }
     if (found == known.end())
-      throw io::InputError(name + ": no such parameter of " + file_.source +
-                               "; other numbers are named by table and key, such as "
-                               "lubricant.viscosity_40C_mm2_s",
-                           {.key = name});
+      throw text::InputError(name + ": no such parameter of " + file_.source +
+                                 "; other numbers are named by table and key, such as "
+                                 "lubricant.viscosity_40C_mm2_s",
+                             {.key = name});
     for (const std::string& address : found->addresses)
       changes.push_back({.key = address, .value = value.cast<double>(), .comment = {}});
   }
-  return io::with_values(file_.text, changes);
+  return files::with_values(file_.text, changes);
 }
 
 void bind_model(py::module_& module) {
@@ -245,13 +246,13 @@ void bind_model(py::module_& module) {
       .def_property_readonly("files",
                              [](const EngineFile& f) {
                                HeldFiles held;
-                               for (const io::NamedFile& file : f.source().files)
+                               for (const files::NamedFile& file : f.source().files)
                                  held.emplace_back(file.name, file.path, file.text);
                                return held;
                              })
       .def("text_for",
            [](const EngineFile& f, const std::string& path) {
-             return io::with_names_from(*f.source().text, f.source().files, path);
+             return files::with_names_from(*f.source().text, f.source().files, path);
            })
       .def_property_readonly("defaults", &EngineFile::defaults)
       .def_property_readonly("notes", [](const EngineFile& f) { return f.heard().note_lines; })
@@ -272,12 +273,12 @@ void bind_model(py::module_& module) {
   module.def("views", &views);
   module.def("read_text", &read_text);
   module.def("plain_csv", &plain_csv);
-  module.def("write_files",
-             [](const std::vector<std::pair<std::string, std::string>>& texts, bool overwrite) {
-               std::vector<io::OutputFile> files;
-               for (const auto& [path, text] : texts) files.push_back({path, text});
-               io::write_files(files, overwrite ? io::IfExists::replace : io::IfExists::refuse);
-             });
+  module.def("write_files", [](const std::vector<std::pair<std::string, std::string>>& texts,
+                               bool overwrite) {
+    std::vector<text::OutputFile> files;
+    for (const auto& [path, text] : texts) files.push_back({path, text});
+    text::write_files(files, overwrite ? text::IfExists::replace : text::IfExists::refuse);
+  });
   module.def(
       "new_model",
       [](const std::string& bearing, const std::string& law, const std::string& ball_material,

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/model_file.h"
+#include "files/model_file.h"
 #include "model/band.h"
 #include "python/engine/arrays.h"
 #include "python/engine/file.h"
@@ -21,14 +21,14 @@ class EngineModel final : public EngineFile {
   EngineModel(const std::string& source, const std::string& text, const py::list& own,
               const HeldFiles& held);
 
-  [[nodiscard]] const io::ModelFile& file() const { return file_; }
+  [[nodiscard]] const files::ModelFile& file() const { return file_; }
   [[nodiscard]] session::Source source() const override {
     return {file_.source, file_.text, file_.files};
   }
   [[nodiscard]] session::Part part() const override { return session::Part::bearing; }
   [[nodiscard]] const std::vector<std::string>& defaults() const override { return file_.defaults; }
-  void amend(io::ModelFile& file) const override;
-  /// Of its fitted parameters where that is wanted. Throws io::InputError where it has none.
+  void amend(files::ModelFile& file) const override;
+  /// Of its fitted parameters where that is wanted. Throws text::InputError where it has none.
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;
   /// "rig", "shaft" or "spindle".
   [[nodiscard]] std::string kind() const;
@@ -38,7 +38,7 @@ class EngineModel final : public EngineFile {
 
  private:
   std::vector<OwnEffect> own_;
-  io::ModelFile file_;
+  files::ModelFile file_;
 };
 
 void bind_model(py::module_& module);

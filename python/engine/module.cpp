@@ -7,18 +7,18 @@
 
 #include "bearing/solve_many.h"
 #include "fit/problem.h"
-#include "io/error.h"
 #include "python/engine/answer.h"
 #include "python/engine/correction.h"
 #include "python/engine/model.h"
+#include "text/error.h"
 
 /// What the library answers, as plain Python objects; the package raceway around it is what people
 /// use. Long work runs without the lock of the interpreter.
 namespace raceway::python {
 namespace {
 
-/// io::InputError is raceway.InputError, a ValueError with file, line and key.
-void raise_input_error(const py::object& type, const io::InputError& e) {
+/// text::InputError is raceway.InputError, a ValueError with file, line and key.
+void raise_input_error(const py::object& type, const text::InputError& e) {
   const py::object error = type(py::module_::import("raceway._errors").attr("in_python")(e.what()));
   error.attr("file") = e.place.file.empty() ? py::none() : py::object(py::str(e.place.file));
   error.attr("line") = e.place.line > 0 ? py::object(py::int_(e.place.line)) : py::none();
@@ -52,7 +52,7 @@ PYBIND11_MODULE(_engine, module) {
   py::register_exception_translator([](std::exception_ptr p) {
     try {
       if (p) std::rethrow_exception(p);
-    } catch (const raceway::io::InputError& e) {
+    } catch (const raceway::text::InputError& e) {
       raise_input_error(*input_error, e);
     } catch (const raceway::fit::Cancelled&) {
       PyErr_SetNone(PyExc_KeyboardInterrupt);

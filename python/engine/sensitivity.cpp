@@ -30,14 +30,15 @@ EngineAnswer sensitivity(const EngineModel& model, const std::vector<std::string
       .samples = samples,
       .seed = seed,
       .wording = session::Wording::arguments,
-      .amend = [&](io::ModelFile& file) { model.amend(file); },
+      .amend = [&](files::ModelFile& file) { model.amend(file); },
       .cancelled = &cancelled,
       .progress = [&](double share) { progress.set(share, "varying the data"); }};
   for (const auto& [name, text] : spreads) question.spreads.push_back({name, text});
   return answered(
       {.time_limit = time_limit_s, .progress = told}, cancelled, progress, [&](Heard& heard) {
-        const io::Sensitivity found = session::sensitivity(heard, model.file(), question);
-        EngineAnswer answer{.json = io::sensitivity_json(found), .converged = found.converged()};
+        const results::Sensitivity found = session::sensitivity(heard, model.file(), question);
+        EngineAnswer answer{.json = results::sensitivity_json(found),
+                            .converged = found.converged()};
         answer.warnings = session::sensitivity_warnings(found);
         return answer;
       });

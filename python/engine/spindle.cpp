@@ -8,20 +8,20 @@
 #include <optional>
 #include <stdexcept>
 
-#include "io/correction_file.h"
-#include "io/error.h"
-#include "io/number_range.h"
-#include "io/number_text.h"
-#include "io/plausible.h"
-#include "io/step_correction.h"
+#include "files/correction_file.h"
+#include "files/plausible.h"
 #include "python/engine/answer.h"
 #include "python/engine/interruptible.h"
 #include "python/engine/model.h"
+#include "results/step_correction.h"
 #include "session/spindle_deflection.h"
 #include "session/spindle_modes.h"
 #include "session/spindle_run.h"
 #include "session/spindle_steady.h"
 #include "session/spindle_steps.h"
+#include "text/error.h"
+#include "text/number_range.h"
+#include "text/number_text.h"
 
 namespace raceway::python {
 namespace {
@@ -61,13 +61,13 @@ SpindleAnswer answer_of(const std::shared_ptr<const Found>& found, Heard& heard)
 }
 
 std::vector<double> speeds_of(const std::vector<double>& speed_rpm) {
-  if (speed_rpm.empty()) throw io::InputError("speed_rpm is missing", {.key = "speed_rpm"});
+  if (speed_rpm.empty()) throw text::InputError("speed_rpm is missing", {.key = "speed_rpm"});
   std::vector<double> speeds;
   for (const double value : speed_rpm) {
-    io::require_range(value, io::speed_range, "speed_rpm");
+    text::require_range(value, text::speed_range, "speed_rpm");
     if (!speeds.empty() && value * rpm <= speeds.back())
-      throw io::InputError(
-          "speed_rpm: the values must grow, and " + io::number(value) + " does not",
+      throw text::InputError(
+          "speed_rpm: the values must grow, and " + text::number(value) + " does not",
           {.key = "speed_rpm"});
     speeds.push_back(value * rpm);
   }
@@ -77,8 +77,9 @@ std::vector<double> speeds_of(const std::vector<double>& speed_rpm) {
 /// [K]; NaN stays what it is.
 double ambient_of(Heard& heard, double ambient_temperature_C) {
   if (std::isnan(ambient_temperature_C)) return unset;
-  io::require_range(ambient_temperature_C, io::temperature_range, "ambient_temperature_C");
-  const std::string doubt = io::looks_like_kelvin("ambient_temperature_C", ambient_temperature_C);
+  text::require_range(ambient_temperature_C, text::temperature_range, "ambient_temperature_C");
+  const std::string doubt =
+      files::looks_like_kelvin("ambient_temperature_C", ambient_temperature_C);
   if (!doubt.empty()) heard.warn(doubt);
   return kelvin(ambient_temperature_C);
 }
@@ -125,8 +126,8 @@ SpindleAnswer simulate(const EngineModel& model, const Data& programme,
 
 SpindleAnswer modes(const EngineModel& model, const std::vector<double>& speed_rpm, bool warm,
                     bool coolant, int count) {
-  constexpr io::NumberRange count_range{1, 40, "modes"};
-  io::require_range(count, count_range, "count");
+  constexpr text::NumberRange count_range{1, 40, "modes"};
+  text::require_range(count, count_range, "count");
   Heard heard;
   session::ModesQuestion question{
       .speeds = speeds_of(speed_rpm), .warm = warm, .coolant_on = coolant, .count = count};
@@ -145,11 +146,11 @@ SpindleAnswer modes(const EngineModel& model, const std::vector<double>& speed_r
 SpindleAnswer deflection(const EngineModel& model, double force_N, bool axial, double axial_force_N,
                          double moment_Nm, double at_mm, double speed_rpm, bool warm,
                          bool coolant) {
-  io::require_range(force_N, io::signed_load_range, "force_N");
-  io::require_range(axial_force_N, io::signed_load_range, "axial_force_N");
-  io::require_range(moment_Nm, session::moment_load_range, "moment_Nm");
-  io::require_range(at_mm, session::at_range, "at_mm");
-  io::require_range(speed_rpm, io::speed_range, "speed_rpm");
+  text::require_range(force_N, text::signed_load_range, "force_N");
+  text::require_range(axial_force_N, text::signed_load_range, "axial_force_N");
+  text::require_range(moment_Nm, session::moment_load_range, "moment_Nm");
+  text::require_range(at_mm, session::at_range, "at_mm");
+  text::require_range(speed_rpm, text::speed_range, "speed_rpm");
   session::DeflectionQuestion question{.force = force_N,
                                        .axial = axial,
                                        .axial_force = axial_force_N,
@@ -184,17 +185,17 @@ StepAnswer step_answer(const Steps& steps, Heard& heard) {
 
 /// What the library takes for wrong without a file to name is wrong in the model here.
 template <typename Ask>
-auto in_words_of(const io::ModelFile& file, const Ask& ask) {
+auto in_words_of(const files::ModelFile& file, const Ask& ask) {
   try {
     return ask();
   } catch (const std::invalid_argument& e) {
-    throw io::InputError(file.source + ": " + e.what(), {.file = file.source});
+    throw text::InputError(file.source + ": " + e.what(), {.file = file.source});
   }
 }
 
 StepAnswer step_response(const EngineModel& model, const std::vector<double>& speed_rpm,
                          double duration_h, bool coolant, double time_limit_s) {
-  io::require_range(duration_h, session::step_hours_range, "duration_h");
+  text::require_range(duration_h, session::step_hours_range, "duration_h");
   session::StepQuestion question{
       .speeds = speeds_of(speed_rpm), .duration = duration_h * 3600.0, .coolant_on = coolant};
   Heard heard;
@@ -212,12 +213,12 @@ StepAnswer step_response(const EngineModel& model, const std::vector<double>& sp
 /// Of load cases that another program computed.
 StepAnswer imported_steps(const EngineModel& model, const NamedText& cases, double temperature_C) {
   if (!std::isnan(temperature_C))
-    io::require_range(temperature_C, io::temperature_range, "temperature_C");
+    text::require_range(temperature_C, text::temperature_range, "temperature_C");
   Heard heard;
   const Steps steps = asked(heard, no_limit, [&](Heard&, const std::atomic<bool>&) {
     return in_words_of(model.file(), [&] {
       return std::make_shared<const session::SpindleSteps>(
-          session::imported_steps(io::parse_load_cases(cases.second, cases.first), cases.first,
+          session::imported_steps(files::parse_load_cases(cases.second, cases.first), cases.first,
                                   &model.file(), temperature_C));
     });
   });
@@ -228,15 +229,15 @@ StepAnswer imported_steps(const EngineModel& model, const NamedText& cases, doub
 py::tuple correction_files(const StepAnswer& answer, const std::string& path,
                            const std::string& law, const std::string& lags) {
   Heard heard;
-  const io::StepCorrection made =
+  const results::StepCorrection made =
       asked(heard, no_limit, [&](Heard& h, const std::atomic<bool>& cancelled) {
         try {
-          return io::step_correction(
+          return results::step_correction(
               session::correction_of_steps(h, *answer.steps,
                                            {.law = law, .lags = lags, .cancelled = &cancelled}),
               path);
         } catch (const std::invalid_argument& e) {
-          throw io::InputError(std::string("raceway step-response: correction: ") + e.what());
+          throw text::InputError(std::string("raceway step-response: correction: ") + e.what());
         }
       });
   return py::make_tuple(made.model, made.tables, heard.note_lines);
@@ -247,17 +248,17 @@ py::tuple correction_files(const StepAnswer& answer, const std::string& path,
 std::string superposition(const StepAnswer& answer, const std::string& correction,
                           const Data& programme) {
   if (!answer.steps->simulated)
-    throw io::InputError(answer.steps->source +
-                         ": load cases were read, and there is no simulation of them");
+    throw text::InputError(answer.steps->source +
+                           ": load cases were read, and there is no simulation of them");
   Heard heard;
   return asked(heard, no_limit, [&](Heard&, const std::atomic<bool>& cancelled) {
-    const io::CorrectionFile written = io::read_correction(correction);
+    const files::CorrectionFile written = files::read_correction(correction);
     try {
-      const io::Superposition error = session::superposition_of_steps(
+      const results::Superposition error = session::superposition_of_steps(
           *answer.steps, written.models.front(), *programme, &cancelled);
       return answer.steps->json(&error);
     } catch (const std::invalid_argument& e) {
-      throw io::InputError(programme->name + ": " + e.what(), {.file = programme->name});
+      throw text::InputError(programme->name + ": " + e.what(), {.file = programme->name});
     }
   });
 }

@@ -6,16 +6,16 @@
 #include <optional>
 
 #include "friction/stribeck_table.h"
-#include "io/number_range.h"
-#include "io/shaft_results.h"
-#include "io/units.h"
 #include "python/engine/interruptible.h"
 #include "python/engine/model.h"
+#include "results/shaft_results.h"
 #include "session/bands.h"
 #include "session/operating_point.h"
 #include "session/shaft_answers.h"
 #include "session/table_question.h"
 #include "shaft/shaft_prediction.h"
+#include "text/number_range.h"
+#include "text/units.h"
 
 namespace raceway::python {
 namespace {
@@ -55,7 +55,7 @@ class EngineTable {
       values[column * points + point] = value;
     };
     std::vector<double> units;
-    for (const std::string& name : table().columns) units.push_back(io::column_unit(name));
+    for (const std::string& name : table().columns) units.push_back(text::column_unit(name));
     std::vector<std::string> status;
     for (std::size_t k = 0; k < points; ++k) {
       const bearing::OperatingPoint p = table().point(k);
@@ -73,7 +73,7 @@ class EngineTable {
   }
 
  private:
-  [[nodiscard]] const io::ModelFile& file() const { return model_->file(); }
+  [[nodiscard]] const files::ModelFile& file() const { return model_->file(); }
 
   std::shared_ptr<const EngineModel> model_;
   Heard heard_;
@@ -88,12 +88,12 @@ class EngineDisplacement {
       : model_(std::move(model)) {
     const model::Model& m = model_->file().model;
     if (!m.shaft)
-      throw io::InputError(model_->file().source +
-                               ": has no [arrangement]: a shaft position needs one, with layout, "
-                               "front, rear and preload_N",
-                           {.file = model_->file().source, .key = "arrangement"});
+      throw text::InputError(model_->file().source +
+                                 ": has no [arrangement]: a shaft position needs one, with layout, "
+                                 "front, rear and preload_N",
+                             {.file = model_->file().source, .key = "arrangement"});
     for (std::size_t i = 0; i < speed_rpm.size(); ++i)
-      io::require_range(speed_rpm[i], io::speed_range, "speed_rpm[" + std::to_string(i) + "]");
+      text::require_range(speed_rpm[i], text::speed_range, "speed_rpm[" + std::to_string(i) + "]");
     const bearing::OperatingPoint point = session::operating_point(
         heard_, model_->file(), {.axial_load_N = axial_load_N, .temperature_C = temperature_C},
         session::Wording::arguments);
@@ -107,11 +107,11 @@ class EngineDisplacement {
     if (band) band_ = session::shaft_band(*band, points_);
   }
   [[nodiscard]] std::string json() const {
-    return io::displacement_json(model_->file().model, points_, predictions_, band());
+    return results::displacement_json(model_->file().model, points_, predictions_, band());
   }
   [[nodiscard]] std::string csv() const {
-    return io::displacement_text(model_->file().model, points_, predictions_, model_->file().text,
-                                 band());
+    return results::displacement_text(model_->file().model, points_, predictions_,
+                                      model_->file().text, band());
   }
   [[nodiscard]] std::vector<std::string> warnings() const {
     std::vector<std::string> lines =
@@ -121,10 +121,10 @@ class EngineDisplacement {
   }
 
  private:
-  [[nodiscard]] const io::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
+  [[nodiscard]] const results::BandOfResult* band() const { return band_ ? &*band_ : nullptr; }
 
   std::shared_ptr<const EngineModel> model_;
-  std::optional<io::BandOfResult> band_;
+  std::optional<results::BandOfResult> band_;
   Heard heard_;
   std::vector<shaft::ShaftPoint> points_;
   std::vector<shaft::ShaftPrediction> predictions_;

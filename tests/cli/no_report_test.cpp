@@ -1,10 +1,10 @@
-// Linked with io/no_report.cpp, as all of a program built with -DRACEWAY_REPORT=OFF is.
+// Linked with report/no_report.cpp, as all of a program built with -DRACEWAY_REPORT=OFF is.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cli/report_flag.h"
-#include "io/error.h"
-#include "io/report.h"
+#include "report/report.h"
+#include "text/error.h"
 
 namespace raceway::cli {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST(WithoutReports, TheFlagSaysHowTheProgramWasBuilt) {
-  ASSERT_FALSE(io::report_available());
+  ASSERT_FALSE(report::report_available());
   CLI::App app;
   ReportFlag flag;
   flag.declare(app);
@@ -22,7 +22,7 @@ TEST(WithoutReports, TheFlagSaysHowTheProgramWasBuilt) {
   try {
     flag.check(false);
     FAIL() << "a report was promised";
-  } catch (const io::InputError& e) {
+  } catch (const text::InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("without reports (-DRACEWAY_REPORT=OFF)"));
     EXPECT_THAT(e.what(), HasSubstr("Node and npm"));
   }

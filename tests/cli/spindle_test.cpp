@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/cli/sample.h"
-#include "tests/io/spindle_text.h"
+#include "tests/files/spindle_text.h"
 
 namespace raceway::tests {
 namespace {

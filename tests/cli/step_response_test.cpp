@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tests/cli/sample.h"
-#include "tests/io/spindle_text.h"
+#include "tests/files/spindle_text.h"
 #include "tests/places.h"
 
 namespace raceway::tests {

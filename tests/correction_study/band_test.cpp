@@ -10,10 +10,10 @@
 
 #include "correction/alignment.h"
 #include "correction/simulation.h"
+#include "files/correction_file.h"
+#include "files/series_file.h"
 #include "fit/add.h"
 #include "fit/calibrate.h"
-#include "io/correction_file.h"
-#include "io/series_file.h"
 #include "tests/correction_study/rig.h"
 
 namespace correction_study {
@@ -21,7 +21,7 @@ namespace {
 
 namespace correction = raceway::correction;
 namespace fit = raceway::fit;
-namespace io = raceway::io;
+namespace files = raceway::files;
 
 /// How often the truth lies within a band.
 struct Coverage {
@@ -53,11 +53,11 @@ void judge(const Rig& rig, const std::filesystem::path& folder, Judged& all) {
   const std::filesystem::path path = folder / rig.truth.id;
   const bool own = std::filesystem::exists(path / "model.toml");
   const correction::Model start =
-      io::read_correction((path / (own ? "model.toml" : "correction.toml")).string())
+      files::read_correction((path / (own ? "model.toml" : "correction.toml")).string())
           .models.front();
   const auto open = [&](const char* name) {
-    return io::read_series((path / name).string(), {start.displacement},
-                           correction::inputs_of(start));
+    return files::read_series((path / name).string(), {start.displacement},
+                              correction::inputs_of(start));
   };
   const raceway::record::Record train = open("train.csv"), test = open("test.csv");
   const correction::CorrectionSubject base(start);

@@ -19,17 +19,17 @@
 #include "correction/catalogue.h"
 #include "correction/correction_subject.h"
 #include "correction/simulation.h"
+#include "files/correction_file.h"
+#include "files/series_file.h"
 #include "fit/add.h"
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
-#include "io/correction_file.h"
-#include "io/series_file.h"
 
 namespace correction_study {
 namespace {
 
 namespace correction = raceway::correction;
-namespace io = raceway::io;
+namespace files = raceway::files;
 namespace record = raceway::record;
 using Ids = std::vector<std::string>;
 
@@ -57,7 +57,7 @@ double seconds_of_thread() {
 }
 
 record::Record open(const std::filesystem::path& file, const correction::Model& model) {
-  return io::read_series(file.string(), {model.displacement}, correction::inputs_of(model));
+  return files::read_series(file.string(), {model.displacement}, correction::inputs_of(model));
 }
 
 /// The model refitted, with effects where there are any.
@@ -171,7 +171,7 @@ Outcome judge(const Case& of) {
   try {
     const bool own = std::filesystem::exists(of.folder / "model.toml");
     const std::filesystem::path file = of.folder / (own ? "model.toml" : "correction.toml");
-    const correction::Model model = io::read_correction(file.string()).models.front();
+    const correction::Model model = files::read_correction(file.string()).models.front();
     const record::Record train = open(of.folder / "train.csv", model);
     const record::Record test = open(of.folder / "test.csv", model);
     fit::DiagnoseOptions options;

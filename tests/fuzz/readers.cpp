@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "cli/axis_flag.h"
-#include "io/catalogue_file.h"
-#include "io/column_map.h"
-#include "io/control/formats.h"
-#include "io/control/table_reader.h"
-#include "io/csv.h"
-#include "io/data_file.h"
-#include "io/displacement_curve.h"
-#include "io/error.h"
-#include "io/model_file.h"
-#include "io/sensor_file.h"
-#include "io/subject.h"
-#include "io/table_file.h"
-#include "io/timestamp.h"
+#include "control/formats.h"
+#include "control/table_reader.h"
+#include "files/catalogue_file.h"
+#include "files/column_map.h"
+#include "files/data_file.h"
+#include "files/displacement_curve.h"
+#include "files/model_file.h"
+#include "files/sensor_file.h"
+#include "files/subject.h"
+#include "files/table_file.h"
 #include "tests/support/model_text.h"
+#include "text/csv.h"
+#include "text/error.h"
+#include "text/timestamp.h"
 
 namespace raceway::fuzz {
 namespace {
@@ -28,13 +28,13 @@ namespace {
 using Subject = std::shared_ptr<const model::ModelSubject>;
 
 Subject subject(const std::string& more) {
-  return io::make_subject(io::parse_model(tests::model_text + more, "model.toml").model);
+  return files::make_subject(files::parse_model(tests::model_text + more, "model.toml").model);
 }
 
 void refusable(const auto& read) {
   try {
     read();
-  } catch (const io::InputError& e) {
+  } catch (const text::InputError& e) {
     if (std::string(e.what()).empty()) throw std::logic_error("an error without a message");
   }
 }
@@ -42,9 +42,9 @@ void refusable(const auto& read) {
 /// A model that is taken can be written again, and then says the same.
 void model(const std::string& text) {
   refusable([&] {
-    const io::ModelFile file = io::parse_model(text, "model.toml");
-    const std::string again = io::with_model(file, file.model);
-    if (io::parse_model(again, "model.toml").model.name != file.model.name)
+    const files::ModelFile file = files::parse_model(text, "model.toml");
+    const std::string again = files::with_model(file, file.model);
+    if (files::parse_model(again, "model.toml").model.name != file.model.name)
       throw std::logic_error("written again it is another model");
   });
 }
@@ -54,9 +54,9 @@ void data(const std::string& text) {
   static const Subject shaft =
       subject("[arrangement]\nlayout = \"O\"\nfront = 2\nrear = 1\npreload_N = 600\n");
   for (const Subject& of : {rig, shaft})
-    refusable([&] { (void)io::read_record({"data.csv", text}, *of); });
+    refusable([&] { (void)files::read_record({"data.csv", text}, *of); });
   refusable([&] {
-    const io::SensorReadings read = io::read_sensor_readings({"data.csv", text});
+    const files::SensorReadings read = files::read_sensor_readings({"data.csv", text});
     try {
       (void)rig::calibrate_sensor(read.readings);
     } catch (const std::invalid_argument&) {  // said by the command, with the file
@@ -66,27 +66,28 @@ void data(const std::string& text) {
 
 void catalogue(const std::string& text) {
   refusable([&] {
-    const std::vector<io::CatalogueBearing> rows = io::parse_catalogue(text, "own.csv");
-    refusable([&] { (void)io::parse_model(io::new_model_text(rows.front()), "new.toml"); });
-    refusable([&] { (void)io::find_bearing(rows, text); });
+    const std::vector<files::CatalogueBearing> rows = files::parse_catalogue(text, "own.csv");
+    refusable([&] { (void)files::parse_model(files::new_model_text(rows.front()), "new.toml"); });
+    refusable([&] { (void)files::find_bearing(rows, text); });
   });
 }
 
 void table(const std::string& text) {
-  refusable([&] { (void)io::parse_table(text, "table.csv"); });
-  refusable([&] { (void)io::merged_table_text({{"1.csv", text}}); });
-  refusable([&] { (void)io::merged_table_text({{"1.csv", text}, {"2.csv", text}}); });
+  refusable([&] { (void)files::parse_table(text, "table.csv"); });
+  refusable([&] { (void)files::merged_table_text({{"1.csv", text}}); });
+  refusable([&] { (void)files::merged_table_text({{"1.csv", text}, {"2.csv", text}}); });
 }
 
 void curve(const std::string& text) {
-  refusable([&] { (void)io::read_displacement_curve({"curve.csv", text}); });
+  refusable([&] { (void)files::read_displacement_curve({"curve.csv", text}); });
 }
 
 /// A table of coefficients that is taken is written again as it then reads.
 void coefficients(const std::string& text) {
   refusable([&] {
-    const std::string written = io::control_csv(io::read_control_table(text, "table.csv"));
-    if (io::control_csv(io::read_control_table(written, "again.csv")) != written)
+    const std::string written =
+        control::control_csv(control::read_control_table(text, "table.csv"));
+    if (control::control_csv(control::read_control_table(written, "again.csv")) != written)
       throw std::logic_error("written again it is another table");
   });
 }
@@ -100,24 +101,24 @@ void columns(const std::string& text) {
       "12.03.2024 08:15:10;2000;0,3;;0,14;45363,34386;a\n"
       "12.03.2024 08:15:20;4000;0,3;27;0,22;45363,34398;b\n";
   refusable([&] {
-    const io::ColumnMap map = io::parse_column_map(text, "map.toml");
+    const files::ColumnMap map = files::parse_column_map(text, "map.toml");
     for (const bool drop_nan : {false, true})
       refusable([&] {
-        (void)io::read_record({"rows.csv", rows}, *rig, {.columns = map, .drop_nan = drop_nan});
+        (void)files::read_record({"rows.csv", rows}, *rig, {.columns = map, .drop_nan = drop_nan});
       });
   });
 }
 
 /// A time that is taken is written as one, and read again is the same.
 void timestamp(const std::string& text) {
-  std::optional<double> time = io::parse_timestamp(text);
+  std::optional<double> time = text::parse_timestamp(text);
   if (!time) {
-    const io::ParsedNumber days = io::parse_number(text, false);
-    if (days.problem.empty()) time = io::seconds_of_excel(days.value);
+    const text::ParsedNumber days = text::parse_number(text, false);
+    if (days.problem.empty()) time = text::seconds_of_excel(days.value);
   }
   if (!time) return;
-  const std::string written = io::timestamp_text(*time);
-  const std::optional<double> again = io::parse_timestamp(written);
+  const std::string written = text::timestamp_text(*time);
+  const std::optional<double> again = text::parse_timestamp(written);
   // A zone may lead out of the years of four digits.
   constexpr double year_1 = -62135596800.0, year_10000 = 253402300800.0;
   if (*time < year_1 || *time > year_10000 - 1.0) return;
@@ -127,7 +128,7 @@ void timestamp(const std::string& text) {
 
 void command_line(const std::string& text) {
   refusable([&] { cli::require_all(cli::axis(text, "--speed"), cli::speed_range, "--speed"); });
-  for (const bool comma : {false, true}) (void)io::parse_number(text, comma);
+  for (const bool comma : {false, true}) (void)text::parse_number(text, comma);
 }
 
 constexpr Reader all[] = {

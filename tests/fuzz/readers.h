@@ -4,7 +4,7 @@
 #include <string>
 
 /// All that reads what a user wrote, each as a function of a text. Whatever the text, a reader
-/// takes it or throws io::InputError; anything else that leaves these functions is a fault.
+/// takes it or throws text::InputError; anything else that leaves these functions is a fault.
 namespace raceway::fuzz {
 
 struct Reader {

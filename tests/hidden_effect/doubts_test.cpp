@@ -1,13 +1,13 @@
 // No rig of the study, with whatever is hidden in it, looks entered wrong; one that is, does.
-#include "io/doubts.h"
+#include "files/doubts.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "io/data_file.h"
-#include "io/model_file.h"
-#include "io/subject.h"
+#include "files/data_file.h"
+#include "files/model_file.h"
+#include "files/subject.h"
 #include "tests/hidden_effect/bars.h"
 
 namespace hidden_effect {
@@ -21,10 +21,11 @@ TEST(Doubts, AreNotRaisedByHiddenEffects) {
   for (const Block& block : blocks())
     for (const Trial& trial : trials(block.id, seeds)) {
       const Rig rig = make_rig(trial.setup);
-      const auto subject = io::make_subject(io::parse_model(model_text(rig), "model.toml").model);
+      const auto subject =
+          files::make_subject(files::parse_model(model_text(rig), "model.toml").model);
       const record::Record data =
-          io::read_record({"train.csv", measurement_text(rig, rig.train)}, *subject);
-      const std::vector<std::string> doubts = io::doubts(*subject, data);
+          files::read_record({"train.csv", measurement_text(rig, rig.train)}, *subject);
+      const std::vector<std::string> doubts = files::doubts(*subject, data);
       const Mistake& mistake = trial.setup.mistake;
       const bool in_other_unit = mistake.in_fahrenheit || mistake.in_kilograms;
       if (in_other_unit) {

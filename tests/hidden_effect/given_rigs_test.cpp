@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "effects/catalogue.h"
-#include "io/model_file.h"
+#include "files/model_file.h"
 #include "model/prediction.h"
 #include "tests/hidden_effect/generator.h"
 #include "tests/hidden_effect/judge.h"
@@ -90,7 +90,7 @@ TEST(GeneratorPhysics, HasTheHysteresisOfTheLibrary) {
   for (const Machine& m : machines()) {
     hybrid = hybrid || m.ceramic_balls;
     const Rig rig = make_rig({.machine = &m, .hidden = {}, .seed = 1});
-    auto model = raceway::io::parse_model(model_text(rig), "rig.toml").model;
+    auto model = raceway::files::parse_model(model_text(rig), "rig.toml").model;
     model.effects.push_back({raceway::effects::find("elastic-hysteresis"), {1.0}, nullptr});
     for (const double speed : {500.0, 9000.0})
       for (const double load : {150.0, 1000.0}) {

@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "effects/catalogue.h"
+#include "files/data_file.h"
+#include "files/doubts.h"
+#include "files/model_file.h"
+#include "files/subject.h"
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
 #include "fit/dwells.h"
-#include "io/data_file.h"
-#include "io/doubts.h"
-#include "io/model_file.h"
-#include "io/subject.h"
 
 namespace hidden_effect {
 namespace {
@@ -53,11 +53,11 @@ std::vector<double> exponents_of(const fit::Shape& shape) {
 }
 
 std::shared_ptr<const model::ModelSubject> subject_of(const std::string& model_text) {
-  return io::make_subject(io::parse_model(model_text, "model.toml").model);
+  return files::make_subject(files::parse_model(model_text, "model.toml").model);
 }
 
 record::Record read(const std::string& csv, const model::ModelSubject& subject) {
-  record::Record record = io::read_record({"train.csv", csv}, subject);
+  record::Record record = files::read_record({"train.csv", csv}, subject);
   // As the program does it before any question.
   fit::Averaged averaged = fit::average_dwells(record);
   return averaged.any() ? std::move(averaged.record) : record;
@@ -125,7 +125,7 @@ Answer ask(const std::string& model_text, const std::string& train_text,
         subject_of(presentation.other_start ? with_other_start(model_text) : model_text);
     const record::Record data =
         read(presentation.reversed_rows ? reversed_rows(train_text) : train_text, *subject);
-    answer.questions = io::doubts(*subject, data);
+    answer.questions = files::doubts(*subject, data);
     fit::DiagnoseOptions options;
     if (presentation.reversed_catalogue)
       for (const fit::Candidate& c : subject->candidates())
@@ -147,7 +147,7 @@ Answer ask(const Rig& rig, std::span<const Reading> readings, const Presentation
 
 Improvement improve(const Rig& rig, std::span<const std::string> names) {
   Improvement out;
-  model::Model model = io::parse_model(model_text(rig), "model.toml").model;
+  model::Model model = files::parse_model(model_text(rig), "model.toml").model;
   for (const std::string& id : names) {
     const effects::Description* d = effects::find(id);
     if (d == nullptr) return out;
@@ -155,7 +155,7 @@ Improvement improve(const Rig& rig, std::span<const std::string> names) {
     for (const effects::Parameter& p : d->parameters)
       model.free.push_back(id + "." + std::string(p.name));
   }
-  const auto subject = io::make_subject(model);
+  const auto subject = files::make_subject(model);
   record::Record data = read(measurement_text(rig, rig.train), *subject);
   std::vector<double> sigma;
   for (const Reading& r : rig.train) sigma.push_back(r.sigma * N_mm);

@@ -1,5 +1,5 @@
 // Coast-downs in closed form: nothing here is integrated, and no law of the program takes part.
-#include "rig/release.h"
+#include "rig/detail/release.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,15 +1,15 @@
-#include "io/spindle_record.h"
+#include "files/spindle_record.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 
+#include "files/model_file.h"
+#include "files/subject.h"
 #include "fit/add.h"
 #include "fit/calibrate.h"
 #include "fit/diagnose.h"
-#include "io/model_file.h"
-#include "io/subject.h"
 #include "tests/places.h"
 
 // Records of a spindle with a known hidden effect, made by a detailed model of another kind
@@ -25,11 +25,11 @@ struct Case {
 Case read_case(const std::string& name) {
   const std::filesystem::path folder =
       std::filesystem::path(tests::source_dir()) / "data" / "spindles" / name;
-  const io::ModelFile file = io::read_model((folder / "model.toml").string());
+  const files::ModelFile file = files::read_model((folder / "model.toml").string());
   const model::Spindle& spindle = *file.model.spindle;
-  return {io::make_subject(file.model),
-          io::read_spindle_record((folder / "train.csv").string(), spindle),
-          io::read_spindle_record((folder / "test.csv").string(), spindle)};
+  return {files::make_subject(file.model),
+          files::read_spindle_record((folder / "train.csv").string(), spindle),
+          files::read_spindle_record((folder / "test.csv").string(), spindle)};
 }
 
 /// What is left on a record that no fit saw, as root mean squares: of all thermometers together, of

@@ -1,4 +1,4 @@
-#include "io/superposition.h"
+#include "results/superposition.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "io/correction_file.h"
-#include "io/series_file.h"
-#include "io/step_correction.h"
+#include "files/correction_file.h"
+#include "files/series_file.h"
+#include "results/step_correction.h"
 #include "shaft/fit_kinematic_law.h"
 #include "tests/places.h"
 #include "tests/spindle/base_spindle.h"
@@ -18,7 +18,7 @@ namespace raceway::spindle {
 namespace {
 
 /// Step responses to 1000 to 10 000 rpm as a correction, and that over a day.
-io::Superposition over_a_day(bool coolant_on, bool two_lags) {
+results::Superposition over_a_day(bool coolant_on, bool two_lags) {
   const model::Model model = base_spindle();
   StepOptions options;
   options.inputs.coolant_on = coolant_on;
@@ -26,7 +26,7 @@ io::Superposition over_a_day(bool coolant_on, bool two_lags) {
   for (int n = 1000; n <= 10000; n += 1000) speeds.push_back(n * rpm);
   const StepResponses responses = step_responses(model, speeds, options);
   std::vector<shaft::DisplacementPoint> curve;
-  io::StepCorrectionParts parts{.name = "base spindle", .two_lags = two_lags};
+  results::StepCorrectionParts parts{.name = "base spindle", .two_lags = two_lags};
   for (const StepResponse& step : responses.steps) {
     EXPECT_TRUE(step.converged());
     parts.power.push_back({step.speed, step.power_end});
@@ -39,19 +39,19 @@ io::Superposition over_a_day(bool coolant_on, bool two_lags) {
        std::to_string(static_cast<int>(two_lags)));
   std::filesystem::create_directories(folder);
   const std::string path = (folder / "correction.toml").string();
-  io::write_step_correction(io::step_correction(io::step_model(responses, parts), path), path,
-                            true);
-  const io::CorrectionFile written = io::read_correction(path);
+  results::write_step_correction(
+      results::step_correction(results::step_model(responses, parts), path), path, true);
+  const files::CorrectionFile written = files::read_correction(path);
   std::filesystem::remove_all(folder);
-  const record::Record day = io::read_series(tests::source_dir() + "/data/spindles/day.csv", {},
-                                             {&record::time, &record::speed});
-  return io::superposition(model, written.models.front(), day, options.inputs);
+  const record::Record day = files::read_series(tests::source_dir() + "/data/spindles/day.csv", {},
+                                                {&record::time, &record::speed});
+  return results::superposition(model, written.models.front(), day, options.inputs);
 }
 
 // What the simplification costs: K and T of the power at the end of a step, and none of the way
 // there. A bound, not a reference: no other program has run it.
 TEST(Superposition, OfStepResponsesFollowsACooledSpindleOverADay) {
-  const io::Superposition s = over_a_day(true, false);
+  const results::Superposition s = over_a_day(true, false);
   ASSERT_TRUE(s.report.converged());
   EXPECT_GT(s.highest - s.lowest, 45 * um);
   EXPECT_LT(s.rms, 1.5 * um);
@@ -61,7 +61,7 @@ TEST(Superposition, OfStepResponsesFollowsACooledSpindleOverADay) {
 // The fast lag of a cold start is half the power that falls as the oil thins: a warm spindle does
 // not have it again. So two lags fit each step twenty times closer and a day less well than one.
 TEST(Superposition, OfOneLagFollowsADayWithoutCoolantCloserThanOfTwo) {
-  const io::Superposition one = over_a_day(false, false), two = over_a_day(false, true);
+  const results::Superposition one = over_a_day(false, false), two = over_a_day(false, true);
   ASSERT_TRUE(two.report.converged());
   EXPECT_LT(two.rms, 3.0 * um);
   EXPECT_LT(one.rms, 1.5 * um);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "control/plan.h"
+#include "correction/model.h"
+#include "record/record.h"
+
+/// What a program of a plan is held to: rows of a record, and what `correct` makes of them.
+namespace raceway::control {
+
+/// Of a record that somebody took: its first run, of which at most `most_rows` rows.
+///
+/// Inputs are held within the ranges of the models, since beyond them a control does on purpose
+/// something else; it ends where a power leaves its own. No rows where fewer than two are left.
+[[nodiscard]] ControlCheck check_of(const ControlPlan& plan,
+                                    const std::vector<correction::Model>& models,
+                                    const record::Record& record, std::size_t most_rows = 1000);
+
+/// Of one that is made up within the ranges: warming up, cooling down, speeds and feeds in blocks,
+/// a coolant that switches and a gap, long enough for the slowest section.
+[[nodiscard]] ControlCheck made_up_check(const ControlPlan& plan,
+                                         const std::vector<correction::Model>& models);
+
+/// Sensors whose last digit, as the record has it, moves an axis at once by half a micrometre or
+/// more, and that nothing smooths: a sentence each.
+[[nodiscard]] std::vector<std::string> coarse_sensors(const ControlPlan& plan,
+                                                      const record::Record& record);
+
+}  // namespace raceway::control

@@ -1,0 +1,240 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "control/detail/table_fields.h"
+#include "control/detail/text.h"
+#include "control/formats.h"
+#include "text/detail/csv_text.h"
+
+namespace raceway::control {
+namespace {
+
+using DriveKind = ControlDrive::Kind;
+
+constexpr std::string_view formulas =
+    R"(# One number a row. Displacements in um; temperatures in C, their rises in K; dt in s as measured.
+# rise   u = mean of (T - T at the first call) of the inputs, less the same of the reference
+# size   u = mean of the inputs x without their sign; with an exponent of x (x/1000)^(exponent - 1), x held at its highest
+# power  u = torque of the friction table [N mm] / 1000 * speed [rpm] * pi/30, table straight between points, edge held
+# motor  u = exp(-speed/decay_speed) while the speed is above 0, else 0
+# section      s = s + (1 - exp(-dt/time_constant)) * (gain*u - s), s = 0 at first, u as it was at the call before;
+#              where the course is straight, add weight * gain * (u now - u before),
+#              weight = 1 - (1 - exp(-dt/time_constant))/(dt/time_constant)
+# feedthrough  gain * u now
+# kinematic    A * n^(1 - B*exp(-C*n)), n = speed without its sign [rpm], 0 at n = 0
+# displacement = offset + sum of all of its sections, elements, feedthroughs and kinematics
+# Beyond lowest and highest of an input: raise a flag; feedthrough and kinematic take the input at its limit,
+#              what acts by its size (speeds, feeds, power) at its highest alone; motor takes the speed within both.
+)";
+
+constexpr std::string_view together_formulas =
+    R"(# together     raise a flag where sqrt(sum of the squares of z) is above farthest; z of each of its inputs the sum of
+#              weight * (input now - mean) over the inputs whose weights it has, sizes without their sign
+)";
+
+constexpr std::string_view answer_formulas =
+    R"(# Section with more numbers, where f = 1/(1 + speed_factor*speed/10000), speed of the call before:
+#   gain*u takes the factors f^gain_power and, where coolant_on was 0, off_gain; time_constant the factors f and,
+#   where coolant_on was 0, off_time_constant, and falling where gain*u, mean of both calls, is nearer 0 than s.
+#   It adds s + direct*(gain*u now - s), here gain without factors.
+)";
+
+constexpr std::string_view element_formulas =
+    R"(# element      a section with gain K(P), 0 at P = 0, and time constant T(P), P the power u of the call before; it stands
+#              still where P is below 0 or not below its limit. A line is slope*P + value_at_0, a power law
+#              factor*P^exponent, a table straight between points, ends held
+)";
+
+constexpr std::string_view schema =
+    R"(# Columns: of, the column of the input or displacement that a number is of; channel, that it comes from; part; name; value;
+#          unit. Parts: control, input, together N, displacement, section N, element N, feedthrough N, kinematic N, check. Inputs and displacements have the order of their rows. Numbers have 15 digits, none is without end.
+#          raceway export reads this table in the place of a model, after numbers were changed too.
+# control  offset = sign * (displacement - that of the last touch-off) + the offset there, within +-limit, by at most
+#          slew a second; it is handed out over unit, rounded where counts is 1. Inputs beyond plausible, faster than
+#          fastest or longer still than stuck are at fault: docs/control.md
+# check    a record with the displacements that correct gives for it; without limits, slew, sign or touch-off
+)";
+
+class Table {
+ public:
+  explicit Table(const ControlPlan& plan) : plan_(plan) {}
+
+  std::string text() {
+    part_ = "control";
+    for (const auto& f : setting_numbers) number(f.name, plan_.settings.*f.number, f.unit);
+    for (const auto& f : setting_texts) word(f.name, plan_.settings.*f.text);
+    for (const ControlInput& in : plan_.inputs) add(in);
+    for (std::size_t k = 0; k < plan_.together.size(); ++k) add(plan_.together[k], k + 1);
+    for (const ControlAxis& a : plan_.axes) add(a);
+    for (const ControlCheck::Row& r : plan_.check.rows) add(r);
+    return fmt::to_string(out_);
+  }
+
+ private:
+  void put(std::string_view name, std::string_view value, std::string_view unit) {
+    const auto out = std::back_inserter(out_);
+    text::append_text(out_, of_);
+    out_.push_back(',');
+    text::append_text(out_, channel_);
+    fmt::format_to(out, ",{},{},{},{}\n", part_, name, value, unit);
+  }
+  void word(std::string_view name, std::string_view value) {
+    fmt::memory_buffer cell;
+    text::append_text(cell, value);
+    put(name, fmt::to_string(cell), "");
+  }
+  void number(std::string_view name, double value, std::string_view unit) {
+    if (!std::isnan(value)) put(name, control_number(value, "none"), unit);
+  }
+
+  /// What is as a part has it anyway is left out, where it may be.
+  template <typename Part, std::size_t count>
+  void numbers(const Part& part, const std::array<NumberField<Part>, count>& fields,
+               std::string_view unit = {}) {
+    static const Part plain{};
+    for (const auto& f : fields) {
+      if (!f.required && part.*f.number == plain.*f.number) continue;
+      const bool of_input = f.unit.starts_with("input");
+      number(f.name, part.*f.number,
+             f.unit == "u" ? std::string(unit)
+             : of_input    ? std::string(unit) + std::string(f.unit.substr(5))
+                           : std::string(f.unit));
+    }
+  }
+
+  void add(const ControlInput& in) {
+    of_ = in.column;
+    channel_ = "";
+    part_ = "input";
+    if (std::isnan(in.lowest)) word("range", "not known");
+    numbers(in, input_numbers, in.unit);
+  }
+
+  void add(const ControlTogether& t, std::size_t count) {
+    part_ = fmt::format("together {}", count);
+    channel_ = "";
+    for (std::size_t k = 0, at = 0; k < t.inputs.size(); ++k) {
+      of_ = plan_.inputs[t.inputs[k]].column;
+      number("mean", t.mean[k], plan_.inputs[t.inputs[k]].unit);
+      for (std::size_t j = 0; j <= k; ++j, ++at)
+        number("weight of " + plan_.inputs[t.inputs[j]].column, t.weights[at], "");
+    }
+    of_ = "";
+    number("farthest", t.farthest, "1");
+  }
+
+  void begin(const std::string& channel, std::string_view part, std::size_t count) {
+    channel_ = channel;
+    part_ = fmt::format("{} {}", part, count);
+  }
+
+  void add_drive(std::size_t index) {
+    const ControlDrive& d = plan_.drives[index];
+    word("u", drive_kinds[static_cast<std::size_t>(d.kind)]);
+    for (const std::size_t k : d.inputs) word("input", plan_.inputs[k].column);
+    if (d.reference != nowhere) word("reference", plan_.inputs[d.reference].column);
+    if (d.temperature != nowhere) word("temperature", plan_.inputs[d.temperature].column);
+    numbers(d, drive_numbers);
+    if (d.kind != DriveKind::power) return;
+    const ControlTable& t = plan_.tables[d.table];
+    word("friction_table", t.file);
+    number("axial_load", t.axial_load_N, "N");
+    for (std::size_t j = 0; j < t.temperature_C.size(); ++j)
+      for (std::size_t k = 0; k < t.speed_rpm.size(); ++k)
+        number(fmt::format("torque at {:.15g} rpm {:.15g} C", t.speed_rpm[k], t.temperature_C[j]),
+               t.torque_Nmm[j * t.speed_rpm.size() + k], "N mm");
+  }
+
+  void add_curve(const std::string& name, const ControlCurve& c, const std::string& unit) {
+    if (c.kind == ControlCurve::Kind::table) {
+      for (std::size_t k = 0; k < c.value.size(); ++k)
+        number(fmt::format("{} at {:.15g} W", name, c.power_W[k]), c.value[k], unit);
+    } else if (c.kind == ControlCurve::Kind::line) {
+      number(name + " slope", c.factor, unit + "/W");
+      number(name + " value_at_0", c.other, unit);
+    } else {
+      number(name + " factor", c.factor, unit);
+      number(name + " exponent", c.other, "1");
+    }
+  }
+
+  [[nodiscard]] std::string gain_unit(std::size_t drive) const {
+    const std::string& unit = plan_.drives[drive].unit;
+    return unit == "1" || unit.empty() ? "um" : "um/" + unit;
+  }
+
+  void add(const ControlAxis& a) {
+    of_ = a.column;
+    channel_ = "";
+    part_ = "displacement";
+    for (const auto& f : axis_texts)
+      if (!(a.*f.text).empty()) word(f.name, a.*f.text);
+    numbers(a, axis_numbers);
+    number("counts", a.counts ? 1 : 0, "1");
+    for (std::size_t k = 0; k < a.sections.size(); ++k) {
+      const ControlSection& s = a.sections[k];
+      begin(s.channel, "section", k + 1);
+      add_drive(s.drive);
+      word("course", s.straight ? "straight" : "held");
+      numbers(s, section_numbers, gain_unit(s.drive));
+    }
+    for (std::size_t k = 0; k < a.elements.size(); ++k) {
+      const ControlElement& e = a.elements[k];
+      begin(e.channel, "element", k + 1);
+      add_drive(e.drive);
+      numbers(e, element_numbers);
+      add_curve("gain", e.gain_um, "um");
+      add_curve("time_constant", e.time_constant_s, "s");
+    }
+    for (std::size_t k = 0; k < a.feedthroughs.size(); ++k) {
+      begin(a.feedthroughs[k].channel, "feedthrough", k + 1);
+      add_drive(a.feedthroughs[k].drive);
+      numbers(a.feedthroughs[k], feedthrough_numbers, gain_unit(a.feedthroughs[k].drive));
+    }
+    for (std::size_t k = 0; k < a.kinematics.size(); ++k) {
+      begin("", "kinematic", k + 1);
+      numbers(a.kinematics[k], kinematic_numbers);
+    }
+  }
+
+  void add(const ControlCheck::Row& r) {
+    part_ = "check";
+    channel_ = "";
+    const std::string name = fmt::format("at {:.15g} s", r.time_s);
+    for (std::size_t k = 0; k < r.inputs.size(); ++k) {
+      of_ = plan_.inputs[k].column;
+      number(name, r.inputs[k], plan_.inputs[k].unit);
+    }
+    for (std::size_t k = 0; k < r.displacements_um.size(); ++k) {
+      of_ = plan_.axes[k].column;
+      number(name, r.displacements_um[k], "um");
+    }
+  }
+
+  const ControlPlan& plan_;
+  fmt::memory_buffer out_;
+  std::string of_, channel_, part_;  // of the rows that are written
+};
+
+}  // namespace
+
+std::string control_csv(const ControlPlan& plan) {
+  bool elements = false, answers = false;
+  for (const ControlAxis& a : plan.axes) {
+    elements = elements || !a.elements.empty();
+    for (const ControlSection& s : a.sections)
+      answers = answers || s.direct != 0.0 || s.off_gain != 1.0 || s.off_time_constant != 1.0 ||
+                s.speed_factor != 0.0 || s.falling != 1.0;
+  }
+  std::string text = fmt::format("{}\n{}", table_mark, control_heading(plan, "# "));
+  text += formulas;
+  if (!plan.together.empty()) text += together_formulas;
+  if (answers) text += answer_formulas;
+  if (elements) text += element_formulas;
+  return fmt::format("{}{}{}\n{}", text, schema, table_header, Table(plan).text());
+}
+
+}  // namespace raceway::control

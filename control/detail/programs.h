@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+/// The programs that a plan is put into, from program.*.in; see text.h.
+namespace raceway::control {
+
+extern const std::string_view python_program, c_program, python_main, linuxcnc_main;
+
+}  // namespace raceway::control

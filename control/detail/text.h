@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "control/plan.h"
+
+/// What the writers of a ControlPlan share.
+namespace raceway::control {
+
+/// Letters, digits, blanks and harmless signs; anything else, which could end a comment or a text
+/// of the language that it is written into, becomes "_".
+[[nodiscard]] std::string harmless(std::string_view text);
+
+/// 15 digits; `endless` where it is infinite or not known.
+[[nodiscard]] std::string control_number(double value, std::string_view endless);
+
+/// Joined by ", ", each wrapped in `before` and `after`.
+[[nodiscard]] std::string control_numbers(const std::vector<double>& values,
+                                          std::string_view before = {},
+                                          std::string_view after = {});
+
+/// Of the check record, against `correct`, in double [um].
+inline constexpr const char* control_tolerance = "1e-9";
+
+/// What a state that was saved belongs to: another model has another one.
+[[nodiscard]] std::uint32_t stamp(const ControlPlan& plan);
+
+/// The lines that every file begins with: what it is, of which model, and what is not in it. Each
+/// begins with `mark`.
+[[nodiscard]] std::string control_heading(const ControlPlan& plan, std::string_view mark);
+/// The source and a note in such a line, read back; empty in others.
+[[nodiscard]] std::string source_in_heading(std::string_view line, std::string_view mark);
+[[nodiscard]] std::string note_in_heading(std::string_view line, std::string_view mark);
+
+/// `text` with every `@KEY@` replaced.
+struct Replacement {
+  std::string_view key;
+  std::string text;
+};
+[[nodiscard]] std::string filled(std::string_view text, const std::vector<Replacement>& values);
+
+}  // namespace raceway::control

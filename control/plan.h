@@ -1,0 +1,176 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "correction/control_settings.h"
+#include "correction/model.h"
+
+/// Corrections as numbers that a control runs, of which every format of `export` is written.
+///
+/// Units are those of the files throughout: um, C, K, W, rpm, m/min, s, N mm. All that changes
+/// slowly is a sum of sections in parallel, each a state of its own that follows its target by
+///
+///   s += (1 - exp(-dt/tau)) (target - s),   dt the time since the last call, as measured
+///
+/// and where an input goes straight between two samples, as temperatures do, by the exact step for
+/// that. Polynomials become sections.
+namespace raceway::control {
+
+inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+
+/// A number that the control gives at each call.
+struct ControlInput {
+  std::string column{};      ///< "front_bearing_temperature_C"
+  std::string identifier{};  ///< the same for languages that know no hyphen, unlike all others
+  std::string unit{};        ///< "C"
+  bool temperature = false;
+  /// What the numbers of the model were found in; NaN where that is not known.
+  double lowest = unset, highest = unset;
+  /// What it can be, how fast it can change [1/s], how long it can stand still [s]; NaN: not asked.
+  double plausible_low = unset, plausible_high = unset, fastest_per_s = unset, stuck_s = unset;
+  double smoothing_s = 0.0;  ///< that instant parts feel it with
+};
+
+/// What a model has seen of its inputs at once: |weights (x - mean)| is no larger than `farthest`.
+/// All but temperatures by their amount.
+struct ControlTogether {
+  std::vector<std::size_t> inputs{};
+  std::vector<double> mean{};
+  std::vector<double> weights{};  ///< lower triangle, row by row [1 over the unit of the input]
+  double farthest = unset;
+};
+
+/// Friction torque of a spindle at one load, straight between its points, held beyond them.
+struct ControlTable {
+  std::string file{};
+  double axial_load_N = unset;
+  std::vector<double> speed_rpm{}, temperature_C{};  ///< rising, one value or more each
+  std::vector<double> torque_Nmm{};                  ///< speed runs fastest
+};
+
+/// What makes a part move, u.
+struct ControlDrive {
+  enum class Kind {
+    rise,   ///< mean of temperatures less their first ones, and less the rise of the reference [K]
+    size,   ///< mean of sizes without their sign, to a power: x (x/1000)^(exponent - 1)
+    power,  ///< torque of a table times the speed [W]
+    motor   ///< exp(-n/n0) while it turns, else 0
+  } kind = Kind::size;
+  std::vector<std::size_t> inputs{};  ///< of rise and size
+  std::size_t reference = nowhere;    ///< of rise
+  std::size_t temperature = nowhere;  ///< of power; without it `temperature_C` holds
+  double temperature_C = unset;
+  std::size_t table = nowhere;             ///< of power
+  double exponent = 1.0;                   ///< of size
+  double decay_rpm = unset;                ///< of motor
+  double lowest = unset, highest = unset;  ///< of power, as for an input
+  std::string unit{};                      ///< "K"
+};
+
+/// A lag of what drives it.
+struct ControlSection {
+  std::string channel{};
+  std::size_t drive = nowhere;
+  double gain = unset;  ///< [um] per unit of the drive
+  double time_constant_s = unset;
+  bool straight = false;  ///< u goes straight between samples; else it holds until the next
+  double direct = 0.0;    ///< of gain u that comes through at once: a sensor that lags
+  double off_gain = 1.0, off_time_constant = 1.0;  ///< ratios where coolant_on is 0
+  double speed_factor = 0.0, gain_power = 1.0;     ///< tau f, K f^g, f = 1/(1 + s n/10 000 rpm)
+  double falling = 1.0;                            ///< ratio of tau where the target is nearer 0
+};
+
+/// A number over the power: a line, a power law, or a table that holds beyond its ends.
+struct ControlCurve {
+  enum class Kind { line, power_law, table } kind = Kind::line;
+  double factor = 0.0;  ///< slope of a line
+  double other = 0.0;   ///< a line's value at 0, a power law's exponent
+  std::vector<double> power_W{}, value{};
+};
+
+/// A section of which target and time constant go with the power.
+struct ControlElement {
+  std::string channel{};
+  std::size_t drive = nowhere;
+  double scale = 1.0;
+  ControlCurve gain_um{}, time_constant_s{};
+  double power_limit_W = unset;  ///< from there on it stands still; infinite where nowhere
+};
+
+/// gain u, at once.
+struct ControlFeedthrough {
+  std::string channel{};
+  std::size_t drive = nowhere;
+  double gain = unset;  ///< [um] per unit of the drive
+};
+
+/// A n^(1 - B exp(-C n)), at once.
+struct ControlKinematic {
+  double A_um = unset, B = unset, C_per_rpm = unset;
+};
+
+/// One displacement.
+struct ControlAxis {
+  std::string column{};      ///< "displacement_z_um"
+  std::string identifier{};  ///< as of an input
+  std::string name{};        ///< of the model
+  std::string letter{};      ///< of the axis that it moves: "z"; empty where nobody says
+  double sign = -1.0, limit_um = 100.0, slew_um_s = 1.0;
+  double unit_um = 1.0;  ///< of what is handed out
+  bool counts = false;   ///< whole numbers of it
+  std::string output{};  ///< "offset_z_um", "offset_z_mm", "offset_z_counts"
+  double offset_um = 0.0;
+  std::vector<ControlSection> sections{};
+  std::vector<ControlElement> elements{};
+  std::vector<ControlFeedthrough> feedthroughs{};
+  std::vector<ControlKinematic> kinematics{};
+};
+
+/// A record with what `correct` makes of it, kept beside the numbers: what runs them can be held to
+/// it.
+struct ControlCheck {
+  struct Row {
+    double time_s = unset;
+    std::vector<double> inputs{};            ///< in their units, as those of the plan
+    std::vector<double> displacements_um{};  ///< of the axes of the plan
+  };
+  std::vector<Row> rows{};  ///< none where there is no record
+};
+
+struct ControlPlan {
+  std::string source{};  ///< name of the model file
+  std::vector<ControlInput> inputs{};
+  std::size_t speed = nowhere,
+              coolant = nowhere;            ///< those of the inputs that have a part of their own
+  std::vector<ControlTogether> together{};  ///< one for each model that says it
+  std::vector<ControlTable> tables{};
+  std::vector<ControlDrive> drives{};
+  std::vector<ControlAxis> axes{};
+  ControlCheck check{};
+  correction::ControlSettings
+      settings{};  ///< what is for all of them; the rest stands with inputs and axes
+  /// What of the models is not in it, or is in it otherwise, a sentence each.
+  std::vector<std::string> notes{};
+};
+
+/// Throws InputError for what no control can run: a polynomial without real, separate time
+/// constants.
+[[nodiscard]] ControlPlan control_plan(const std::vector<correction::Model>& models,
+                                       const correction::ControlSettings& settings,
+                                       const std::string& source);
+
+/// Drives and tables that are alike become one, in the order in which axes use them, and inputs and
+/// displacements get the names that languages know.
+void in_order(ControlPlan& plan);
+
+/// Offsets in whole counts of every axis, as LinuxCNC takes them.
+void count_in_whole_numbers(ControlPlan& plan);
+
+/// Places of the inputs that an axis goes by, rising.
+[[nodiscard]] std::vector<std::size_t> used_inputs(const ControlPlan& plan,
+                                                   const ControlAxis& axis);
+
+}  // namespace raceway::control

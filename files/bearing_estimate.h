@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/catalogue_file.h"
+#include "friction/friction_law.h"
+
+namespace raceway::files {
+
+/// What a user knows of a bearing whose inner geometry nobody prints.
+struct BearingOutline {
+  std::string designation{};
+  double bore = unset;            ///< [m]
+  double outer_diameter = unset;  ///< [m]
+  double contact_angle = unset;   ///< [rad]; by the end of the designation, else 15 deg
+  int ball_count = 0;             ///< 0: not known
+  std::string ball_material = "steel";
+};
+
+/// A number made of ratios that the rows of a catalogue have, with the least and the largest of
+/// them.
+struct Estimate {
+  double value = unset;
+  double lower = unset, upper = unset;
+};
+
+struct EstimatedBearing {
+  BearingOutline outline;                              ///< with what its designation says
+  Estimate ball_diameter, pitch_diameter, conformity;  ///< [m], [m], [1]
+  Estimate ball_count;                                 ///< as given where it was
+  Estimate static_load_rating;                         ///< [N]
+  std::size_t rows = 0;  ///< of the catalogue that the ratios come from
+};
+
+/// Bore and outer diameter of "7014 C" or "71914": of the rows of the same size where the catalogue
+/// has one, nothing otherwise.
+[[nodiscard]] BearingOutline outline_of(std::string_view designation,
+                                        const std::vector<CatalogueBearing>& rows);
+
+/// Inner geometry by the rows of about the same section, all of them where there are few:
+///
+///   d_m = (d + D)/2,   D_w = k (D - d)/2,   Z = φ π d_m / D_w,   C0 = c Z D_w² cos α
+///
+/// with the median of k, φ and c, a known Z giving D_w = φ π d_m / Z; D_w is rounded to 1/32 inch,
+/// as balls come. No maker prints conformities: 0.52, with 0.517 to 0.54, which make the printed
+/// rigidities of GMN's pairs (raceway calibrate BEARING).
+/// Throws InputError where bore or outer diameter is missing or they make no ring.
+[[nodiscard]] EstimatedBearing estimated_bearing(const BearingOutline& outline,
+                                                 const std::vector<CatalogueBearing>& rows);
+
+/// A commented model of it, every estimated key marked with its spread.
+[[nodiscard]] std::string estimated_model_text(
+    const EstimatedBearing& bearing, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
+
+}  // namespace raceway::files

@@ -1,0 +1,284 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "files/catalogue_defaults.h"
+#include "record/units.h"
+#include "text/number_text.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/bearing_section.h"
+
+namespace raceway::files {
+namespace {
+
+// Wherever the libraries check as well, these are their ranges.
+constexpr Key keys_of_bearing[]{
+    {"catalogue", a_text, unset,
+     "designation of a bearing of the catalogue; every other key of this table may then be left "
+     "out, and overrides its row where it is given"},
+    {"name", a_text, "that of the catalogue, else of the file", "for results"},
+    {"ball_count", whole(3, 200), "of the catalogue", "no more than fit on the pitch circle"},
+    {"ball_diameter_mm", between(0.1, 300, "mm"), "of the catalogue", "diameter of a ball"},
+    {"pitch_diameter_mm", between(1, 5000, "mm"), "of the catalogue",
+     "diameter of the circle through the centres of the balls, above 1.2 ball diameters"},
+    {"contact_angle_deg", between(0, 65, "deg"), "of the catalogue",
+     "nominal contact angle; 0 is a deep-groove bearing"},
+    {"inner_conformity", between(0.5005, 0.7), catalogue_conformity,
+     "radius of the inner groove over ball diameter; required without catalogue"},
+    {"outer_conformity", between(0.5005, 0.7), catalogue_conformity,
+     "radius of the outer groove over ball diameter; required without catalogue"},
+    {"static_load_rating_N", between(1, 1e9, "N"), "of the catalogue",
+     "C0; required by the law palmgren"},
+    {"ball_material", one_of("steel|silicon-nitride"), "steel",
+     "built in, or the NAME of a [material.NAME]"},
+    {"ring_material", one_of("steel|silicon-nitride"), "steel",
+     "built in, or the NAME of a [material.NAME]"},
+    {"bore_mm", between(0, 5000, "mm"), "pitch diameter - 1.5 ball diameters",
+     "of the inner ring, below pitch diameter - ball diameter"},
+    {"outer_diameter_mm", between(1, 10000, "mm"), "pitch diameter + 1.5 ball diameters",
+     "of the outer ring, above pitch diameter + ball diameter, at most twice that"},
+    {"radial_clearance_um", between(0, 10000, "um"), 0.0,
+     "diametral, without load, below the distance of the groove centres; of contact angle 0 alone"},
+    {"inner_shoulder_diameter_mm", between(0.1, 5000, "mm"), unset,
+     "where the inner groove ends, between its bottom and the pitch diameter, for the margin of "
+     "the contact ellipse; without it not looked at"},
+    {"outer_shoulder_diameter_mm", between(1, 10000, "mm"), unset,
+     "where the outer groove ends, between the pitch diameter and its bottom, for the margin of "
+     "the contact ellipse; without it not looked at"},
+};
+
+constexpr Key material_keys[]{
+    {"elastic_modulus_GPa", between(1, 1200, "GPa"), is_required,
+     "Young's modulus; steel 208, silicon-nitride 310"},
+    {"poisson_ratio", between(0, 0.49), is_required, "steel 0.3, silicon-nitride 0.26"},
+    {"density_kg_m3", between(500, 20000, "kg/m3"), is_required,
+     "steel 7800, silicon-nitride 3200"},
+    {"thermal_expansion_1e6_K", between(0, 50, "1e-6/K"), is_required,
+     "linear; steel 11.5, silicon-nitride 3.2"},
+    // Balls and rings need neither.
+    {"conductivity_W_mK", between(0.05, 2000, "W/(m K)"), unset,
+     "of heat; needed by a segment of a spindle alone"},
+    {"heat_capacity_J_kgK", between(50, 5000, "J/(kg K)"), unset,
+     "needed by a segment of a spindle alone"},
+};
+
+using bearing::BearingGeometry;
+using bearing::Material;
+
+/// Numbers of a bearing that may be left to the catalogue, with their units.
+struct GeometryNumber {
+  std::string_view key;
+  double BearingGeometry::*number;
+  double unit = 1.0;
+};
+constexpr std::array lengths_and_ratios{
+    GeometryNumber{"ball_diameter_mm", &BearingGeometry::ball_diameter, mm},
+    GeometryNumber{"pitch_diameter_mm", &BearingGeometry::pitch_diameter, mm},
+    GeometryNumber{"contact_angle_deg", &BearingGeometry::contact_angle, degree},
+    GeometryNumber{"inner_conformity", &BearingGeometry::inner_conformity},
+    GeometryNumber{"outer_conformity", &BearingGeometry::outer_conformity},
+    GeometryNumber{"static_load_rating_N", &BearingGeometry::static_load_rating},
+    GeometryNumber{"bore_mm", &BearingGeometry::bore, mm},
+    GeometryNumber{"outer_diameter_mm", &BearingGeometry::outer_diameter, mm},
+    GeometryNumber{"radial_clearance_um", &BearingGeometry::radial_clearance, um}};
+
+/// The bearing of the catalogue with that very name; none without a catalogue.
+std::optional<CatalogueBearing> row_named(const std::string& name) {
+  try {
+    for (const CatalogueBearing& row : read_catalogues())
+      if (row.full_name() == name) return row;
+  } catch (const text::InputError&) {
+    // Whoever needs the catalogue is told so.
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<KeyTable> bearing_tables() {
+  return {{"bearing", keys_of_bearing}, {"material.NAME", material_keys}};
+}
+
+std::span<const Key> bearing_keys() { return keys_of_bearing; }
+
+std::vector<std::pair<std::string, double>> keys_of(const BearingGeometry& geometry) {
+  std::vector<std::pair<std::string, double>> keys{
+      {"ball_count", static_cast<double>(geometry.ball_count)}};
+  for (const auto& [key, number, unit] : lengths_and_ratios)
+    if (!std::isnan(geometry.*number))
+      keys.emplace_back(key, text::with_15_digits(geometry.*number / unit));
+  return keys;
+}
+
+Names missing_keys_of_bearing(const ModelTables& tables) {
+  const Section s = tables.part("bearing", {keys_of_bearing});
+  if (s.find("catalogue")) return {};
+  return s.lacking({"ball_count", "ball_diameter_mm", "pitch_diameter_mm", "contact_angle_deg",
+                    "inner_conformity", "outer_conformity"});
+}
+
+/// A bearing in the making.
+struct BearingReader::Draft {
+  BearingGeometry geometry;
+  std::string name;
+  std::optional<CatalogueBearing> row;
+  bool from_catalogue = false;  ///< by this table
+};
+
+BearingReader::BearingReader(ModelTables& tables)
+    : tables_(tables), materials_{bearing::steel(), bearing::silicon_nitride()} {
+  if (const toml::table* const table = tables.root()["material"].as_table())
+    for (const auto& [key, node] : *table) read_material(key, node);
+}
+
+void BearingReader::read_material(const toml::key& key, const toml::node& node) {
+  const std::string name(key.str());
+  const std::string place = tables_.place(key);
+  if (!node.is_table())
+    throw text::InputError(
+        fmt::format("{}: {} = {}: materials are tables, written as [material.NAME]", place, name,
+                    text::shown(node)),
+        tables_.at(key));
+  if (find_material(name))
+    throw text::InputError(
+        fmt::format("{}: [material.{}]: this name is built in; take another", place, name),
+        tables_.at(key));
+  const Section s(tables_.source(), "material." + name, node.as_table(), {material_keys});
+  for (const char* of_heat : {"conductivity_W_mK", "heat_capacity_J_kgK"}) (void)s.number(of_heat);
+  const Material material{
+      .name = name,
+      .elastic_modulus = s.required("elastic_modulus_GPa") * GPa,
+      .poisson_ratio = s.required("poisson_ratio"),
+      .density = s.required("density_kg_m3"),
+      .thermal_expansion = s.required("thermal_expansion_1e6_K") * per_million_K};
+  try {
+    bearing::validate(material);
+  } catch (const std::invalid_argument& error) {
+    s.fail(error);
+  }
+  materials_.push_back(material);
+}
+
+const Material* BearingReader::find_material(std::string_view name) const {
+  for (const Material& material : materials_)
+    if (material.name == name) return &material;
+  return nullptr;
+}
+
+NamedBearing BearingReader::read(const Section& table, const NamedBearing* base, Keys further) {
+  further.insert(further.begin(), keys_of_bearing);
+  const Section s = table.with(std::move(further));
+  Draft draft;
+  if (base) {
+    draft.geometry = base->bearing.geometry();
+    draft.row = base->row;
+    draft.name = base->name;
+  }
+  take_catalogue_row(s, base, draft);
+  read_geometry(s, draft);
+  read_envelope(s, draft.geometry);
+  const Material balls = material(s, "ball_material", base ? &base->bearing.balls() : nullptr);
+  const Material rings = material(s, "ring_material", base ? &base->bearing.rings() : nullptr);
+  if (auto given = s.text("name")) draft.name = *given;
+  note_written(s, draft);
+  if (draft.name.empty()) {
+    draft.name = std::filesystem::path(tables_.source()).stem().string();
+    tables_.note_default("bearing", "name", fmt::format("\"{}\"", draft.name));
+  }
+  return {bearing::Bearing(draft.geometry, balls, rings), draft.name, draft.row};
+}
+
+void BearingReader::note_written(const Section& s, const Draft& draft) {
+  const std::optional<CatalogueBearing> like = draft.row ? draft.row : row_named(draft.name);
+  const auto note = [&](std::string_view key, bool says_something) {
+    if (says_something && s.find(key) &&
+        std::find(written_.begin(), written_.end(), key) == written_.end())
+      written_.emplace_back(key);
+  };
+  const BearingGeometry& g = draft.geometry;
+  const BearingGeometry none, &usual = like ? like->geometry : none;
+  note("ball_count", g.ball_count != usual.ball_count);
+  for (const auto& [key, number, unit] : lengths_and_ratios)
+    // Written with ten digits.
+    note(key, !(std::abs(g.*number - usual.*number) <= 1e-9 * std::abs(usual.*number)));
+  for (const char* key : {"ball_material", "ring_material"})
+    note(key, s.text(key).value_or("steel") != "steel");
+}
+
+void BearingReader::take_catalogue_row(const Section& s, const NamedBearing* base,
+                                       Draft& draft) const {
+  const auto catalogue = s.text("catalogue");
+  if (!catalogue) return;
+  draft.from_catalogue = true;
+  const auto rows = read_catalogues();
+  try {
+    draft.row = find_bearing(rows, *catalogue);
+  } catch (const text::InputError& error) {
+    s.fail("catalogue", error.what());
+  }
+  draft.geometry = draft.row->geometry;
+  draft.name = draft.row->full_name();
+  // Makers rate bearings with ceramic balls lower.
+  const auto balls = s.text("ball_material");
+  const std::string material = balls ? *balls : base ? base->bearing.balls().name : "";
+  const double rating = draft.row->static_load_rating_silicon_nitride;
+  if (material == "silicon-nitride" && !std::isnan(rating))
+    draft.geometry.static_load_rating = rating;
+}
+
+void BearingReader::read_geometry(const Section& s, Draft& draft) {
+  BearingGeometry& g = draft.geometry;
+  const auto take = [&](std::string_view key, double unit, double& value) {
+    if (const auto given = s.number(key))
+      value = *given * unit;
+    else if (std::isnan(value))
+      s.fail_missing(key);
+  };
+  if (const auto balls = s.whole_number("ball_count"))
+    g.ball_count = *balls;
+  else if (g.ball_count == 0)
+    s.fail_missing("ball_count");
+  take("ball_diameter_mm", mm, g.ball_diameter);
+  take("pitch_diameter_mm", mm, g.pitch_diameter);
+  take("contact_angle_deg", degree, g.contact_angle);
+  for (const char* key : {"inner_conformity", "outer_conformity"})
+    if (draft.from_catalogue && !s.find(key))
+      tables_.note_default(s.name(), key, fmt::format("{}", g.inner_conformity));
+  take("inner_conformity", 1.0, g.inner_conformity);
+  take("outer_conformity", 1.0, g.outer_conformity);
+  if (const auto given = s.number("static_load_rating_N")) g.static_load_rating = *given;
+  if (const auto given = s.number("radial_clearance_um")) g.radial_clearance = *given * um;
+}
+
+/// Bore, outer diameter and shoulders, and whether the bearing can be.
+void BearingReader::read_envelope(const Section& s, BearingGeometry& g) {
+  // A bore from the catalogue is no more that of a bearing with another pitch circle.
+  if (s.find("ball_diameter_mm") || s.find("pitch_diameter_mm")) g.bore = g.outer_diameter = unset;
+  if (const auto given = s.number("bore_mm")) g.bore = *given * mm;
+  if (const auto given = s.number("outer_diameter_mm")) g.outer_diameter = *given * mm;
+  if (const auto given = s.number("inner_shoulder_diameter_mm"))
+    g.inner_shoulder_diameter = *given * mm;
+  if (const auto given = s.number("outer_shoulder_diameter_mm"))
+    g.outer_shoulder_diameter = *given * mm;
+  const bool no_bore = std::isnan(g.bore), no_outer_diameter = std::isnan(g.outer_diameter);
+  try {
+    g = bearing::validated(g);
+  } catch (const std::invalid_argument& error) {
+    s.fail(error);
+  }
+  if (no_bore) tables_.note_default(s, "bore_mm", fmt::format("{:.6g}", g.bore / mm));
+  if (no_outer_diameter)
+    tables_.note_default(s, "outer_diameter_mm", fmt::format("{:.6g}", g.outer_diameter / mm));
+}
+
+Material BearingReader::material(const Section& s, const char* key, const Material* inherited) {
+  if (inherited && !s.find(key)) return *inherited;
+  Names names;
+  for (const Material& known : materials_) names.push_back(known.name);
+  return *find_material(tables_.choice(s, key, names));
+}
+
+}  // namespace raceway::files

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/channel.h"
+#include "rig/torque_sensor.h"
+#include "text/error.h"
+#include "text/timestamp.h"
+#include "text/units.h"
+
+namespace raceway::files {
+
+/// How the number of a cell becomes SI.
+struct CellUnit {
+  const text::Unit* unit = nullptr;  ///< null: that of the channel
+  double factor = 1.0;               ///< of the user's own, before all else: -1 turns a sign
+
+  [[nodiscard]] double to_SI(const record::Channel& channel, double cell) const {
+    return unit ? unit->to_SI(cell * factor) : channel.to_SI(cell * factor);
+  }
+  [[nodiscard]] double in_cell(const record::Channel& channel, double si) const {
+    return (unit ? unit->in_unit(si) : channel.in_unit(si)) / factor;
+  }
+};
+
+/// A channel as its name in a file says it.
+struct NamedChannel {
+  const record::Channel* channel;
+  const text::Unit* unit =
+      nullptr;  ///< null where it is that of the channel, or the channel has none
+};
+
+/// The unit of a channel in the table of units; null for one without (a run, a count).
+[[nodiscard]] const text::Unit* unit_of(const record::Channel& channel);
+
+/// The channel of that name, also in another unit of its kind: "friction_torque_Nm", "speed
+/// [1/min]".
+[[nodiscard]] std::optional<NamedChannel> named_channel(
+    std::string_view name, std::span<const record::Channel* const> channels);
+
+/// The same of a quantity of records over time: "front_bearing_temperature_K", "displacement_z
+/// [mm]".
+[[nodiscard]] std::optional<NamedChannel> named_series_channel(std::string_view name);
+
+/// The same of a record of a spindle, whose temperatures are measured but for those around it.
+[[nodiscard]] std::optional<NamedChannel> named_spindle_channel(std::string_view name);
+
+/// One line of [columns]: what one of our columns is in somebody else's file.
+struct ColumnRule {
+  std::string key;                   ///< as it stands there: "friction_torque_Nmm"
+  const record::Channel* channel;    ///< that it names
+  const text::Unit* key_unit;        ///< that the key ends in, null where it is that of the channel
+  std::string header{};              ///< of their column; empty for a constant
+  std::optional<double> constant{};  ///< for all rows, in the unit of the key
+  const text::Unit* unit = nullptr;  ///< of their column, where the rule says it
+  bool excel_date = false;           ///< their numbers are days since 1900, as Excel has them
+  double factor = 1.0;               ///< their numbers are multiplied by it
+  text::Place place{};               ///< in the map
+};
+
+/// The table [columns] of a model, or of a file of its own.
+struct ColumnMap {
+  std::string source{};
+  std::vector<ColumnRule> rules{};
+  char decimal_mark = '\0';                     ///< of the file; '\0': not said
+  std::optional<text::DateOrder> date_order{};  ///< of dates with slashes
+
+  [[nodiscard]] const ColumnRule* find(std::string_view header) const;
+};
+
+/// How a file of measurements is read.
+struct ReadOptions {
+  ColumnMap columns{};
+  /// By which a column torque_signal_V becomes friction torque.
+  std::optional<rig::TorqueSensor> sensor{};
+  bool drop_nan = false;    ///< rows with a cell that has no number are left out and told
+  bool over_time = false;   ///< columns are those of records over time
+  bool of_spindle = false;  ///< and, among these, those of a spindle's
+};
+
+/// All channels that a file may have: those of a record, of a fall between two speeds, of a torque
+/// sensor and of its calibration.
+[[nodiscard]] std::span<const record::Channel* const> file_channels();
+
+/// A file with [columns] alone. Throws InputError as read_model().
+[[nodiscard]] ColumnMap read_column_map(const std::string& path);
+[[nodiscard]] ColumnMap parse_column_map(std::string_view text, const std::string& source);
+
+}  // namespace raceway::files

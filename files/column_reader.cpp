@@ -1,0 +1,206 @@
+#include "files/detail/column_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+#include "record/median.h"
+#include "text/error.h"
+#include "text/missing_cell.h"
+#include "text/names.h"
+
+namespace raceway::files {
+namespace {
+
+/// Words in the place of readings.
+struct Missing {
+  static constexpr std::size_t shown = 5;
+  std::size_t count = 0;
+  std::vector<std::string> texts{};  ///< the first of them
+  std::string lines{};
+
+  void add(const text::CsvTable& table, std::size_t row, std::size_t column) {
+    if (++count <= shown) lines += fmt::format("{}{}", lines.empty() ? "" : ", ", table.line(row));
+    std::string text(table.cell(row, column));
+    if (texts.size() < shown && std::find(texts.begin(), texts.end(), text) == texts.end())
+      texts.push_back(std::move(text));
+  }
+};
+
+}  // namespace
+
+std::vector<double> ColumnReader::numbers(
+    const ColumnSource& source, bool with_sign,
+    const std::function<bool(std::size_t row)>& may_be_empty) {
+  std::vector<double> list;
+  list.reserve(table_.rows());
+  Missing missing;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    if (is_missing(row, source.column) && may_be_empty(row)) {
+      if (!table_.is_empty(row, source.column)) missing.add(table_, row, source.column);
+      list.push_back(unset);
+      continue;
+    }
+    const text::ParsedNumber number = si_of_cell(table_, row, source, with_sign, bad);
+    if (number.decimal_mark != '\0')
+      keep_mark(number.decimal_mark, row, table_.cell(row, source.column));
+    list.push_back(number.value);
+  }
+  if (missing.count > 0)
+    notes_.push_back(
+        fmt::format("{} of {} readings of {} are no numbers ({}) and do not take part "
+                    "(line{} {}{})",
+                    missing.count, table_.rows(), source.name, text::listed(missing.texts),
+                    missing.count == 1 ? "" : "s", missing.lines,
+                    missing.count > Missing::shown ? ", ..." : ""));
+  return list;
+}
+
+bool ColumnReader::is_missing(std::size_t row, std::size_t column) const {
+  return table_.is_numeric(column) ? table_.is_empty(row, column)
+                                   : text::is_missing(table_.cell(row, column));
+}
+
+bool ColumnReader::is_stamped(const ColumnSource& source) const {
+  return *source.channel == record::time &&
+         (source.excel_date ||
+          (!table_.is_numeric(source.column) && text::is_time(table_.cell(0, source.column))));
+}
+
+std::vector<double> ColumnReader::times(const ColumnSource& source,
+                                        std::optional<text::DateOrder> order) {
+  const bool texts = !table_.is_numeric(source.column);
+  const bool elapsed =
+      texts && !source.excel_date && text::parse_elapsed(table_.cell(0, source.column)).has_value();
+  if (!order) order = texts && !source.excel_date ? order_of(source) : text::DateOrder::day_first;
+  std::vector<double> list;
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    std::optional<double> time;
+    if (texts)
+      time = elapsed ? text::parse_elapsed(table_.cell(row, source.column))
+                     : text::parse_timestamp(table_.cell(row, source.column), *order);
+    if (!time && source.excel_date) {
+      const text::ParsedNumber days = table_.parsed(row, source.column);
+      if (days.problem.empty()) time = text::seconds_of_excel(days.value);
+    }
+    if (!time)
+      bad.add(table_.line(row), source.name, table_.shown(row, source.column),
+              elapsed ? "is no time such as 1:30:05"
+                      : "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
+    list.push_back(time.value_or(unset));
+  }
+  if (texts && !elapsed) undo_changes_of_clocks(source, list);
+  const double first = list.front();
+  for (double& time : list) time -= first;
+  if (!std::isnan(first) && !elapsed)
+    notes_.push_back(fmt::format("column {} has {}: time_s counts from {}", source.name,
+                                 source.excel_date ? "dates of Excel" : "dates",
+                                 text::timestamp_text(first)));
+  if (elapsed && first > 0.0)
+    notes_.push_back(fmt::format("column {} has elapsed times: time_s counts from {}", source.name,
+                                 table_.cell(0, source.column)));
+  return list;
+}
+
+text::DateOrder ColumnReader::order_of(const ColumnSource& source) const {
+  constexpr text::DateOrder orders[] = {text::DateOrder::day_first, text::DateOrder::month_first};
+  double first[2] = {unset, unset};
+  bool possible[2] = {true, true};
+  std::optional<std::size_t> apart;  // the first row where it matters
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    const std::string_view cell = table_.cell(row, source.column);
+    if (cell.find('/') != 2 && cell.find('/') != 1) return text::DateOrder::day_first;
+    double time[2];
+    for (int k = 0; k < 2; ++k) {
+      const auto parsed = text::parse_timestamp(cell, orders[k]);
+      possible[k] = possible[k] && parsed.has_value();
+      time[k] = parsed.value_or(unset);
+      if (row == 0) first[k] = time[k];
+    }
+    if (!apart && time[0] - first[0] != time[1] - first[1]) apart = row;
+  }
+  if (possible[0] != possible[1]) return possible[0] ? orders[0] : orders[1];
+  if (!possible[0] || !apart) return orders[0];
+  const text::Place place{table_.source, table_.line(*apart), source.name};
+  const std::string cell(table_.cell(*apart, source.column));
+  throw text::InputError(
+      fmt::format(
+          "{}: {} = {}: is it {} or {}? Say date_order = \"day first\" or \"month first\" in "
+          "[columns]",
+          place.text(), source.name, cell,
+          text::timestamp_text(*text::parse_timestamp(cell, orders[0])).substr(0, 10),
+          text::timestamp_text(*text::parse_timestamp(cell, orders[1])).substr(0, 10)),
+      place);
+}
+
+/// A clock of local time goes back an hour, or leaves one out, in the night of a change.
+void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list) {
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < list.size(); ++row)
+    if (list[row] > list[row - 1]) steps.push_back(list[row] - list[row - 1]);
+  if (steps.empty()) return;
+  const double usual = record::median(steps);
+  constexpr double hour = 3600.0;
+  double shift = 0.0, before = list.front();
+  for (std::size_t row = 1; row < list.size(); ++row) {
+    const double now = list[row], step = now - before;
+    const bool back = std::abs(step + hour - usual) <= usual && step <= 0.0,
+               forward = std::abs(step - hour - usual) <= usual && step > 2.0 * usual;
+    if ((back || forward) && text::clocks_may_change(before, forward) &&
+        !text::has_zone(table_.cell(row, source.column))) {
+      shift += back ? hour : -hour;
+      notes_.push_back(fmt::format(
+          "line {}: the clock goes {} by one hour, {} of summer time: time_s goes on",
+          table_.line(row), back ? "back" : "forward", back ? "the end" : "the beginning"));
+    }
+    before = now;
+    list[row] += shift;
+  }
+}
+
+std::vector<double> ColumnReader::named(const ColumnSource& source,
+                                        std::vector<std::string>& names) {
+  std::unordered_map<std::string, std::size_t> index;
+  std::vector<double> list;
+  list.reserve(table_.rows());
+  for (std::size_t row = 0; row < table_.rows(); ++row) {
+    const std::string text = table_.shown(row, source.column);
+    if (text.empty()) bad.add(table_.line(row), source.channel->name, text, "is empty");
+    const auto [entry, is_new] = index.emplace(text, names.size());
+    if (is_new) names.emplace_back(text);
+    list.push_back(static_cast<double>(entry->second));
+  }
+  return list;
+}
+
+void ColumnReader::keep_mark(char mark, std::size_t row, std::string_view text) {
+  Mark& first = mark == ',' ? comma_ : point_;
+  if (first.line == 0) first = {table_.line(row), std::string(text)};
+}
+
+void ColumnReader::check_decimal_marks() const {
+  if (comma_.line == 0 || point_.line == 0) return;
+  throw text::InputError(
+      fmt::format(
+          "{}:{}: {} has a decimal comma, but {} in line {} a decimal point; use one of them",
+          table_.source, comma_.line, comma_.cell, point_.cell, point_.line),
+      {.file = table_.source, .line = comma_.line});
+}
+
+std::vector<std::string> ColumnReader::notes_on_form() const {
+  std::vector<std::string> form;
+  if (table_.separator == ';') form.emplace_back("semicolons");
+  if (table_.separator == '\t') form.emplace_back("tabs");
+  if (comma_.line != 0) form.emplace_back("decimal commas");
+  if (table_.byte_order_mark) form.emplace_back("a byte order mark");
+  if (table_.carriage_returns) form.emplace_back("CRLF line ends");
+  std::vector<std::string> notes = table_.notes;
+  if (!form.empty()) notes.push_back("read with " + text::listed(form));
+  notes.insert(notes.end(), notes_.begin(), notes_.end());
+  return notes;
+}
+
+}  // namespace raceway::files

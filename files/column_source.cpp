@@ -1,0 +1,294 @@
+#include "files/detail/column_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "record/spindle_channel.h"
+#include "text/csv_form.h"
+#include "text/error.h"
+#include "text/missing_cell.h"
+#include "text/names.h"
+#include "text/timestamp.h"
+#include "text/units.h"
+
+namespace raceway::files {
+namespace {
+
+using record::Channel;
+
+/// Texts in the place of a unit that state none.
+bool states_no_unit(std::string_view text) {
+  return text.empty() || text == "-" || text == "[-]" || text == "(-)";
+}
+
+/// The unit that a file states for a column of a channel. Throws InputError where it is not known,
+/// or measures something else.
+const text::Unit& stated_unit(std::string_view text, const Channel& channel,
+                              const text::CsvTable& table, std::size_t column) {
+  const text::Unit& own = *unit_of(channel);
+  if (const text::Unit* const unit = text::find_unit(text, own.dimension)) return *unit;
+  const std::string& header = table.header[column];
+  throw text::InputError(
+      fmt::format("{}: column {}: {} is no known unit of {}: {}. State it in [columns]: {} = {{ "
+                  "column = {}, unit = \"...\" }}",
+                  table.header_place().text(), text::in_quotes(header),
+                  text::in_quotes(std::string(text)), channel.words,
+                  text::listed_units(own.dimension), channel.name, text::in_quotes(header)),
+      table.header_place(header));
+}
+
+/// The unit in the row of units, null where it states none.
+const text::Unit* in_unit_row(const text::CsvTable& table, std::size_t column,
+                              const Channel& channel) {
+  if (column >= table.units.size() || states_no_unit(table.units[column])) return nullptr;
+  return &stated_unit(table.units[column], channel, table, column);
+}
+
+/// The unit in a header: in brackets, where it must be known; behind "in", "/", a blank or "_",
+/// where it is one of this kind.
+const text::Unit* in_header(const text::CsvTable& table, std::size_t column,
+                            const Channel& channel) {
+  const std::string_view header = table.header[column];
+  if (const std::string_view stated = text::in_brackets(header); !states_no_unit(stated))
+    return &stated_unit(stated, channel, table, column);
+  const text::Dimension own = unit_of(channel)->dimension;
+  const std::string_view ending = text::header_parts(header).unit;
+  const text::Unit* const unit = ending.empty() ? nullptr : text::find_unit(ending, own);
+  return unit ? unit : text::unit_at_end(header, own);
+}
+
+/// Brackets behind a column of dates hold their form: "Time (UTC)", "Zeit [TT.MM.JJJJ]".
+bool has_dates(const text::CsvTable& table, std::size_t column) {
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (!table.is_empty(row, column))
+      return !table.is_numeric(column) && text::is_time(table.cell(row, column));
+  return false;
+}
+
+/// Of a column that a rule names: what the rule says, else the header, else the row of units, else
+/// the key.
+const text::Unit* unit_by_rule(const ColumnRule& rule, const text::CsvTable& table,
+                               std::size_t column) {
+  const Channel& channel = *rule.channel;
+  if (rule.unit || rule.excel_date || !unit_of(channel)) return rule.unit;
+  if (channel == record::time && has_dates(table, column)) return nullptr;
+  if (const text::Unit* const unit = in_header(table, column, channel)) return unit;
+  if (const text::Unit* const unit = in_unit_row(table, column, channel)) return unit;
+  return rule.key_unit;
+}
+
+/// Of a column that is named as ours: its ending, which a row of units must not contradict.
+const text::Unit* unit_by_name(const NamedChannel& named, const text::CsvTable& table,
+                               std::size_t column) {
+  const text::Unit* const own = unit_of(*named.channel);
+  const text::Unit* const ending = named.unit ? named.unit : own;
+  const text::Unit* const below = own ? in_unit_row(table, column, *named.channel) : nullptr;
+  if (below && below != ending)
+    throw text::InputError(
+        fmt::format("{}: column {} has {} in the row of units below it; mend one",
+                    table.header_place().text(), table.header[column], below->words),
+        table.header_place(table.header[column]));
+  return named.unit;
+}
+
+void note_unit(const ColumnSource& source, Recognised& result) {
+  const text::Unit* const own = unit_of(*source.channel);
+  if (source.excel_date || !own) return;
+  std::string text;
+  if (source.cells.unit && source.cells.unit != own)
+    text = fmt::format("in {}: {}", source.cells.unit->words,
+                       text::conversion(*source.cells.unit, *own));
+  if (source.cells.factor != 1.0)
+    text += fmt::format("{}times {:.10g}", text.empty() ? "" : ", ", source.cells.factor);
+  if (!text.empty())
+    result.notes.push_back(
+        fmt::format("column {} is {}, read {}", source.name, source.channel->name, text));
+}
+
+void add(ColumnSource source, const text::CsvTable& table, Recognised& result) {
+  if (const ColumnSource* const twin = result.find(*source.channel))
+    throw text::InputError(
+        fmt::format("{}: columns {} and {} are both {}; keep one of them",
+                    table.header_place().text(), twin->name, source.name, source.channel->words),
+        table.header_place(source.name));
+  result.columns.push_back(std::move(source));
+}
+
+bool is_ruled(const ColumnMap& map, const Channel& channel) {
+  return std::any_of(map.rules.begin(), map.rules.end(),
+                     [&](const ColumnRule& r) { return *r.channel == channel && !r.constant; });
+}
+
+std::string_view unit_words(const ColumnSource& source) {
+  return source.cells.unit ? source.cells.unit->words : source.channel->unit;
+}
+
+/// Of a channel in the unit of the file.
+text::CellRange range_of(const ColumnSource& source, bool with_sign) {
+  const Channel& c = *source.channel;
+  text::CellRange range{source.name, with_sign ? -c.upper : c.lower, c.upper, unit_words(source)};
+  if (source.cells.unit || source.cells.factor != 1.0) {
+    range.lower = source.cells.in_cell(c, c.to_SI(range.lower));
+    range.upper = source.cells.in_cell(c, c.to_SI(range.upper));
+    if (range.lower > range.upper) std::swap(range.lower, range.upper);
+  }
+  return range;
+}
+
+std::optional<NamedChannel> named_column(std::string_view name, bool over_time, bool of_spindle) {
+  if (of_spindle) return named_spindle_channel(name);
+  return over_time ? named_series_channel(name) : named_channel(name, file_channels());
+}
+
+/// The channel of a name that ends in a unit in brackets which is not known: "axial load [lbz]".
+const Channel* channel_without_unit(std::string_view header, bool over_time, bool of_spindle) {
+  if (states_no_unit(text::in_brackets(header))) return nullptr;
+  const std::string_view name = text::header_parts(header).name;
+  for (const text::Unit& unit : text::units())
+    if (const auto named =
+            named_column(fmt::format("{} [{}]", name, unit.suffix), over_time, of_spindle))
+      return named->channel;
+  return nullptr;
+}
+
+text::FormFinder finder(const ReadOptions& options) {
+  return [&](std::string_view text) {
+    return text::find_form(text, [&](std::string_view cell) {
+      return options.columns.find(cell) != nullptr ||
+             named_column(cell, options.over_time, options.of_spindle).has_value();
+    });
+  };
+}
+
+/// A file that has our own name in the place of theirs needs no rule.
+void require_columns(const text::CsvTable& table, const ColumnMap& map, const Recognised& found) {
+  for (const ColumnRule& rule : map.rules)
+    if (!rule.constant && !found.find(*rule.channel))
+      throw text::InputError(
+          fmt::format("{}: no column \"{}\", which {} takes for {}{}; the header has {}",
+                      table.header_place().text(), rule.header, rule.place.text(), rule.key,
+                      text::suggestion(rule.header, table.header), text::listed(table.header)),
+          table.header_place(rule.header));
+}
+
+}  // namespace
+
+const ColumnSource* Recognised::find(const Channel& channel) const {
+  for (const ColumnSource& source : columns)
+    if (*source.channel == channel) return &source;
+  return nullptr;
+}
+
+Recognised recognise(const text::CsvTable& table, const ColumnMap& map, bool over_time,
+                     bool of_spindle) {
+  Recognised result;
+  const auto has_column_of = [&](const ColumnRule& rule) {
+    return table.column(rule.header).has_value();
+  };
+  for (std::size_t c = 0; c < table.header.size(); ++c) {
+    const std::string& name = table.header[c];
+    if (const ColumnRule* const rule = map.find(name)) {
+      // In a record of a spindle a temperature that another one takes for an input is measured.
+      const Channel* const measured =
+          of_spindle ? record::spindle_channel(rule->channel->name) : nullptr;
+      add({measured ? measured : rule->channel,
+           c,
+           name,
+           {unit_by_rule(*rule, table, c), rule->factor},
+           rule->excel_date},
+          table, result);
+      continue;
+    }
+    const auto named = named_column(name, over_time, of_spindle);
+    const bool replaced = named && is_ruled(map, *named->channel) &&
+                          std::any_of(map.rules.begin(), map.rules.end(), [&](const auto& rule) {
+                            return *rule.channel == *named->channel && has_column_of(rule);
+                          });
+    if (named && !replaced)
+      add({named->channel, c, name, {unit_by_name(*named, table, c)}}, table, result);
+    else
+      result.others.push_back(name);
+  }
+  for (std::size_t c = 0; c < table.header.size(); ++c) {
+    const std::string& name = table.header[c];
+    if (map.find(name) || named_column(name, over_time, of_spindle)) continue;
+    const Channel* const meant = channel_without_unit(name, over_time, of_spindle);
+    if (meant && !result.find(*meant)) (void)stated_unit(text::in_brackets(name), *meant, table, c);
+  }
+  require_columns(table, map, result);
+  for (const ColumnSource& source : result.columns) note_unit(source, result);
+  for (const ColumnRule& rule : map.rules)
+    if (rule.constant && !result.find(*rule.channel))
+      result.constants.push_back({rule.channel,
+                                  rule.key_unit ? rule.key_unit->to_SI(*rule.constant)
+                                                : rule.channel->to_SI(*rule.constant),
+                                  "[columns] of " + map.source});
+  const auto order = [](const Channel* channel) {
+    const auto all = file_channels();
+    return std::find_if(all.begin(), all.end(), [&](const Channel* c) { return *c == *channel; }) -
+           all.begin();
+  };
+  std::stable_sort(result.columns.begin(), result.columns.end(), [&](const auto& a, const auto& b) {
+    return order(a.channel) < order(b.channel);
+  });
+  return result;
+}
+
+bool is_missing(std::string_view cell) {
+  constexpr std::array<std::string_view, 42> words{
+      "", "-", "--", "---", "nan", "-nan", "na", "n/a", "<na>", "nat", "null", "none",
+      // infinite and out of range, by C libraries and instruments
+      "inf", "+inf", "-inf", "infinity", "-infinity", "1.#qnan", "-1.#qnan", "1.#ind", "-1.#ind",
+      "1.#inf", "-1.#inf", "over", "under", "ol", "-ol", "overload", "overflow", "underflow",
+      // loggers and spreadsheets, in English and German
+      "bad", "bad input", "no data", "#n/a", "#nv", "#div/0!", "#wert!", "#value!", "#ref!",
+      "#bezug!", "#name?", "#num!"};
+  return std::find(words.begin(), words.end(), text::lower_case(cell)) != words.end();
+}
+
+text::ParsedNumber si_of_cell(const text::CsvTable& table, std::size_t row,
+                              const ColumnSource& source, bool with_sign, text::BadCells& bad) {
+  text::ParsedNumber number =
+      text::read_cell(table, row, source.column, range_of(source, with_sign), bad);
+  number.value = source.cells.to_SI(*source.channel, number.value);
+  return number;
+}
+
+text::CsvTable read_measurements(const Source& source, const ReadOptions& options) {
+  if (source.table) return *source.table;
+  text::CsvTable table = source.text
+                             ? text::parse_csv(*source.text, source.name, false, finder(options))
+                             : text::read_csv(source.name, finder(options));
+  if (options.columns.decimal_mark != '\0') table.set_decimal_mark(options.columns.decimal_mark);
+  return table;
+}
+
+std::string drop_empty_rows(text::CsvTable& table, const std::vector<ColumnSource>& columns) {
+  std::vector<bool> remove(table.rows());
+  std::string lines;
+  std::size_t count = 0;
+  constexpr std::size_t shown = 5;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    remove[row] = std::any_of(columns.begin(), columns.end(), [&](const ColumnSource& source) {
+      return table.is_numeric(source.column) ? !table.parsed(row, source.column).problem.empty()
+                                             : text::is_missing(table.cell(row, source.column));
+    });
+    if (!remove[row] || ++count > shown) continue;
+    lines += fmt::format("{}{}", lines.empty() ? "" : ", ", table.line(row));
+  }
+  if (count == 0) return {};
+  const std::size_t all = table.rows();
+  if (count == all)
+    throw text::InputError(
+        fmt::format("{}: none of {} rows has a number in every column; nothing is left",
+                    table.source, all),
+        {.file = table.source});
+  table.remove_rows(remove);
+  return fmt::format("{} of {} rows have an empty cell or no number and are left out (line{} {}{})",
+                     count, all, count == 1 ? "" : "s", lines, count > shown ? ", ..." : "");
+}
+
+}  // namespace raceway::files

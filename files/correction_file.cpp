@@ -1,0 +1,638 @@
+#include "files/correction_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <optional>
+
+#include "correction/catalogue.h"
+#include "correction/numbers.h"
+#include "correction/own_effect.h"
+#include "files/friction_table.h"
+#include "files/key_tables.h"
+#include "record/series_channel.h"
+#include "text/csv.h"
+#include "text/input_file.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/column_section.h"
+#include "files/detail/correction_trust.h"
+#include "files/detail/export_section.h"
+#include "files/detail/formula_section.h"
+#include "files/detail/loop_section.h"
+#include "files/detail/model_tables.h"
+
+namespace raceway::files {
+namespace {
+
+constexpr double most = 1e9;  // of any number of a file
+
+constexpr Key correction_keys[]{
+    {"displacement", a_text, is_required, "the column that is modelled, displacement_NAME_um"},
+    {"name", a_text, "that of the column", "for results"},
+    {"tolerance_um", between(0, 1e6, "um"), unset,
+     "RMS error on parts held out with which the user is content, above 0; diagnose needs it, "
+     "here, "
+     "under [loop] or by --tolerance"},
+    {"measurement_std_um", between(0, 1e6, "um"), "found from neighbouring readings",
+     "noise of a single reading"},
+    {"initial_state", one_of("rest|free"), "rest",
+     "free: the machine was warm when its record began"},
+    {"offset_um", between(-1e6, 1e6, "um"), 0.0, "constant of the prediction"},
+    {"sampling_s", between(1e-6, 1e6, "s"), unset,
+     "time between rows for which polynomials hold; any other is refused"},
+    {"channel", a_list, unset, "what moves the machine, [[correction.channel]]"},
+    {"kinematic", a_table, unset, "the table [correction.kinematic]"},
+    {"effect", a_list, unset, "effects, [[correction.effect]]"},
+    {"range", a_table, unset, "COLUMN = [lowest, highest] of every input, [correction.range]"},
+    {"together", a_table, unset, "the table [correction.together]"},
+    {"covariance", a_table, unset, "the table [correction.covariance]"},
+    {"residual", a_table, unset, "the table [correction.residual]"},
+};
+
+constexpr Key correction_channel_keys[]{
+    {"name", a_text, "that of the input", "for results"},
+    {"input", a_text, is_required,
+     "a column, a list of which the mean drives, or \"power_W\": torque of a friction table times "
+     "the speed"},
+    {"exponent", between(0.5, 3.0), 1.0,
+     "of an input that is a speed, which counts as n (n/1000 rpm)^(exponent - 1)"},
+    {"reference", a_text, unset, "a temperature whose rise is taken off that of the input"},
+    {"sections", a_list, unset, "lags, with gain and time constant"},
+    {"scale", between(-1e6, 1e6), 1.0, "of all of the channel: the gain of a sister spindle"},
+    {"friction_table", a_text, unset,
+     "of \"power_W\": a CSV with speed_rpm, axial_load_N, temperature_C, friction_torque_Nmm, "
+     "beside the model"},
+    {"axial_load_N", between(-1e8, 1e8, "N"), 0.0,
+     "of \"power_W\": the load at which the table is read"},
+    {"temperature_C", between(-273, 500, "C"), unset,
+     "of \"power_W\": a number or a column at which the table is read"},
+    {"gain", a_table, unset,
+     "of \"power_W\", in place of sections: { slope_um_W, offset_um }, { factor, exponent } or { "
+     "table }"},
+    {"time_constant", a_table, unset,
+     "of \"power_W\": { slope_min_W, offset_min }, { factor, exponent } or { table }"},
+    {"numerator", a_list, unset,
+     "in place of sections: polynomial in z^-1, um per unit of the input"},
+    {"denominator", a_list, unset, "in place of sections: polynomial in z^-1"},
+};
+// Of an input in kelvin; the names of others end in their unit.
+constexpr Key feedthrough_keys[]{
+    {"feedthrough_um_K", between(-most, most, "um/K"), 0.0,
+     "share that follows at once; ends in the unit of the input: um_K, um_W, um_m_min, um_rpm"}};
+constexpr Key section_gain_keys[]{
+    {"gain_um_K", between(-most, most, "um/K"), is_required,
+     "displacement in the end, per unit of the input; ends in that unit: um_K, um_W, um_m_min, "
+     "um_rpm"}};
+constexpr Key section_time_keys[]{
+    {"time_constant_s", between(1e-3, most, "s"), is_required, "of the lag"}};
+constexpr Key element_gain_keys[]{
+    {"slope_um_W", between(-most, most, "um/W"), unset, "of a straight line over the power"},
+    {"offset_um", between(-most, most, "um"), unset, "of that line without power"},
+    {"factor", between(-most, most, "um"), unset, "of factor P^exponent, P in W"},
+    {"exponent", between(-10, 10), unset, "of factor P^exponent"},
+    {"table", a_text, unset, "a CSV with power_W and gain_um, beside the model"},
+};
+constexpr Key element_time_keys[]{
+    {"slope_min_W", between(-most, most, "min/W"), unset, "of a straight line over the power"},
+    {"offset_min", between(-most, most, "min"), unset, "of that line without power"},
+    {"factor", between(-most, most, "min"), unset, "of factor P^exponent, P in W"},
+    {"exponent", between(-10, 10), unset, "of factor P^exponent"},
+    {"table", a_text, unset, "a CSV with power_W and time_constant_min, beside the model"},
+};
+
+constexpr Key kinematic_keys[]{
+    {"A", between(-most, most, "um"), is_required, "of u = A n^(1 - B exp(-C n)), n in rpm"},
+    {"B", between(-1, 2), is_required, "of u = A n^(1 - B exp(-C n))"},
+    {"C", between(0, 1, "1/rpm"), is_required, "of u = A n^(1 - B exp(-C n))"},
+};
+
+constexpr Key correction_effect_keys[]{
+    {"id", a_text, is_required,
+     "an effect on records over time (raceway effects), whose numbers stand beside it, or a new "
+     "one with a formula"},
+    {"input", a_text, unset, "column, or list of columns, that drives it"},
+    {"channel", a_text, unset, "name of the channel that it changes"},
+    {"axis", a_text, unset, "that it acts on"},
+};
+constexpr Key correction_own_effect_keys[]{
+    {"formula", a_text, unset, "of an effect of one's own, over columns and its parameters"},
+    {"title", a_text, unset, "of an effect of one's own, for messages"},
+    {"gain_um", between(-most, most, "um"), unset,
+     "of an effect of one's own: um per unit of its formula, required; 0 waits, as a candidate"},
+    {"time_constant_s", between(1, 1e7, "s"), unset,
+     "of an effect of one's own: of the lag that follows it; without it at once"},
+};
+
+using correction::DrivenChannel;
+using correction::Effect;
+using correction::Input;
+using correction::Model;
+using record::Channel;
+
+/// A table in a list of tables.
+Section part_of(const Section& owner, const std::string& name, const toml::node& node,
+                Keys keys = {}) {
+  if (!node.is_table())
+    throw text::InputError(fmt::format("{}: {} = {}: must be a table in braces", owner.place(&node),
+                                       name, text::shown(node)),
+                           owner.at(name, &node));
+  return Section(owner.source(), name, node.as_table(), std::move(keys));
+}
+
+const toml::array* list_of_tables(const Section& s, std::string_view key) {
+  const toml::node* const node = s.find(key);
+  if (!node) return nullptr;
+  if (!node->is_array_of_tables() && !(node->is_array() && node->as_array()->empty()))
+    s.fail(key,
+           fmt::format("{}: is a list of tables, each written as [[correction.{}]]", key, key));
+  return node->as_array();
+}
+
+class CorrectionReader {
+ public:
+  CorrectionReader(ModelTables& tables, CorrectionFile& file)
+      : tables_(tables), notes_(file.notes) {}
+
+  Model model(const Section& table) {
+    const Section s = table.with({correction_keys});
+    Model m;
+    m.displacement = displacement(s);
+    m.name = s.text("name").value_or(std::string(m.displacement->variable));
+    if (const auto t = s.number("tolerance_um")) {
+      if (*t == 0.0) s.fail("tolerance_um", "tolerance_um = 0 um: must be above 0");
+      m.tolerance = *t * um;
+    }
+    if (const auto std = s.number("measurement_std_um")) m.measured_std = *std * um;
+    m.initial_state = tables_.choice(s, "initial_state") == "free" ? correction::InitialState::free
+                                                                   : correction::InitialState::rest;
+    if (const auto dt = s.number("sampling_s")) m.sampling = *dt;
+    m.offset = tables_.number(s, "offset_um") * um;
+    if (const toml::array* const list = list_of_tables(s, "channel"))
+      for (const toml::node& node : *list)
+        m.channels.push_back(channel(part_of(s, "correction.channel", node), m));
+    if (s.find("kinematic"))
+      m.kinematic =
+          kinematic(part_of(s, "correction.kinematic", *s.find("kinematic"), {kinematic_keys}));
+    if (const toml::array* const list = list_of_tables(s, "effect"))
+      for (const toml::node& node : *list)
+        m.effects.push_back(effect(part_of(s, "correction.effect", node), m));
+    if (const toml::node* const range = s.find("range"))
+      read_range(part_of(s, "correction.range", *range), m);
+    read_trust(s, m, notes_);
+    return m;
+  }
+
+ private:
+  const Channel* displacement(const Section& s) const {
+    const auto name = s.text("displacement");
+    if (!name)
+      s.fail_missing("displacement",
+                     ", the column that is modelled, such as \"displacement_z_um\"");
+    const Channel* const c = record::series_channel(*name);
+    if (!c || c->role != record::Role::measured)
+      s.fail("displacement",
+             fmt::format("displacement = \"{}\": must be a column displacement_NAME_um", *name));
+    return c;
+  }
+
+  const Channel* input_column(const Section& s, std::string_view key,
+                              const std::string& name) const {
+    const Channel* const c = record::series_channel(name);
+    if (!c || !c->is_input())
+      s.fail(key, fmt::format("{} = \"{}\": must be power_W, speed_rpm, coolant_on, or a column "
+                              "NAME_temperature_C, NAME_feed_m_min or NAME_speed_rpm",
+                              key, name));
+    return c;
+  }
+
+  std::vector<const Channel*> columns(const Section& s, std::string_view key) const {
+    const toml::node* const node = s.find(key);
+    std::vector<const Channel*> list;
+    if (!node) return list;
+    if (node->is_string()) return {input_column(s, key, *node->value<std::string>())};
+    if (!node->is_array() || node->as_array()->empty())
+      s.fail(key, fmt::format("{} = {}: must be a column in quotes, or a list of columns", key,
+                              text::shown(*node)));
+    for (const toml::node& one : *node->as_array()) {
+      if (!one.is_string())
+        s.fail(key, fmt::format("{} = {}: must be columns in quotes", key, text::shown(*node)));
+      list.push_back(input_column(s, key, *one.value<std::string>()));
+      if (list.back()->key_unit() != list.front()->key_unit())
+        s.fail(key, fmt::format("{}: the mean of {} and {} has no unit", key, list.front()->name,
+                                list.back()->name));
+    }
+    return list;
+  }
+
+  Input input(const Section& s) {
+    Input in;
+    if (s.text_or_empty("input") == "power_W") {
+      in.name = "power_W";
+      const auto file = s.text("friction_table");
+      if (!file)
+        s.fail("input",
+               "input = \"power_W\": needs friction_table, a CSV with speed_rpm, axial_load_N, "
+               "temperature_C and friction_torque_Nmm, as raceway table writes it");
+      in.table = std::make_shared<const correction::FrictionTable>(table(s, *file));
+      in.axial_load = s.value("axial_load_N");
+      read_temperature(s, in);
+    } else {
+      if (!s.find("input")) s.fail_missing("input", ", the column that drives the channel");
+      in.columns = columns(s, "input");
+      in.name = in.columns.front()->name;
+      for (const std::string_view key : {"friction_table", "axial_load_N", "temperature_C"})
+        if (s.find(key)) s.fail(key, fmt::format("{}: belongs to input = \"power_W\"", key));
+    }
+    in.exponent = s.value("exponent");
+    if (s.find("exponent") && in.unit() != "rpm")
+      s.fail("exponent", "exponent: belongs to an input that is a speed");
+    if (const auto name = s.text("reference")) {
+      in.reference = input_column(s, "reference", *name);
+      if (in.is_power() || !record::is_temperature(*in.reference) ||
+          !record::is_temperature(*in.columns.front()))
+        s.fail("reference", "reference: is a temperature, of an input that is one");
+    }
+    return in;
+  }
+
+  correction::FrictionTable table(const Section& s, const std::string& file) const {
+    try {
+      NamedFiles& files = tables_.files();
+      correction::FrictionTable read =
+          parse_friction_table(files.read(file).text, files.shown(file));
+      read.file = file;
+      return read;
+    } catch (const text::InputError& e) {
+      throw text::InputError(fmt::format("{}: friction_table = \"{}\": {}",
+                                         s.place(s.find("friction_table")), file, e.what()),
+                             s.at("friction_table"));
+    }
+  }
+
+  void read_temperature(const Section& s, Input& in) {
+    const toml::node* const node = s.find("temperature_C");
+    if (node && node->is_string()) {
+      in.temperature_column = input_column(s, "temperature_C", *node->value<std::string>());
+      if (!record::is_temperature(*in.temperature_column))
+        s.fail("temperature_C", "temperature_C: must be a number, or a column NAME_temperature_C");
+    } else if (const auto value = s.number("temperature_C")) {
+      in.temperature = kelvin(*value);
+    } else if (in.table->temperature.size() > 1) {
+      s.fail_missing("temperature_C",
+                     ", at which the friction table is read (a number or a column)");
+    } else {
+      in.temperature = in.table->temperature.front();
+    }
+  }
+
+  DrivenChannel channel(const Section& table, const Model& m) {
+    DrivenChannel c;
+    c.input = input(table.part({correction_channel_keys}));
+    const std::string unit(c.input.key_unit()), per_input = "um/" + std::string(c.input.unit());
+    const std::string gain = "gain_um_" + unit, feedthrough = "feedthrough_um_" + unit;
+    const std::array at_once{feedthrough_keys[0].as(feedthrough, per_input)};
+    const Section s = table.with({correction_channel_keys, at_once});
+    c.name = s.text("name").value_or(
+        std::string(c.input.is_power() ? "power" : c.input.columns.front()->variable));
+    for (const DrivenChannel& other : m.channels)
+      if (other.name == c.name)
+        s.fail("name", fmt::format("name = \"{}\": two channels have it", c.name));
+    if (c.name.find_first_of(".:\" ") != c.name.npos)
+      s.fail("name", fmt::format("name = \"{}\": must have no blank, dot, colon or quote", c.name));
+    const double factor = um / c.input.factor();
+    c.feedthrough = s.value(feedthrough) * factor;
+    c.scale = s.value("scale");
+    const int ways = (s.find("sections") ? 1 : 0) +
+                     (s.find("gain") || s.find("time_constant") ? 1 : 0) +
+                     (s.find("numerator") || s.find("denominator") ? 1 : 0);
+    if (ways > 1)
+      s.fail(
+          "name",
+          fmt::format(
+              "channel {}: has more than one of sections, gain with time_constant, and numerator "
+              "with denominator",
+              c.name));
+    if (s.find("sections")) read_sections(s, section_gain_keys[0].as(gain, per_input), factor, c);
+    if (s.find("gain") || s.find("time_constant")) read_element(s, c);
+    if (s.find("numerator") || s.find("denominator")) read_printed(s, m, c);
+    if (ways == 0 && c.feedthrough == 0.0 && !s.find(feedthrough))
+      s.fail("name",
+             fmt::format(
+                 "channel {}: has no sections: sections = [{{ {} = 5, time_constant_s = 3600 }}]",
+                 c.name, gain));
+    return c;
+  }
+
+  void read_sections(const Section& s, const Key& gain, double factor, DrivenChannel& c) {
+    const toml::node& node = *s.find("sections");
+    if (!node.is_array())
+      s.fail("sections",
+             fmt::format("sections = {}: must be a list, as [{{ {} = 5, time_constant_s = 3600 }}]",
+                         text::shown(node), gain.name));
+    for (const toml::node& one : *node.as_array()) {
+      const std::array gains{gain};
+      const Section of = part_of(s, "sections", one, {gains, section_time_keys});
+      c.sections.push_back({of.required(gain.name) * factor, of.required("time_constant_s")});
+    }
+  }
+
+  correction::Characteristic characteristic(const Section& s, const std::string& key,
+                                            std::span<const Key> keys, double unit) const {
+    const toml::node* const node = s.find(key);
+    if (!node)
+      s.fail("name", fmt::format("gain and time_constant stand together: {} is missing", key));
+    const Section of = part_of(s, key, *node, {keys});
+    if (of.find("table")) {
+      const auto file = of.text("table");
+      try {
+        NamedFiles& files = tables_.files();
+        return correction::Characteristic(
+            parse_characteristic(files.read(*file).text, files.shown(*file), key));
+      } catch (const std::exception& e) {
+        of.fail("table", fmt::format("table = \"{}\": {}", *file, e.what()));
+      }
+    }
+    if (of.find("factor") || of.find("exponent"))
+      return correction::Characteristic(
+          correction::Characteristic::Power{of.required("factor") * unit, of.required("exponent")});
+    // Slope and offset, whose names have the unit.
+    return correction::Characteristic(correction::Characteristic::Line{
+        of.required(keys[0].name) * unit, of.required(keys[1].name) * unit});
+  }
+
+  void read_element(const Section& s, DrivenChannel& c) {
+    if (!c.input.is_power())
+      s.fail("gain", "gain and time_constant that go with the power need input = \"power_W\"");
+    constexpr double minute = 60.0;
+    c.element =
+        correction::DelayElement{characteristic(s, "gain", element_gain_keys, um),
+                                 characteristic(s, "time_constant", element_time_keys, minute)};
+    notes_.push_back(
+        fmt::format("channel {}: at a power of 0 its gain is 0, with the time constant of that "
+                    "power: the paper "
+                    "that it comes from is silent about standstill",
+                    c.name));
+  }
+
+  std::vector<double> coefficients(const Section& s, std::string_view key) const {
+    const toml::node* const node = s.find(key);
+    if (!node)
+      s.fail("name", fmt::format("numerator and denominator stand together: {} is missing", key));
+    std::vector<double> list;
+    const toml::array* const array = node->as_array();
+    if (!array || array->empty())
+      s.fail(key, fmt::format("{} = {}: must be a list of numbers", key, text::shown(*node)));
+    for (const toml::node& one : *array) {
+      const auto value = one.value<double>();
+      if (!value || !std::isfinite(*value))
+        s.fail(key, fmt::format("{} = {}: must be a list of numbers", key, text::shown(*node)));
+      list.push_back(*value);
+    }
+    return list;
+  }
+
+  void read_printed(const Section& s, const Model& m, DrivenChannel& c) {
+    if (std::isnan(m.sampling))
+      s.fail(
+          "numerator",
+          "numerator: coefficients hold for one sampling time: [correction] sampling_s is missing");
+    correction::TransferFunction printed{coefficients(s, "numerator"),
+                                         coefficients(s, "denominator"), m.sampling};
+    for (double& a : printed.numerator) a *= um / c.input.factor();
+    try {
+      (void)correction::reduced(printed);
+    } catch (const std::invalid_argument& e) {
+      s.fail("denominator", fmt::format("channel {}: {}", c.name, e.what()));
+    }
+    c.printed = std::move(printed);
+  }
+
+  correction::Kinematic kinematic(const Section& s) const {
+    return {s.required("A"), s.required("B"), s.required("C")};
+  }
+
+  Effect effect(const Section& table, const Model& m) {
+    const Section s = table.part({correction_effect_keys, correction_own_effect_keys});
+    const auto id = s.text("id");
+    Names known;
+    for (const correction::EffectCard& card : correction::catalogue()) known.emplace_back(card.id);
+    if (!id) s.fail_missing("id", ", the name of an effect of raceway effects");
+    const correction::EffectKind* const found = correction::find_kind(*id);
+    if (s.find("formula")) {
+      if (found)
+        s.fail(
+            "formula",
+            fmt::format("formula: {} is an effect of the catalogue; give yours another id", *id));
+      return own_effect(s, *id, m);
+    }
+    if (!found || found->card().evidence)
+      s.fail("id", fmt::format("id = \"{}\": no effect on a displacement over time{}; one of your "
+                               "own has a formula",
+                               *id, text::suggestion(*id, known)));
+    Effect e{.id = *id};
+    e.columns = columns(s, "input");
+    e.where = s.text("channel").value_or(s.text("axis").value_or(""));
+    if (s.find("channel") && !correction::find_channel(m, e.where))
+      s.fail("channel", fmt::format("channel = \"{}\": the model has no such channel", e.where));
+    if (found->card().needs_input && e.columns.empty())
+      s.fail_missing("input", ", the column that drives the effect");
+    const std::span<const record::NumberCard> numbers = found->numbers(e);
+    std::deque<std::string> texts;  // of the keys
+    std::vector<Key> keys;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const std::string& name = texts.emplace_back(found->key(e, k, m));
+      if (found->may_end_before(k) && !s.find(name)) break;
+      const Form form = between(std::max(-most, numbers[k].lower), std::min(most, numbers[k].upper),
+                                texts.emplace_back(correction::unit_of(e, k, m)));
+      keys.push_back({name, form, is_required, found->card().title});
+      e.values.push_back(*s.number(keys.back()));
+    }
+    (void)table.with({correction_effect_keys, keys});  // no others
+    return e;
+  }
+
+  /// A formula of columns, with a gain, and a time constant where it lags.
+  Effect own_effect(const Section& s, const std::string& id, const Model& m) const {
+    if (id.empty() || id.find_first_of(" .:\t\n,;\"'") != id.npos ||
+        std::string_view("=+-@").find(id.front()) != std::string_view::npos)
+      s.fail("id", fmt::format("id = {}: must be a name without blanks, dots, colons, commas, "
+                               "semicolons and quotes, and not begin with =, +, - or @",
+                               text::quoted(id)));
+    for (const Effect& before : m.effects)
+      if (before.id == id) s.fail("id", fmt::format("id = \"{}\": two effects have it", id));
+    correction::OwnEffect::Given given{.id = id,
+                                       .title = s.text("title").value_or(""),
+                                       .formula = s.text("formula").value_or(""),
+                                       .lags = s.find("time_constant_s") != nullptr};
+    Names keys{"id"};
+    for (const Key& key : correction_own_effect_keys) keys.emplace_back(key.name);
+    for (const auto& [key, node] : *s.table()) {
+      const std::string name(key.str());
+      if (std::find(keys.begin(), keys.end(), name) != keys.end()) continue;
+      if (correction::column_of_formula(name))
+        s.fail(name, fmt::format("{}: a column has this name; take another", name));
+      const FormulaNumber n = read_formula_number(s, id, name, node, keys);
+      given.parameters.push_back({n.name, n.unit, n.value, n.lower, n.upper, n.in_braces});
+    }
+    Effect e{.id = id};
+    e.values.push_back(s.required("gain_um"));
+    if (given.lags) e.values.push_back(s.required("time_constant_s"));
+    Names known{"speed_rpm",      "NAME_temperature_C", "NAME_feed_m_min",
+                "NAME_speed_rpm", "coolant_on",         "time_s"};
+    for (const correction::OwnEffect::Number& n : given.parameters) {
+      e.values.push_back(n.value);
+      known.push_back(n.name);
+    }
+    try {
+      e.own = std::make_shared<const correction::OwnEffect>(given);
+    } catch (const record::FormulaError& error) {
+      fail_formula(s, "formula", id, given.formula, error, known);
+    }
+    if (e.own->columns().empty())
+      s.fail("formula", fmt::format("formula = \"{}\": has no column of a record in it, such as "
+                                    "speed_rpm or front_temperature_C",
+                                    given.formula));
+    e.off = e.values.front() == 0.0;
+    return e;
+  }
+
+  void read_range(const Section& s, Model& m) const {
+    constexpr std::string_view of_power = " power_W";
+    for (const auto& [key, node] : *s.table()) {
+      const std::string name(key.str());
+      const toml::array* const pair = node.as_array();
+      if (!pair || pair->size() != 2 || !pair->get(0)->is_number() || !pair->get(1)->is_number())
+        s.fail(name, fmt::format("{} = {}: must be [lowest, highest]", name, text::shown(node)));
+      const double low = *pair->get(0)->value<double>(), high = *pair->get(1)->value<double>();
+      if (!(low <= high))
+        s.fail(name,
+               fmt::format("{} = {}: the lowest is above the highest", name, text::shown(node)));
+      if (name.ends_with(of_power)) {
+        const std::string channel = name.substr(0, name.size() - of_power.size());
+        const DrivenChannel* const c = correction::find_channel(m, channel);
+        if (channel.empty() || !c || !c->input.is_power())
+          s.fail(name, fmt::format("{}: the model has no channel {} that the power drives", name,
+                                   channel));
+        m.range.push_back({.name = channel, .lower = low, .upper = high});
+        continue;
+      }
+      const Channel* const c = input_column(s, name, name);
+      m.range.push_back(
+          {.column = c, .name = name, .lower = c->to_SI(low), .upper = c->to_SI(high)});
+    }
+  }
+
+  ModelTables& tables_;
+  std::vector<std::string>& notes_;
+};
+
+void check_tables(const ModelTables& tables) {
+  const Names known{"correction", "calibration", "loop",          "columns", "bearing",
+                    "lubricant",  "friction",    "arrangement",   "rig",     "solver",
+                    "material",   "effect",      "torque_sensor", "export"};
+  for (const auto& [key, node] : tables.root())
+    if (std::find(known.begin(), known.end(), key.str()) == known.end())
+      throw text::InputError(fmt::format("{}: {}: unknown table{}", tables.place(key), key.str(),
+                                         text::suggestion(key.str(), known)),
+                             tables.at(key));
+}
+
+Names read_free(const ModelTables& tables, const Model& model) {
+  const Section s = calibration_section(tables);
+  const toml::node* const node = s.find("free");
+  Names free;
+  if (!node) return free;
+  if (!node->is_array()) s.fail("free", "free: must be a list of names or groups");
+  for (const toml::node& one : *node->as_array()) {
+    if (!one.is_string()) s.fail("free", "free: must be names in quotes");
+    const std::string name = *one.value<std::string>();
+    // Beside a [bearing] the list is of both, and f0 is for the other commands.
+    if (tables.root().contains("bearing") && name.find('.') == name.npos &&
+        !correction::is_group(name))
+      continue;
+    free.push_back(name);
+  }
+  Model with = model;
+  with.free = free;
+  try {
+    (void)correction::free_names(with);
+  } catch (const std::invalid_argument& e) {
+    s.fail("free", fmt::format("free: {}", e.what()));
+  }
+  return free;
+}
+
+void read_tolerance(const ModelTables& tables, Model& model) {
+  const Section s = loop_section(tables);
+  const auto value = s.number("tolerance_um");
+  if (!value) return;
+  if (!std::isnan(model.tolerance))
+    s.fail("tolerance_um", "tolerance_um: stands under [correction] as well; keep one of them");
+  model.tolerance = *value * um;
+}
+
+}  // namespace
+
+std::vector<KeyTable> correction_tables() {
+  return {{"correction", correction_keys},
+          {"correction.channel", correction_channel_keys},
+          {"correction.channel", feedthrough_keys},
+          {"correction.channel.sections", section_gain_keys},
+          {"correction.channel.sections", section_time_keys},
+          {"correction.channel.gain", element_gain_keys},
+          {"correction.channel.time_constant", element_time_keys},
+          {"correction.kinematic", kinematic_keys},
+          {"correction.effect", correction_effect_keys},
+          {"correction.effect", correction_own_effect_keys}};
+}
+
+CorrectionFile parse_correction(std::string text, const std::string& source,
+                                std::vector<NamedFile> held) {
+  ModelTables tables(text, source, std::move(held));
+  check_tables(tables);
+  CorrectionFile file;
+  file.source = source;
+  CorrectionReader reader(tables, file);
+  const toml::node* const node = tables.root().get("correction");
+  if (!node)
+    throw text::InputError(fmt::format("{}: table [correction] is missing", source),
+                           {.file = source, .key = "correction"});
+  const Section root(source, "correction", node->as_table());
+  if (node->is_array_of_tables()) {
+    for (const toml::node& one : *node->as_array())
+      file.models.push_back(reader.model(Section(source, "correction", one.as_table())));
+  } else if (node->is_table()) {
+    file.models.push_back(reader.model(root));
+  } else {
+    throw text::InputError(fmt::format("{}: correction = {}: must be a table, [correction]", source,
+                                       text::shown(*node)),
+                           {.file = source, .key = "correction"});
+  }
+  for (std::size_t k = 0; k < file.models.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j)
+      if (file.models[j].displacement == file.models[k].displacement)
+        throw text::InputError(fmt::format("{}: two tables [[correction]] model {}", source,
+                                           file.models[k].displacement->name),
+                               {.file = source, .key = "displacement"});
+    file.models[k].free = read_free(tables, file.models[k]);
+    read_tolerance(tables, file.models[k]);
+  }
+  file.columns = read_columns(tables);
+  file.control = read_export(tables, file.models);
+  file.defaults = tables.defaults();
+  file.files = tables.files().list();
+  file.text = std::move(text);
+  return file;
+}
+
+CorrectionFile read_correction(const std::string& path) {
+  bool marked = false;
+  std::string text = text::read_text(path, &marked);
+  CorrectionFile file = parse_correction(std::move(text), text::input_name(path));
+  if (marked) file.text.insert(0, text::utf8_mark);
+  return file;
+}
+
+}  // namespace raceway::files

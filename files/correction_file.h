@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correction/control_settings.h"
+#include "correction/model.h"
+#include "files/column_map.h"
+#include "files/named_files.h"
+
+namespace raceway::files {
+
+/// Correction models as read from their file: one for each displacement.
+struct CorrectionFile {
+  std::vector<correction::Model> models;
+  std::string source;                     ///< file name, for messages
+  std::string text;                       ///< of the file, to be edited
+  std::vector<std::string> defaults{};    ///< every default that was used
+  std::vector<std::string> notes{};       ///< what else the user should know
+  ColumnMap columns{};                    ///< how its measurements are written
+  correction::ControlSettings control{};  ///< what a control does with it, [export]
+  std::vector<NamedFile> files{};         ///< that it names, as they were when it was read
+};
+
+/// Reads [correction] (keys with their units: raceway keys) into SI. Files that it names are
+/// looked for beside it.
+///
+/// Throws InputError naming file, line, key, value and allowed range.
+[[nodiscard]] CorrectionFile read_correction(const std::string& path);
+
+/// The same from text; `source` stands in messages, and names of files are relative to it. Files of
+/// `held` are not read again.
+[[nodiscard]] CorrectionFile parse_correction(std::string text, const std::string& source,
+                                              std::vector<NamedFile> held = {});
+
+/// A file of these models alone: channels of columns, offsets, tolerances and ranges. `comment`:
+/// its first line.
+[[nodiscard]] std::string new_corrections(const std::vector<correction::Model>& models,
+                                          const std::string& comment);
+
+/// The text with the numbers, sections, channels, effects and ranges of these models, which are
+/// those of the file or grew out of them; comments and all else are kept.
+[[nodiscard]] std::string with_corrections(const CorrectionFile& file,
+                                           const std::vector<correction::Model>& models);
+
+}  // namespace raceway::files

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bearing/bearing.h"
+#include "files/catalogue_file.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_tables.h"
+
+/// Tables of bearings in a model file, and of what they are made of; shared with the reader of
+/// models.
+namespace raceway::files {
+
+/// A bearing as a table of the file describes it, and the row of the catalogue that it started
+/// from.
+struct NamedBearing {
+  bearing::Bearing bearing;
+  std::string name;
+  std::optional<CatalogueBearing> row = {};
+};
+
+[[nodiscard]] std::vector<KeyTable> bearing_tables();
+/// Those of every bearing.
+[[nodiscard]] std::span<const Key> bearing_keys();
+
+/// A geometry as keys of [bearing], in their units; without what it does not know.
+[[nodiscard]] std::vector<std::pair<std::string, double>> keys_of(
+    const bearing::BearingGeometry& geometry);
+
+/// What [bearing] must have and has not, where it names no row of the catalogue.
+[[nodiscard]] Names missing_keys_of_bearing(const ModelTables& tables);
+
+class BearingReader {
+ public:
+  /// Reads the tables [material.NAME]. Throws InputError as read_model() does.
+  explicit BearingReader(ModelTables& tables);
+
+  /// A table of a bearing; where there is a `base`, the keys that are left out are its own.
+  /// `further` keys are allowed in it.
+  [[nodiscard]] NamedBearing read(const Section& table, const NamedBearing* base, Keys further);
+
+  /// The keys of the tables read so far, each once, that say something: not `name` and `catalogue`,
+  /// nor one with the value of its default or of the catalogue's bearing of that name, as
+  /// new_model_text() writes them.
+  [[nodiscard]] const Names& written() const { return written_; }
+
+ private:
+  struct Draft;
+  void read_material(const toml::key& key, const toml::node& node);
+  [[nodiscard]] const bearing::Material* find_material(std::string_view name) const;
+  void take_catalogue_row(const Section& s, const NamedBearing* base, Draft& draft) const;
+  void read_geometry(const Section& s, Draft& draft);
+  void note_written(const Section& s, const Draft& draft);
+  void read_envelope(const Section& s, bearing::BearingGeometry& g);
+  [[nodiscard]] bearing::Material material(const Section& s, const char* key,
+                                           const bearing::Material* inherited);
+
+  ModelTables& tables_;
+  std::vector<bearing::Material> materials_;
+  Names written_;
+};
+
+}  // namespace raceway::files

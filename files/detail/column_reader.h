@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/detail/column_source.h"
+#include "text/bad_cells.h"
+#include "text/timestamp.h"
+
+namespace raceway::files {
+
+/// Cells of a file of measurements as numbers, column by column; shared by the readers of
+/// measurements.
+class ColumnReader {
+ public:
+  explicit ColumnReader(const text::CsvTable& table)
+      : table_(table), bad(table.source, table.rows()) {}
+
+  /// [SI]; NaN where `may_be_empty` allows a cell without a number: empty, or a word such as
+  /// "OVER", whose lines are told. `with_sign`: an input that may be below zero here.
+  [[nodiscard]] std::vector<double> numbers(
+      const ColumnSource& source, bool with_sign,
+      const std::function<bool(std::size_t row)>& may_be_empty);
+
+  /// Whether the column has dates.
+  [[nodiscard]] bool is_stamped(const ColumnSource& source) const;
+  /// Times of a column of dates or of elapsed times, from that of the first row on [s]. `order` of
+  /// dates with slashes, where it is stated. Throws InputError where it is not and changes the
+  /// times.
+  [[nodiscard]] std::vector<double> times(const ColumnSource& source,
+                                          std::optional<text::DateOrder> order);
+  /// Indices into `names`, which gets the texts of the cells in the order in which they come.
+  [[nodiscard]] std::vector<double> named(const ColumnSource& source,
+                                          std::vector<std::string>& names);
+
+  /// Throws InputError where some cells have a decimal comma and others a point.
+  void check_decimal_marks() const;
+  /// How the file is written where that is not the usual way, and what was said of it.
+  [[nodiscard]] std::vector<std::string> notes_on_form() const;
+
+ private:
+  struct Mark {
+    int line = 0;
+    std::string cell;
+  };
+  [[nodiscard]] bool is_missing(std::size_t row, std::size_t column) const;
+  [[nodiscard]] text::DateOrder order_of(const ColumnSource& source) const;
+  void undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list);
+  void keep_mark(char mark, std::size_t row, std::string_view text);
+
+  const text::CsvTable& table_;
+  Mark comma_, point_;
+  std::vector<std::string> notes_;  // on dates and missing readings
+
+ public:
+  text::BadCells bad;  ///< what is wrong with cells so far
+};
+
+}  // namespace raceway::files

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "files/column_map.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_tables.h"
+
+/// [columns] of a model file; shared with the reader of models.
+namespace raceway::files {
+
+[[nodiscard]] std::vector<KeyTable> column_tables();
+
+/// Empty where there is none. Throws InputError as read_model() does.
+[[nodiscard]] ColumnMap read_columns(const ModelTables& tables);
+
+}  // namespace raceway::files

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "files/column_map.h"
+#include "files/source.h"
+#include "text/bad_cells.h"
+#include "text/csv.h"
+
+/// Files of measurements: which column of a file holds which channel, in which unit; shared by the
+/// readers of measurements.
+namespace raceway::files {
+
+struct ColumnSource {
+  const record::Channel* channel;
+  std::size_t column;  ///< of the file
+  std::string name;    ///< as its header has it, for messages
+  CellUnit cells{};
+  bool excel_date = false;  ///< days since 1900 rather than a time
+};
+
+struct Recognised {
+  struct Constant {
+    const record::Channel* channel;
+    double value;      ///< SI
+    std::string from;  ///< "[columns]"
+  };
+  std::vector<ColumnSource> columns{};  ///< in the order of file_channels()
+  std::vector<Constant> constants{};
+  std::vector<std::string> others{};  ///< headers that nobody knows
+  std::vector<std::string> notes{};   ///< on units that were converted
+
+  [[nodiscard]] const ColumnSource* find(const record::Channel& channel) const;
+};
+
+/// Throws InputError for a column of the map that is not there, for two columns of one quantity and
+/// for a unit that contradicts that of the header.
+[[nodiscard]] Recognised recognise(const text::CsvTable& table, const ColumnMap& map,
+                                   bool over_time = false, bool of_spindle = false);
+
+/// A cell in SI; what is no number or out of range goes to `bad`. `with_sign`: an input that may be
+/// below zero here.
+[[nodiscard]] text::ParsedNumber si_of_cell(const text::CsvTable& table, std::size_t row,
+                                            const ColumnSource& source, bool with_sign,
+                                            text::BadCells& bad);
+
+/// The rows of a file, with its titles skipped and its row of units found by the names of our
+/// columns and by those of the map.
+[[nodiscard]] text::CsvTable read_measurements(const Source& source, const ReadOptions& options);
+
+/// Takes rows out in which one of these columns is empty, "nan", "#N/A" or the like, and says how
+/// many and which; nothing where there is none.
+[[nodiscard]] std::string drop_empty_rows(text::CsvTable& table,
+                                          const std::vector<ColumnSource>& columns);
+
+}  // namespace raceway::files

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "friction/contact/contact_data.h"
+#include "model/life_data.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_tables.h"
+
+/// What the contact law takes of [lubricant], [bearing] and [friction] beside what every law does,
+/// and [life]; shared with the reader of models. All throw InputError as
+/// read_model() does.
+namespace raceway::files {
+
+/// The keys of the contact law in a table. In those of data they may stand beside any law.
+[[nodiscard]] std::span<const Key> contact_keys(std::string_view table);
+
+/// Of [bearing] and [life].
+[[nodiscard]] std::vector<KeyTable> contact_tables();
+
+/// `used`: the law is `contact`, so that defaults matter and are named. `supply` is read already.
+[[nodiscard]] friction::contact::ContactData read_contact(ModelTables& tables, bool used,
+                                                          std::optional<friction::Supply> supply);
+
+/// Of those keys the ones that a file has in its tables of data.
+[[nodiscard]] Names written_contact_keys(const ModelTables& tables);
+
+/// The number of the law that is of the lubricant.
+[[nodiscard]] double lubricant_number(ModelTables& tables, std::string_view name);
+
+[[nodiscard]] model::LifeData read_life(ModelTables& tables);
+
+}  // namespace raceway::files

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correction/model.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_section.h"
+
+/// What a correction file says of how far its numbers may be trusted; shared by its reader and its
+/// writer.
+namespace raceway::files {
+
+[[nodiscard]] std::vector<KeyTable> trust_tables();
+
+/// [correction.together], [correction.covariance] and [correction.residual] into a model whose
+/// numbers were read. Where the covariance is of other numbers, both are left out, and a note says
+/// of which.
+void read_trust(const Section& correction, correction::Model& model,
+                std::vector<std::string>& notes);
+
+/// The tables [correction.range], .together, .covariance and .residual, those that the model has,
+/// each with a blank line before it but for the first.
+[[nodiscard]] std::string trust_text(const correction::Model& model);
+
+}  // namespace raceway::files

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "friction/friction_law.h"
+#include "friction/lubricant.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/bearing_section.h"
+
+/// [lubricant] and [friction] of a model file; shared with the reader of models, not for other
+/// code. All throw InputError as read_model() does.
+namespace raceway::files {
+
+/// A base law and its values in the order of friction::parameters(law).
+struct LawOfFile {
+  friction::FrictionLaw law = friction::FrictionLaw::palmgren;
+  friction::F1Load f1_load = friction::F1Load::P0;
+  std::vector<double> values;
+};
+
+[[nodiscard]] std::vector<KeyTable> friction_tables();
+
+struct LubricantOfFile {
+  friction::Lubricant lubricant;
+  std::optional<friction::Supply> supply;
+};
+
+/// What [lubricant], [friction] and, for the law, [bearing] must have and have not.
+[[nodiscard]] Names missing_keys_of_friction(const ModelTables& tables);
+
+[[nodiscard]] LubricantOfFile read_lubricant(const ModelTables& tables);
+
+/// With a bearing of the catalogue the law's values may be left out. `further` keys are allowed.
+[[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue,
+                                      const Keys& further = {});
+
+/// Refuses a bearing, read from `table`, that lacks what the law needs.
+void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& table);
+
+}  // namespace raceway::files

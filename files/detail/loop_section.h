@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_tables.h"
+
+/// [calibration] and [loop] of a model file: what is asked of it; shared with the reader of models.
+/// Both look at the model that all other tables make, and throw InputError as read_model() does.
+namespace raceway::files {
+
+[[nodiscard]] std::vector<KeyTable> loop_tables();
+[[nodiscard]] Section loop_section(const ModelTables& tables);
+[[nodiscard]] Section calibration_section(const ModelTables& tables);
+
+/// Full names of the parameters that may be fitted.
+[[nodiscard]] Names read_free(ModelTables& tables, const model::Model& model);
+
+/// [calibration.covariance]; nothing where there is none.
+[[nodiscard]] std::optional<fit::Covariance> read_covariance(const ModelTables& tables,
+                                                             const model::Model& model);
+
+/// Where the covariance is not that of the values in the model: which, in words; otherwise empty.
+[[nodiscard]] std::string other_values(const fit::Covariance& covariance,
+                                       const model::Model& model);
+
+/// `tolerance_Nmm`, `tolerance_um`, ...: of a channel that the model predicts.
+[[nodiscard]] std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,
+                                                              const model::Model& model);
+
+}  // namespace raceway::files

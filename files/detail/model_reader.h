@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "files/model_file.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_tables.h"
+
+namespace raceway::files {
+
+/// The model that these tables describe, `text` being that of its file; throws as read_model().
+/// Shared by the readers of models.
+[[nodiscard]] ModelFile model_of_tables(ModelTables& tables, std::string text);
+
+}  // namespace raceway::files

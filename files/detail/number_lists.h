@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_section.h"
+
+/// Lists of numbers in a table of a model file; shared by its readers. All
+/// throw InputError with the place.
+namespace raceway::files {
+
+/// Of a covariance of fitted parameters.
+inline constexpr Key covariance_keys[]{
+    {"parameters", a_list, is_required, "names of what was fitted, as in [calibration] free"},
+    {"units", a_list, is_required, "of each, as calibrate shows it"},
+    {"values", a_list, is_required, "those of the model, to 9 digits"},
+    {"std", a_list, is_required, "standard errors"},
+    {"correlation", a_list, is_required, "row by row up to the parameter with itself, which is 1"},
+};
+
+/// The value of a key that must be there.
+[[nodiscard]] const toml::node& required_node(const Section& s, std::string_view key);
+
+[[noreturn]] void fail_count(const Section& s, std::string_view key, const toml::node& node,
+                             std::size_t count);
+
+/// So many finite numbers.
+[[nodiscard]] std::vector<double> numbers(const Section& s, std::string_view key,
+                                          const toml::node& node, std::size_t count);
+
+/// The covariance that `std` and the lower triangle `correlation`, with its diagonal of ones, say.
+[[nodiscard]] Eigen::MatrixXd covariance_of(const Section& s, std::size_t count);
+
+}  // namespace raceway::files

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "bearing/bearing_equilibrium.h"
+#include "model/model.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_tables.h"
+
+/// [rig] and [solver] of a model file; shared with the reader of models. Both
+/// throw InputError as read_model() does. `further` keys are allowed.
+namespace raceway::files {
+
+[[nodiscard]] std::vector<KeyTable> rig_tables();
+
+[[nodiscard]] model::Rig read_rig(ModelTables& tables, Keys further);
+
+/// [solver], and whether a race holds the balls or, under the contact law alone, none.
+struct SolverOfFile {
+  bearing::EquilibriumOptions options;
+  bool balanced_balls = false;
+};
+[[nodiscard]] SolverOfFile read_solver(ModelTables& tables, friction::FrictionLaw law,
+                                       Keys further);
+
+}  // namespace raceway::files

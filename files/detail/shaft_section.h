@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "model/model.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/bearing_section.h"
+
+/// The table [arrangement] of a model file; shared with the reader of models.
+namespace raceway::files {
+
+/// What the reader of models lends to that of its [arrangement].
+struct ShaftContext {
+  const NamedBearing& base;  ///< [bearing]
+  /// Reads a table that changes keys of `base`, with `further` keys allowed.
+  std::function<NamedBearing(const Section& table, Keys further)> read_bearing;
+  std::function<void(std::string_view key, const std::string& value)> note_default;
+  /// Of the shaft and the housing of a spindle [1/K]; NaN without.
+  std::pair<double, double> expansions{unset, unset};
+};
+
+[[nodiscard]] std::vector<KeyTable> arrangement_tables();
+
+/// Throws InputError as read_model() does.
+[[nodiscard]] model::Shaft read_shaft(const Section& section, const ShaftContext& context);
+
+}  // namespace raceway::files

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/model.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/model_tables.h"
+
+/// Parts of the reader of spindles; see files/detail/spindle_section.h.
+namespace raceway::files {
+
+inline constexpr double longest_mm = 1e5;  ///< of a spindle and all that stands on it
+inline constexpr Form anywhere = between(-longest_mm, longest_mm, "mm"),
+                      on_the_shaft = between(0, longest_mm, "mm"),
+                      a_length = between(0.001, longest_mm, "mm");
+
+/// The tables of a list, [[shaft.segment]] or segment = [{...}]; none where there is no such key.
+[[nodiscard]] std::vector<Section> tables_in(const Section& s, std::string_view key,
+                                             const Keys& keys = {});
+/// [[sensor]]
+[[nodiscard]] std::vector<Section> sensor_sections(const ModelTables& tables,
+                                                   const Keys& keys = {});
+
+/// A name that can stand in front of the unit of a column: letters, digits and _.
+[[nodiscard]] bool names_a_column(std::string_view name);
+
+/// [shaft], [housing], [seat] and [gap]; [network]; [ambient], [coolant], [motor] ... [sensor].
+[[nodiscard]] std::vector<KeyTable> body_tables();
+[[nodiscard]] std::vector<KeyTable> network_tables();
+[[nodiscard]] std::vector<KeyTable> surroundings_tables();
+
+/// Expansion of [shaft] or [housing] [1/K], with which the sets of the file are reckoned too.
+[[nodiscard]] double expansion_of(const ModelTables& tables, std::string_view table,
+                                  double fallback);
+
+[[nodiscard]] model::ShaftBody read_shaft_body(ModelTables& tables);
+[[nodiscard]] model::Housing read_housing(ModelTables& tables);
+[[nodiscard]] model::Seat read_seat(ModelTables& tables);
+[[nodiscard]] std::optional<model::Gap> read_gap(const ModelTables& tables);
+
+[[nodiscard]] model::Ambient read_ambient(ModelTables& tables);
+[[nodiscard]] std::optional<model::Coolant> read_coolant(ModelTables& tables,
+                                                         const model::Ambient& ambient);
+/// [motor] or [drive].
+[[nodiscard]] std::optional<model::HeatSource> read_heat_source(ModelTables& tables,
+                                                                std::string_view table);
+[[nodiscard]] std::vector<model::ThermometerPlace> read_sensors(const ModelTables& tables);
+[[nodiscard]] model::Network read_network(const ModelTables& tables, const model::Ambient& ambient);
+
+/// Every node of a network, its surroundings too. Refuses [[sensor]].
+[[nodiscard]] std::vector<model::ThermometerPlace> sensors_of_network(
+    const ModelTables& tables, const model::Network& network);
+
+/// What no table can see alone: bearings on the shaft and in the housing, sensors inside what they
+/// measure, ... Adds to `notes` what is odd, but can be.
+void check_spindle(const ModelTables& tables, const model::Spindle& spindle,
+                   const model::Shaft& shaft, Names& notes);
+
+}  // namespace raceway::files

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/bearing_section.h"
+
+/// The tables that make a model file one of a spindle; shared with the reader of models, not for
+/// other code. All throw InputError as read_model() does.
+namespace raceway::files {
+
+/// Tables that only a spindle has.
+[[nodiscard]] const Names& tables_of_spindle();
+
+/// Whether the file is of a spindle: [shaft] and [housing], or [network]. Refuses a file that has
+/// one of the two, both kinds, or another table of a spindle without them.
+[[nodiscard]] bool is_spindle(const ModelTables& tables);
+
+/// Keys of a spindle in tables that other models have too; none where the file is of none.
+[[nodiscard]] Keys spindle_keys(std::string_view table, bool spindle);
+
+[[nodiscard]] std::vector<KeyTable> spindle_tables();
+
+/// Everything of a spindle that is not its bearings, lubricant and arrangement. `notes`: what is
+/// odd, but can be.
+[[nodiscard]] model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
+                                          const model::Shaft* shaft, Names& notes);
+
+}  // namespace raceway::files

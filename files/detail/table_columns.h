@@ -1,0 +1,14 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+/// What the writer of a table and its reader share.
+namespace raceway::files {
+
+inline constexpr std::array<std::string_view, 5> leading_columns{
+    "speed_rpm", "axial_load_N", "radial_load_N", "temperature_C", "friction_torque_Nmm"};
+inline constexpr std::string_view status_column = "status";
+inline constexpr std::string_view slab_mark = "# slab ";
+
+}  // namespace raceway::files

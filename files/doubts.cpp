@@ -1,0 +1,392 @@
+#include "files/doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "fit/observations.h"
+#include "fit/response.h"
+#include "fit/thinned.h"
+#include "record/median.h"
+#include "text/units.h"
+
+namespace raceway::files {
+namespace {
+
+using record::Channel;
+using record::Record;
+using record::Role;
+
+constexpr std::size_t least_rows = 5, most_rows = 300;
+constexpr double legitimate = 5.0;  // what free parameters may be off
+// What a lubricant in a bearing is not [K].
+const double coldest = kelvin(-60), hottest = kelvin(200);
+
+/// How readings stand to predictions, as logarithms.
+struct Ratio {
+  double middle = unset;  ///< median of ln |reading / prediction|
+  double spread = unset;  ///< median distance from it
+  double opposite = 0.0;  ///< share of rows in which the signs differ
+  double correlation = 0.0;
+  std::size_t rows = 0;
+
+  [[nodiscard]] bool known() const { return rows >= least_rows; }
+  [[nodiscard]] bool far() const { return known() && std::abs(middle) > std::log(legitimate); }
+  /// Share of the variance of the readings that no multiple of the prediction explains.
+  [[nodiscard]] double unexplained() const { return 1.0 - correlation * correlation; }
+  [[nodiscard]] bool near(double factor, double within) const {
+    return known() && std::abs(std::abs(middle) - std::log(factor)) < std::log(within);
+  }
+};
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  double sum_a = 0, sum_b = 0, aa = 0, bb = 0, ab = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum_a += a[i], sum_b += b[i];
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double x = a[i] - sum_a / n, y = b[i] - sum_b / n;
+    aa += x * x, bb += y * y, ab += x * y;
+  }
+  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0.0;
+}
+
+/// Of the leading channel. Predictions near zero say nothing.
+Ratio ratio_of(const model::ModelSubject& subject, const Record& data) {
+  const Channel& channel = *subject.measured().front().channel;
+  const std::span<const double> read = data.values(channel);
+  std::vector<double> predicted;
+  try {
+    predicted = fit::predict(subject, data);
+  } catch (const std::invalid_argument&) {
+    return {};  // the reader of the record reports it
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < read.size(); ++i)
+    if (std::isfinite(predicted[i])) largest = std::max(largest, std::abs(predicted[i]));
+  std::vector<double> logs, a, b;
+  Ratio ratio;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    if (!std::isfinite(predicted[i]) || !(std::abs(predicted[i]) > 0.05 * largest)) continue;
+    if (!std::isfinite(read[i]) || read[i] == 0.0) continue;
+    logs.push_back(std::log(std::abs(read[i] / predicted[i])));
+    a.push_back(read[i]);
+    b.push_back(predicted[i]);
+    ratio.opposite += (read[i] < 0) != (predicted[i] < 0);
+  }
+  ratio.rows = logs.size();
+  if (!ratio.known()) return ratio;
+  ratio.opposite /= static_cast<double>(logs.size());
+  ratio.middle = record::median(logs);
+  for (double& l : logs) l = std::abs(l - ratio.middle);
+  ratio.spread = record::median(logs);
+  ratio.correlation = correlation(a, b);
+  return ratio;
+}
+
+/// Some rows, over all of the record.
+Record some_of(const Record& data) {
+  if (data.rows() <= most_rows) return data;
+  std::vector<std::size_t> rows(data.rows());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return data.picked(fit::thinned(std::move(rows), most_rows));
+}
+
+std::pair<double, double> range_of_values(std::span<const double> values) {
+  double lower = std::numeric_limits<double>::infinity(), upper = -lower;
+  for (const double v : values)
+    if (std::isfinite(v)) lower = std::min(lower, v), upper = std::max(upper, v);
+  return {lower, upper};
+}
+
+bool is_of_temperature(const Channel& channel) { return channel.offset != 0.0; }
+
+/// Temperatures that cannot be, or loads far above what the bearing carries.
+bool has_impossible_input(const model::ModelSubject& subject, const Record& data) {
+  const double rating = subject.model().bearing.geometry().static_load_rating;
+  for (const record::Column& column : data.columns) {
+    const auto [lower, upper] = range_of_values(column.values);
+    if (is_of_temperature(*column.channel) && (lower < coldest || upper > hottest)) return true;
+    if (column.channel->kind == "load" && upper > 2.0 * rating) return true;
+    if (column.channel->is_input() && lower < column.channel->to_SI(column.channel->lower) &&
+        column.channel->kind != "load")
+      return true;
+  }
+  return false;
+}
+
+/// Fit of a model whose free numbers were refitted to the readings.
+struct Refitted {
+  double error = unset;  ///< rms of the errors relative to the readings [1]
+  double oddness = 0.0;  ///< of the numbers found: squared distance from those believed
+  [[nodiscard]] bool known() const { return std::isfinite(error); }
+};
+
+/// Numbers of a law that people believe are right within this factor, one standard deviation; what
+/// a model misses moves them less.
+constexpr double usual_factor = 1.8;
+constexpr std::size_t rows_of_refit = 80;
+
+Refitted refitted(const model::ModelSubject& subject, Record data) {
+  if (data.rows() > rows_of_refit) {
+    std::vector<std::size_t> rows(data.rows());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    data = data.picked(fit::thinned(std::move(rows), rows_of_refit));
+  }
+  Refitted result;
+  try {
+    const auto record = std::make_shared<const Record>(std::move(data));
+    const fit::Observations observed =
+        fit::observe(subject.measured(), *record, fit::predict(subject, *record));
+    if (static_cast<std::size_t>(observed.size()) < least_rows) return result;
+    fit::Response response = fit::response_of(subject, record, observed, subject.free());
+    response.find_affine_form();
+    const double largest = observed.measured.cwiseAbs().maxCoeff();
+    const Eigen::VectorXd size = observed.measured.cwiseAbs().cwiseMax(0.02 * largest);
+    const fit::ResponseFit fit =
+        fit::fit_response(response, fit::Whitening(size, {}, 0.0, 0.0), observed.measured,
+                          {response.start(), 0.5 * response.start()});
+    if (!fit.converged) return result;
+    result.error = std::sqrt(fit.misfit / static_cast<double>(observed.size()));
+    for (std::size_t k = 0; k < response.parameters.size(); ++k) {
+      const double ratio =
+          std::abs(fit.values[static_cast<Eigen::Index>(k)] / response.parameters[k].start);
+      if (!(response.parameters[k].start > 0.0)) continue;
+      const double far = std::log(std::clamp(ratio, 0.03, 30.0)) / std::log(usual_factor);
+      result.oddness += far * far;
+    }
+  } catch (const std::invalid_argument&) {
+    return {};  // the reader of the record reports it
+  }
+  return result;
+}
+
+/// By how much the readings speak for a column in another unit, as a difference of ln L: what the
+/// refitted model errs less, and how much more usual its numbers are. What a model misses is alike
+/// in neighbouring rows, so that many rows say no more than twenty.
+double evidence_for(const model::ModelSubject& subject, const Record& as_read,
+                    const Record& in_other) {
+  constexpr double most_independent = 20.0, least_error = 0.01;
+  constexpr double largest_error = 0.25;  // beyond it the model fits no unit
+  const Refitted read = refitted(subject, as_read), other = refitted(subject, in_other);
+  if (!read.known() || !(other.error < largest_error)) return -HUGE_VAL;
+  const double rows = std::min(most_independent, static_cast<double>(as_read.rows()));
+  return rows * std::log(std::max(read.error, least_error) / std::max(other.error, least_error)) +
+         0.5 * (read.oddness - other.oddness);
+}
+
+struct NamedFactor {
+  double factor, within;
+  double most_spread;  ///< of a factor that other things may make as well
+  std::string_view words;
+};
+
+/// "N m in a column of N mm" and what else makes a factor.
+std::optional<std::string> factor_of_readings(const Channel& channel, const Ratio& ratio) {
+  const bool moment = channel == record::friction_torque;
+  const std::array factors{
+      NamedFactor{1000.0, 5.0, 3.0, moment ? "N m in a column of N mm" : "mm in a column of um"},
+      NamedFactor{1e6, 5.0, 3.0, moment ? "kN m in a column of N mm" : "m in a column of um"},
+      NamedFactor{60.0, 2.0, 1.4, "minutes for seconds, or 1/s for rpm"},
+      NamedFactor{9.7, 1.4, 1.4, "kgf for N, or rad/s for rpm"}};
+  if (!ratio.far() || (!moment && std::abs(ratio.correlation) < 0.9)) return std::nullopt;
+  for (const NamedFactor& f : factors) {
+    if (!ratio.near(f.factor, f.within) || ratio.spread > std::log(f.most_spread)) continue;
+    if (!moment && f.factor < 100.0) continue;
+    const bool small = ratio.middle < 0;
+    return fmt::format("readings of {} are about {:.0f} times too {} for the model: {}?",
+                       channel.words, f.factor == 9.7 ? 10.0 : f.factor, small ? "small" : "large",
+                       small || f.factor < 100.0 ? std::string(f.words)
+                                                 : std::string("a wrong unit (") +
+                                                       (moment ? "N mm, N m" : "um, mm") + ")");
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> sign_of_readings(const Channel& channel, const Ratio& ratio) {
+  if (!ratio.known() || ratio.opposite < 0.9) return std::nullopt;
+  if (channel == record::friction_torque)
+    return "readings of friction torque have the other sign: positive is what opposes the motion; "
+           "factor = -1 in [columns] turns it";
+  // The position may go the other way for reasons of its own, but then not in proportion.
+  if (ratio.correlation > -0.95 || ratio.far()) return std::nullopt;
+  return fmt::format("readings of {} have the other sign ({}); factor = -1 in [columns] turns it",
+                     channel.words, channel.direction);
+}
+
+/// The record with a channel in another unit than it was read in.
+Record in_other_unit(Record data, const Channel& channel, const text::Unit& unit) {
+  for (double& v : data.find(channel)->values) v = unit.to_SI(channel.in_unit(v));
+  return data;
+}
+
+// Differences of ln L from which a unit is asked about. Few right records are as warm as a room in
+// Fahrenheit throughout; one load in a hundred is in another unit.
+constexpr double likely = -2.0, remarkable = 4.6;
+
+std::optional<std::string> unit_of_temperature(const model::ModelSubject& subject,
+                                               const Record& data, const Channel& channel) {
+  const auto [lower, upper] = range_of_values(data.values(channel));
+  if (!(lower <= upper)) return std::nullopt;
+  const double from = channel.in_unit(lower), to = channel.in_unit(upper);
+  const auto question = [&](const char* unit, double (*celsius_of)(double)) {
+    return fmt::format("{} of {:.4g} to {:.4g} C looks like {}: {:.3g} to {:.3g} C?", channel.name,
+                       from, to, unit, celsius_of(from), celsius_of(to));
+  };
+  if (from > 220 && to < 470) return question("kelvin", [](double t) { return celsius(t); });
+  const auto of_fahrenheit = [](double t) { return (t - 32.0) / 1.8; };
+  if (from < 59 || to > 400 || !(channel == record::temperature)) return std::nullopt;
+  if (from > 150) return question("fahrenheit", of_fahrenheit);
+  if (!data.has(record::friction_torque) || data.up_to_a_factor) return std::nullopt;
+  // No row is as cold as a room, and the readings are those of oil that is colder.
+  const Record other =
+      in_other_unit(data, channel, *text::find_unit("F", text::Dimension::temperature));
+  return evidence_for(subject, data, other) > likely
+             ? std::optional(question("fahrenheit", of_fahrenheit))
+             : std::nullopt;
+}
+
+/// A speed in another unit, where the readings speak for it. The inertia makes torque of speed
+/// where there are no readings, so then it is in their factor.
+std::optional<std::string> unit_of_speed(const model::ModelSubject& subject, const Record& data,
+                                         const Ratio& ratio) {
+  const double pitch = subject.model().bearing.geometry().pitch_diameter;
+  const auto speed_factor = [&](double speed) { return speed / rpm * pitch / mm; };  // n d_m
+  const double fastest = range_of_values(data.values(record::speed)).second;
+  constexpr double never = 6e6, usual = 3e6;
+  if (speed_factor(fastest) > never && speed_factor(fastest * rpm) < usual)
+    return fmt::format(
+        "speeds up to {:.4g} rpm are beyond any bearing of this size (n d_m = {:.2g} "
+        "mm/min): rpm in a column of rad/s or 1/s?",
+        fastest / rpm, speed_factor(fastest));
+  if (!ratio.far()) return std::nullopt;
+  for (const char* name : {"krpm", "1/s"}) {
+    const text::Unit& unit = *text::find_unit(name, text::Dimension::speed);
+    const Record changed = in_other_unit(data, record::speed, unit);
+    if (speed_factor(range_of_values(changed.values(record::speed)).second) > usual) continue;
+    const Ratio other = ratio_of(subject, changed);
+    if (other.known() && std::abs(other.middle) < std::log(2.0))
+      return fmt::format(
+          "speeds up to {:.4g} rpm do not go with the readings: {} in a column of rpm?",
+          fastest / rpm, unit.words);
+  }
+  return std::nullopt;
+}
+
+/// Loads that no bearing of this size is run with.
+std::optional<std::string> unit_of_load(const model::ModelSubject& subject, const Record& data) {
+  const double rating = subject.model().bearing.geometry().static_load_rating;
+  if (!(rating > 0) || subject.model().shaft) return std::nullopt;
+  const double most = range_of_values(data.values(record::axial_load)).second;
+  const auto usual = [&](double load) { return load > 2e-3 * rating && load < 0.5 * rating; };
+  if (most > 0 && most < 5e-5 * rating && usual(1e3 * most))
+    return fmt::format(
+        "axial loads up to {:.4g} N are next to nothing for C0 = {:.4g} N: kN in a "
+        "column of N?",
+        most, rating);
+  if (most > 5.0 * rating && usual(1e-3 * most))
+    return fmt::format("axial loads up to {:.4g} N are {:.2g} times C0: N in a column of kN?", most,
+                       most / rating);
+  // A load in kilograms: the law makes up for it with numbers that no bearing has.
+  const auto [least, largest] = range_of_values(data.values(record::axial_load));
+  if (data.up_to_a_factor || !(largest > 1.02 * least)) return std::nullopt;
+  const text::Unit& kgf = *text::find_unit("kgf", text::Dimension::force);
+  if (evidence_for(subject, data, in_other_unit(data, record::axial_load, kgf)) > remarkable)
+    return fmt::format(
+        "axial loads of {:.4g} to {:.4g} N do not go with the readings, {:.4g} to {:.4g} N do: kgf "
+        "in a column of N?",
+        least, largest, kgf.to_SI(least), kgf.to_SI(largest));
+  return std::nullopt;
+}
+
+/// The record with two columns exchanged, in the numbers that stand in them; nothing where they
+/// could not stand there.
+std::optional<Record> exchanged(Record data, const Channel& a, const Channel& b) {
+  std::vector<double>& first = data.find(a)->values;
+  std::vector<double>& second = data.find(b)->values;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const double of_a = a.in_unit(first[i]), of_b = b.in_unit(second[i]);
+    if (of_b < a.lower || of_b > a.upper || of_a < b.lower || of_a > b.upper) return std::nullopt;
+    first[i] = a.to_SI(of_b);
+    second[i] = b.to_SI(of_a);
+  }
+  return data;
+}
+
+/// The smallest share of the variance that one of the subject's other base models leaves.
+double unexplained_by_other_bases(const model::ModelSubject& subject, const Record& data) {
+  double least = HUGE_VAL;
+  for (const fit::OtherBase& base : subject.other_bases())
+    if (const auto* const other = dynamic_cast<const model::ModelSubject*>(base.subject.get()))
+      if (const Ratio ratio = ratio_of(*other, data); ratio.known())
+        least = std::min(least, ratio.unexplained());
+  return least;
+}
+
+std::optional<std::string> swapped_columns(const model::ModelSubject& subject, const Record& data,
+                                           const Ratio& ratio) {
+  const Channel& reading = *subject.measured().front().channel;
+  // A column of zeros stands for one that nobody entered.
+  const auto takes_part = [&](const Channel& c) {
+    const auto [lower, upper] = range_of_values(data.values(c));
+    return (c.is_input() || c == reading) && (lower != 0.0 || upper != 0.0);
+  };
+  const bool impossible = has_impossible_input(subject, data);
+  // What a model misses bends readings, but not so that they fall into place once columns change.
+  const bool scattered = ratio.known() && ratio.spread > std::log(1.2);
+  if (!impossible && !ratio.far() && !scattered) return std::nullopt;
+  std::optional<std::string> best;
+  double left = HUGE_VAL;  // of the variance, by the best
+  double least = impossible    ? std::log(3.0)
+                 : ratio.far() ? 0.5 * ratio.spread
+                               : std::min(0.5 * ratio.spread, std::log(1.2));
+  for (std::size_t i = 0; i < data.columns.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Channel &a = *data.columns[j].channel, &b = *data.columns[i].channel;
+      if (!takes_part(a) || !takes_part(b)) continue;
+      const auto changed = exchanged(data, a, b);
+      if (!changed || has_impossible_input(subject, *changed)) continue;
+      const Ratio other = ratio_of(subject, *changed);
+      if (!other.known() || std::abs(other.middle) > std::log(2.0) || !(other.spread < least))
+        continue;
+      if (!impossible && !ratio.far() && other.unexplained() > 0.1 * ratio.unexplained()) continue;
+      least = other.spread;
+      left = other.unexplained();
+      best = fmt::format("columns {} and {} look swapped", a.name, b.name);
+    }
+  // Another base law bends readings as far.
+  if (best && !impossible && unexplained_by_other_bases(subject, data) <= left) return std::nullopt;
+  return best;
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const model::ModelSubject& subject, const Record& all) {
+  std::vector<std::string> found;
+  const auto add = [&](std::optional<std::string> doubt) {
+    if (doubt) found.push_back(*std::move(doubt));
+  };
+  if (subject.measured().empty() || !all.has(*subject.measured().front().channel)) return found;
+  const Record data = some_of(all);
+  const Channel& channel = *subject.measured().front().channel;
+  // With an unknown inertia the readings have any factor.
+  const Ratio ratio = data.up_to_a_factor ? Ratio{} : ratio_of(subject, data);
+  for (const record::Column& column : data.columns)
+    if (is_of_temperature(*column.channel))
+      add(unit_of_temperature(subject, data, *column.channel));
+  if (found.empty() && !data.up_to_a_factor) add(swapped_columns(subject, data, ratio));
+  if (found.empty()) add(unit_of_load(subject, data));
+  if (found.empty()) {
+    add(factor_of_readings(channel, ratio));
+    if (found.empty() && !subject.model().shaft) add(unit_of_speed(subject, data, ratio));
+  }
+  add(sign_of_readings(channel, ratio));
+  return found;
+}
+
+}  // namespace raceway::files

@@ -1,0 +1,172 @@
+#include <algorithm>
+
+#include "effects/catalogue.h"
+#include "effects/formula.h"
+#include "text/csv.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/effect_section.h"
+#include "files/detail/formula_section.h"
+
+namespace raceway::files {
+namespace {
+
+constexpr Key effect_id_keys[]{
+    {"id", a_text, is_required,
+     "an effect of the catalogue (raceway effects), whose numbers stand beside it, or a new one "
+     "with a formula"}};
+constexpr Key own_effect_keys[]{
+    {"torque_Nmm", a_text, unset,
+     "formula of an effect of one's own: torque over the columns and its parameters"},
+    {"title", a_text, unset, "of an effect of one's own, for messages"},
+};
+
+using effects::Description;
+using effects::Effect;
+using effects::UserMadeEffect;
+
+/// What a formula may use beside its parameters.
+Names variables() {
+  Names names;
+  for (const auto& v : effects::Formula::variables()) names.emplace_back(v.name);
+  return names;
+}
+
+Names known_to(const UserMadeEffect& effect) {
+  Names known = variables();
+  for (const auto& p : effect.parameters) known.push_back(p.name);
+  return known;
+}
+
+UserMadeEffect::Number number_of(FormulaNumber n) {
+  return {std::move(n.name), std::move(n.unit), n.value, n.lower, n.upper};
+}
+
+/// An effect of the user's own: a formula and its parameters.
+Effect read_user_made(const Section& table, const std::string& id) {
+  const Section s = table.part({effect_id_keys, own_effect_keys});
+  UserMadeEffect effect{.id = id,
+                        .title = s.text("title").value_or(""),
+                        .torque_Nmm = *s.text("torque_Nmm"),
+                        .parameters = {}};
+  // It heads a column of tables, in files and in spreadsheets.
+  if (id.empty() || id.find_first_of(" .\t\n,;\"'") != id.npos ||
+      std::string_view("=+-@").find(id.front()) != std::string_view::npos)
+    s.fail("id", fmt::format("id = {}: must be a name without blanks, dots, commas, semicolons and "
+                             "quotes, and not begin with =, +, - or @",
+                             text::quoted(id)));
+  for (const auto& [key, node] : *s.table()) {
+    const std::string name(key.str());
+    if (name != "id" && name != "title" && name != "torque_Nmm")
+      effect.parameters.push_back(number_of(read_formula_number(s, id, name, node, variables())));
+  }
+  try {
+    return effects::make_effect(effect);
+  } catch (const effects::FormulaError& error) {
+    fail_formula(s, "torque_Nmm", id, effect.torque_Nmm, error, known_to(effect));
+  }
+}
+
+class EffectReader {
+ public:
+  EffectReader(ModelTables& tables, const model::Shaft* shaft, bool spindle)
+      : tables_(tables),
+        shaft_(shaft),
+        form_(spindle ? effects::Form::spindle
+              : shaft ? effects::Form::shaft
+                      : effects::Form::rig) {
+    for (const Description& d : effects::catalogue(form_))
+      if (d.belongs_to(form_)) ids_.emplace_back(d.id);
+  }
+
+  std::vector<Effect> read() {
+    if (const toml::array* const list = tables_.root()["effect"].as_array())
+      for (const toml::node& node : *list) {
+        const Section s =
+            Section(tables_.source(), "effect", node.as_table()).part({effect_id_keys});
+        const auto id = s.text("id");
+        if (!id)
+          throw text::InputError(fmt::format("{}: [[effect]] has no id; the catalogue has {}",
+                                             s.place(), text::listed(ids_)),
+                                 s.at("id"));
+        const Description* const found = find(s, *id);
+        effects_.push_back(found ? from_catalogue(s, *found) : read_user_made(s, *id));
+      }
+    return std::move(effects_);
+  }
+
+ private:
+  /// Why the model cannot have it.
+  std::string refusal(const Description& d) const {
+    if (d.of_spindles_alone())
+      return "acts on a spindle, but this model has no [shaft] and [housing]";
+    if (form_ == effects::Form::spindle)
+      return d.condition && d.follows_heat
+                 ? "the temperatures of a spindle do this already"
+                 : "acts on a bearing on a rig, but this model is of a spindle";
+    return shaft_ ? "acts on a bearing on a rig, but this model is of a shaft, with an "
+                    "[arrangement]"
+                  : "acts on the displacement of a shaft, but this model has no [arrangement]";
+  }
+
+  /// Null for one of the user's own.
+  const Description* find(const Section& s, const std::string& id) const {
+    const auto fail = [&](const std::string& why) {
+      s.fail("id", fmt::format("id = \"{}\": {}", id, why));
+    };
+    const Description* const found = effects::find(id, form_);
+    if (found && !found->belongs_to(form_)) fail(refusal(*found));
+    if (!found && !s.find("torque_Nmm")) {
+      const std::string near = text::suggestion(id, ids_);
+      fail(fmt::format("unknown effect{}; one of your own has a formula, torque_Nmm",
+                       near.empty() ? "; the catalogue has " + text::listed(ids_) : near));
+    }
+    if (found && shaft_ && shaft_->arrangement.design().rear.empty())
+      for (const effects::Need need : found->needs)
+        if (need == effects::Need::opposed_sets) fail(fmt::format("needs {}", effects::text(need)));
+    for (const Effect& before : effects_)
+      if (before.description->id == id) fail("this effect is listed twice");
+    return found;
+  }
+
+  Effect from_catalogue(const Section& table, const Description& description) {
+    // A text is a formula; a number is the parameter that torque-offset calls so.
+    if (const toml::node* const formula = table.find("torque_Nmm"); formula && formula->is_string())
+      table.fail("torque_Nmm",
+                 fmt::format("torque_Nmm: {} is an effect of the catalogue; give yours another id",
+                             description.id));
+    std::vector<Key> numbers;
+    for (const effects::Parameter& p : description.parameters)
+      numbers.push_back({p.name, between(p), p.initial, description.title});
+    const Section s = table.with({effect_id_keys, numbers});
+    Effect effect;
+    effect.description = &description;
+    for (const effects::Parameter& p : description.parameters) {
+      const auto value = s.number(p.name);
+      effect.values.push_back(value.value_or(p.initial));
+      if (!value)
+        tables_.note_default(fmt::format("effect[{}]", effects_.size()), p.name,
+                             fmt::format("{:.10g}", p.initial),
+                             fmt::format("default of {}", description.id));
+    }
+    return effect;
+  }
+
+  ModelTables& tables_;
+  const model::Shaft* shaft_;
+  effects::Form form_;
+  Names ids_;
+  std::vector<Effect> effects_;
+};
+
+}  // namespace
+
+std::vector<KeyTable> effect_tables() {
+  return {{"effect", effect_id_keys}, {"effect", own_effect_keys}};
+}
+
+std::vector<Effect> read_effects(ModelTables& tables, const model::Shaft* shaft, bool spindle) {
+  return EffectReader(tables, shaft, spindle).read();
+}
+
+}  // namespace raceway::files

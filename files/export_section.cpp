@@ -1,0 +1,181 @@
+#include "files/detail/export_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "correction/simulation.h"
+#include "record/series_channel.h"
+
+namespace raceway::files {
+namespace {
+
+const correction::ControlSettings usual_control;
+const Key control_keys[]{
+    {"limit_um", between(1e-3, 1e6, "um"), usual_control.limit_um.all,
+     "an offset is at most this, either way; of all axes, or { COLUMN = ... } by displacement"},
+    {"slew_um_s", between(1e-6, 1e6, "um/s"), usual_control.slew_um_s.all,
+     "an offset goes no faster; of all axes, or by displacement"},
+    {"sign", between(-1, 1), usual_control.sign.all,
+     "1 or -1: offset = sign * displacement, an axis moves against it; of all axes, or by "
+     "displacement"},
+    {"unit", one_of("um|mm|counts"), usual_control.unit.all,
+     "of what is handed out, counts being whole numbers; of all axes, or by displacement"},
+    {"count_um", between(1e-6, 1e6, "um"), usual_control.count_um.all,
+     "of one count; of all axes, or by displacement"},
+    {"axis", one_of("x|y|z|u|v|w"), "that of displacement_LETTER_um", "of LinuxCNC that is moved"},
+    {"plausible", a_list, "[-40, 150] of temperatures, 10 times the range of others",
+     "[lowest, highest] that an input can be, in its unit; one pair is of all temperatures, or { "
+     "COLUMN = [...] } of any input"},
+    {"fastest_per_s", between(0, 1e9), usual_control.fastest_per_s.all,
+     "that an input can change, in its unit, 0 where it may do anything; one number is of all "
+     "temperatures, or { COLUMN = ... } of any input"},
+    {"stuck_s", between(0, 1e9, "s"), usual_control.stuck_s.all,
+     "for how long an input can stand still, 0 for ever; one number is of all temperatures, or { "
+     "COLUMN = ... } of any input"},
+    {"smoothing_s", between(0, 1e6, "s"), usual_control.smoothing_s.all,
+     "time constant that instant parts feel inputs with, for sensors of coarse steps; of all "
+     "inputs, or { COLUMN = ... }"},
+    {"on_fault", one_of("hold|last-safe|zero"), usual_control.on_fault,
+     "of an input, after hold_s: go on with its last value, fade to the last offset that good "
+     "inputs asked for, or to 0"},
+    {"hold_s", between(0, 1e6, "s"), usual_control.hold_s,
+     "for how long an input at fault is taken as it last was"},
+    {"fade_s", between(0.1, 1e6, "s"), usual_control.fade_s,
+     "in which an offset fades, and comes back"},
+    {"longest_gap_s", between(1e-3, 1e6, "s"), usual_control.longest_gap_s,
+     "between two calls; after a longer one offsets move no further than in this time, and an "
+     "alarm is raised"},
+    {"clock_jump_s", between(1e-3, 1e9, "s"), usual_control.clock_jump_s,
+     "more between two calls is a clock that was set, and nothing moves"},
+    {"restart", one_of("decay|resume|rest"), usual_control.restart,
+     "after a longer gap: sections go on as if speeds and feeds were 0 meanwhile, as if no time "
+     "had passed, or from rest"},
+    {"touch_off", one_of("keep|clear"), usual_control.touch_off,
+     "what is applied at a touch-off stays, or goes back to 0; offsets count from there"},
+    {"disabled", one_of("zero|freeze"), usual_control.disabled,
+     "offsets go to 0 by their slew, or stand"},
+    {"beyond_range", one_of("linear|hold"), usual_control.beyond_range,
+     "sections go on in proportion beyond [correction.range], or hold there as instant parts do"},
+};
+
+class ExportReader {
+ public:
+  ExportReader(const ModelTables& tables, const std::vector<correction::Model>& models)
+      : s_(tables.section("export", {control_keys})) {
+    for (const correction::Model& m : models) {
+      axes_.emplace_back(m.displacement->name);
+      for (const correction::Channel* c : correction::inputs_of(m)) inputs_.emplace_back(c->name);
+    }
+  }
+
+  correction::ControlSettings read() {
+    correction::ControlSettings all;
+    number("limit_um", axes_, all.limit_um);
+    number("slew_um_s", axes_, all.slew_um_s);
+    number("sign", axes_, all.sign);
+    text("unit", all.unit);
+    number("count_um", axes_, all.count_um);
+    text("axis", all.axis);
+    limits("plausible", all.plausible);
+    number("fastest_per_s", inputs_, all.fastest_per_s);
+    number("stuck_s", inputs_, all.stuck_s);
+    number("smoothing_s", inputs_, all.smoothing_s);
+    all.on_fault = s_.choice("on_fault").value_or(all.on_fault);
+    // Defaults are no defaults of the model: what a control runs says all of them.
+    all.hold_s = s_.value("hold_s");
+    all.fade_s = s_.value("fade_s");
+    all.longest_gap_s = s_.value("longest_gap_s");
+    all.clock_jump_s = s_.value("clock_jump_s");
+    if (all.clock_jump_s < all.longest_gap_s)
+      s_.fail(s_.find("clock_jump_s") ? "clock_jump_s" : "longest_gap_s",
+              fmt::format("clock_jump_s = {:g} s: must be at least longest_gap_s = {:g} s",
+                          all.clock_jump_s, all.longest_gap_s));
+    all.restart = s_.choice("restart").value_or(all.restart);
+    all.touch_off = s_.choice("touch_off").value_or(all.touch_off);
+    all.disabled = s_.choice("disabled").value_or(all.disabled);
+    all.beyond_range = s_.choice("beyond_range").value_or(all.beyond_range);
+    check_signs(all.sign);
+    return all;
+  }
+
+ private:
+  /// The table of values by column, where the key has one; its columns are checked.
+  [[nodiscard]] const toml::table* by_column(std::string_view key, const Names& known) const {
+    const toml::node* const node = s_.find(key);
+    if (!node || !node->is_table()) return nullptr;
+    for (const auto& [column, _] : *node->as_table())
+      if (std::find(known.begin(), known.end(), column.str()) == known.end())
+        s_.fail(key,
+                fmt::format("{} = {}: {} is none of {}{}", key, text::shown(*node), column.str(),
+                            &known == &axes_ ? "the displacements" : "the inputs",
+                            known.empty() ? "" : ": " + text::listed(known)));
+    return node->as_table();
+  }
+
+  /// A value of all columns, or a table of values by column; `one` reads a key of a table.
+  template <typename T, typename One>
+  void read(std::string_view key, const Names& known, correction::ByColumn<T>& value,
+            const One& one) {
+    const toml::table* const columns = by_column(key, known);
+    if (!columns) {
+      value.all = one(s_, key);
+      return;
+    }
+    const Section of_columns(s_.source(), fmt::format("export.{}", key), columns);
+    for (const auto& [column, _] : *columns)
+      value.columns.emplace_back(column.str(), one(of_columns, column.str()));
+  }
+  void number(std::string_view name, const Names& known, correction::ByColumn<double>& value) {
+    const Key& key = s_.key(name);
+    read(name, known, value, [&](const Section& s, std::string_view at) {
+      return s.number(key.as(at, key.form.unit)).value_or(value.all);
+    });
+  }
+  void text(std::string_view name, correction::ByColumn<std::string>& value) {
+    const Names choices = s_.key(name).form.choices();
+    read(name, axes_, value, [&](const Section& s, std::string_view at) {
+      return s.choice(at, choices).value_or(value.all);
+    });
+  }
+  void limits(std::string_view key, correction::ByColumn<correction::ControlLimits>& value) {
+    read(key, inputs_, value, [&](const Section& s, std::string_view name) {
+      const toml::node* const at = s.find(name);
+      if (!at) return value.all;
+      const toml::array* const pair = at->as_array();
+      const auto low = pair && pair->size() == 2 ? pair->get(0)->value<double>() : std::nullopt,
+                 high = pair && pair->size() == 2 ? pair->get(1)->value<double>() : std::nullopt;
+      if (!low || !high || !(*low < *high) || !(std::abs(*low) <= 1e9 && std::abs(*high) <= 1e9))
+        throw text::InputError(fmt::format("{}: {} = {}: must be [lowest, highest]", s_.place(at),
+                                           name, text::shown(*at)),
+                               s_.at(key, at));
+      return correction::ControlLimits{*low, *high};
+    });
+  }
+
+  void check_signs(const correction::ByColumn<double>& sign) const {
+    const auto check = [&](double value) {
+      if (value != 1.0 && value != -1.0)
+        s_.fail("sign", fmt::format("sign = {:g}: must be 1 or -1", value));
+    };
+    check(sign.all);
+    for (const auto& one : sign.columns) check(one.second);
+  }
+
+  Section s_;
+  Names axes_, inputs_;
+};
+
+}  // namespace
+
+std::vector<KeyTable> export_tables() { return {{"export", control_keys}}; }
+
+correction::ControlSettings read_export(const ModelTables& tables,
+                                        const std::vector<correction::Model>& models) {
+  if (const toml::node* const node = tables.root().get("export"); node && !node->is_table())
+    throw text::InputError(fmt::format("{}: export = {}: must be a table, [export]",
+                                       tables.source(), text::shown(*node)),
+                           {.file = tables.source(), .key = "export"});
+  return ExportReader(tables, models).read();
+}
+
+}  // namespace raceway::files

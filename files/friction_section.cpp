@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "files/catalogue_defaults.h"
+#include "record/units.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/contact_section.h"
+#include "files/detail/friction_section.h"
+
+namespace raceway::files {
+namespace {
+
+const std::string words_of_supply =
+    names_as_words(std::array{friction::Supply::oil_air, friction::Supply::grease,
+                              friction::Supply::jet, friction::Supply::bath});
+const Key lubricant_keys[]{
+    {"viscosity_40C_mm2_s", between(1, 1e5, "mm2/s"), is_required,
+     "kinematic viscosity of the oil, of a grease that of its base oil; between and beyond by ASTM "
+     "D341"},
+    {"viscosity_100C_mm2_s", between(0.5, 1e5, "mm2/s"), is_required,
+     "kinematic viscosity, below that at 40 C"},
+    {"supply", one_of(words_of_supply), "inlets as oil-air, grease and jet leave them",
+     "how the lubricant comes to the bearing; rules out effects that need another one, and floods "
+     "the inlets of the law contact with bath"},
+};
+
+using friction::F1Load;
+using friction::FrictionLaw;
+
+/// A number of a law, whose card says what it may be.
+Key number_of(FrictionLaw law, std::string_view name, std::string_view meaning) {
+  const auto numbers = friction::parameters(law);
+  const friction::Parameter& card = *std::find_if(
+      numbers.begin(), numbers.end(), [&](const friction::Parameter& p) { return p.name == name; });
+  const double usual = name == "f0"  ? catalogue_f0
+                       : name == "z" ? catalogue_z
+                       : name == "y" ? catalogue_y
+                                     : card.initial;
+  return {card.name, between(card), usual, meaning};
+}
+
+const std::string words_of_law = names_as_words(friction::all_friction_laws);
+const std::string words_of_load = names_as_words(std::array{F1Load::P0, F1Load::F_b});
+const Key law_keys[]{{"law", one_of(words_of_law), "palmgren", "base law of friction"}};
+const Key palmgren_keys[]{
+    number_of(FrictionLaw::palmgren, "f0",
+              "factor of the viscous moment, by lubrication; required without catalogue"),
+    number_of(FrictionLaw::palmgren, "z",
+              "factor of the load moment, by bearing type; required without catalogue"),
+    number_of(FrictionLaw::palmgren, "y",
+              "exponent of the load moment; required without catalogue"),
+    {"f1_load", one_of(words_of_load), "P0",
+     "the load of the factor f1, the static equivalent load or the load F_b of the moment"},
+};
+constexpr std::string_view replenishment =
+    "replenishment, 3e-8 for bath or jet, 6e-8 for grease or oil-air, 0 is off";
+const Key skf_keys[]{
+    number_of(FrictionLaw::skf, "mu_bl", "friction coefficient of boundary lubrication"),
+    number_of(FrictionLaw::skf, "mu_EHL", "friction coefficient of a full film"),
+    number_of(FrictionLaw::skf, "K_rs", replenishment),
+};
+const Key contact_law_keys[]{
+    number_of(FrictionLaw::contact, "rolling_factor",
+              "factor on the rolling resistance of the oil"),
+    number_of(FrictionLaw::contact, "hysteresis_factor",
+              "factor on the hysteresis of the material"),
+    number_of(FrictionLaw::contact, "mu_boundary", "friction coefficient where asperities touch"),
+    number_of(FrictionLaw::contact, "K_rs", replenishment),
+    number_of(FrictionLaw::contact, "oil_fraction",
+              "oil in the free space that the balls plough through; 0 is no drag"),
+};
+
+/// Those that stand with a law alone.
+Keys keys_of_law(FrictionLaw law) {
+  if (law == FrictionLaw::palmgren) return {palmgren_keys};
+  if (law == FrictionLaw::skf) return {skf_keys};
+  return {contact_law_keys, contact_keys("friction")};
+}
+
+bool has(FrictionLaw law, std::string_view name) {
+  for (const std::span<const Key> part : keys_of_law(law))
+    for (const Key& key : part)
+      if (key.name == name) return true;
+  return false;
+}
+
+std::string belongs_to_other(std::string_view key, const toml::node& value, FrictionLaw other,
+                             FrictionLaw law) {
+  return fmt::format("{} = {}: belongs to law = \"{}\", but the law is \"{}\"", key,
+                     text::shown(value), friction::name(other), friction::name(law));
+}
+
+void refuse_values_of_other_law(const Section& s, FrictionLaw law) {
+  if (!s.given()) return;
+  for (const auto& [key, node] : *s.table())
+    for (const FrictionLaw other : friction::all_friction_laws)
+      if (!has(law, key.str()) && has(other, key.str()))
+        s.fail(key.str(), belongs_to_other(key.str(), node, other, law));
+}
+
+}  // namespace
+
+std::vector<KeyTable> friction_tables() {
+  std::vector<KeyTable> tables{{"lubricant", lubricant_keys},
+                               {"lubricant", contact_keys("lubricant")},
+                               {"friction", law_keys}};
+  for (const auto& [law, only] :
+       {std::pair(FrictionLaw::palmgren, "law palmgren"), std::pair(FrictionLaw::skf, "law skf"),
+        std::pair(FrictionLaw::contact, "law contact")})
+    for (const std::span<const Key> keys : keys_of_law(law))
+      tables.push_back({"friction", keys, only});
+  return tables;
+}
+
+LubricantOfFile read_lubricant(const ModelTables& tables) {
+  const Section s =
+      tables.required_section("lubricant", "viscosity_40C_mm2_s and viscosity_100C_mm2_s",
+                              {lubricant_keys, contact_keys("lubricant")});
+  const auto supply = s.choice("supply");
+  try {
+    return {.lubricant = {s.required("viscosity_40C_mm2_s") * mm2_per_s,
+                          s.required("viscosity_100C_mm2_s") * mm2_per_s},
+            .supply = supply ? friction::find_supply(*supply) : std::nullopt};
+  } catch (const std::invalid_argument& error) {
+    // "viscosity_40C" and "viscosity_100C" are the libraries' names of the two keys.
+    s.fail(error);
+  }
+}
+
+LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Keys& further) {
+  const Section table = from_catalogue
+                            ? tables.section("friction")
+                            : tables.required_section("friction", "the base law and its factors");
+  LawOfFile result{
+      .law = *friction::find_friction_law(tables.choice(table.part({law_keys}), "law")),
+      .values = {}};
+  refuse_values_of_other_law(table, result.law);
+  Keys known{law_keys};
+  for (const Keys& keys : {keys_of_law(result.law), further})
+    known.insert(known.end(), keys.begin(), keys.end());
+  const Section s = table.with(known);
+  if (result.law == FrictionLaw::palmgren)
+    result.f1_load =
+        tables.choice(s, "f1_load") == friction::name(F1Load::P0) ? F1Load::P0 : F1Load::F_b;
+  // The factors of the SKF law are published constants, those of the contacts are 1; those of
+  // Palmgren depend on the bearing, and only a catalogue's user may leave them out.
+  const bool required = result.law == FrictionLaw::palmgren && !from_catalogue;
+  for (const friction::Parameter& p : friction::parameters(result.law))
+    result.values.push_back(friction::of_the_lubricant(p) ? lubricant_number(tables, p.name)
+                            : required                    ? s.required(p.name)
+                                                          : tables.number(s, p.name));
+  return result;
+}
+
+Names missing_keys_of_friction(const ModelTables& tables) {
+  Names missing = tables.part("lubricant", {lubricant_keys})
+                      .lacking({"viscosity_40C_mm2_s", "viscosity_100C_mm2_s"});
+  const Section s = tables.part("friction", {law_keys, palmgren_keys});
+  const Section bearing = tables.part("bearing", {bearing_keys()});
+  if (bearing.find("catalogue") ||
+      s.text("law").value_or("palmgren") != friction::name(FrictionLaw::palmgren))
+    return missing;
+  for (const std::string& one : bearing.lacking({"static_load_rating_N"})) missing.push_back(one);
+  for (const friction::Parameter& p : friction::parameters(FrictionLaw::palmgren))
+    for (const std::string& one : s.lacking({p.name})) missing.push_back(one);
+  return missing;
+}
+
+void require_data(FrictionLaw law, const bearing::Bearing& bearing, const Section& table) {
+  const Section s = table.part({bearing_keys()});
+  if (law == FrictionLaw::palmgren && std::isnan(bearing.geometry().static_load_rating))
+    s.fail_missing("static_load_rating_N", ", which the friction law palmgren needs");
+  try {
+    friction::require_data(law, bearing);
+  } catch (const std::invalid_argument& error) {
+    s.fail(error);
+  }
+}
+
+}  // namespace raceway::files

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/parameter.h"
+#include "record/units.h"
+
+/// Keys of model files as data: one table of keys stands beside each reader, which reads by it;
+/// files/key_tables.h lists all of them.
+namespace raceway::files {
+
+/// Values that a key takes.
+struct Form {
+  std::string_view kind;                ///< "number", "text", "true or false", "list" or "table"
+  double lower = unset, upper = unset;  ///< of a number, closed, in `unit`
+  std::string_view unit{};              ///< "" where dimensionless
+  std::string_view words{};  ///< the only texts that may stand there, "rigid|spring"; "" if any may
+  bool whole = false;        ///< a whole number
+
+  /// The words, one by one.
+  [[nodiscard]] std::vector<std::string> choices() const {
+    std::vector<std::string> list;
+    for (std::size_t begin = 0, end = 0; end < words.size(); begin = end + 1) {
+      end = std::min(words.find('|', begin), words.size());
+      list.emplace_back(words.substr(begin, end - begin));
+    }
+    return list;
+  }
+};
+
+struct Required {};
+
+/// Value of a key that the file leaves out.
+struct Default {
+  double value = unset;      ///< of a number, in its unit; `unset` alone: no default
+  std::string_view words{};  ///< one of the words of its form, or what the default depends on
+  bool required = false;     ///< nothing: the key must stand there wherever its table does
+
+  constexpr Default() = default;
+  template <std::floating_point Number>
+  constexpr Default(Number number) : value(number) {}
+  constexpr Default(std::string_view text) : words(text) {}
+  constexpr Default(const char* text) : words(text) {}
+  Default(const std::string& text) : words(text) {}
+  constexpr Default(Required) : required(true) {}
+};
+
+struct Key {
+  std::string_view name;  ///< with its unit; a part in capitals is one's own
+  Form form;
+  Default fallback;
+  std::string_view meaning;
+
+  /// The same under another name, as of a number whose unit another key says.
+  [[nodiscard]] constexpr Key as(std::string_view other, std::string_view unit) const {
+    Key key = *this;
+    key.name = other;
+    key.form.unit = unit;
+    return key;
+  }
+};
+
+/// Keys of one table, or those of them that one reader reads.
+struct KeyTable {
+  std::string_view name;  ///< "bearing", "correction.channel"; a part in capitals is one's own
+  std::span<const Key> keys;
+  std::string_view only{};  ///< where they may stand there: "of a spindle"; "" everywhere
+};
+
+// What tables of keys are written with.
+constexpr Form between(double lower, double upper, std::string_view unit = {}) {
+  return {.kind = "number", .lower = lower, .upper = upper, .unit = unit};
+}
+constexpr Form between(const record::NumberCard& card) {
+  return between(card.lower, card.upper, card.unit == "1" ? "" : card.unit);
+}
+constexpr Form whole(double lower, double upper) {
+  return {.kind = "number", .lower = lower, .upper = upper, .whole = true};
+}
+constexpr Form one_of(std::string_view words) { return {.kind = "text", .words = words}; }
+inline constexpr Form a_text{.kind = "text"}, a_flag{.kind = "true or false"},
+    a_list{.kind = "list"}, a_table{.kind = "table"};
+inline constexpr Required is_required;
+
+}  // namespace raceway::files

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/key.h"
+
+namespace raceway::files {
+
+/// A key of model files with the table that it stands in.
+struct ListedKey {
+  std::string_view table;  ///< as KeyTable::name
+  std::string_view only;   ///< as KeyTable::only
+  Key key;
+
+  [[nodiscard]] std::string meaning() const;
+  /// A number, a word in quotes, or words on what it depends; empty where it has none.
+  [[nodiscard]] std::string fallback() const;
+};
+
+/// Those of the reader in files/correction_file.h.
+[[nodiscard]] std::vector<KeyTable> correction_tables();
+
+/// Every key of model files, table by table. Numbers of effects are in their catalogues.
+[[nodiscard]] std::vector<ListedKey> model_keys();
+
+/// `keys [{table, key, kind, unit, from, to, whole_number, required, choices, default, only,
+/// meaning}]`.
+[[nodiscard]] std::string model_keys_json(std::span<const ListedKey> keys);
+
+}  // namespace raceway::files

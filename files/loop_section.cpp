@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+
+#include "correction/numbers.h"
+#include "files/subject.h"
+#include "model/parameters.h"
+#include "text/number_text.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/loop_section.h"
+#include "files/detail/number_lists.h"
+
+namespace raceway::files {
+namespace {
+
+constexpr Key calibration_keys[]{
+    {"free", a_list, "those of the law that a calibration is for",
+     "parameters to be fitted: of the law, preload_N, inner_conformity, outer_conformity, "
+     "conformity, contact_angle_deg, \"EFFECT.NUMBER\"; of a correction parameters or groups"},
+    {"covariance", a_table, unset, "the table [calibration.covariance]"},
+};
+constexpr Key loop_keys[]{
+    {"tolerance_Nmm", between(0, 1e9, "Nmm"), unset,
+     "error of the friction torque below which nothing matters, above 0"},
+    {"tolerance_um", between(0, 1e9, "um"), unset,
+     "error of the displacement below which nothing matters, above 0"},
+    {"tolerance_K", between(0, 1e9, "K"), unset,
+     "of a spindle: error of a temperature below which nothing matters, above 0"},
+};
+
+/// Full names by every name that a parameter may be called: that of an effect is "id.name", and
+/// `name` alone where no other has it.
+std::multimap<std::string, std::string> full_names(const model::Model& model) {
+  std::multimap<std::string, std::string> names;
+  for (const record::Parameter& p : model::parameters(model)) {
+    names.emplace(p.name, p.name);
+    if (const std::size_t dot = p.name.find('.'); dot != p.name.npos)
+      names.emplace(p.name.substr(dot + 1), p.name);
+  }
+  return names;
+}
+
+Names default_names(ModelTables& tables, const model::Model& model) {
+  Names names = model::default_free(model);
+  std::string text;
+  for (const std::string& name : names)
+    text += fmt::format("{}\"{}\"", text.empty() ? "" : ", ", name);
+  tables.note_default("calibration", "free", "[" + text + "]");
+  return names;
+}
+
+Names words_of(const std::vector<fit::Measured>& measured) {
+  Names words;
+  for (const fit::Measured& m : measured) words.emplace_back(m.channel->words);
+  return words;
+}
+
+/// A list of parameters, by full name. `of_others`: names that are for another reader.
+Names names_in(const Section& s, std::string_view key, const toml::node& node,
+               const model::Model& model,
+               const std::function<bool(const std::string&)>& of_others = {}) {
+  const auto wrong = [&](const toml::node& at, const std::string& problem) {
+    throw text::InputError(
+        fmt::format("{}: {} = {}: {}", s.place(&at), key, text::shown(at), problem),
+        s.at(key, &at));
+  };
+  if (!node.is_array() || node.as_array()->empty())
+    wrong(node, "must be a list of one name or more, as in [\"f0\", \"z\"]");
+  const std::multimap<std::string, std::string> known = full_names(model);
+  Names names;
+  for (const toml::node& entry : *node.as_array()) {
+    const auto name = entry.is_string() ? entry.value<std::string>() : std::nullopt;
+    if (!name) wrong(entry, "must be the name of a parameter in quotes");
+    if (of_others && of_others(*name)) continue;
+    const auto [first, last] = known.equal_range(*name);
+    if (first == last) {
+      Names all;
+      for (const auto& [called, _] : known) all.push_back(called);
+      if (model.spindle && *name == "outer_conductance_W_m2K")
+        wrong(entry,
+              "the model has none: the outer seats conduct by their contact; give a value "
+              "to begin with under [seat]");
+      const std::string near = text::suggestion(*name, all);
+      wrong(entry,
+            "no such parameter" + (near.empty() ? "; this model has " + text::listed(all) : near));
+    }
+    if (std::next(first) != last) wrong(entry, "several effects have it; write effect-id." + *name);
+    if (std::find(names.begin(), names.end(), first->second) != names.end())
+      wrong(entry, "stands twice");
+    names.push_back(first->second);
+  }
+  return names;
+}
+
+/// [calibration.covariance] of some parameters, checked key by key.
+class CovarianceReader {
+ public:
+  CovarianceReader(const Section& section, const model::Model& model)
+      : s_(section), model_(model), known_(model::parameters(model)) {}
+
+  fit::Covariance read() {
+    fit::Covariance c;
+    c.names = names_in(s_, "parameters", required_node(s_, "parameters"), model_);
+    count_ = c.names.size();
+    check_units(c.names);
+    const std::vector<double> values = numbers(s_, "values", required_node(s_, "values"), count_);
+    c.values = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(count_));
+    c.matrix = covariance_of(s_, count_);
+    return c;
+  }
+
+ private:
+  void check_units(const Names& names) const {
+    const toml::node& node = required_node(s_, "units");
+    const toml::array* const list = node.as_array();
+    if (!list || list->size() != names.size()) fail_count(s_, "units", node, names.size());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto p = std::find_if(known_.begin(), known_.end(),
+                                  [&](const auto& one) { return one.name == names[k]; });
+      if (list->get(k)->value<std::string>() != p->unit)
+        throw text::InputError(
+            fmt::format("{}: units = {}: {} is in \"{}\"", s_.place(list->get(k)),
+                        text::shown(*list->get(k)), names[k], p->unit),
+            s_.at("units", list->get(k)));
+    }
+  }
+
+  const Section& s_;
+  const model::Model& model_;
+  std::vector<record::Parameter> known_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::vector<KeyTable> loop_tables() {
+  return {{"calibration", calibration_keys},
+          {"calibration.covariance", covariance_keys},
+          {"loop", loop_keys}};
+}
+
+Section loop_section(const ModelTables& tables) { return tables.section("loop", {loop_keys}); }
+Section calibration_section(const ModelTables& tables) {
+  return tables.section("calibration", {calibration_keys});
+}
+
+Names read_free(ModelTables& tables, const model::Model& model) {
+  const Section s = calibration_section(tables);
+  const toml::node* const node = s.find("free");
+  if (!node) return default_names(tables, model);
+  if (!tables.root().contains("correction") || !node->is_array())
+    return names_in(s, "free", *node, model);
+  // The list is of the correction as well.
+  std::vector<std::string> known;
+  for (const record::Parameter& p : model::parameters(model)) known.push_back(p.name);
+  Names names = names_in(s, "free", *node, model, [&](const std::string& name) {
+    return correction::is_group(name) ||
+           (name.find('.') != name.npos &&
+            std::find(known.begin(), known.end(), name) == known.end());
+  });
+  return names.empty() ? default_names(tables, model) : names;
+}
+
+std::optional<fit::Covariance> read_covariance(const ModelTables& tables,
+                                               const model::Model& model) {
+  const Section calibration = tables.section("calibration");
+  const toml::node* const node = calibration.find("covariance");
+  if (!node) return std::nullopt;
+  if (!node->is_table())
+    calibration.fail("covariance", fmt::format("covariance = {}: must be a table, written as "
+                                               "[calibration.covariance]",
+                                               text::shown(*node)));
+  const Section s(tables.source(), "calibration.covariance", node->as_table(), {covariance_keys});
+  return CovarianceReader(s, model).read();
+}
+
+std::string other_values(const fit::Covariance& covariance, const model::Model& model) {
+  constexpr double same = 1e-9;
+  const std::vector<record::Parameter> known = model::parameters(model);
+  for (std::size_t k = 0; k < covariance.names.size(); ++k)
+    for (const record::Parameter& p : known)
+      if (const double value = covariance.values[static_cast<Eigen::Index>(k)];
+          p.name == covariance.names[k] &&
+          !(std::abs(p.value - value) <= same * std::max(std::abs(p.value), std::abs(value))))
+        return fmt::format(
+            "{0} = {1:.6g} stands in the model, [calibration.covariance] is of {0} "
+            "= {2:.6g}",
+            p.name, p.value, value);
+  return {};
+}
+
+std::vector<record::NamedValue> read_tolerances(const ModelTables& tables,
+                                                const model::Model& model) {
+  const Section s = loop_section(tables);
+  if (!s.given()) return {};
+  const std::vector<fit::Measured> measured = make_subject(model)->measured();
+  std::vector<record::NamedValue> tolerances;
+  for (const Key& key : loop_keys) {
+    const auto value = s.number(key);
+    if (!value) continue;
+    const std::string_view name = key.name, unit = key.form.unit;
+    if (*value == 0.0) s.fail(name, fmt::format("{} = 0 {}: must be above 0", name, unit));
+    const std::size_t before = tolerances.size();
+    for (const fit::Measured& m : measured)
+      if (text::tolerance_key(*m.channel) == name)
+        tolerances.push_back({std::string(m.channel->name), *value * m.channel->factor});
+    if (tolerances.size() == before)
+      s.fail(name, fmt::format("{} = {}: this model predicts {}, and nothing in {}", name, *value,
+                               text::listed(words_of(measured)), unit));
+  }
+  return tolerances;
+}
+
+}  // namespace raceway::files

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "files/model_file.h"
+
+namespace raceway::files {
+
+/// A number that a model rests on, as its file has it.
+struct ModelDatum {
+  enum class Origin { file, by_default, catalogue };
+
+  /// "bearing.ball_diameter_mm", "shaft.segment.2.length_mm", counted from 0; of an effect its
+  /// parameter, "lubricant-drag.torque_at_10000_rpm_Nmm".
+  std::string name;
+  double value;  ///< in the unit of its name
+  Origin origin = Origin::file;
+  bool whole = false;  ///< a count
+};
+
+/// All numbers that a model rests on: those of its file, the defaults that were used, and those of
+/// the bearing that [bearing] catalogue picks. A default that follows from other numbers (a bore
+/// from pitch circle and balls) is none of its own.
+///
+/// Left out are numbers that no prediction is made of, as [calibration] and [columns], the settings
+/// of [solver] and how many bearings stand in a set, which is a choice and no datum.
+class ModelData {
+ public:
+  /// Throws InputError as read_model().
+  explicit ModelData(const ModelFile& file);
+
+  [[nodiscard]] const std::vector<ModelDatum>& data() const { return data_; }
+
+  /// Index of the datum of this name; the table in front may be left out where one table alone has
+  /// that key. Throws InputError with the nearest names.
+  [[nodiscard]] std::size_t find(std::string_view name) const;
+
+  /// The model with these data (by index) at other values, read as from a file: throws InputError
+  /// for what no file may say. May be called by several threads at once.
+  [[nodiscard]] ModelFile with(std::span<const std::pair<std::size_t, double>> changes) const;
+
+ private:
+  struct Tables;
+  std::shared_ptr<const Tables> tables_;
+  std::vector<ModelDatum> data_;
+};
+
+/// How far a number may be off, as somebody writes it: "0.01" in its unit, "10%" of it.
+struct SpreadText {
+  std::string name;
+  std::string text;
+};
+
+/// "ball_diameter_mm=0.01,lubricant.viscosity_40C_mm2_s=10%". Throws InputError.
+[[nodiscard]] std::vector<SpreadText> parse_spreads(const std::string& list);
+
+/// The same from a file with the keys of a model, in which numbers, or texts as "10%", say how far
+/// the numbers of the model may be off. Throws InputError.
+[[nodiscard]] std::vector<SpreadText> read_spreads(const std::string& path);
+
+/// In the unit of a number of that value. Throws InputError: no number, negative, a share of zero.
+[[nodiscard]] double spread_of(const SpreadText& spread, double value);
+
+}  // namespace raceway::files

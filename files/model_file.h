@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "files/catalogue_file.h"
+#include "files/column_map.h"
+#include "files/named_files.h"
+#include "model/model.h"
+#include "rig/torque_sensor.h"
+
+namespace raceway::files {
+
+/// A model as read from its file.
+struct ModelFile {
+  model::Model model;
+  std::string source;  ///< file name, for messages
+  std::string text;    ///< of the file, to be edited with with_values() or with_model()
+  /// Full name of the row that [bearing] catalogue picked; empty where it picks none.
+  std::string catalogue = {};
+  /// What the user says of bearings and solver beside defaults and catalogue: keys of [bearing], of
+  /// the bearings of an [arrangement] and of [solver].
+  std::vector<std::string> written = {};
+  /// Every default that was used, e.g. `solver.tilt = "locked" (default)`.
+  std::vector<std::string> defaults;
+  /// What else the user should know, one line each, without the file's name.
+  std::vector<std::string> notes = {};
+  ColumnMap columns = {};  ///< how its measurements are written
+  /// Of the sensor that measures its torque, where it says.
+  std::optional<rig::TorqueSensor> sensor = {};
+  std::vector<NamedFile> files = {};  ///< that it names, as they were when it was read
+};
+
+/// Reads a TOML model (keys with their units: raceway keys) into SI.
+///
+/// Throws InputError naming file, line, key, value and allowed range: text that is no TOML, unknown
+/// and missing keys and tables, wrong types, values out of range, bearings that cannot be, formulas
+/// that are none.
+[[nodiscard]] ModelFile read_model(const std::string& path);
+
+/// The same from text; `source` stands in messages, and names of files are relative to it. Files of
+/// `held` are not read again.
+[[nodiscard]] ModelFile parse_model(std::string text, const std::string& source,
+                                    std::vector<NamedFile> held = {});
+
+/// A new value for a number of a model file, in the unit of its key.
+struct KeyValue {
+  /// An address of record::Parameter: "friction.f0", or "effect.0.friction_coefficient" for the
+  /// first [[effect]].
+  std::string key;
+  double value;
+  /// Put behind the value in place of the comment there; empty leaves that one. Not written into
+  /// tables in braces.
+  std::string comment = {};
+};
+
+/// The text with these values and nothing else changed: comments, order and blanks are kept. A key
+/// that was left to its default is added to its table. The values read back exactly.
+/// Throws InputError where the text is no TOML or has no such [[effect]], std::invalid_argument for
+/// a value that is not finite.
+[[nodiscard]] std::string with_values(std::string_view text, std::span<const KeyValue> changes);
+
+/// The text with this effect as one more [[effect]] at its end; nothing else changed. It reads back
+/// as it is. Throws std::invalid_argument for a value that is not finite.
+[[nodiscard]] std::string with_effect(std::string_view text, const effects::Effect& effect);
+
+/// The text of a file with every number of model::parameters() as `fitted` has it, at all its
+/// addresses, the effects that the file lacks, and the covariance of what was fitted in the place
+/// of that in the file; nothing else changed. Numbers that differ from those of the file have the
+/// 15 digits that results show. Throws as with_values(), InputError where the file has its
+/// covariance in braces, and std::invalid_argument for the covariance of a parameter that is not
+/// there.
+[[nodiscard]] std::string with_model(const ModelFile& file, const model::Model& fitted);
+
+/// A commented model of a catalogue bearing, with every default of its law written out.
+[[nodiscard]] std::string new_model_text(
+    const CatalogueBearing& row, friction::FrictionLaw law = friction::FrictionLaw::palmgren);
+
+/// What a new model says of its keys.
+struct ModelRemarks {
+  std::string title;
+  std::string ball_material = "steel";
+  std::vector<std::pair<std::string_view, std::string>> of_key{};  ///< in place of the usual remark
+  friction::FrictionLaw law = friction::FrictionLaw::palmgren;
+};
+/// The same of a bearing that may be in no catalogue (then it has no maker).
+[[nodiscard]] std::string model_text(const CatalogueBearing& row, const ModelRemarks& remarks);
+
+}  // namespace raceway::files

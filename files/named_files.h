@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace raceway::files {
+
+/// A file that a model names, as it was when the model was opened.
+struct NamedFile {
+  std::string name;  ///< as the model names it: relative to its folder, or from the root
+  std::string path;  ///< from the root
+  std::string text;  ///< what it held
+};
+
+/// Files that a model names. Each is read once.
+class NamedFiles {
+ public:
+  /// `model`: its file, beside which they are looked for. Files of `held` are not read again.
+  explicit NamedFiles(const std::string& model, std::vector<NamedFile> held = {});
+
+  /// Throws InputError as read_text().
+  [[nodiscard]] const NamedFile& read(const std::string& name);
+  /// How messages call it.
+  [[nodiscard]] std::string shown(const std::string& name) const;
+  /// Those that were asked for.
+  [[nodiscard]] const std::vector<NamedFile>& list() const { return read_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<NamedFile> held_, read_;
+};
+
+/// The text of a model for a file at `path`, from whose folder its names lead to the same files;
+/// from the root where there is no path. Nothing else is changed.
+[[nodiscard]] std::string with_names_from(std::string text, const std::vector<NamedFile>& files,
+                                          const std::string& path);
+
+}  // namespace raceway::files

@@ -1,0 +1,84 @@
+#include "record/units.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/rig_section.h"
+
+namespace raceway::files {
+namespace {
+
+constexpr model::Rig usual_rig;
+constexpr Key rig_keys[]{
+    {"inertia_kgm2", between(1e-9, 1e6, "kg m2"), unset,
+     "of all that coasts down, a number or \"unknown\"; records of a coast-down need it"},
+    {"bearings", whole(1, 100), static_cast<double>(usual_rig.bearings),
+     "bearings on the rig, which reads so many times the torque of one"},
+    {"axial_load_N", between(0, 1e8, "N"), unset, "per bearing, for rows without that column"},
+    {"radial_load_N", between(0, 1e8, "N"), usual_rig.radial_load,
+     "per bearing, for rows without that column"},
+    {"temperature_C", between(-273, 500, "C"), celsius(usual_rig.temperature),
+     "of the lubricant, for rows without that column"},
+    {"room_temperature_C", between(-273, 500, "C"), "in diagnose and add the coldest row",
+     "needed by the effect temperature-gain"},
+    {"minimum_speed_rpm", between(0, 1e6, "rpm"), usual_rig.minimum_speed / rpm,
+     "slower rows of a coast-down are left out and counted"},
+};
+
+constexpr Key solver_keys[]{
+    {"race_control", one_of("outer|inner|balanced"), "outer",
+     "what turns the balls: no spin at the outer race, none at the inner, or with the law contact "
+     "the balance of tractions"},
+    {"tilt", one_of("locked|free"), "locked",
+     "whether the inner ring may tilt; free, the moment is carried, by default zero"},
+};
+
+/// The number, or the word for one that nobody knows.
+void read_inertia(const Section& s, model::Rig& rig) {
+  constexpr std::string_view name = "inertia_kgm2";
+  const toml::node* const node = s.find(name);
+  if (!node) return;
+  rig.unknown_inertia = node->is_string() && *node->value<std::string>() == "unknown";
+  if (rig.unknown_inertia) return;
+  if (node->is_string())
+    s.fail(name, fmt::format("{} = {}: {}, or \"unknown\"", name, text::shown(*node),
+                             range(s.key(name))));
+  rig.inertia = s.number(name).value_or(unset);
+}
+
+}  // namespace
+
+std::vector<KeyTable> rig_tables() { return {{"rig", rig_keys}, {"solver", solver_keys}}; }
+
+model::Rig read_rig(ModelTables& tables, Keys further) {
+  further.insert(further.begin(), rig_keys);
+  const Section s = tables.section("rig", std::move(further));
+  model::Rig rig;
+  read_inertia(s, rig);
+  if (const auto value = s.number("axial_load_N")) rig.axial_load = *value;
+  if (const auto value = s.whole_number("bearings"))
+    rig.bearings = *value;
+  else
+    tables.note_default("rig", "bearings", fmt::format("{}", rig.bearings));
+  rig.radial_load = tables.number(s, "radial_load_N");
+  rig.temperature = kelvin(tables.number(s, "temperature_C"));
+  if (const auto value = s.number("room_temperature_C")) rig.room_temperature = kelvin(*value);
+  rig.minimum_speed = tables.number(s, "minimum_speed_rpm") * rpm;
+  return rig;
+}
+
+SolverOfFile read_solver(ModelTables& tables, friction::FrictionLaw law, Keys further) {
+  further.insert(further.begin(), solver_keys);
+  const Section s = tables.section("solver", std::move(further));
+  SolverOfFile solver;
+  const std::string control = tables.choice(s, "race_control");
+  solver.balanced_balls = control == "balanced";
+  if (solver.balanced_balls && law != friction::FrictionLaw::contact)
+    s.fail("race_control",
+           "race_control = \"balanced\": the balls turn by the traction of their contacts, which "
+           "[friction] law = \"contact\" alone knows");
+  bearing::EquilibriumOptions& options = solver.options;
+  if (control == "inner") options.race_control = bearing::RaceControl::inner;
+  options.tilt = tables.choice(s, "tilt") == "locked" ? bearing::Tilt::locked : bearing::Tilt::free;
+  return solver;
+}
+
+}  // namespace raceway::files

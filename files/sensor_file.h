@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/column_map.h"
+#include "files/source.h"
+#include "rig/sensor_calibration.h"
+
+/// The calibration of a torque sensor: its readings, and what was made of them.
+namespace raceway::files {
+
+/// Readings in the order of the file.
+struct SensorReadings {
+  std::string source;  ///< file name, for messages
+  std::vector<rig::SensorReading> readings = {};
+  std::vector<std::string> notes = {};  ///< what the user should know, one line each
+};
+
+/// Reads `reference_Nm` and `signal_V`, or `torque_signal_V` as in a record, of a CSV; "-" is
+/// standard input. Other columns are not read, and `notes` says so. Throws InputError as
+/// read_csv(), for a missing column and for every cell that is empty, no number or impossible.
+[[nodiscard]] SensorReadings read_sensor_readings(const Source& source,
+                                                  const ReadOptions& options = {});
+
+/// The table [torque_sensor], to be put into a model or a file of its own; it reads back.
+[[nodiscard]] std::string torque_sensor_text(const rig::SensorCalibration& calibration,
+                                             std::string_view source);
+
+/// The units of its coefficients: "V", "V/Nm", "V/Nm2", "V/Nm3".
+[[nodiscard]] std::string coefficient_unit(int coefficient);
+
+/// As a JSON document (docs/files.md); see results.h.
+[[nodiscard]] std::string sensor_calibration_json(const rig::SensorCalibration& calibration,
+                                                  const std::string& source);
+
+}  // namespace raceway::files

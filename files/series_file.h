@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "files/column_map.h"
+#include "files/source.h"
+#include "record/record.h"
+
+namespace raceway::files {
+
+/// Reads a record over time (columns with their units: docs/files.md) into SI: time_s or dates,
+/// what a machine knows, and displacements. Columns of other names are named and ignored.
+///
+/// An empty cell in a displacement means that it was not read then; everywhere else it is an error.
+/// Of the displacements `wanted` are kept; all where that is empty.
+///
+/// Throws InputError: time_s missing, going back or standing still within a run; a column of
+/// `needed` missing; a column that looks misspelt; cells that are empty, no numbers or impossible,
+/// all in one message.
+[[nodiscard]] record::Record read_series(const Source& source,
+                                         const std::vector<const record::Channel*>& wanted,
+                                         const std::vector<const record::Channel*>& needed,
+                                         const ReadOptions& options = {});
+
+}  // namespace raceway::files

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "files/named_files.h"
+#include "text/csv.h"
+
+namespace raceway::files {
+
+/// A file, or what stands for one: a text, or the columns of a table.
+struct Source {
+  std::string name;                         ///< path of the file; in messages, of the others too
+  std::shared_ptr<const std::string> text;  ///< null: as it stands in the file
+  std::shared_ptr<const text::CsvTable> table;  ///< of measurements; null: as text or file have it
+  /// Files that a model names, as they were when it was read; others are read where they stand.
+  std::vector<NamedFile> files{};
+
+  Source(std::string path) : name(std::move(path)) {}  // NOLINT: a path is a source
+  Source(const char* path) : name(path) {}             // NOLINT
+  Source(std::string name_of_text, std::string content, std::vector<NamedFile> named = {})
+      : name(std::move(name_of_text)),
+        text(std::make_shared<const std::string>(std::move(content))),
+        files(std::move(named)) {}
+  explicit Source(std::shared_ptr<const text::CsvTable> columns)
+      : name(columns->source), table(std::move(columns)) {}
+};
+
+}  // namespace raceway::files

@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <cmath>
+
+#include "record/units.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/spindle_parts.h"
+
+namespace raceway::files {
+namespace {
+
+using model::Segment;
+using model::ThermometerPlace;
+
+constexpr double rounding = 1e-9;        ///< of positions that are sums [m]
+constexpr double other_size = 0.5 * mm;  ///< from here on a seat is not of that bearing [m]
+
+/// Segments behind each other.
+struct Stack {
+  double start = 0.0;  ///< [m]
+  const std::vector<Segment>& segments;
+
+  [[nodiscard]] double end() const {
+    double at = start;
+    for (const Segment& s : segments) at += s.length;
+    return at;
+  }
+  [[nodiscard]] bool holds(double from, double to) const {
+    return from >= start - rounding && to <= end() + rounding;
+  }
+  /// The segment at a position, the one before it where two meet; null outside.
+  [[nodiscard]] const Segment* at(double position) const {
+    double from = start;
+    for (const Segment& s : segments) {
+      if (position >= from - rounding && position <= from + s.length + rounding) return &s;
+      from += s.length;
+    }
+    return nullptr;
+  }
+};
+
+std::string in_mm(double length) { return fmt::format("{:.10g} mm", length / mm); }
+
+class SpindleCheck {
+ public:
+  SpindleCheck(const ModelTables& tables, const model::Spindle& spindle, const model::Shaft& shaft,
+               Names& notes)
+      : tables_(tables),
+        spindle_(spindle),
+        sets_(shaft.arrangement),
+        notes_(notes),
+        shaft_{.segments = spindle.shaft.segments},
+        housing_{.start = spindle.housing.start, .segments = spindle.housing.segments},
+        half_width_(0.5 * spindle.bearing_width) {}
+
+  void run() {
+    check_order();
+    for (std::size_t k = 0; k < sets_.bearings().size(); ++k) {
+      check_inner_seat(k);
+      check_outer_seat(k);
+    }
+    check_flange();
+    check_coolant();
+    check_what_the_shaft_carries();
+    check_gap();
+    const auto sensors = sensor_sections(tables_);
+    for (std::size_t k = 0; k < sensors.size(); ++k) check_sensor(sensors[k], spindle_.sensors[k]);
+  }
+
+ private:
+  [[nodiscard]] double position(std::size_t bearing) const {
+    const std::size_t front = spindle_.front_positions.size();
+    return bearing < front ? spindle_.front_positions[bearing]
+                           : spindle_.rear_positions[bearing - front];
+  }
+  /// "front_position_mm = 60 mm", and where that number stands.
+  [[noreturn]] void fail_bearing(std::size_t bearing, const std::string& why) const {
+    const std::size_t front = spindle_.front_positions.size();
+    const char* const key = bearing < front ? "front_position_mm" : "rear_position_mm";
+    const Section s = tables_.section("arrangement");
+    const toml::node* const list = s.find(key);
+    const toml::node* const node =
+        list && list->is_array()
+            ? list->as_array()->get(bearing < front ? bearing : bearing - front)
+            : list;
+    throw text::InputError(
+        fmt::format("{}: {} = {}: {}", s.place(node), key, in_mm(position(bearing)), why),
+        s.at(key, node));
+  }
+  [[noreturn]] void fail(std::string_view table, std::string_view key, double length,
+                         const std::string& why) const {
+    tables_.section(table).fail(key, fmt::format("{} = {}: {}", key, in_mm(length), why));
+  }
+  [[nodiscard]] std::string shaft_reach() const {
+    return fmt::format("the shaft reaches from 0 to {}", in_mm(shaft_.end()));
+  }
+  [[nodiscard]] std::string housing_reach() const {
+    return fmt::format("the housing reaches from {} to {}", in_mm(housing_.start),
+                       in_mm(housing_.end()));
+  }
+
+  void check_order() const {
+    for (std::size_t k = 1; k < sets_.bearings().size(); ++k)
+      if (position(k) - position(k - 1) < 2.0 * half_width_ - rounding)
+        fail_bearing(k,
+                     fmt::format("stands {} behind the bearing before it; their width_mm is {}: "
+                                 "centres rise from the nose to the rear, one width apart or "
+                                 "more",
+                                 in_mm(position(k) - position(k - 1)), in_mm(2.0 * half_width_)));
+  }
+
+  void check_inner_seat(std::size_t k) const {
+    const double at = position(k), bore = sets_.bearings()[k].bearing->geometry().bore;
+    if (!shaft_.holds(at - half_width_, at + half_width_))
+      fail_bearing(k, fmt::format("the bearing, {} wide, is not all on the shaft: {}",
+                                  in_mm(2.0 * half_width_), shaft_reach()));
+    const double inset = 0.99 * half_width_;
+    for (const double place : {at, at - inset, at + inset}) {
+      const double diameter = shaft_.at(place)->diameter;
+      if (diameter > bore + other_size || (place == at && diameter < bore - other_size))
+        fail_bearing(k, fmt::format("the shaft has diameter_mm = {} at {}, but the bearing has "
+                                    "bore_mm = {}",
+                                    in_mm(diameter), in_mm(place), in_mm(bore)));
+      if (diameter < bore - other_size)
+        notes_.push_back(
+            fmt::format("the bearing at {} reaches over a part of the shaft of {}: "
+                        "its ring does not sit there",
+                        in_mm(at), in_mm(diameter)));
+    }
+  }
+
+  void check_outer_seat(std::size_t k) const {
+    const double at = position(k), outer = sets_.bearings()[k].bearing->geometry().outer_diameter;
+    if (!housing_.holds(at - half_width_, at + half_width_))
+      fail_bearing(k, fmt::format("the bearing, {} wide, is not all in the housing: {}",
+                                  in_mm(2.0 * half_width_), housing_reach()));
+    const Segment& around = *housing_.at(at);
+    if (around.diameter <= outer)
+      fail_bearing(k, fmt::format("the housing has outer_diameter_mm = {} there, and the bearing "
+                                  "{}: no wall is left",
+                                  in_mm(around.diameter), in_mm(outer)));
+    if (std::abs(around.bore - outer) > other_size)
+      fail_bearing(k, fmt::format("the housing has bore_mm = {} there, but the bearing has "
+                                  "outer_diameter_mm = {}",
+                                  in_mm(around.bore), in_mm(outer)));
+  }
+
+  void check_flange() const {
+    const model::Housing& h = spindle_.housing;
+    if (!housing_.holds(h.flange - 0.5 * h.flange_length, h.flange + 0.5 * h.flange_length))
+      fail("housing", "flange_mm", h.flange,
+           fmt::format("with flange_length_mm = {} it is not all on the housing: {}",
+                       in_mm(h.flange_length), housing_reach()));
+  }
+
+  /// Bore of the housing at a position; where it is open, that of the bearings.
+  [[nodiscard]] double bore_at(double place) const {
+    const Segment* const s = housing_.at(place);
+    return std::isnan(s->bore) ? sets_.bearings()[0].bearing->geometry().outer_diameter : s->bore;
+  }
+
+  void check_coolant() const {
+    if (!spindle_.coolant) return;
+    const model::Coolant& c = *spindle_.coolant;
+    for (const auto& [key, at] : {std::pair{"start_mm", c.start}, {"end_mm", c.end}})
+      if (!housing_.holds(at, at)) fail("coolant", key, at, housing_reach());
+    for (double from = housing_.start; const Segment& s : housing_.segments) {
+      const double to = from + s.length, middle = 0.5 * (from + to);
+      from = to;
+      if (to <= c.start + rounding || to - s.length >= c.end - rounding) continue;
+      const double bore = bore_at(middle), inner = c.diameter - c.channel_depth,
+                   outer = c.diameter + c.channel_depth;
+      if (inner <= bore || outer >= s.diameter)
+        fail("coolant", "diameter_mm", c.diameter,
+             fmt::format("with channel_depth_mm = {} the channel reaches from {} to {} in "
+                         "diameter, outside the wall of the housing, {} to {}",
+                         in_mm(c.channel_depth), in_mm(inner), in_mm(outer), in_mm(bore),
+                         in_mm(s.diameter)));
+    }
+  }
+
+  void check_source(std::string_view table, const std::optional<model::HeatSource>& source) const {
+    if (!source || std::isnan(source->position)) return;
+    const double half = std::isnan(source->length) ? 0.0 : 0.5 * source->length;
+    if (!shaft_.holds(source->position - half, source->position + half))
+      fail(
+          table, "position_mm", source->position,
+          fmt::format("{} long, it is not all on the shaft: {}", in_mm(2.0 * half), shaft_reach()));
+  }
+
+  void check_what_the_shaft_carries() const {
+    const Section s = tables_.section("shaft");
+    const auto require = [&](std::string_view list, std::size_t k, double at) {
+      if (!shaft_.holds(at, at))
+        tables_in(s, list)[k].fail("position_mm",
+                                   fmt::format("position_mm = {}: {}", in_mm(at), shaft_reach()));
+    };
+    const model::ShaftBody& body = spindle_.shaft;
+    for (std::size_t k = 0; k < body.supports.size(); ++k)
+      require("support", k, body.supports[k].position);
+    for (std::size_t k = 0; k < body.disks.size(); ++k) require("disk", k, body.disks[k].position);
+    check_source("motor", spindle_.motor);
+    check_source("drive", spindle_.drive);
+  }
+
+  void check_gap() const {
+    if (!spindle_.gap) return;
+    for (const auto& [key, at] :
+         {std::pair{"start_mm", spindle_.gap->start}, {"end_mm", spindle_.gap->end}})
+      if (!std::isnan(at) && (!shaft_.holds(at, at) || !housing_.holds(at, at)))
+        fail("gap", key, at, fmt::format("{}, {}", shaft_reach(), housing_reach()));
+  }
+
+  static void require_radius(const Section& s, double radius, double from, double to,
+                             std::string_view what) {
+    if (radius < from - rounding || radius > to + rounding)
+      s.fail("radius_mm", fmt::format("radius_mm = {}: {} reaches from {} to {} there",
+                                      in_mm(radius), what, in_mm(from), in_mm(to)));
+  }
+
+  void check_sensor(const Section& s, const ThermometerPlace& place) const {
+    const auto outside = [&](const std::string& why) {
+      s.fail("position_mm", fmt::format("position_mm = {}: {}", in_mm(place.position), why));
+    };
+    switch (place.part) {
+      case ThermometerPlace::Part::shaft: {
+        const Segment* const at = shaft_.at(place.position);
+        if (!at) outside(shaft_reach());
+        require_radius(s, place.radius, 0.5 * at->bore, 0.5 * at->diameter, "the shaft");
+        return;
+      }
+      case ThermometerPlace::Part::housing: {
+        const Segment* const at = housing_.at(place.position);
+        if (!at) outside(housing_reach());
+        require_radius(s, place.radius, 0.5 * bore_at(place.position), 0.5 * at->diameter,
+                       "the housing");
+        return;
+      }
+      case ThermometerPlace::Part::ring:
+        check_ring_sensor(s, place);
+        return;
+      case ThermometerPlace::Part::coolant:
+        if (!spindle_.coolant) s.fail("part", "part = \"coolant\": the model has no [coolant]");
+        if (place.position < spindle_.coolant->start - rounding ||
+            place.position > spindle_.coolant->end + rounding)
+          outside(fmt::format("the channel reaches from {} to {}", in_mm(spindle_.coolant->start),
+                              in_mm(spindle_.coolant->end)));
+    }
+  }
+
+  void check_ring_sensor(const Section& s, const ThermometerPlace& place) const {
+    for (std::size_t k = 0; k < sets_.bearings().size(); ++k) {
+      if (std::abs(place.position - position(k)) > half_width_ + rounding) continue;
+      const bearing::BearingGeometry& g = sets_.bearings()[k].bearing->geometry();
+      const bool inner =
+          place.radius < 0.25 * (spindle_.inner_ring_shoulder + spindle_.outer_ring_shoulder);
+      require_radius(s, place.radius, 0.5 * (inner ? g.bore : spindle_.outer_ring_shoulder),
+                     0.5 * (inner ? spindle_.inner_ring_shoulder : g.outer_diameter),
+                     inner ? "the inner ring" : "the outer ring");
+      return;
+    }
+    s.fail("position_mm",
+           fmt::format("position_mm = {}: no bearing stands there", in_mm(place.position)));
+  }
+
+  const ModelTables& tables_;
+  const model::Spindle& spindle_;
+  const bearing::Arrangement& sets_;
+  Names& notes_;
+  Stack shaft_, housing_;
+  double half_width_;
+};
+
+}  // namespace
+
+void check_spindle(const ModelTables& tables, const model::Spindle& spindle,
+                   const model::Shaft& shaft, Names& notes) {
+  SpindleCheck(tables, spindle, shaft, notes).run();
+}
+
+}  // namespace raceway::files

@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cmath>
+
+#include "files/detail/number_lists.h"
+#include "record/units.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/spindle_parts.h"
+#include "files/detail/spindle_section.h"
+
+namespace raceway::files {
+namespace {
+
+const model::Spindle usual_spindle;
+constexpr Key own_spindle_keys[]{
+    {"name", a_text, "that of the bearing", "for results"},
+    {"preload_feedback", a_flag, "true",
+     "true: friction by the forces of the warm sets, false: by those of the cold ones at that "
+     "speed"},
+};
+// In tables that other models have too.
+const Key spindle_bearing_keys[]{
+    {"width_mm", between(0.5, 1000, "mm"), "of the catalogue, else half of outer diameter - bore",
+     "width of the rings"},
+    {"inner_ring_shoulder_mm", between(1, 5000, "mm"), "pitch diameter - 0.7 ball diameters",
+     "diameter of the inner ring beside the groove"},
+    {"outer_ring_shoulder_mm", between(1, 10000, "mm"), "pitch diameter + 0.7 ball diameters",
+     "diameter of the outer ring beside the groove"},
+    {"lubricant_conductance_W_K", between(0, 1000, "W/K"), usual_spindle.lubricant_conductance,
+     "heat from ring to ring by oil film, oil and rolling balls, beside the contacts"},
+};
+constexpr Key spindle_friction_keys[]{{"inner_heat_share", between(0, 1),
+                                       "by the sliding at each ring",
+                                       "share of the friction heat that goes to the inner ring"}};
+constexpr Key spindle_solver_keys[]{
+    {"cells", one_of("coarse|medium|fine"), "medium", "how fine it is cut into cells"},
+    {"step_s", between(0.01, 1e5, "s"), "as the error asks for", "the longest time step"},
+};
+const Key spindle_rig_keys[]{
+    {"model_floor_K", between(0, 100, "K"), usual_spindle.model_floor_temperature,
+     "what the model leaves of a temperature up to there is its own coarseness"},
+    {"model_floor_um", between(0, 1000, "um"), usual_spindle.model_floor_displacement / um,
+     "what the model leaves of a displacement up to there is its own coarseness"},
+};
+
+const KeyTable tables_of_keys[]{{"bearing", spindle_bearing_keys, "of a spindle"},
+                                {"friction", spindle_friction_keys, "of a spindle"},
+                                {"solver", spindle_solver_keys, "of a spindle"},
+                                {"rig", spindle_rig_keys, "of a spindle"},
+                                {"spindle", own_spindle_keys}};
+
+using model::Cells;
+using model::Spindle;
+
+void read_name(ModelTables& tables, const std::string& bearing, Spindle& spindle) {
+  const Section s = tables.section("spindle", {own_spindle_keys});
+  if (const auto name = s.text("name"))
+    spindle.name = *name;
+  else
+    tables.note_default(s, "name", fmt::format("\"{}\"", spindle.name = bearing));
+  const toml::node* const feedback = s.find("preload_feedback");
+  if (!feedback)
+    tables.note_default("spindle", "preload_feedback", "true");
+  else if (!feedback->is_boolean())
+    s.fail("preload_feedback", fmt::format("preload_feedback = {}: must be true or false, not {}",
+                                           text::shown(*feedback), kind(*feedback)));
+  else
+    spindle.preload_feedback = *feedback->value<bool>();
+}
+
+/// Envelope of the rings, and what they conduct beside their contacts.
+void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spindle) {
+  const Section s = tables.part("bearing", {spindle_bearing_keys});
+  const bearing::BearingGeometry& g = bearing.bearing.geometry();
+  const auto take = [&](double& value, std::string_view key, double fallback,
+                        const std::string& why = "") {
+    if (const auto given = s.number(key)) {
+      value = *given * mm;
+      return;
+    }
+    value = fallback;
+    const std::string text = fmt::format("{:.6g}", value / mm);
+    why.empty() ? tables.note_default(s, key, text) : tables.note_default(s.name(), key, text, why);
+  };
+  if (bearing.row && !std::isnan(bearing.row->width))
+    take(spindle.bearing_width, "width_mm", bearing.row->width, "of the catalogue");
+  else
+    take(spindle.bearing_width, "width_mm", 0.5 * (g.outer_diameter - g.bore),
+         "default: half of outer diameter - bore");
+  take(spindle.inner_ring_shoulder, "inner_ring_shoulder_mm",
+       g.pitch_diameter - 0.7 * g.ball_diameter);
+  take(spindle.outer_ring_shoulder, "outer_ring_shoulder_mm",
+       g.pitch_diameter + 0.7 * g.ball_diameter);
+  const auto require = [&](const char* key, double value, double lower, double upper) {
+    if (!(value > lower && value < upper))
+      s.fail(key, fmt::format("{} = {:.6g} mm: must be between {:.6g} and {:.6g} mm, the ring's "
+                              "other diameter and the pitch circle",
+                              key, value / mm, std::min(lower, upper) / mm,
+                              std::max(lower, upper) / mm));
+  };
+  require("inner_ring_shoulder_mm", spindle.inner_ring_shoulder, g.bore, g.pitch_diameter);
+  require("outer_ring_shoulder_mm", spindle.outer_ring_shoulder, g.pitch_diameter,
+          g.outer_diameter);
+  spindle.lubricant_conductance = tables.number(s, "lubricant_conductance_W_K");
+}
+
+void read_solution(ModelTables& tables, Spindle& spindle) {
+  const Section solver = tables.part("solver", {spindle_solver_keys});
+  const std::string cells = tables.choice(solver, "cells");
+  spindle.cells = cells == "coarse" ? Cells::coarse : cells == "fine" ? Cells::fine : Cells::medium;
+  if (const auto step = solver.number("step_s"))
+    spindle.step = *step;
+  else
+    tables.note_default("solver", "step_s", "as the error asks for");
+  const Section rig = tables.part("rig", {spindle_rig_keys});
+  spindle.model_floor_temperature = tables.number(rig, "model_floor_K");
+  spindle.model_floor_displacement = tables.number(rig, "model_floor_um") * um;
+}
+
+void read_positions(const ModelTables& tables, const model::Shaft& shaft, Spindle& spindle) {
+  const Section s = tables.section("arrangement");
+  const std::size_t front = shaft.arrangement.front_count();
+  const std::size_t rear = shaft.arrangement.bearings().size() - front;
+  const auto read = [&](const char* key, std::size_t count) {
+    if (!s.find(key)) {
+      if (spindle.network) return std::vector<double>();
+      throw MissingKey(fmt::format("{}: [arrangement] {} is missing: centres of the bearings "
+                                   "behind the nose face, a list of {}",
+                                   s.place(), key, count),
+                       s.at(key));
+    }
+    std::vector<double> list = numbers(s, key, *s.find(key), count);
+    for (double& value : list) value *= mm;
+    return list;
+  };
+  spindle.front_positions = read("front_position_mm", front);
+  spindle.rear_positions = read("rear_position_mm", rear);
+}
+
+}  // namespace
+
+const Names& tables_of_spindle() {
+  static const Names names{"spindle", "shaft", "housing", "seat",    "coolant", "ambient",
+                           "motor",   "drive", "gap",     "network", "sensor"};
+  return names;
+}
+
+bool is_spindle(const ModelTables& tables) {
+  const auto has = [&](std::string_view name) { return tables.root().contains(name); };
+  const auto fail = [&](std::string_view table, const std::string& why) {
+    const toml::node* const node = tables.root().get(table);
+    throw text::InputError(
+        fmt::format("{}:{}: [{}]: {}", tables.source(), node->source().begin.line, table, why),
+        {.file = tables.source(),
+         .line = static_cast<int>(node->source().begin.line),
+         .key = std::string(table)});
+  };
+  if (has("network"))
+    for (const char* other : {"shaft", "housing", "gap", "motor", "drive", "coolant", "seat"})
+      if (has(other)) fail(other, "a [network] stands in place of a geometry; take one of the two");
+  if (!has("network") && has("shaft") != has("housing"))
+    fail(has("shaft") ? "shaft" : "housing",
+         "a spindle has both [shaft] and [housing]; the other one is missing");
+  const bool spindle = has("network") || has("shaft");
+  if (!spindle)
+    for (const std::string& name : tables_of_spindle())
+      if (has(name))
+        fail(name, "belongs to a spindle, which a model is with [shaft] and [housing]");
+  return spindle;
+}
+
+std::vector<KeyTable> spindle_tables() {
+  return {std::begin(tables_of_keys), std::end(tables_of_keys)};
+}
+
+Keys spindle_keys(std::string_view table, bool spindle) {
+  for (const KeyTable& one : tables_of_keys)
+    if (spindle && one.name == table) return {one.keys};
+  return {};
+}
+
+model::Spindle read_spindle(ModelTables& tables, const NamedBearing& bearing,
+                            const model::Shaft* shaft, Names& notes) {
+  if (!shaft)
+    throw MissingKey(fmt::format("{}: table [arrangement] is missing; a spindle has its sets of "
+                                 "bearings there",
+                                 tables.source()),
+                     {.file = tables.source(), .key = "arrangement"});
+  if (shaft->arrangement.design().rear.empty())
+    tables.section("arrangement")
+        .fail("layout", "layout = \"tandem\": a spindle has a front and a rear set");
+  Spindle spindle;
+  read_name(tables, bearing.name, spindle);
+  read_rings(tables, bearing, spindle);
+  if (const auto share =
+          tables.part("friction", {spindle_friction_keys}).number("inner_heat_share"))
+    spindle.inner_heat_share = *share;
+  else
+    tables.note_default("friction", "inner_heat_share", "by the sliding at each ring");
+  read_solution(tables, spindle);
+  spindle.ambient = read_ambient(tables);
+  if (tables.root().contains("network")) spindle.network = read_network(tables, spindle.ambient);
+  read_positions(tables, *shaft, spindle);
+  if (spindle.network) {
+    spindle.sensors = sensors_of_network(tables, *spindle.network);
+    return spindle;
+  }
+  spindle.sensors = read_sensors(tables);
+  spindle.shaft = read_shaft_body(tables);
+  spindle.housing = read_housing(tables);
+  spindle.seat = read_seat(tables);
+  spindle.coolant = read_coolant(tables, spindle.ambient);
+  spindle.motor = read_heat_source(tables, "motor");
+  spindle.drive = read_heat_source(tables, "drive");
+  spindle.gap = read_gap(tables);
+  check_spindle(tables, spindle, *shaft, notes);
+  return spindle;
+}
+
+}  // namespace raceway::files

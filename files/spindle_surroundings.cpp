@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "record/series_channel.h"
+#include "record/units.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/spindle_parts.h"
+
+namespace raceway::files {
+namespace {
+
+constexpr model::Ambient usual_air;
+constexpr Key ambient_keys[]{
+    {"temperature_C", between(-100, 200, "C"), celsius(usual_air.temperature), "of the air"},
+    {"machine_temperature_C", between(-100, 200, "C"), "that of the ambient",
+     "of the machine behind the flange"},
+    {"emissivity", between(0, 1), usual_air.emissivity, "of the surfaces, for radiation"},
+    {"convection_factor", between(0, 20), usual_air.convection_factor,
+     "on free convection of housing and end faces"},
+    {"rotating_convection", one_of("becker|kendoush|anderson-saunders"), "becker",
+     "whose correlation for turning surfaces"},
+};
+
+constexpr Key coolant_keys[]{
+    {"fluid", one_of("water|oil"), "water", "what flows"},
+    {"flow_l_min", between(0, 1e4, "l/min"), is_required, "volume in a minute"},
+    {"inlet_temperature_C", between(-50, 150, "C"), "that of the ambient", "where it enters"},
+    {"diameter_mm", between(1, 10000, "mm"), is_required, "of the helix of the channel"},
+    {"channel_width_mm", between(0.1, 1000, "mm"), is_required, "along the spindle"},
+    {"channel_depth_mm", between(0.1, 1000, "mm"), is_required, "radial"},
+    {"pitch_mm", between(0.1, 10000, "mm"), is_required, "from turn to turn, at least the width"},
+    {"start_mm", anywhere, is_required, "where it enters, behind the nose face"},
+    {"end_mm", anywhere, is_required, "where it leaves, behind the nose face"},
+    {"stagnant_W_m2K", between(0, 1e5, "W/(m2 K)"), model::Coolant{}.stagnant,
+     "heat transfer where the coolant stands"},
+};
+
+const double usual_share = model::HeatSource{}.rotor_share;
+constexpr const char* heat_meaning =
+    "a number, or a formula of speed_rpm, axial_load_N and radial_load_N";
+const Key motor_keys[]{
+    {"heat_W", between(0, 1e6, "W"), 0.0, heat_meaning},
+    {"position_mm", on_the_shaft, is_required, "of its middle, behind the nose face"},
+    {"length_mm", between(0.1, longest_mm, "mm"), is_required, "of the rotor"},
+    {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the rotor"},
+    {"rotor_share", between(0, 1), usual_share, "of its heat, to the rotor"},
+};
+const Key drive_keys[]{
+    {"heat_W", between(0, 1e6, "W"), is_required, heat_meaning},
+    {"position_mm", on_the_shaft, "the shaft behind the last bearing",
+     "of the middle of the part that is heated, behind the nose face"},
+    {"length_mm", between(0.1, longest_mm, "mm"), unset, "of the part that is heated"},
+    {"rotor_diameter_mm", between(0.1, 5000, "mm"), unset, "of the part that is heated"},
+    {"rotor_share", between(0, 1), usual_share, "of its heat, to the shaft"},
+};
+
+constexpr Key sensor_keys[]{
+    {"name", a_text, is_required, "letters, digits and _; gives the column NAME_temperature_C"},
+    {"part", one_of("shaft|ring|housing|coolant"), is_required, "what it sits on"},
+    {"position_mm", anywhere, unset,
+     "behind the nose face, required but in the coolant: there the outlet without it"},
+    {"radius_mm", between(0, 5000, "mm"), unset, "from the axis, required but in the coolant"},
+};
+
+constexpr double litre_per_minute = 1e-3 / 60.0;  ///< [m³/s]
+
+using model::ThermometerPlace;
+
+[[noreturn]] void fail_heat(const Section& s, const std::string& formula,
+                            const record::FormulaError& error) {
+  const Names& known = model::heat_variables;
+  std::string hint;
+  if (!error.unknown_name.empty()) {
+    hint = text::suggestion(error.unknown_name, known);
+    hint += "; a formula of heat knows " + text::listed(known);
+  }
+  s.fail("heat_W", fmt::format("[{}] heat_W: {}{}\n  {}\n  {:>{}}", s.name(), error.what(), hint,
+                               formula, "^", error.position + 1));
+}
+
+/// Where a machine runs, the formula gives a number that is no cooling.
+void require_heat(const Section& s, const record::Expression& heat) {
+  for (const double speed_rpm : {0.0, 1000.0, 10000.0}) {
+    std::vector<double> values;
+    for (const std::size_t name : heat.used())
+      values.push_back(model::heat_variables[name] == "speed_rpm" ? speed_rpm : 0.0);
+    const double watts = heat(values);
+    if (!std::isfinite(watts) || watts < 0.0)
+      s.fail("heat_W", fmt::format("[{}] heat_W = \"{}\": gives {} at {} rpm without load: must be "
+                                   "a number of watts from 0",
+                                   s.name(), heat.text(),
+                                   std::isfinite(watts) ? fmt::format("{:.6g} W", watts)
+                                                        : std::string("no number"),
+                                   speed_rpm));
+  }
+}
+
+std::shared_ptr<const record::Expression> read_heat(ModelTables& tables, const Section& s) {
+  const toml::node* const node = s.find("heat_W");
+  std::string formula;
+  if (!node) {
+    // A record may bring that of the motor; a drive without heat says nothing.
+    if (s.name() != "motor")
+      s.fail_missing("heat_W", ", a number or a formula as \"0.015*speed_rpm\"");
+    tables.note_default(s.name(), "heat_W", "0");
+    formula = "0";
+  } else if (node->is_number()) {
+    formula = fmt::format("{:.17g}", *s.number("heat_W"));
+  } else {
+    formula = *s.text("heat_W");
+  }
+  try {
+    auto heat = std::make_shared<const record::Expression>(formula, model::heat_variables);
+    require_heat(s, *heat);
+    return heat;
+  } catch (const record::FormulaError& error) {
+    fail_heat(s, formula, error);
+  }
+}
+
+ThermometerPlace::Part part_of(const Section& s) {
+  const auto part = s.choice("part");
+  if (!part) s.fail("part", "[sensor] part is missing: must be shaft, ring, housing or coolant");
+  return *part == "shaft"     ? ThermometerPlace::Part::shaft
+         : *part == "ring"    ? ThermometerPlace::Part::ring
+         : *part == "housing" ? ThermometerPlace::Part::housing
+                              : ThermometerPlace::Part::coolant;
+}
+
+std::string sensor_name(const Section& s, const std::vector<ThermometerPlace>& before) {
+  const auto name = s.text("name");
+  if (!name) s.fail("name", "[sensor] name is missing: it gives the column NAME_temperature_C");
+  const auto fail = [&](const std::string& why) {
+    s.fail("name", fmt::format("name = \"{}\": {}", *name, why));
+  };
+  if (!names_a_column(*name))
+    fail("must be letters, digits and _, since it gives the column NAME_temperature_C");
+  for (const char* taken : {"ambient", "machine", "coolant_inlet", "inner_ring", "outer_ring"})
+    if (*name == taken)
+      fail(fmt::format("{}_temperature_C is a column of its own; take another name", taken));
+  for (const ThermometerPlace& other : before)
+    if (other.name == *name) fail("another sensor has this name");
+  return *name;
+}
+
+}  // namespace
+
+bool names_a_column(std::string_view name) {
+  const auto ordinary = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), ordinary);
+}
+
+std::vector<KeyTable> surroundings_tables() {
+  return {{"ambient", ambient_keys},
+          {"coolant", coolant_keys},
+          {"motor", motor_keys},
+          {"drive", drive_keys},
+          {"sensor", sensor_keys}};
+}
+
+model::Ambient read_ambient(ModelTables& tables) {
+  const Section s = tables.section("ambient", {ambient_keys});
+  model::Ambient ambient;
+  ambient.temperature = kelvin(tables.number(s, "temperature_C"));
+  if (const auto value = s.number("machine_temperature_C"))
+    ambient.machine_temperature = kelvin(*value);
+  else
+    tables.note_default(s, "machine_temperature_C",
+                        fmt::format("{:.10g}", celsius(ambient.temperature)));
+  ambient.emissivity = tables.number(s, "emissivity");
+  ambient.convection_factor = tables.number(s, "convection_factor");
+  const std::string law = tables.choice(s, "rotating_convection");
+  ambient.rotating_convection = law == "becker"     ? model::RotatingConvection::becker
+                                : law == "kendoush" ? model::RotatingConvection::kendoush
+                                                    : model::RotatingConvection::anderson_saunders;
+  return ambient;
+}
+
+std::optional<model::Coolant> read_coolant(ModelTables& tables, const model::Ambient& ambient) {
+  const Section s = tables.section("coolant", {coolant_keys});
+  if (!s.given()) return std::nullopt;
+  model::Coolant coolant;
+  coolant.fluid = tables.choice(s, "fluid") == "water" ? model::Fluid::water : model::Fluid::oil;
+  coolant.flow = s.required("flow_l_min") * litre_per_minute;
+  coolant.inlet_temperature =
+      kelvin(tables.number(s, "inlet_temperature_C", celsius(ambient.temperature)));
+  coolant.diameter = s.required("diameter_mm") * mm;
+  coolant.channel_width = s.required("channel_width_mm") * mm;
+  coolant.channel_depth = s.required("channel_depth_mm") * mm;
+  coolant.pitch = s.required("pitch_mm") * mm;
+  coolant.start = s.required("start_mm") * mm;
+  coolant.end = s.required("end_mm") * mm;
+  coolant.stagnant = tables.number(s, "stagnant_W_m2K");
+  if (coolant.pitch < coolant.channel_width)
+    s.fail("pitch_mm", fmt::format("pitch_mm = {:.10g} mm: must be at least channel_width_mm = "
+                                   "{:.10g} mm, or the turns of the channel run into each other",
+                                   coolant.pitch / mm, coolant.channel_width / mm));
+  if (coolant.end <= coolant.start)
+    s.fail("end_mm", fmt::format("end_mm = {:.10g} mm: must be above start_mm = {:.10g} mm",
+                                 coolant.end / mm, coolant.start / mm));
+  return coolant;
+}
+
+std::optional<model::HeatSource> read_heat_source(ModelTables& tables, std::string_view table) {
+  const bool motor = table == "motor";
+  const Section s = tables.section(
+      table, {motor ? std::span<const Key>(motor_keys) : std::span<const Key>(drive_keys)});
+  if (!s.given()) return std::nullopt;
+  model::HeatSource source{.heat = read_heat(tables, s)};
+  const auto take = [&](double& value, std::string_view key) {
+    if (const auto given = s.number(key)) value = *given * mm;
+  };
+  take(source.position, "position_mm");
+  take(source.length, "length_mm");
+  take(source.rotor_diameter, "rotor_diameter_mm");
+  source.rotor_share = motor ? tables.number(s, "rotor_share") : s.value("rotor_share");
+  return source;
+}
+
+std::vector<ThermometerPlace> read_sensors(const ModelTables& tables) {
+  std::vector<ThermometerPlace> list;
+  for (const Section& s : sensor_sections(tables, {sensor_keys})) {
+    ThermometerPlace place{.name = sensor_name(s, list)};
+    place.part = part_of(s);
+    const bool optional = place.part == ThermometerPlace::Part::coolant;
+    const auto take = [&](double& value, std::string_view key) {
+      if (const auto given = s.number(key))
+        value = *given * mm;
+      else if (!optional)
+        s.fail_missing(key);
+    };
+    take(place.position, "position_mm");
+    take(place.radius, "radius_mm");
+    list.push_back(std::move(place));
+  }
+  return list;
+}
+
+}  // namespace raceway::files

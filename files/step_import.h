@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spindle/step_response.h"
+#include "text/error.h"
+
+/// Step responses that another program computed, as a finite-element run of a spindle.
+namespace raceway::files {
+
+/// One constant load from rest at t = 0, rising in time.
+struct LoadCase {
+  std::string name = {};
+  double power_start = unset, power_end = unset;  ///< [W]; NaN: that of its speed
+  double speed = unset;                           ///< [rad/s]; NaN: only its power is known
+  double at_once = 0.0;                           ///< displacement of the row at t = 0 [m]
+  std::vector<double> time = {};                  ///< [s]
+  std::vector<double> displacement = {};          ///< less what is there at once [m]
+  text::Place place = {};                         ///< of its first row
+};
+
+/// Reads a CSV with time_s, axial_displacement_um, power_W or speed_rpm or both, and load_case
+/// where there are several loads of one size; other units behind the names ("time_min",
+/// "axial_displacement [mm]") are taken. Rows of the cases may be mixed, in any order and at any
+/// times. Without load_case rows of one power, else of one speed, are a case.
+///
+/// Throws InputError: a column that is missing, a cell that is no number, a time below 0 or twice
+/// in a case, a speed that changes within one.
+[[nodiscard]] std::vector<LoadCase> read_load_cases(const std::string& path);
+
+/// The same from text; `source` stands in messages.
+[[nodiscard]] std::vector<LoadCase> parse_load_cases(std::string text, const std::string& source);
+
+/// Units of two columns without a head.
+struct HistoryUnits {
+  double time = 1.0, length = um;
+};
+/// "s,um", "min,mm", "s,m". Throws InputError, which names `flag`.
+[[nodiscard]] HistoryUnits history_units(std::string_view text, const std::string& flag);
+
+/// Reads one load case from a time history of two columns, time and displacement, as ANSYS (PRVAR),
+/// CalculiX or a spreadsheet write them: separated by blanks, tabs, commas or semicolons. Lines
+/// that begin with a word are skipped. `given` is the load and the file: "50W=a.csv",
+/// "6000rpm=b.txt".
+///
+/// Throws InputError: no load or none of a power or a speed, rows with one number or three, a time
+/// or a displacement that is not finite or out of range.
+[[nodiscard]] LoadCase read_history(const std::string& given, const HistoryUnits& units);
+
+/// Fits each of them; a case without a power keeps none. Throws InputError for one that cannot be
+/// fitted.
+[[nodiscard]] std::vector<spindle::StepResponse> fit_load_cases(const std::vector<LoadCase>& cases);
+
+}  // namespace raceway::files

@@ -1,9 +1,0 @@
-#pragma once
-
-namespace raceway::io {
-
-// What a maker's catalogue does not print.
-inline constexpr double catalogue_conformity = 0.52;
-inline constexpr double catalogue_f0 = 1.5, catalogue_z = 0.001, catalogue_y = 0.33;
-
-}  // namespace raceway::io

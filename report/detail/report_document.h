@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "text/detail/json_text.h"
+
+namespace raceway::report {
+
+/// The document of a report in the making: its members in order. Shared by the reports, not for
+/// other code.
+class Document {
+ public:
+  explicit Document(const std::string& kind);
+  void add(const std::string& key, text::json value) {
+    add_text(key, text::line_text(std::move(value)));
+  }
+  /// A member that is JSON already.
+  void add_text(const std::string& key, const std::string& value) {
+    text_ += (text_.empty() ? "{" : ",\n") + text::line_text(key) + ":" + value;
+  }
+  [[nodiscard]] std::string text() const { return text_ + "\n}"; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace raceway::report

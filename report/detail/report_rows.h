@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/compare.h"
+#include "record/record.h"
+#include "report/detail/report_document.h"
+#include "report/report_columns.h"
+
+namespace raceway::report {
+
+/// Rows of a record as columns of a report: what was set, what one channel read, its noise, what
+/// models say. Names of columns end with the unit; readings are in that of the channel.
+class ReportRows {
+ public:
+  /// `rows` of the record, rising.
+  ReportRows(const record::Record& record, const record::Channel& channel,
+             std::vector<std::size_t> rows);
+
+  [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
+  /// Numbers in the order of the errors of a comparison, by row of the page; NaN elsewhere.
+  [[nodiscard]] std::vector<double> by_row(const fit::Comparison& comparison,
+                                           std::span<const double> values) const;
+
+  /// A column of readings by row of the page [SI]. Returns its name, which is `name` and the unit.
+  std::string add_readings(const std::string& name, std::vector<double> values);
+  /// The standard deviation of each reading [SI], NaN where not known.
+  void add_std(std::vector<double> std);
+  /// What a model predicts, as the next of the columns `predicted_0_UNIT`, ..., and where it errs
+  /// on the plan. After add_std().
+  void add_model(const std::string& name, const fit::Comparison& comparison);
+
+  void finish(Document& document) const;
+
+ private:
+  void add_inputs();
+  /// Several records, which take the place of runs where they have none beside.
+  [[nodiscard]] bool by_record() const {
+    return !record_.parts.empty() && record_.runs.size() <= record_.parts.size();
+  }
+  [[nodiscard]] bool shows(const record::Column& input) const;
+  [[nodiscard]] std::vector<double> picked(std::span<const double> values) const;
+
+  const record::Record& record_;
+  const record::Channel& channel_;
+  std::vector<std::size_t> rows_, place_;  // of the record by row of the page, and the other way
+  std::vector<double> std_;
+  std::vector<std::string> inputs_;
+  text::json models_ = text::json::array();
+  ReportColumns columns_;
+};
+
+/// Rows of a record at which a channel was read.
+[[nodiscard]] std::vector<std::size_t> rows_read(const record::Record& record,
+                                                 const record::Channel& channel);
+
+/// Rows of a record that a comparison compares, rising.
+[[nodiscard]] std::vector<std::size_t> rows_compared(const fit::Comparison& comparison);
+
+}  // namespace raceway::report

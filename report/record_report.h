@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fit/add.h"
+#include "fit/compare.h"
+#include "fit/diagnosis.h"
+#include "fit/subject.h"
+#include "model/model_changes.h"
+#include "record/record.h"
+#include "report/report.h"
+#include "results/correction_results.h"
+
+/// The page of a record over time: what was measured and predicted with the inputs below, what each
+/// channel adds, what is left, what a step of an input does, and how much each model or effect
+/// leaves.
+namespace raceway::report {
+
+/// A correction as it is drawn, or a spindle: that with each channel that was measured.
+struct DrawnModel {
+  std::string name{};                             ///< as people read it
+  std::shared_ptr<const fit::Subject> subject{};  ///< of a correction: aligned with the record
+  std::vector<fit::HeldOutReading> held_out{};    ///< where a fit left parts of the record out
+  std::vector<std::string> defaults{};            ///< that its file used
+  std::vector<double> tolerances{};  ///< of a spindle: of each channel that was measured [SI]
+};
+
+/// The page around the document that `command` prints with `--json`. Models of one channel share
+/// what was measured; eight parts are those of the first of each. `facts` are those of spindles,
+/// `changes` from each of them to the next.
+[[nodiscard]] std::string record_report(const std::string& command, const std::string& results,
+                                        const record::Record& record,
+                                        const std::vector<DrawnModel>& models,
+                                        const std::vector<ModelOfPage>& facts = {},
+                                        const std::vector<model::ModelChanges>& changes = {});
+
+[[nodiscard]] std::string record_diagnosis_report(const std::string& model_file,
+                                                  const record::Record& record,
+                                                  const fit::Diagnosis& diagnosis,
+                                                  const std::vector<std::string>& defaults,
+                                                  const std::vector<ModelOfPage>& facts = {});
+
+[[nodiscard]] std::string record_add_report(const std::string& model_file,
+                                            const record::Record& record,
+                                            const fit::AddResult& result,
+                                            const std::vector<std::string>& defaults,
+                                            const std::vector<ModelOfPage>& facts = {});
+
+}  // namespace raceway::report

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/add.h"
+#include "fit/compare.h"
+#include "fit/diagnosis.h"
+#include "friction/stribeck_table.h"
+#include "model/model.h"
+#include "model/prediction.h"
+#include "record/record.h"
+#include "shaft/fit_kinematic_law.h"
+#include "shaft/shaft_prediction.h"
+
+/// Results as one HTML page with pictures that needs no network. It holds the document that
+/// `--json` prints, the rows behind the pictures, and the script that draws them (report/page/).
+/// The same results give the same bytes. Of several measured channels a page draws the first.
+namespace raceway::report {
+
+/// False in a program built with -DRACEWAY_REPORT=OFF; the functions below then throw InputError.
+[[nodiscard]] bool report_available();
+
+/// A model whose law, factors, oil and defaults the page names.
+struct ModelOfPage {
+  std::string file;
+  model::Model model;  ///< as it was used
+  std::vector<std::string> defaults;
+};
+
+/// The models in the order in which they were made, as they were compared; of each the comparisons
+/// of its measured channels. `facts` may be empty, here and below.
+[[nodiscard]] std::string comparison_report(
+    const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
+    const std::vector<std::vector<fit::Comparison>>& comparisons, const record::Record& record,
+    const std::vector<ModelOfPage>& facts = {});
+
+/// `subject` is the one that was diagnosed.
+[[nodiscard]] std::string diagnosis_report(const std::string& model_file,
+                                           const fit::Subject& subject,
+                                           const record::Record& record,
+                                           const fit::Diagnosis& diagnosis,
+                                           const std::vector<ModelOfPage>& facts = {});
+
+[[nodiscard]] std::string add_report(const std::string& model_file, const record::Record& record,
+                                     const fit::AddResult& result,
+                                     const std::vector<ModelOfPage>& facts = {});
+
+/// What is drawn around a bearing, beside the curves: points with their predicted balance.
+using BearingStates = std::vector<std::pair<bearing::OperatingPoint, model::FrictionPrediction>>;
+
+/// `measured` may be null. Friction torque in it is that of all bearings of the rig.
+[[nodiscard]] std::string table_report(const std::string& model_file, const model::Model& model,
+                                       const friction::StribeckTable& table,
+                                       const BearingStates& states, const record::Record* measured,
+                                       const std::vector<ModelOfPage>& facts = {});
+
+/// The fitted law of a shaft's displacement, or why there is none.
+struct LawOfReport {
+  std::optional<shaft::KinematicLawFit> fit;
+  std::string statement;  ///< how well it follows the curve, or why none was fitted
+};
+
+/// `warnings` are what the command says of the bearings and of speeds without balance.
+[[nodiscard]] std::string displacement_report(const std::string& model_file,
+                                              const model::Model& model,
+                                              std::span<const shaft::ShaftPoint> points,
+                                              std::span<const shaft::ShaftPrediction> predictions,
+                                              const LawOfReport& law,
+                                              const std::vector<std::string>& warnings,
+                                              const std::vector<ModelOfPage>& facts = {});
+
+/// The page around a document: JSON as text, in which no `<` is left to end the data early.
+[[nodiscard]] std::string report_page(const std::string& document);
+
+}  // namespace raceway::report

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace raceway::report {
+
+/// Rows of numbers for the pictures of a report, column by column, as compact JSON: seven digits,
+/// a column of one value as that value, null where a number is not known.
+///
+/// A page takes so many rows and numbers. Of more, rows evenly spread over the file are kept.
+class ReportColumns {
+ public:
+  explicit ReportColumns(std::size_t rows) : rows_(rows) {}
+
+  /// `values` of all rows, in the unit that `name` ends with.
+  void add(std::string name, std::vector<double> values);
+  /// Keeps these rows too when others are left out.
+  void keep(std::size_t row) { wanted_.push_back(row); }
+  /// Keeps those where `values` are highest and lowest in each of 500 stretches of the rows.
+  void keep_extremes(const std::vector<double>& values);
+  /// Both, for what is drawn over time.
+  void add_course(std::string name, std::vector<double> values) {
+    keep_extremes(values);
+    add(std::move(name), std::move(values));
+  }
+
+  /// `{"total": rows, "rows": those kept, "columns": [{"name": ..., "values": [...]}]}`
+  [[nodiscard]] std::string json() const;
+
+  static constexpr std::size_t most_rows = 100000, most_numbers = 1500000;
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> kept() const;
+
+  struct Column {
+    std::string name;
+    std::vector<double> values;
+  };
+  std::size_t rows_;
+  std::vector<Column> columns_;
+  std::vector<std::size_t> wanted_;
+};
+
+}  // namespace raceway::report

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "report/report.h"
+#include "results/spindle_results.h"
+#include "spindle/drawn_run.h"
+
+/// The pages of `raceway spindle`: what runs.csv holds as pictures, and the cross-section with the
+/// temperature of each cell.
+namespace raceway::report {
+
+/// The temperatures of all cells at one time, or at one speed.
+struct DrawnField {
+  double time = unset;   ///< [s]; NaN of a steady state
+  double speed = unset;  ///< [rad/s]
+  std::vector<spindle::FieldCell> cells;
+};
+
+/// `results`: what `--json` prints but for its rows, which are those of `drawn`. `mesh_text`: what
+/// the command says of the cells.
+[[nodiscard]] std::string spindle_run_report(const ModelOfPage& model, const std::string& programme,
+                                             std::size_t rows_asked, const spindle::Run& run,
+                                             const spindle::DrawnRun& drawn,
+                                             std::span<const DrawnField> fields,
+                                             const results::MeshEstimate& mesh,
+                                             const std::string& mesh_text);
+
+[[nodiscard]] std::string spindle_steady_report(const ModelOfPage& model,
+                                                std::span<const results::SteadyState> states,
+                                                std::span<const DrawnField> fields,
+                                                const results::MeshEstimate& mesh,
+                                                const std::string& mesh_text);
+
+}  // namespace raceway::report

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/report.h"
+#include "results/step_results.h"
+
+namespace raceway::report {
+
+/// The page of `raceway step-response`. `source` is what the steps are of; `facts` are empty where
+/// they were read without a model. `error` of the correction over `programme`, null where none was
+/// asked for.
+[[nodiscard]] std::string step_report(const std::string& source,
+                                      const spindle::StepResponses& responses,
+                                      const spindle::PowerLaws& laws,
+                                      const std::vector<std::string>& notes,
+                                      const results::Superposition* error,
+                                      const std::string& programme,
+                                      const std::vector<ModelOfPage>& facts);
+
+}  // namespace raceway::report

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/model.h"
+#include "spindle/loaded_shaft.h"
+#include "spindle/modes.h"
+#include "spindle/sets_at_speed.h"
+
+/// Results of the shaft as a beam on its bearings, as CSV and as JSON, keys with their units
+/// (docs/files.md). What has no balance is empty or null.
+namespace raceway::results {
+
+/// Modes at one speed, and the sets that hold the shaft there.
+struct ModesAtSpeed {
+  double speed = unset;  ///< [rad/s]
+  spindle::SetsAtSpeed sets;
+  std::vector<spindle::Spring> springs;
+  spindle::Modes modes;
+  [[nodiscard]] bool converged() const { return sets.converged() && modes.converged(); }
+  /// "converged", or how sets or modes ended.
+  [[nodiscard]] std::string status() const;
+};
+
+/// A Campbell diagram: speed_rpm, mode, frequency_Hz, whirl, damping_ratio (empty: damping is not
+/// modelled), front_force_N, rear_force_N and, of each side as sums and of each bearing, stiffness;
+/// status. A row for each mode, one without mode where there is none.
+[[nodiscard]] std::string campbell_text(const bearing::Arrangement& arrangement,
+                                        const std::vector<ModesAtSpeed>& speeds,
+                                        std::string_view source, std::string_view model_text);
+
+/// speed_rpm, mode, frequency_Hz, whirl, position_mm, y_amplitude, z_amplitude; the largest is 1.
+[[nodiscard]] std::string mode_shapes_text(const spindle::Beam& beam,
+                                           const std::vector<ModesAtSpeed>& speeds,
+                                           std::string_view source, std::string_view model_text);
+
+[[nodiscard]] std::string campbell_json(const bearing::Arrangement& arrangement,
+                                        const std::vector<ModesAtSpeed>& speeds,
+                                        std::string_view source);
+
+/// The shaft under a force.
+struct DeflectionResult {
+  double speed = 0.0, force = unset, at = 0.0;  ///< [rad/s], [N], [m]
+  bool axial = false;
+  double axial_force = 0.0;  ///< beside a radial one, towards the tool [N]
+  /// In the plane of a radial force, at its place, in the sense of the same force further in front
+  /// [N m].
+  double moment = 0.0;
+  spindle::SetsAtSpeed sets;    ///< without the force
+  spindle::LoadedShaft shaft;   ///< under it; not run where the sets have no balance
+  double displacement = unset;  ///< where the force acts, in its direction [m]
+  double nose = unset;          ///< of the nose face in that direction [m]
+  double slope = unset;         ///< of the section at the nose [rad]
+  double tangent = unset;  ///< displacement where the force acts, by the unloaded stiffness [m]
+  [[nodiscard]] bool converged() const { return sets.converged() && shaft.report.converged(); }
+  [[nodiscard]] std::string status() const;
+  /// Of one force alone; NaN of several loads together [N/m].
+  [[nodiscard]] double stiffness() const {
+    return axial_force == 0.0 && moment == 0.0 ? force / displacement : unset;
+  }
+};
+
+/// "1000 N radial, -200 N axial, 50 N m".
+[[nodiscard]] std::string load_words(const DeflectionResult& result);
+
+[[nodiscard]] std::string deflection_json(const bearing::Arrangement& arrangement,
+                                          const DeflectionResult& result, std::string_view source);
+
+/// The line of the bent shaft: position_mm, radial_displacement_um, slope_urad.
+[[nodiscard]] std::string deflection_text(const spindle::Beam& beam, const DeflectionResult& result,
+                                          std::string_view source, std::string_view model_text);
+
+}  // namespace raceway::results

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "shaft/conformity.h"
+
+/// The conformity of a catalogue bearing as a JSON document; see results.h.
+namespace raceway::results {
+
+[[nodiscard]] std::string conformity_json(const std::string& bearing,
+                                          const shaft::ConformityFit& fit);
+
+}  // namespace raceway::results

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correction/baseline.h"
+#include "correction/identify.h"
+#include "correction/range.h"
+#include "correction/simulation.h"
+#include "record/record.h"
+
+namespace raceway::results {
+
+/// What a model is worth on a record that it did not see.
+struct Validation {
+  std::string data{};             ///< file of the record
+  correction::Metrics metrics{};  ///< one constant removed
+  std::size_t rows_beyond_range = 0;
+};
+
+/// The document of `raceway identify --json`, of one displacement or several. `validations`: of
+/// each of them, or empty.
+[[nodiscard]] std::string identification_json(const std::string& model_file,
+                                              const record::Record& record,
+                                              const std::vector<correction::Identification>& found,
+                                              const std::vector<Validation>& validations);
+
+/// The document of `raceway identify --baseline arx --json`, of one displacement or several.
+[[nodiscard]] std::string arx_json(
+    const std::string& model_file, const record::Record& record,
+    const std::vector<std::pair<const record::Channel*, correction::ArxBaseline>>& found);
+
+/// What a model makes of a record.
+struct Corrected {
+  const record::Channel* displacement = nullptr;
+  correction::InitialState initial_state = correction::InitialState::rest;
+  std::vector<double> predicted{};  ///< [m]
+  std::vector<correction::Contribution> parts{};
+  correction::Metrics metrics{};  ///< one constant removed; empty where nothing was read
+  correction::Beyond beyond{};
+  std::vector<double> band{};  ///< half its width [m]; empty where none is known
+  double noise = unset;        ///< of a single reading [m]
+  /// Share of the readings that lie within it and their noise, one constant removed as in the
+  /// metrics.
+  double readings_in_band = unset;
+};
+
+/// time_s, predicted_um (of several displacements predicted_COLUMN), band_low_um and band_high_um
+/// where a band is known, what each channel adds, and where it was read the residual_um.
+[[nodiscard]] std::string corrected_text(const record::Record& record,
+                                         const std::vector<Corrected>& corrected);
+[[nodiscard]] std::string corrected_json(const std::string& model_file,
+                                         const record::Record& record,
+                                         const std::vector<Corrected>& corrected,
+                                         const std::vector<std::string>& messages);
+
+}  // namespace raceway::results

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "correction/metrics.h"
+#include "text/detail/json_text.h"
+
+/// Results of corrections as JSON objects, shared by the writers of results.
+namespace raceway::results {
+
+/// `rmse_um`, `fit_percent` and the rest, by their definitions beside each other.
+[[nodiscard]] text::json metrics_object(const correction::Metrics& metrics);
+
+}  // namespace raceway::results

@@ -1,0 +1,192 @@
+#include "results/spindle_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "record/units.h"
+#include "text/detail/csv_text.h"
+#include "text/detail/json_text.h"
+#include "text/printable.h"
+
+namespace raceway::results {
+namespace {
+
+using spindle::Inputs;
+using spindle::Moment;
+
+text::json row_json(const std::vector<RunColumn>& columns) {
+  text::json row = text::json::object();
+  for (const RunColumn& c : columns) row[c.name] = c.value;
+  return row;
+}
+
+text::json mesh_json(const MeshEstimate& mesh) {
+  if (!mesh.known()) return nullptr;
+  return {{"other_cells", mesh.other_cells},
+          {"speed_rpm", mesh.speed / rpm},
+          {"axial_displacement_um", mesh.displacement / um},
+          {"inner_ring_temperature_K", mesh.inner_ring_rise},
+          {"front_force_N", mesh.front_force}};
+}
+
+text::json report_of(const spindle::Report& report, const MeshEstimate& mesh) {
+  return {{"status", spindle::name(report.status)},
+          {"message", report.message},
+          {"steps", report.steps},
+          {"rejected", report.rejected},
+          {"energy_error", report.energy_error},
+          {"cells", mesh.cells},
+          {"mesh_estimate", mesh_json(mesh)}};
+}
+
+void put_title(fmt::memory_buffer& out, const model::Model& model, std::string_view what,
+               std::string_view model_text) {
+  fmt::format_to(std::back_inserter(out), "# {} of a spindle: {}\n# raceway {}\n", what,
+                 text::printable(model.spindle->name), RACEWAY_VERSION);
+  text::append_model(out, model_text);
+}
+
+void put_header(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) {
+  for (const RunColumn& c : columns) {
+    if (&c != columns.data()) out.push_back(',');
+    text::append_text(out, c.name);
+  }
+}
+
+void put_row(fmt::memory_buffer& out, const std::vector<RunColumn>& columns) {
+  for (const RunColumn& c : columns) {
+    if (&c != columns.data()) out.push_back(',');
+    text::append_value(out, c.value);
+  }
+}
+
+}  // namespace
+
+std::vector<RunColumn> run_columns(const model::Model& model, const Inputs& inputs,
+                                   const Moment& m) {
+  std::vector<RunColumn> list{{"speed_rpm", inputs.speed / rpm}};
+  if (!model.spindle->network) {
+    list.push_back({"axial_displacement_um", m.displacement / um});
+    list.push_back({"kinematic_displacement_um", m.kinematic_displacement / um});
+    list.push_back({"thermal_displacement_um", m.thermal_displacement() / um});
+    list.push_back({"front_force_N", m.front_force});
+    list.push_back({"rear_force_N", m.rear_force});
+  }
+  list.push_back({"friction_power_W", m.heat.friction});
+  list.push_back({"drive_heat_W", m.heat.drive});
+  list.push_back({"heat_to_coolant_W", m.heat.coolant});
+  list.push_back({"heat_to_air_W", m.heat.air});
+  list.push_back({"heat_to_machine_W", m.heat.machine});
+  list.push_back({"heat_stored_W", m.heat.stored});
+  const std::vector<model::ThermometerPlace>& sensors = model.spindle->sensors;
+  for (std::size_t k = 0; k < sensors.size(); ++k)
+    list.push_back(
+        {sensors[k].name + "_temperature_C", k < m.sensors.size() ? celsius(m.sensors[k]) : unset});
+  if (model.spindle->network) return list;
+  for (std::size_t k = 0; k < model.shaft->arrangement.bearings().size(); ++k) {
+    const spindle::BearingState b = k < m.bearings.size() ? m.bearings[k] : spindle::BearingState{};
+    const std::string label = bearing_label(model, k);
+    list.push_back({label + "_inner_ring_temperature_C", celsius(b.inner_ring_temperature)});
+    list.push_back({label + "_outer_ring_temperature_C", celsius(b.outer_ring_temperature)});
+    list.push_back({label + "_force_N", b.force});
+  }
+  const bool measured = std::any_of(sensors.begin(), sensors.end(),
+                                    [](const auto& s) { return s.name == "coolant_outlet"; });
+  if (model.spindle->coolant && !measured)
+    list.push_back({"coolant_outlet_temperature_C", celsius(m.coolant_outlet)});
+  return list;
+}
+
+std::string bearing_label(const model::Model& model, std::size_t bearing) {
+  const std::size_t front = model.shaft->arrangement.front_count();
+  return bearing < front ? fmt::format("front_{}", bearing + 1)
+                         : fmt::format("rear_{}", bearing - front + 1);
+}
+
+std::string spindle_run_text(const model::Model& model,
+                             std::span<const spindle::ProfileRow> profile, const spindle::Run& run,
+                             std::string_view model_text) {
+  fmt::memory_buffer out;
+  put_title(out, model, "Run", model_text);
+  const auto put = std::back_inserter(out);
+  fmt::format_to(put, "# the inputs of a row hold from the row before it to its time\n");
+  fmt::format_to(put, "time_s,");
+  put_header(out, run_columns(model, {}, {}));
+  out.push_back('\n');
+  for (std::size_t k = 0; k < run.moments.size(); ++k) {
+    text::append_value(out, run.moments[k].time);
+    out.push_back(',');
+    put_row(out, run_columns(model, profile[k].inputs, run.moments[k]));
+    out.push_back('\n');
+  }
+  return fmt::to_string(out);
+}
+
+std::string spindle_run_json(const model::Model& model,
+                             std::span<const spindle::ProfileRow> profile, const spindle::Run& run,
+                             const MeshEstimate& mesh) {
+  text::json rows = text::json::array();
+  for (std::size_t k = 0; k < run.moments.size(); ++k) {
+    text::json row{{"time_s", run.moments[k].time}};
+    row.update(row_json(run_columns(model, profile[k].inputs, run.moments[k])));
+    rows.push_back(std::move(row));
+  }
+  return text::text(
+      {{"spindle", model.spindle->name},
+       {"report", report_of(run.report, mesh)},
+       {"highest_front_force",
+        {{"force_N", run.highest_front_force}, {"time_s", run.time_of_highest_force}}},
+       {"rows_asked", profile.size()},
+       {"rows", std::move(rows)}});
+}
+
+std::string spindle_steady_text(const model::Model& model, std::span<const SteadyState> states,
+                                std::string_view model_text) {
+  fmt::memory_buffer out;
+  put_title(out, model, "Steady states", model_text);
+  put_header(out, run_columns(model, {}, {}));
+  fmt::format_to(std::back_inserter(out), ",axial_stiffness_N_um,status\n");
+  for (const SteadyState& s : states) {
+    put_row(out, run_columns(model, s.inputs, s.moment));
+    out.push_back(',');
+    text::append_value(out, s.axial_stiffness / N_per_um);
+    fmt::format_to(std::back_inserter(out), ",{}\n", spindle::name(s.report.status));
+  }
+  return fmt::to_string(out);
+}
+
+std::string spindle_steady_json(const model::Model& model, std::span<const SteadyState> states,
+                                const MeshEstimate& mesh) {
+  text::json rows = text::json::array();
+  for (const SteadyState& s : states) {
+    text::json row = row_json(run_columns(model, s.inputs, s.moment));
+    row["axial_stiffness_N_um"] = s.axial_stiffness / N_per_um;
+    row["report"] = report_of(
+        s.report, mesh.speed == s.inputs.speed ? mesh : MeshEstimate{.cells = mesh.cells});
+    rows.push_back(std::move(row));
+  }
+  return text::text({{"spindle", model.spindle->name}, {"steady", std::move(rows)}});
+}
+
+std::string spindle_field_text(std::span<const spindle::FieldCell> cells, std::string_view name) {
+  fmt::memory_buffer out;
+  const auto put = std::back_inserter(out);
+  fmt::format_to(put,
+                 "# Temperatures of a spindle: {}\n# raceway {}\n"
+                 "position_mm,radius_mm,part,temperature_C\n",
+                 text::printable(name), RACEWAY_VERSION);
+  for (const spindle::FieldCell& c : cells) {
+    text::append_value(out, 0.5 * (c.start + c.end) / mm);
+    out.push_back(',');
+    text::append_value(out, 0.5 * (c.inner_radius + c.outer_radius) / mm);
+    fmt::format_to(put, ",{},", c.part);
+    text::append_value(out, celsius(c.temperature));
+    out.push_back('\n');
+  }
+  return fmt::to_string(out);
+}
+
+}  // namespace raceway::results

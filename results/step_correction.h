@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "correction/model.h"
+#include "shaft/kinematic_law.h"
+#include "spindle/step_response.h"
+
+namespace raceway::results {
+
+/// How K(P) and T(P) stand in a correction.
+enum class StepLaw {
+  curve,  ///< through all points, K(0) = 0, as a table
+  power,  ///< K = a P^b, T = c P^d
+  line    ///< as published: a chord
+};
+
+/// Power loss of a spindle that turns at a speed.
+struct PowerAtSpeed {
+  double speed = unset;  ///< [rad/s], > 0
+  double power = unset;  ///< [W]
+};
+
+/// What a correction is made of, beside the step responses.
+struct StepCorrectionParts {
+  std::string name = {};                              ///< of the model
+  std::vector<PowerAtSpeed> power = {};               ///< rising in speed
+  std::optional<shaft::KinematicLaw> kinematic = {};  ///< none: nothing moves at once
+  StepLaw law = StepLaw::curve;
+  bool two_lags = false;  ///< a fast and a slow delay element
+};
+
+/// Delay elements driven by the friction power at the speed.
+///
+/// Throws std::invalid_argument: no step response, no power above 0, a law or lags that these step
+/// responses do not carry.
+[[nodiscard]] correction::Model step_model(const spindle::StepResponses& responses,
+                                           const StepCorrectionParts& parts);
+
+/// A model for `raceway correct`, and the tables that it names, by their file.
+struct StepCorrection {
+  std::string model = {};
+  std::vector<std::pair<std::string, std::string>> tables = {};
+};
+
+/// The text of such a model. Tables stand beside `path` with its name before theirs: c_friction.csv
+/// of c.toml.
+[[nodiscard]] StepCorrection step_correction(const correction::Model& model,
+                                             const std::string& path);
+
+/// Paths of the tables that step_correction() may write beside `path`.
+[[nodiscard]] std::vector<std::string> step_correction_tables(const std::string& path);
+
+/// Writes all of it, tables first.
+void write_step_correction(const StepCorrection& correction, const std::string& path, bool replace);
+
+}  // namespace raceway::results

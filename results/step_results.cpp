@@ -1,0 +1,142 @@
+#include "results/step_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "text/detail/csv_text.h"
+#include "text/detail/json_text.h"
+#include "text/number_text.h"
+#include "text/printable.h"
+
+namespace raceway::results {
+namespace {
+
+using spindle::StepResponse;
+
+struct StepColumn {
+  const char* name;
+  double (*value)(const StepResponse& step);
+};
+
+constexpr StepColumn step_columns[] = {
+    {"speed_rpm", [](const StepResponse& s) { return text::with_15_digits(s.speed / rpm); }},
+    {"power_start_W", [](const StepResponse& s) { return s.power_start; }},
+    {"power_end_W", [](const StepResponse& s) { return s.power_end; }},
+    {"kinematic_um", [](const StepResponse& s) { return s.kinematic / um; }},
+    {"K_um", [](const StepResponse& s) { return s.fit.one.gain / um; }},
+    {"T_min", [](const StepResponse& s) { return s.fit.one.time_constant / spindle::one_minute; }},
+    {"fit_rms_um", [](const StepResponse& s) { return s.fit.rms / um; }},
+    {"K1_um", [](const StepResponse& s) { return s.fit.fast.gain / um; }},
+    {"T1_min",
+     [](const StepResponse& s) { return s.fit.fast.time_constant / spindle::one_minute; }},
+    {"K2_um", [](const StepResponse& s) { return s.fit.slow.gain / um; }},
+    {"T2_min",
+     [](const StepResponse& s) { return s.fit.slow.time_constant / spindle::one_minute; }},
+    {"fit_rms_two_um", [](const StepResponse& s) { return s.fit.rms_of_two / um; }},
+    {"end_um", [](const StepResponse& s) { return s.end / um; }},
+    {"front_force_N", [](const StepResponse& s) { return s.front_force; }},
+    {"highest_front_force_N", [](const StepResponse& s) { return s.highest_force; }}};
+
+bool steps_were_read(const spindle::StepResponses& responses) {
+  return std::any_of(responses.steps.begin(), responses.steps.end(),
+                     [](const StepResponse& s) { return !s.load_case.empty(); });
+}
+
+text::json step_line_json(const spindle::StraightLine& line, const char* unit, double factor) {
+  const std::string slope = fmt::format("slope_{}_W", unit),
+                    intercept = fmt::format("offset_{}", unit);
+  return {{slope, line.slope / factor},
+          {intercept, line.offset / factor},
+          {slope + "_std", line.slope_std / factor},
+          {intercept + "_std", line.offset_std / factor}};
+}
+
+text::json step_power_json(const spindle::PowerLaw& law, const char* unit, double factor) {
+  return {{fmt::format("factor_{}", unit), law.factor / factor},
+          {"exponent", law.exponent},
+          {"exponent_std", law.exponent_std},
+          {"rms_percent", 100.0 * law.rms}};
+}
+
+}  // namespace
+
+std::string step_responses_text(const spindle::StepResponses& responses, std::string_view source,
+                                std::string_view model_text) {
+  fmt::memory_buffer out;
+  fmt::format_to(std::back_inserter(out),
+                 "# Step responses from rest, of {}\n# raceway {}\n"
+                 "# u = kinematic + K (1 - exp(-t/T)); K and T belong to the power at the end\n",
+                 text::printable(source), RACEWAY_VERSION);
+  if (!model_text.empty()) text::append_model(out, model_text);
+  const bool with_name = steps_were_read(responses);
+  for (const StepColumn& column : step_columns)
+    fmt::format_to(std::back_inserter(out), "{},", column.name);
+  fmt::format_to(std::back_inserter(out), "status{}\n", with_name ? ",load_case" : "");
+  for (const StepResponse& step : responses.steps) {
+    for (const StepColumn& column : step_columns) {
+      text::append_value(out, column.value(step));
+      out.push_back(',');
+    }
+    text::append_text(out, spindle::name(step.status));
+    if (with_name) {
+      out.push_back(',');
+      text::append_text(out, step.load_case);
+    }
+    out.push_back('\n');
+  }
+  return fmt::to_string(out);
+}
+
+std::string step_responses_json(const spindle::StepResponses& responses,
+                                const spindle::PowerLaws& laws,
+                                const std::vector<std::string>& notes, const Superposition* error) {
+  text::json rows = text::json::array();
+  double from = unset, to = unset;
+  for (const StepResponse& step : responses.steps) {
+    text::json row = text::json::object();
+    if (steps_were_read(responses)) row["load_case"] = step.load_case;
+    for (const StepColumn& column : step_columns) row[column.name] = column.value(step);
+    row["two_needed"] = step.fit.two_needed;
+    row["settled"] = step.fit.settled;
+    row["status"] = spindle::name(step.status);
+    if (!step.message.empty()) row["message"] = step.message;
+    rows.push_back(std::move(row));
+    if (!step.converged()) continue;
+    from = std::fmin(from, step.power_end);
+    to = std::fmax(to, step.power_end);
+  }
+  text::json document = {
+      {"rows", std::move(rows)},
+      {"K_of_P", step_line_json(laws.gain_line, "um", um)},
+      {"T_of_P", step_line_json(laws.time_line, "min", spindle::one_minute)},
+      {"K_power_law", step_power_json(laws.gain_power, "um", um)},
+      {"T_power_law", step_power_json(laws.time_power, "min", spindle::one_minute)},
+      {"valid_from_W", laws.valid_from},
+      {"valid_to_W", laws.valid_to},
+      {"seen_from_W", from},
+      {"seen_to_W", to},
+      {"two_needed", spindle::need_two(responses.steps)}};
+  const spindle::CoolDown& down = responses.cool_down;
+  if (down.known())
+    document["cool_down"] = {{"K_um", down.fit.one.gain / um},
+                             {"T_min", down.fit.one.time_constant / spindle::one_minute},
+                             {"fit_rms_um", down.fit.rms / um},
+                             {"T_at_rest_min", down.one / spindle::one_minute},
+                             {"T1_at_rest_min", down.fast / spindle::one_minute},
+                             {"T2_at_rest_min", down.slow / spindle::one_minute}};
+  if (error)
+    document["superposition"] = {{"rows", error->rows},
+                                 {"rms_um", error->rms / um},
+                                 {"largest_um", error->largest / um},
+                                 {"time_of_largest_s", error->time_of_largest},
+                                 {"lowest_um", error->lowest / um},
+                                 {"highest_um", error->highest / um},
+                                 {"status", spindle::name(error->report.status)}};
+  document["notes"] = notes;
+  return text::text(document);
+}
+
+}  // namespace raceway::results

@@ -1,0 +1,77 @@
+#include "results/superposition.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "correction/simulation.h"
+#include "record/channel.h"
+
+namespace raceway::results {
+
+Superposition superposition(const model::Model& model, const correction::Model& correction,
+                            const record::Record& programme, const spindle::Inputs& inputs,
+                            const std::atomic<bool>* cancelled) {
+  const std::span<const double> time = programme.values(record::time);
+  const std::span<const double> speed = programme.values(record::speed);
+  std::vector<spindle::ProfileRow> profile;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    profile.push_back({.time = time[k] - time.front(), .inputs = inputs});
+    profile.back().inputs.speed = speed[k];
+  }
+  spindle::Simulator simulator(model);
+  simulator.stop_on(cancelled);
+  const spindle::Run run = simulator.simulate(profile);
+  Superposition result{.report = run.report};
+  if (!run.report.converged()) return result;
+  const correction::Series series(programme);
+  std::vector<double> predicted(series.rows());
+  correction::simulate(correction, series, predicted);
+  double squares = 0.0;
+  result.rows = predicted.size();
+  for (std::size_t k = 0; k < predicted.size(); ++k) {
+    const double u = run.moments[k].displacement, error = predicted[k] - u;
+    result.time.push_back(run.moments[k].time);
+    result.speed.push_back(speed[k]);
+    result.simulated.push_back(u);
+    squares += error * error;
+    result.lowest = std::fmin(result.lowest, u);
+    result.highest = std::fmax(result.highest, u);
+    if (std::abs(error) <= result.largest) continue;  // false for the first, a NaN
+    result.largest = std::abs(error);
+    result.time_of_largest = run.moments[k].time;
+  }
+  result.rms = std::sqrt(squares / static_cast<double>(result.rows));
+  result.corrected = std::move(predicted);
+  return result;
+}
+
+record::Record trial_programme(double fastest) {
+  constexpr double half_hour = 1800.0, row = 60.0, change = 1.0;  // [s]
+  std::vector<double> time, speed;
+  double begin = 0.0;
+  for (const double share : {0.5, 1.0, 0.0, 0.7, 0.3, 1.0, 0.0, 0.5}) {
+    time.push_back(begin + (time.empty() ? 0.0 : change));
+    speed.push_back(share * fastest);
+    for (double t = row; t <= half_hour; t += row) {
+      time.push_back(begin + t);
+      speed.push_back(share * fastest);
+    }
+    begin += half_hour;
+  }
+  record::Record programme;
+  programme.set(record::time, std::move(time));
+  programme.set(record::speed, std::move(speed));
+  return programme;
+}
+
+std::string superposition_text(const Superposition& s) {
+  constexpr double one_hour = 3600.0;
+  return fmt::format("{:.3g} um rms, {:.3g} um at most (after {:.2f} h), of a travel of {:.3g} um",
+                     s.rms / um, s.largest / um, s.time_of_largest / one_hour,
+                     (s.highest - s.lowest) / um);
+}
+
+}  // namespace raceway::results

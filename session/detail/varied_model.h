@@ -1,0 +1,125 @@
+#pragma once
+
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+
+#include <array>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "files/model_data.h"
+#include "results/sensitivity_results.h"
+#include "session/sensitivity.h"
+#include "text/number_range.h"
+
+/// A model that is predicted with other data in place of its own; parts of session/sensitivity.cpp.
+namespace raceway::session::varied {
+
+/// A number of the question. It can be varied where the question has one value of it.
+struct Axis {
+  std::string_view name, flag;
+  std::vector<double> values;
+  text::NumberRange range;
+};
+
+[[nodiscard]] std::vector<Axis> axes_of(const SensitivityQuestion& q, bool shaft);
+
+/// Values of the axes at one state; NaN: as the model says.
+using State = std::array<double, 4>;
+
+/// All combinations of the axes' values; the speed runs fastest.
+[[nodiscard]] std::vector<State> states_of(const std::vector<Axis>& axes);
+
+inline constexpr std::string_view life = "life_h", stiffness = "axial_stiffness_N_um",
+                                  hottest_ring = "hottest_ring_temperature_C";
+
+/// Columns that a question may name.
+[[nodiscard]] std::vector<std::string> known_columns(const model::Model& model, bool steady);
+
+/// Predicts the wanted columns with any data.
+class Predictor {
+ public:
+  Predictor(const SensitivityQuestion& question, std::vector<std::string> wanted,
+            const model::Model& model);
+
+  [[nodiscard]] const std::vector<std::string>& wanted() const { return wanted_; }
+
+  /// State by state, in the units of the names; NaN where there is no value.
+  [[nodiscard]] std::vector<double> operator()(const files::ModelFile& file,
+                                               const std::vector<State>& states) const;
+
+ private:
+  [[nodiscard]] std::vector<double> at_once(const model::Model& model,
+                                            const std::vector<State>& states) const;
+  [[nodiscard]] std::vector<double> steady(const files::ModelFile& file,
+                                           const std::vector<State>& states) const;
+
+  const SensitivityQuestion& question_;
+  std::vector<std::string> wanted_;
+  std::size_t columns_ = 0;
+  std::vector<std::size_t> places_;
+  std::vector<double> units_;
+};
+
+/// Predictions with one set of data, or the reason why the model does not take it.
+struct Outcome {
+  std::vector<double> values{};
+  std::string refused{};
+  [[nodiscard]] bool has_all() const {
+    return refused.empty() &&
+           std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  }
+};
+
+/// The numbers of the model and of the question that can be varied.
+class Data {
+ public:
+  Data(const files::ModelFile& file, const SensitivityQuestion& question,
+       std::vector<State> states);
+
+  [[nodiscard]] const std::vector<results::VariedDatum>& all() const { return all_; }
+  [[nodiscard]] std::vector<results::VariedDatum>& all() { return all_; }
+
+  /// Index of a datum; one of the question comes before one of the model.
+  [[nodiscard]] std::size_t find(const std::string& name) const;
+
+  /// True if the question names it, or names none.
+  [[nodiscard]] bool is_asked(std::size_t k) const;
+
+  /// Throws fit::Cancelled where the question is cancelled.
+  [[nodiscard]] Outcome predict(const Predictor& predictor,
+                                std::span<const std::pair<std::size_t, double>> changes) const;
+
+ private:
+  const SensitivityQuestion& question_;
+  files::ModelData of_model_;
+  std::string source_;
+  std::vector<State> states_;
+  std::vector<results::VariedDatum> all_;
+  std::vector<std::size_t> asked_;
+  std::vector<std::size_t> axes_;  // of the data behind those of the model
+};
+
+/// Calls `work(i)` for i < count on all cores and reports progress from `from` to `to`.
+template <typename Work>
+void for_all(std::size_t count, const SensitivityQuestion& question, double from, double to,
+             const Work& work) {
+  std::mutex mutex;
+  std::size_t ended = 0;
+  tbb::parallel_for(
+      std::size_t{0}, count,
+      [&](std::size_t i) {
+        work(i);
+        if (!question.progress) return;
+        const std::lock_guard lock(mutex);
+        question.progress(from +
+                          (to - from) * static_cast<double>(++ended) / static_cast<double>(count));
+      },
+      tbb::simple_partitioner{});
+}
+
+}  // namespace raceway::session::varied

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "fit/fit_status.h"
+#include "record/parameter.h"
+#include "record/units.h"
+
+/// The search behind fit_kinematic_law(), in the units of the law (rpm, um).
+namespace raceway::shaft {
+
+/// The rows that are fitted, by increasing speed.
+struct LawRows {
+  std::vector<double> n, log_n, u, weight;
+};
+
+struct LawShape {
+  double B = unset, C = unset;
+};
+
+/// Closed, C above 0.
+struct LawRange {
+  double lower_B, upper_B, lower_C, upper_C;
+};
+
+/// Where a descent ended.
+struct LawOptimum {
+  double size = unset;  ///< displacement at the highest speed [um]
+  LawShape shape;
+  double cost = std::numeric_limits<double>::infinity();  ///< Σ (weight (law - u))²
+  int iterations = 0;
+  fit::FitStatus status = fit::FitStatus::failed;
+};
+
+/// The optimum next to a start; A is eliminated there.
+[[nodiscard]] LawOptimum nearest_optimum(const LawRows& rows, const LawRange& range,
+                                         const LawShape& start);
+
+/// The best of the optima next to all minima of a grid.
+[[nodiscard]] LawOptimum best_optimum(const LawRows& rows, const LawRange& range);
+
+/// At which of its bounds a value lies, if at one.
+[[nodiscard]] record::Bound bound_of(double value, double lower, double upper);
+
+}  // namespace raceway::shaft

@@ -1,0 +1,357 @@
+// What `export` writes, run by Python and a C compiler, gives what the model gives here.
+#include "tests/control/control_case.h"
+
+namespace raceway::control::control_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+INSTANTIATE_TEST_SUITE_P(Ways, Control, testing::Values(Way::python, Way::c, Way::single), name_of);
+
+TEST_P(Control, GivesWhatCorrectGives) {
+  const Case c(everything);
+  const auto expected = c.corrected();
+  const auto got = run(c, c.calls());
+  EXPECT_LT(distance(got, expected), tolerance());
+  // The record is one that moves, and goes beyond the friction table (250 rpm are within it).
+  EXPECT_GT(expected[500][0] - expected[0][0], 10.0);
+  EXPECT_EQ(got.front().flags & ~beyond_table, 0);
+}
+
+TEST_P(Control, GoesOnAfterARestartAsIfItWereAGap) {
+  const Case c(everything);
+  const auto through = run(c, c.calls());
+  const auto restarted =
+      run(c, c.calls(0, 250) + "restart\n" + c.calls(250, 300) + "restart\n" + c.calls(300));
+  ASSERT_EQ(restarted.size(), through.size());
+  for (std::size_t k = 0; k < through.size(); ++k) {
+    EXPECT_EQ(restarted[k].displacements, through[k].displacements) << k;
+    EXPECT_EQ(restarted[k].flags, through[k].flags) << k;
+  }
+}
+
+TEST_P(Control, SaysThatAnInputIsBeyondItsRangeAndHoldsInstantParts) {
+  const std::string model =
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\nfeedthrough_um_K = 2.0\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n[correction.kinematic]\n"
+      "A = 1.28e-3\nB = 0.697\nC = 5.3e-4\n[correction.range]\nfront_temperature_C = [15, 40]\n"
+      "speed_rpm = [0, 6000]\n";
+  const Case c(model, "time_s,speed_rpm,front_temperature_C\n0,0,20\n100,6000,40\n");
+  // The order of the inputs is that of the plan: temperature, speed.
+  ASSERT_EQ(c.plan.inputs[0].column, "front_temperature_C");
+  const auto got = run(
+      c,
+      "u 0 20 0\nu 1e6 40 6000\nu 2e6 40 9000\nu 3e6 50 -6000\nu 4e6 50 -12000\nu 5e6 40 6000\n");
+  ASSERT_EQ(got.size(), 6u);
+  const double at_6000 = 1.28e-3 * std::pow(6000, 1 - 0.697 * std::exp(-5.3e-4 * 6000));
+  const double settled[] = {0.0, 100.0, 100.0, 150.0, 150.0, 100.0};  // linear goes on, no steeper
+  const int flags[] = {0, 0, beyond_range, beyond_range, beyond_range, 0};
+  for (std::size_t k = 1; k < 6; ++k) {
+    // Straight from one call to the next: the section lags by tau times the slope.
+    const double behind = (settled[k] - settled[k - 1]) * 600 / 1e6;
+    EXPECT_NEAR(got[k].displacements[0], settled[k] - behind + 40.0 + at_6000, 1e-3) << k;
+    EXPECT_EQ(got[k].flags, flags[k]) << k;
+  }
+}
+
+/// At rest nothing is moved by speed, though the model was found while it turned.
+TEST_P(Control, RestIsNoEdgeOfARange) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[correction.kinematic]\n"
+      "A = 1.28e-3\nB = 0.697\nC = 5.3e-4\n[correction.range]\nspeed_rpm = [2000, 6000]\n",
+      "time_s,speed_rpm\n0,0\n100,6000\n");
+  const auto got = run(c, "u 0 0\nu 10 1000\nu 20 2000\n");
+  ASSERT_EQ(got.size(), 3u);
+  const auto law = [](double n) {
+    return n > 0 ? 1.28e-3 * std::pow(n, 1 - 0.697 * std::exp(-5.3e-4 * n)) : 0.0;
+  };
+  const double speeds[] = {0, 1000, 2000};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(got[k].displacements[0], law(speeds[k]), 1e-5) << k;
+    EXPECT_EQ(got[k].flags, k < 2 ? beyond_range : 0) << k;
+  }
+}
+
+/// Each input where it has stood before, and both where they never were together.
+TEST_P(Control, SaysThatInputsStandTogetherAsNeverBefore) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n[[correction.channel]]\n"
+      "name = \"room\"\ninput = \"room_temperature_C\"\n"
+      "sections = [{ gain_um_K = 2.0, time_constant_s = 900 }]\n[correction.range]\n"
+      "front_temperature_C = [20, 40]\nroom_temperature_C = [18, 26]\n[correction.together]\n"
+      "columns = [\"front_temperature_C\", \"room_temperature_C\"]\nmean = [30, 22]\n"
+      "std = [5, 2]\ncorrelation = [[1.0], [0.9, 1.0]]\nfarthest = 2.5\n",
+      "time_s,front_temperature_C,room_temperature_C\n0,20,18\n100,40,26\n");
+  ASSERT_EQ(c.plan.inputs[0].column, "front_temperature_C");
+  // d² = zᵀ (R + 0.01 I)^-1 z: 2.05 along the diagonal, 6 across it.
+  const auto got = run(c, "u 0 20 18\nu 10 40 26\nu 20 22 25\nu 30 38 19\nu 40 30 22\n");
+  ASSERT_EQ(got.size(), 5u);
+  const int flags[] = {0, 0, 64, 64, 0};
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(got[k].flags, flags[k]) << k;
+}
+
+TEST_P(Control, KeepsTheLastValueOfAnInputThatIsNoNumber) {
+  const std::string model =
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n";
+  const Case c(model, "time_s,front_temperature_C\n0,20\n100,30\n");
+  const auto got = run(c, "u 0 nan\nu 10 20\nu 20 30\nu 30 nan\nu 40 inf\nu 50 30\n");
+  const auto same = run(c, "u 10 20\nu 20 30\nu 30 30\nu 40 30\nu 50 30\n");
+  ASSERT_EQ(got.size(), 6u);
+  ASSERT_EQ(same.size(), 5u);
+  EXPECT_EQ(got[0].flags, no_value | 32);
+  EXPECT_EQ(got[0].displacements[0], 0.0);
+  const int flags[] = {0, 0, no_value, no_value, 0};
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(got[k + 1].displacements, same[k].displacements) << k;
+    EXPECT_EQ(got[k + 1].flags, flags[k]) << k;
+  }
+}
+
+TEST_P(Control, StandsStillWhereTheClockDoesNotGoOn) {
+  const std::string model =
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"table_speed_rpm\"\n"
+      "sections = [{ gain_um_rpm = 0.5, time_constant_s = 600 }]\n";
+  const Case c(model, "time_s,table_speed_rpm\n0,20\n100,30\n");
+  const auto got = run(c, "u 1000 20\nu 1600 20\nu 1600 20\nu 500 20\nu 1100 20\n");
+  ASSERT_EQ(got.size(), 5u);
+  const double once = 10 * (1 - std::exp(-1.0)), twice = 10 * (1 - std::exp(-2.0));
+  const double expected[] = {0, once, once, once, twice};
+  const int flags[] = {0, 0, clock_stood, clock_stood, 0};
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_NEAR(got[k].displacements[0], expected[k], 1e-4) << k;
+    EXPECT_EQ(got[k].flags, flags[k]) << k;
+  }
+}
+
+TEST_P(Control, HoldsADelayElementAtAPowerThatItCannotTake) {
+  const std::string model =
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\nname = "
+      "\"losses\"\n"
+      "input = \"power_W\"\nfriction_table = \"friction.csv\"\naxial_load_N = 400\n"
+      "temperature_C = 20\ngain = { slope_um_W = 0.5, offset_um = 10 }\n"
+      "time_constant = { slope_min_W = -0.6, offset_min = 60 }\n";  // positive below 100 W
+  const Case c(model, "time_s,speed_rpm\n0,3000\n100,3000\n");
+  const auto got =
+      run(c, "u 0 3000\nu 600 3000\nu 1200 9000\nu 1800 9000\nu 2400 3000\nu 3000 3000\n");
+  ASSERT_EQ(got.size(), 6u);
+  const int flags[] = {0, 0, beyond_element, beyond_element, 0, 0};
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_EQ(got[k].flags, flags[k]) << k;
+  const auto y = [&](std::size_t k) { return got[k].displacements[0]; };
+  EXPECT_GT(y(1), 1.0);
+  EXPECT_GT(y(2), y(1));  // the power of the call before holds
+  EXPECT_EQ(y(3), y(2));
+  EXPECT_EQ(y(4), y(2));
+  EXPECT_GT(y(5), y(4));
+}
+
+// The published transfer function of one pole, and one of two: sections at their own sampling.
+TEST_P(Control, TurnsPolynomialsIntoSections) {
+  const std::string model =
+      "[correction]\ndisplacement = \"displacement_z_um\"\nsampling_s = "
+      "10\n[[correction.channel]]\n"
+      "name = \"published\"\ninput = \"front_temperature_C\"\nnumerator = [4.30702, -4.28923]\n"
+      "denominator = [1, -0.9984]\nscale = 0.9\n[[correction.channel]]\nname = \"two\"\n"
+      "input = \"room_temperature_C\"\nnumerator = [0, 0.02, -0.018]\n"
+      "denominator = [1, -1.98, 0.9801]\n";  // (1 - 0.99/z)^2: refused below
+  const std::string apart =
+      std::string(model).replace(model.find("-1.98, 0.9801"), 13, "-1.985, 0.98505");
+  std::string record = "time_s,front_temperature_C,room_temperature_C\n";
+  for (int k = 0; k < 1000; ++k)
+    record += fmt::format("{},{:.2f},{:.2f}\n", 10 * k, 22 + 8 * std::sin(k / 90.0),
+                          20 + std::sin(k / 200.0));
+  const Case c(apart, record);
+  EXPECT_EQ(c.plan.axes[0].sections.size(), 3u);
+  EXPECT_LT(distance(run(c, c.calls()), c.corrected()), tolerance());
+  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("its polynomials became 2 sections")));
+  try {
+    (void)Case(model, record);
+    FAIL() << "a double pole is no sum of sections";
+  } catch (const text::InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("channel two: its polynomials cannot run beside sections: "));
+  }
+}
+
+TEST(ControlPython, ARecordWithOtherHeadersIsRefusedWithTheOnesThatAreNeeded) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 2000 }]\n",
+      "time_s,front_temperature_C\n0,22\n1,40\n");
+  (void)c.folder.write("z.py", control_python(c.plan));
+  (void)c.folder.write("other.csv", "Time,T front,speed_rpm\n0,22,0\n1,40,0\n");
+  (void)c.folder.write("empty.csv", "");
+  for (const char* record : {"other.csv", "empty.csv"}) {
+    const std::string said = c.folder.shell(
+        fmt::format("python3 z.py {} > numbers 2> said; test $? -eq 1; cat said", record));
+    EXPECT_EQ(said,
+              fmt::format("{}: the header has no time_s, front_temperature_C; needed are time_s, "
+                          "front_temperature_C\n",
+                          record));
+    EXPECT_EQ(text_of(c.folder.file("numbers")), "");
+  }
+}
+
+// Timers of seconds in float: 0.1 ms are below the last digit of half an hour.
+TEST(ControlC, ASensorThatSticksIsFoundAtShortSteps) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 2000 }]\n[export]\nstuck_s = 3600\n",
+      "time_s,front_temperature_C\n0,22\n1,40\n");
+  (void)c.folder.write("machine.h", control_c(c.plan, "machine"));
+  (void)c.folder.write("steps.c",
+                       "#include <stdio.h>\n#include \"machine.h\"\n"
+                       R"(int main(void) {
+  static machine_state machine;
+  machine_real in[machine_inputs + 1] = {20}, out[machine_outputs];
+  long k;
+  machine_init(&machine);
+  machine_update(&machine, 0, in, 1, out);
+  machine_update(&machine, 1, in, 1, out);
+  machine.still[0] = 3599; /* it has stood for so long */
+  for (k = 1; k <= 20000 && !(machine.flags & machine_stuck); ++k)
+    machine_update(&machine, (machine_real)1e-4, in, 1, out);
+  printf("%ld\n", k);
+  return 0;
+}
+)");
+  for (const char* precision : {"", "-DMACHINE_SINGLE"}) {
+    const double found_at = std::stod(c.folder.shell(
+        fmt::format("cc -std=c99 -O2 {} steps.c -o steps -lm && ./steps", precision)));
+    EXPECT_NEAR(found_at, 10000, 10) << precision;
+  }
+}
+
+// In float the step of a slow section is far below the last digit of its sum.
+TEST(ControlC, RunsElevenHoursAtTenHertzWithoutDrift) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 20000 }]\n",
+      "time_s,front_temperature_C\n0,22\n1,40\n");
+  std::string script = "u 0 22\nu 1 40\n";
+  for (int k = 1; k <= 400000; ++k) script += fmt::format("u {:.1f} 40\n", 1 + 0.1 * k);
+  // Straight from 22 to 40 in the first second, then constant.
+  const double tau = 20000.0, first = 90.0 * (1 + tau * std::expm1(-1 / tau));
+  const double exact = 90.0 + (first - 90.0) * std::exp(-40000.0 / tau);
+  for (const Way way : {Way::c, Way::single}) {
+    const auto got = answers(c, way, script);
+    ASSERT_EQ(got.size(), 400002u);
+    EXPECT_NEAR(got.back().displacements[0], exact, way == Way::single ? 1e-3 : 1e-8);
+  }
+}
+
+// Once a second over 40 hours, with all that a model may have.
+TEST(ControlC, KeepsAThousandthOfAMicrometreInFloatOver40Hours) {
+  const Case c(everything, record_text(0.8, 1.2, 144'000));
+  const auto expected = c.corrected();
+  EXPECT_LT(distance(answers(c, Way::single, c.calls()), expected), 1e-3);
+  EXPECT_LT(distance(answers(c, Way::c, c.calls()), expected), 1e-9);
+}
+
+TEST(ControlPlan, NamesWhatItLeavesOut) {
+  const Case c(everything);
+  EXPECT_THAT(c.plan.notes,
+              testing::Contains("offset-jump: is of the readings of one record, and is left out"));
+  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("[correction.range] has no ")));
+  EXPECT_THAT(control_python(c.plan), HasSubstr("# Note: offset-jump: is of the readings"));
+  EXPECT_THAT(control_csv(c.plan), HasSubstr("# Note: offset-jump: is of the readings"));
+  const Case known(everything.substr(0, everything.find("[[correction]]", 5)) + every_range);
+  EXPECT_THAT(known.plan.notes, Not(testing::Contains(HasSubstr("[correction.range]"))));
+  EXPECT_EQ(known.plan.inputs[known.plan.speed].highest, 9000);
+  for (const ControlInput& in : known.plan.inputs)
+    if (in.column == "x_feed_m_min") {
+      EXPECT_EQ(in.lowest, 0);  // sizes
+      EXPECT_EQ(in.highest, 30);
+    }
+}
+
+TEST(ControlPlan, FreeInitialStateBeginsFromRest) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\ninitial_state = \"free\"\n"
+      "[[correction.channel]]\nname = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n");
+  EXPECT_THAT(c.plan.notes, testing::Contains(HasSubstr("a control begins from rest")));
+}
+
+TEST(ControlState, OfAnotherModelIsRefused) {
+  const std::string model =
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n";
+  const std::string record = "time_s,front_temperature_C\n0,20\n100,30\n";
+  const Case c(model, record),
+      other(std::string(model).replace(model.find("600"), 3, "601"), record);
+  (void)c.folder.write("a.py", control_python(c.plan));
+  (void)c.folder.write("b.py", control_python(other.plan));
+  EXPECT_EQ(
+      c.folder.shell("python3 -c '\nimport a, b\nb.Correction().restore(b.Correction().state())"
+                     "\ntry:\n  b.Correction().restore(a.Correction().state())\n"
+                     "except ValueError as e: print(e)'"),
+      "the state is of another model\n");
+}
+
+TEST(ControlState, OfAnotherFormatIsRefusedWithAdvice) {
+  const Case c(
+      "[correction]\ndisplacement = \"displacement_z_um\"\n[[correction.channel]]\n"
+      "name = \"spindle\"\ninput = \"front_temperature_C\"\n"
+      "sections = [{ gain_um_K = 5.0, time_constant_s = 600 }]\n",
+      "time_s,front_temperature_C\n0,20\n100,30\n");
+  (void)c.folder.write("a.py", control_python(c.plan));
+  EXPECT_EQ(c.folder.shell("python3 -c '\nimport a\nstate = a.Correction().state()\n"
+                           "state.pop(\"format\")\na.Correction().restore(state)\n"
+                           "state[\"format\"] = 2\ntry:\n  a.Correction().restore(state)\n"
+                           "except ValueError as e: print(e)'"),
+            "the state has format 2, this program reads 1; start without it\n");
+}
+
+TEST(ControlPython, RunsOverARecordByHand) {
+  const Case c(everything);
+  (void)c.folder.write("machine.py", control_python(c.plan));
+  (void)c.folder.write("record.csv", record_text());
+  std::istringstream out(c.folder.shell("python3 machine.py record.csv"));
+  const auto expected = c.corrected();
+  std::string line;
+  std::getline(out, line);
+  EXPECT_EQ(line, "time_s,displacement_z_um,displacement_y_um,offset_z_um,offset_y_um,status");
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    std::getline(out, line);
+    const std::size_t comma = line.find(',');
+    EXPECT_NEAR(std::stod(line.substr(comma + 1)), expected[k][0], 1e-9) << k;
+  }
+}
+
+// A name may hold anything; it must stay a comment.
+TEST(ControlText, HasNoNameThatEndsAComment) {
+  const Case c(everything);
+  for (const std::string& text :
+       {control_python(c.plan), control_c(c.plan, "machine"), control_linuxcnc(c.plan)})
+    EXPECT_THAT(text, Not(HasSubstr("Z *")));
+  EXPECT_THAT(control_c(c.plan, "machine"), HasSubstr("/* offset_z_um, Z _/ of _machine__ 7 */"));
+}
+
+TEST(ControlCsv, HasEveryNumberWithItsUnit) {
+  const Case c(everything);
+  const std::string text = control_csv(c.plan);
+  for (const char* row : {"displacement_z_um,,displacement,offset,3.25,um",
+                          "displacement_z_um,spindle,section 1,gain,6.12,um/K",
+                          "displacement_z_um,spindle,section 1,reference,base_temperature_C,",
+                          "displacement_z_um,spindle,section 2,time_constant,900,s",
+                          "displacement_z_um,screw,section 4,gain,0.8,um/m/min",
+                          "displacement_z_um,losses,section 3,off_gain,1.7,1",
+                          "displacement_z_um,line,element 1,time_constant slope,-3.7788,s/W",
+                          "displacement_z_um,,kinematic 1,C,0.00053,1/rpm",
+                          "displacement_y_um,tabled,element 2,gain at 90 W,15,um",
+                          "displacement_y_um,sensor,section 1,direct,0.08,1"})
+    EXPECT_THAT(text, HasSubstr(std::string("\n") + row + "\n"));
+}
+
+}  // namespace
+}  // namespace raceway::control::control_test

@@ -1,0 +1,117 @@
+#include "files/doubts.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "files/data_file.h"
+#include "files/model_file.h"
+#include "files/subject.h"
+
+namespace raceway::files {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::shared_ptr<const model::ModelSubject> subject() {
+  return make_subject(parse_model("[bearing]\ncatalogue = \"S 6014 C\"\n[lubricant]\n"
+                                  "viscosity_40C_mm2_s = 22\nviscosity_100C_mm2_s = 4.8\n",
+                                  "my.toml")
+                          .model);
+}
+
+struct Row {
+  double speed, load, temperature, torque;  // in the units of the columns
+};
+
+/// What the model reads, a third more of it and bent with speed: as far as effects go.
+std::vector<Row> rows_of_a_rig() {
+  std::vector<Row> list;
+  for (double speed = 1000; speed < 13000; speed += 1000)
+    for (const double load : {100.0, 300.0, 900.0})
+      for (const double temperature : {30.0, 45.0}) list.push_back({speed, load, temperature, 1});
+  std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
+  for (const Row& r : list)
+    text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature, r.torque);
+  const auto of = subject();
+  const std::vector<double> torque = fit::predict(*of, read_record({"d.csv", text}, *of));
+  for (std::size_t i = 0; i < list.size(); ++i)
+    list[i].torque = torque[i] / N_mm * (1.1 + 0.3 * list[i].speed / 12000.0);
+  return list;
+}
+
+/// Doubts about these rows once `change` has been made to each.
+template <typename Change>
+std::vector<std::string> after(const Change& change) {
+  std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
+  for (Row r : rows_of_a_rig()) {
+    change(r);
+    text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature, r.torque);
+  }
+  const auto of = subject();
+  return doubts(*of, read_record({"d.csv", text}, *of));
+}
+
+TEST(Doubts, ThereAreNoneAboutWhatAModelMayMiss) {
+  for (const double factor : {0.2, 0.5, 1.0, 2.0, 4.5})
+    EXPECT_THAT(after([&](Row& r) { r.torque *= factor / 1.2; }), IsEmpty()) << factor;
+}
+
+TEST(Doubts, AFactorOfReadingsIsNamed) {
+  EXPECT_THAT(after([](Row& r) { r.torque *= 1e-3; }),
+              ElementsAre("readings of friction torque are about 1000 times too small for the "
+                          "model: N m in a column of N mm?"));
+  EXPECT_THAT(after([](Row& r) { r.torque *= 1e3; }),
+              ElementsAre(HasSubstr("1000 times too large")));
+  EXPECT_THAT(after([](Row& r) { r.torque /= 9.81; }),
+              ElementsAre(HasSubstr("kgf for N, or rad/s for rpm")));
+  EXPECT_THAT(after([](Row& r) { r.torque /= 60; }), ElementsAre(HasSubstr("1/s for rpm")));
+}
+
+/// A long record of which every fifth row is right: rows in step with it would tell nothing.
+TEST(Doubts, ALongRecordIsNotLookedAtInStepWithWhatRepeatsInIt) {
+  std::string text = "speed_rpm,axial_load_N,temperature_C,friction_torque_Nmm\n";
+  const std::vector<Row> list = rows_of_a_rig();
+  for (std::size_t k = 0; k < 1500; ++k) {
+    const Row& r = list[k % list.size()];
+    text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature,
+                        k % 5 == 0 ? r.torque : 1e-3 * r.torque);
+  }
+  const auto of = subject();
+  EXPECT_THAT(doubts(*of, read_record({"d.csv", text}, *of)),
+              ElementsAre(HasSubstr("N m in a column of N mm")));
+}
+
+TEST(Doubts, TheOtherSignIsNamed) {
+  EXPECT_THAT(after([](Row& r) { r.torque = -r.torque; }), ElementsAre(HasSubstr("other sign")));
+}
+
+TEST(Doubts, TemperaturesInOtherUnitsAreNamed) {
+  EXPECT_THAT(after([](Row& r) { r.temperature += 273.15; }),
+              ElementsAre(HasSubstr("looks like kelvin: 30 to 45 C?")));
+  EXPECT_THAT(after([](Row& r) { r.temperature = 1.8 * r.temperature + 32; }),
+              ElementsAre(HasSubstr("looks like fahrenheit: 30 to 45 C?")));
+}
+
+TEST(Doubts, LoadsAndSpeedsInOtherUnitsAreNamed) {
+  EXPECT_THAT(after([](Row& r) { r.load /= 9.81; }),
+              ElementsAre(HasSubstr("kgf in a column of N?")));
+  EXPECT_THAT(after([](Row& r) { r.load /= 1000; }),
+              ElementsAre(HasSubstr("kN in a column of N?")));
+  EXPECT_THAT(after([](Row& r) { r.speed /= 1000; }),
+              ElementsAre(HasSubstr("krpm in a column of rpm?")));
+  EXPECT_THAT(after([](Row& r) { r.speed /= 60; }),
+              ElementsAre(HasSubstr("1/s in a column of rpm?")));
+  EXPECT_THAT(after([](Row& r) { r.speed *= 9.5493; }), ElementsAre(HasSubstr("rad/s or 1/s?")));
+}
+
+TEST(Doubts, SwappedColumnsAreNamed) {
+  EXPECT_THAT(after([](Row& r) { std::swap(r.speed, r.torque); }),
+              ElementsAre("columns speed_rpm and friction_torque_Nmm look swapped"));
+  EXPECT_THAT(after([](Row& r) { std::swap(r.load, r.speed); }),
+              ElementsAre("columns speed_rpm and axial_load_N look swapped"));
+}
+
+}  // namespace
+}  // namespace raceway::files

@@ -1,0 +1,110 @@
+// Records and speed programmes of a spindle.
+
+#include "files/spindle_record.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "files/model_file.h"
+#include "record/spindle_channel.h"
+#include "spindle/record_rows.h"
+#include "tests/files/spindle_text.h"
+#include "tests/support/message_of.h"
+
+namespace raceway::files {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+const model::Spindle& spindle_of_records() {
+  static const model::Spindle spindle =
+      parse_model(tests::base_spindle, "s.toml").model.spindle.value();
+  return spindle;
+}
+
+record::Record read_rows(const std::string& text) {
+  return read_spindle_record({"day.csv", text}, spindle_of_records());
+}
+
+std::string rows_error(const std::string& text) {
+  return tests::message_of([&] { (void)read_rows(text); });
+}
+
+TEST(SpindleRecord, InputsAndReadingsComeInSi) {
+  const record::Record r = read_rows(
+      "time_s,speed_rpm,ambient_temperature_C,coolant_on,motor_heat_W,front_bearing_temperature_C,"
+      "shaft_end_temperature_C,axial_displacement_um\n"
+      "60,0,20,1,0,20.1,20,-0.4\n120,6000,21,0,35,,20.2,3\n");
+  const auto rows = spindle::profile_of(r);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1].time, 120);
+  EXPECT_DOUBLE_EQ(rows[1].inputs.speed, 6000 * rpm);
+  EXPECT_DOUBLE_EQ(rows[1].inputs.ambient_temperature, kelvin(21));
+  EXPECT_TRUE(std::isnan(rows[1].inputs.machine_temperature));
+  EXPECT_EQ(rows[1].inputs.motor_heat, 35);
+  EXPECT_TRUE(rows[0].inputs.coolant_on);
+  EXPECT_FALSE(rows[1].inputs.coolant_on);
+  const auto front = r.values(record::sensor_channel("front_bearing"));
+  EXPECT_DOUBLE_EQ(front[0], kelvin(20.1));
+  EXPECT_TRUE(std::isnan(front[1]));
+  EXPECT_DOUBLE_EQ(r.values(record::axial_displacement)[1], 3e-6);
+}
+
+TEST(SpindleRecord, TemperaturesOfSensorsAreMeasuredAndThoseAroundAreNot) {
+  const record::Record r =
+      read_rows("time_s,speed_rpm,ambient_temperature_C,shaft_end_temperature_C\n60,0,20,20\n");
+  EXPECT_EQ(r.find(record::sensor_channel("shaft_end"))->channel->role, record::Role::measured);
+  EXPECT_TRUE(r.find(*record::spindle_channel("ambient_temperature_C"))->channel->is_input());
+}
+
+TEST(SpindleRecord, SensorsStandBeforeTheDisplacement) {
+  const auto channels = spindle::measured_channels(spindle_of_records());
+  ASSERT_EQ(channels.size(), 3u);
+  EXPECT_EQ(channels[0]->name, "front_bearing_temperature_C");
+  EXPECT_EQ(channels[2]->name, "axial_displacement_um");
+}
+
+TEST(SpindleRecord, GermanFileWithDatesIsRead) {
+  const record::Record r = read_rows(
+
+      "time_s;speed_rpm;shaft_end_temperature_C\n"
+      "12.03.2024 08:15:00;1000;20,5\n12.03.2024 08:16:00;2000;21,5\n");
+  EXPECT_EQ(spindle::profile_of(r)[1].time, 60);
+  EXPECT_DOUBLE_EQ(r.values(record::sensor_channel("shaft_end"))[1], kelvin(21.5));
+}
+
+TEST(SpindleRecord, EmptyInputIsRefusedWithItsLine) {
+  EXPECT_THAT(rows_error("time_s,speed_rpm\n60,1000\n120,\n"), HasSubstr("day.csv:3: speed_rpm"));
+}
+
+TEST(SpindleRecord, TimeThatGoesBackIsRefused) {
+  EXPECT_THAT(rows_error("time_s,speed_rpm\n60,1000\n50,1000\n"), HasSubstr("goes back"));
+}
+
+TEST(SpindleRecord, SpeedIsNeeded) {
+  EXPECT_THAT(rows_error("time_s,coolant_on\n60,1\n"), HasSubstr("column speed_rpm is missing"));
+}
+
+TEST(SpindleRecord, MisspeltSensorIsNamed) {
+  EXPECT_THAT(rows_error("time_s,speed_rpm,shaft_ent_temperature_C\n60,1000,20\n"),
+              HasSubstr("did you mean shaft_end_temperature_C?"));
+}
+
+TEST(SpindleRecord, SensorThatTheModelLacksIsTold) {
+  EXPECT_THAT(read_rows("time_s,speed_rpm,gearbox_temperature_C\n60,1000,20\n").notes,
+              Contains("not predicted by the model: gearbox_temperature_C"));
+}
+
+TEST(SpindleRecord, LoadsHaveASignAlongTheShaft) {
+  const auto rows = spindle::profile_of(
+      read_rows("time_s,speed_rpm,axial_load_N,radial_load_N\n60,-1000,-200,50\n"));
+  EXPECT_EQ(rows[0].inputs.axial_load, -200);
+  EXPECT_EQ(rows[0].inputs.radial_load, 50);
+  EXPECT_DOUBLE_EQ(rows[0].inputs.speed, 1000 * rpm);
+}
+
+}  // namespace
+}  // namespace raceway::files

@@ -1,0 +1,314 @@
+// Tables of a spindle in a model file.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "files/model_file.h"
+#include "model/parameters.h"
+#include "tests/files/spindle_text.h"
+#include "tests/support/message_of.h"
+
+namespace raceway::files {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+using tests::base_spindle;
+using tests::shortest_spindle;
+using tests::with;
+
+ModelFile spindle_file(const std::string& text) { return parse_model(text, "s.toml"); }
+
+model::Spindle spindle_of(const std::string& text) {
+  return spindle_file(text).model.spindle.value();
+}
+
+std::string spindle_error(const std::string& text) {
+  return tests::message_of([&] { (void)spindle_file(text); });
+}
+
+TEST(SpindleSection, ShortestFileHasEveryDefaultNamed) {
+  const ModelFile file = spindle_file(shortest_spindle);
+  const model::Spindle& s = *file.model.spindle;
+  EXPECT_TRUE(s.preload_feedback);
+  EXPECT_DOUBLE_EQ(s.bearing_width, 20 * mm);  // GMN S 6014 C
+  EXPECT_EQ(s.lubricant_conductance, 1.5);
+  EXPECT_TRUE(std::isnan(s.inner_heat_share));
+  EXPECT_EQ(s.shaft.segments.size(), 5u);
+  EXPECT_EQ(s.shaft.segments[0].material.conductivity, 42);
+  EXPECT_DOUBLE_EQ(s.housing.segments.at(0).material.thermal_expansion, 10.5e-6);
+  EXPECT_FALSE(s.coolant);
+  EXPECT_DOUBLE_EQ(s.model_floor_temperature, 0.5);
+  EXPECT_DOUBLE_EQ(s.model_floor_displacement, 1e-6);
+  EXPECT_EQ(file.model.free, std::vector<std::string>{"f0"});
+  for (const char* one :
+       {"bearing.lubricant_conductance_W_K = 1.5 (default)",
+        "spindle.preload_feedback = true (default)", "shaft.conductivity_W_mK = 42 (default)",
+        "housing.flange_conductance_W_K = 4 (default)",
+        "seat.collar_conductance_W_m2K = 8000 (default)", "ambient.emissivity = 0.85 (default)",
+        "solver.cells = \"medium\" (default)", "rig.model_floor_K = 0.5 (default)",
+        "rig.model_floor_um = 1 (default)"})
+    EXPECT_THAT(file.defaults, Contains(one));
+}
+
+TEST(SpindleSection, BaseFileIsReadIntoSi) {
+  const ModelFile file = spindle_file(base_spindle);
+  const model::Spindle& s = *file.model.spindle;
+  EXPECT_EQ(s.name, "externally driven, 70 mm, two against one");
+  EXPECT_EQ(file.model.name, "7014 C like");
+  EXPECT_EQ(s.front_positions, (std::vector{60 * mm, 90 * mm}));
+  EXPECT_EQ(s.rear_positions, std::vector{290 * mm});
+  EXPECT_DOUBLE_EQ(s.inner_ring_shoulder, 82e-3);
+  EXPECT_DOUBLE_EQ(s.outer_ring_shoulder, 98e-3);
+  EXPECT_EQ(s.inner_heat_share, 0.5);
+  ASSERT_EQ(s.shaft.segments.size(), 5u);
+  EXPECT_DOUBLE_EQ(s.shaft.segments[2].length, 0.18);
+  EXPECT_DOUBLE_EQ(s.shaft.segments[2].diameter, 0.082);
+  EXPECT_DOUBLE_EQ(s.shaft.segments[2].bore, 0.036);
+  EXPECT_DOUBLE_EQ(s.housing.start, 0.04);
+  EXPECT_DOUBLE_EQ(s.housing.flange, 0.12);
+  EXPECT_DOUBLE_EQ(s.housing.segments.at(0).diameter, 0.18);
+  EXPECT_TRUE(std::isnan(s.housing.segments[0].bore));
+  EXPECT_DOUBLE_EQ(s.seat.inner_interference, 6e-6);
+  EXPECT_DOUBLE_EQ(s.seat.roughness, 0.8e-6);
+  EXPECT_DOUBLE_EQ(s.seat.hardness, 3e9);
+  EXPECT_EQ(s.coolant.value().fluid, model::Fluid::water);
+  EXPECT_DOUBLE_EQ(s.coolant->flow, 2e-3 / 60);
+  EXPECT_DOUBLE_EQ(s.coolant->inlet_temperature, kelvin(20));
+  EXPECT_DOUBLE_EQ(s.coolant->pitch, 14e-3);
+  EXPECT_EQ(s.coolant->stagnant, 25);
+  ASSERT_EQ(s.sensors.size(), 2u);
+  EXPECT_EQ(s.sensors[1].name, "shaft_end");
+  EXPECT_EQ(s.sensors[1].part, model::ThermometerPlace::Part::shaft);
+  EXPECT_DOUBLE_EQ(s.sensors[1].radius, 0.029);
+}
+
+TEST(SpindleSection, DistanceOfTheSetsFollowsFromTheirMiddles) {
+  EXPECT_DOUBLE_EQ(spindle_file(base_spindle).model.shaft->arrangement.design().distance, 0.215);
+}
+
+TEST(SpindleSection, DistanceMayStandBesidePositionsThatGiveIt) {
+  const auto text = [](const char* distance) {
+    return with(shortest_spindle, "preload_N = 300",
+                fmt::format("preload_N = 300\ndistance_mm = {}", distance));
+  };
+  EXPECT_EQ(spindle_error(text("215")), "(no error)");
+  EXPECT_THAT(spindle_error(text("200")),
+              HasSubstr("s.toml:12: distance_mm = 200 mm: the sets are 215 mm apart"));
+}
+
+TEST(SpindleSection, SetsExpandAsShaftAndHousingDo) {
+  const auto design = spindle_file(with(base_spindle, "start_mm = 40.0",
+                                        "thermal_expansion_1e6_K = 12.5\nstart_mm = 40.0"))
+                          .model.shaft->arrangement.design();
+  EXPECT_DOUBLE_EQ(design.shaft_expansion, 11.5e-6);
+  EXPECT_DOUBLE_EQ(design.housing_expansion, 12.5e-6);
+}
+
+TEST(SpindleSection, InlineSegmentsAndTablesOfThemAreTheSame) {
+  const auto a = spindle_of(shortest_spindle).shaft.segments,
+             b = spindle_of(base_spindle).shaft.segments;
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].length, b[k].length);
+    EXPECT_EQ(a[k].diameter, b[k].diameter);
+    EXPECT_EQ(a[k].bore, b[k].bore);
+  }
+}
+
+TEST(SpindleSection, SegmentMayHaveItsOwnBoreAndMaterial) {
+  const model::Spindle s = spindle_of(
+      with(shortest_spindle, "{length_mm = 75, diameter_mm = 60}",
+           "{length_mm = 75, diameter_mm = 60, bore_mm = 20, material = \"carbon\"}") +
+      "[material.carbon]\nelastic_modulus_GPa = 180\npoisson_ratio = 0.3\ndensity_kg_m3 = 1600\n"
+      "thermal_expansion_1e6_K = 0.5\nconductivity_W_mK = 8\nheat_capacity_J_kgK = 800\n");
+  EXPECT_DOUBLE_EQ(s.shaft.segments[4].bore, 0.02);
+  EXPECT_EQ(s.shaft.segments[4].material.conductivity, 8);
+  EXPECT_DOUBLE_EQ(s.shaft.segments[3].bore, 0.036);
+  EXPECT_EQ(s.shaft.segments[3].material.conductivity, 42);
+}
+
+TEST(SpindleSection, MaterialWithoutHeatIsRefusedForASegment) {
+  EXPECT_THAT(
+      spindle_error(with(shortest_spindle, "{length_mm = 75, diameter_mm = 60}",
+                         "{length_mm = 75, diameter_mm = 60, material = \"carbon\"}") +
+                    "[material.carbon]\nelastic_modulus_GPa = 180\npoisson_ratio = 0.3\n"
+                    "density_kg_m3 = 1600\nthermal_expansion_1e6_K = 0.5\n"),
+      HasSubstr("[material.carbon] conductivity_W_mK is missing, which [shaft.segment] needs"));
+}
+
+TEST(SpindleSection, HousingMayBeStepped) {
+  const model::Spindle s =
+      spindle_of(with(shortest_spindle, "length_mm = 275\nouter_diameter_mm = 180",
+                      "segment = [{length_mm = 200, outer_diameter_mm = 180}, {length_mm = 75, "
+                      "outer_diameter_mm = 150, bore_mm = 110}]"));
+  ASSERT_EQ(s.housing.segments.size(), 2u);
+  EXPECT_DOUBLE_EQ(s.housing.segments[1].bore, 0.11);
+}
+
+TEST(SpindleSection, DisksAndSupportsStandOnTheShaft) {
+  const model::Spindle s = spindle_of(
+      shortest_spindle +
+      "[[shaft.disk]]\nposition_mm = 350\nmass_kg = 3\ndiametral_inertia_kgm2 = 0.004\n"
+      "polar_inertia_kgm2 = 0.007\n[[shaft.support]]\nposition_mm = 360\nradial_N_um = 200\n"
+      "tilt_Nm_rad = 5000\n");
+  EXPECT_EQ(s.shaft.disks.at(0).mass, 3);
+  EXPECT_DOUBLE_EQ(s.shaft.supports.at(0).radial_stiffness, 200e6);
+  EXPECT_EQ(s.shaft.supports[0].tilt_stiffness, 5000);
+}
+
+TEST(SpindleSection, HeatOfADriveIsAFormulaOfTheSpeed) {
+  const model::Spindle s = spindle_of(base_spindle + "[drive]\nheat_W = \"0.015*speed_rpm\"\n");
+  const std::vector<double> speed{10000.0};
+  EXPECT_DOUBLE_EQ((*s.drive.value().heat)(speed), 150.0);
+  EXPECT_TRUE(std::isnan(s.drive->position));
+}
+
+TEST(SpindleSection, MisspeltVariableOfHeatIsNamed) {
+  const std::string message =
+      spindle_error(base_spindle + "[drive]\nheat_W = \"0.015*sped_rpm\"\n");
+  EXPECT_THAT(message, HasSubstr("did you mean speed_rpm?"));
+  EXPECT_THAT(message, HasSubstr("[drive] heat_W"));
+}
+
+TEST(SpindleSection, MaterialMachineAndMotorAreReadWithTheirUnits) {
+  const model::Spindle s = spindle_of(
+      with(base_spindle, "emissivity = 0.85",
+           "temperature_C = 22\nmachine_temperature_C = 25\nrotating_convection = \"kendoush\"") +
+      "[motor]\nheat_W = 120\nposition_mm = 190\nlength_mm = 120\nrotor_share = 0.3\n");
+  EXPECT_DOUBLE_EQ(s.ambient.temperature, kelvin(22));
+  EXPECT_DOUBLE_EQ(s.ambient.machine_temperature, kelvin(25));
+  EXPECT_EQ(s.ambient.rotating_convection, model::RotatingConvection::kendoush);
+  EXPECT_EQ((*s.motor.value().heat)({}), 120.0);
+  EXPECT_EQ(s.motor->rotor_share, 0.3);
+}
+
+/// A file that is wrong in one place, and what is said of it.
+struct WrongSpindle {
+  const char *from, *to, *message;
+};
+
+TEST(SpindleSection, WhatCannotBeIsRefusedWithItsPlace) {
+  const std::vector<WrongSpindle> cases{
+      {"length_mm = 50.0\ndiameter_mm = 104.0", "length_mm = 0.0\ndiameter_mm = 104.0",
+       "length_mm = 0 mm: must be from"},
+      {"diameter_mm = 60.0", "diameter_mm = 30.0", "must be below the diameter"},
+      {"front_position_mm = [60.0, 90.0]", "front_position_mm = [60.0]", "must be a list of 2"},
+      {"front_position_mm = [60.0, 90.0]", "front_position_mm = [60.0, 70.0]", "one width apart"},
+      {"front_position_mm = [60.0, 90.0]\n", "", "front_position_mm is missing"},
+      {"rear_position_mm = [290.0]", "rear_position_mm = [368.0]", "is not all on the shaft"},
+      {"rear_position_mm = [290.0]", "rear_position_mm = [200.0]",
+       "the shaft has diameter_mm = 82 mm"},
+      {"rear_position_mm = [290.0]", "rear_position_mm = [20.0]", "must be behind"},
+      {"length_mm = 275.0", "length_mm = 255.0", "is not all in the housing"},
+      {"outer_diameter_mm = 180.0", "outer_diameter_mm = 105.0", "no wall is left"},
+      {"flange_mm = 120.0", "flange_mm = 310.0", "it is not all on the housing"},
+      {"flange_mm = 120.0\n", "", "[housing] flange_mm is missing"},
+      {"diameter_mm = 140.0", "diameter_mm = 112.0", "outside the wall of the housing"},
+      {"end_mm = 300.0", "end_mm = 330.0", "the housing reaches from 40 mm to 315 mm"},
+      {"pitch_mm = 14.0", "pitch_mm = 8.0", "must be at least channel_width_mm"},
+      {"radius_mm = 57.0", "radius_mm = 50.0", "the housing reaches from 55 mm to 90 mm there"},
+      {"position_mm = 365.0", "position_mm = 380.0", "the shaft reaches from 0 to 375 mm"},
+      {"part = \"shaft\"", "part = \"rotor\"", "must be shaft, ring, housing or coolant"},
+      {"name = \"shaft_end\"", "name = \"shaft end\"", "must be letters, digits and _"},
+      {"name = \"shaft_end\"", "name = \"front_bearing\"", "another sensor has this name"},
+      {"name = \"shaft_end\"", "name = \"ambient\"", "is a column of its own"},
+      {"inner_ring_shoulder_mm = 82.0", "inner_ring_shoulder_mm = 92.0",
+       "must be between 70 and 90"},
+      {"inner_heat_share = 0.5", "inner_heat_share = 1.5", "must be from 0 to 1"},
+      {"emissivity = 0.85", "emisivity = 0.85", "did you mean emissivity?"},
+      {"fluid = \"water\"", "fluid = \"air\"", "must be water or oil"},
+      {"[housing]\nstart_mm", "[housing]\nstart", "start"}};
+  for (const WrongSpindle& one : cases) {
+    SCOPED_TRACE(one.to);
+    const std::string message = spindle_error(with(base_spindle, one.from, one.to));
+    EXPECT_THAT(message, HasSubstr(one.message));
+    EXPECT_THAT(message, HasSubstr("s.toml:"));
+  }
+}
+
+TEST(SpindleSection, ShaftAloneIsNoSpindle) {
+  const std::string text = shortest_spindle.substr(0, shortest_spindle.find("[housing]"));
+  EXPECT_THAT(spindle_error(text), HasSubstr("a spindle has both [shaft] and [housing]"));
+}
+
+TEST(SpindleSection, TableOfASpindleWithoutOneIsRefused) {
+  const std::string text = shortest_spindle.substr(0, shortest_spindle.find("[shaft]")) +
+                           "[ambient]\nemissivity = 0.5\n";
+  EXPECT_THAT(spindle_error(text), HasSubstr("s.toml:14: [ambient]: belongs to a spindle"));
+}
+
+TEST(SpindleSection, BearingsAreFreeToFitInTheUnitOfTheFile) {
+  ModelFile file =
+      spindle_file(base_spindle +
+                   "[calibration]\nfree = [\"f0\", \"z\", \"preload_N\", \"convection_factor\", "
+                   "\"lubricant_conductance_W_K\", \"flange_conductance_W_K\"]\n");
+  EXPECT_EQ(file.model.free.size(), 6u);
+  model::Model changed = file.model;
+  for (const record::Parameter& p : model::parameters(changed)) {
+    if (p.name == "convection_factor") model::set(changed, p, 1.25);
+    if (p.name == "lubricant_conductance_W_K") model::set(changed, p, 2.5);
+    if (p.name == "flange_conductance_W_K") model::set(changed, p, 5.5);
+  }
+  EXPECT_EQ(changed.spindle->ambient.convection_factor, 1.25);
+  const model::Spindle back = spindle_of(with_model(file, changed));
+  EXPECT_EQ(back.ambient.convection_factor, 1.25);
+  EXPECT_EQ(back.lubricant_conductance, 2.5);
+  EXPECT_EQ(back.housing.flange_conductance, 5.5);
+}
+
+TEST(SpindleSection, OuterSeatIsFreeOnlyWhereItHasAValue) {
+  const std::string free = "[calibration]\nfree = [\"outer_conductance_W_m2K\"]\n";
+  EXPECT_THAT(spindle_error(base_spindle + free),
+              HasSubstr("give a value to begin with under [seat]"));
+  const ModelFile file = spindle_file(
+      with(base_spindle, "slope = 0.15", "slope = 0.15\nouter_conductance_W_m2K = 3000") + free);
+  EXPECT_EQ(file.model.spindle->seat.outer_conductance, 3000);
+}
+
+const std::string network_text =
+    shortest_spindle.substr(0, shortest_spindle.find("[shaft]")) +
+    "[[network.node]]\nname = \"rotor\"\ncapacity_J_K = 900\nheat_W = 40\n"
+    "[[network.node]]\nname = \"body\"\ncapacity_J_K = 20000\n"
+    "[[network.link]]\nfrom = \"rotor\"\nto = \"body\"\nconductance_W_K = 5\n"
+    "[[network.link]]\nfrom = \"body\"\nto = \"ambient\"\nconductance_W_K = 2\n";
+
+TEST(SpindleSection, NetworkStandsInPlaceOfAGeometry) {
+  const model::Spindle s = spindle_of(network_text);
+  const model::Network& n = s.network.value();
+  ASSERT_EQ(n.nodes.size(), 3u);
+  EXPECT_EQ(n.nodes[0].heat, 40);
+  EXPECT_EQ(n.nodes[2].name, "ambient");
+  EXPECT_DOUBLE_EQ(n.nodes[2].temperature, kelvin(20));
+  EXPECT_EQ(n.links.at(1).from, 1u);
+  EXPECT_EQ(n.links[1].to, 2u);
+  EXPECT_EQ(s.sensors.size(), 3u);
+}
+
+TEST(SpindleSection, NetworkWithoutAWayOutIsRefused) {
+  EXPECT_THAT(spindle_error(with(network_text, "to = \"ambient\"", "to = \"rotor\"")),
+              HasSubstr("its heat would go nowhere"));
+}
+
+TEST(SpindleSection, UnknownNodeIsNamedWithTheNearest) {
+  EXPECT_THAT(spindle_error(with(network_text, "to = \"body\"", "to = \"bodi\"")),
+              HasSubstr("to = \"bodi\": no such node; did you mean body?"));
+}
+
+TEST(SpindleSection, NodeThatNoLinkNamesIsRefused) {
+  EXPECT_THAT(spindle_error(network_text + "[[network.node]]\nname = \"lost\"\ncapacity_J_K = 1\n"),
+              HasSubstr("node lost: no [[network.link]] names it"));
+}
+
+TEST(SpindleSection, NetworkBesideAShaftIsRefused) {
+  EXPECT_THAT(spindle_error(shortest_spindle + "[network]\n"),
+              HasSubstr("a [network] stands in place of a geometry"));
+}
+
+}  // namespace
+}  // namespace raceway::files

@@ -1,0 +1,76 @@
+#include "text/timestamp.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace raceway::text {
+namespace {
+
+TEST(Timestamp, IsoAndGermanDatesAreOneTime) {
+  // date -u -d "2024-03-12 08:15:00" +%s
+  constexpr double expected = 1710231300.0;
+  for (const char* text :
+       {"2024-03-12T08:15:00", "2024-03-12 08:15", "2024-03-12T08:15:00Z",
+        "2024-03-12T09:15:00+01:00", "2024-03-12T08:15:00.000", "12.03.2024 08:15:00",
+        "12.3.2024 8:15", "20240312T081500", "20240312T0815Z", "2024/03/12 08:15:00",
+        "2024/3/12 8:15", "12-Mar-2024 08:15:00", "12 MARCH 2024 08:15", "12-Mrz-2024 8:15:00",
+        "12-M\u00e4r-2024 8:15", "12/03/2024 08:15:00", "12/03/2024 08:15:00 AM",
+        "12.03.2024 8:15am"}) {
+    const auto time = parse_timestamp(text);
+    ASSERT_TRUE(time) << text;
+    EXPECT_DOUBLE_EQ(*time, expected) << text;
+  }
+  EXPECT_DOUBLE_EQ(*parse_timestamp("12.03.2024 08:15:00,25"), expected + 0.25);
+  EXPECT_EQ(timestamp_text(expected + 0.25), "2024-03-12T08:15:00.250");
+  EXPECT_DOUBLE_EQ(*parse_timestamp("03/12/2024 08:15:00", DateOrder::month_first), expected);
+  EXPECT_DOUBLE_EQ(*parse_timestamp("12/03/2024 08:15:00.5 PM"), expected + 12 * 3600.0 + 0.5);
+  EXPECT_DOUBLE_EQ(*parse_timestamp("12/03/2024 12:15:00 AM"), expected - 8 * 3600.0);
+  EXPECT_DOUBLE_EQ(*parse_timestamp("12/03/2024 12:15:00 PM"), expected + 4 * 3600.0);
+}
+
+TEST(Timestamp, WhatIsNoDateIsNone) {
+  for (const char* text :
+       {"", "12", "12.5", "2024-02-30T00:00:00", "32.01.2024 00:00:00", "03/13/2024 08:15:00",
+        "12-Abc-2024 08:15:00", "12-Ma-2024 08:15:00", "12/03/2024 13:15:00 AM",
+        "12/03/2024 00:15 PM", "2024/03-12 08:15", "20240312 8:15x", "2024-03-12",
+        "2024-03-12T08:61:00", "12.03.2024 08:15:00x", "2024-03-12T25:00:00"})
+    EXPECT_FALSE(parse_timestamp(text)) << text;
+}
+
+TEST(Timestamp, ElapsedTimesAreHoursMinutesAndSeconds) {
+  EXPECT_DOUBLE_EQ(parse_elapsed("1:30:05.5").value(), 5405.5);
+  EXPECT_DOUBLE_EQ(parse_elapsed("100:00:00").value(), 360000.0);
+  EXPECT_DOUBLE_EQ(parse_elapsed("2 01:30:05").value(), 2 * 86400.0 + 5405.0);
+  for (const char* text : {"", "1:30", "1:60:00", "1:00:60", "-1:00:00", "1:00:00x", "2  1:00:00"})
+    EXPECT_FALSE(parse_elapsed(text)) << text;
+}
+
+/// Of 2024: Europe on 31 March and 27 October, North America on 10 March and 3 November.
+TEST(Timestamp, ClocksChangeInTheNightOfSomeSundays) {
+  const auto may = [](const char* before, bool forward) {
+    return clocks_may_change(parse_timestamp(before).value(), forward);
+  };
+  EXPECT_TRUE(may("2024-03-31 01:59", true) && may("2024-10-27 02:59", false));
+  EXPECT_TRUE(may("2024-03-10 01:59", true) && may("2024-11-03 01:59", false));
+  EXPECT_FALSE(may("2024-03-31 01:59", false) || may("2024-10-27 02:59", true));
+  EXPECT_FALSE(may("2024-03-30 01:59", true) || may("2024-03-31 05:59", true) ||
+               may("2024-10-20 02:59", false));
+}
+
+TEST(Timestamp, ExcelCountsDaysFrom1900) {
+  // Excel shows 45363.34375 as 2024-03-12 08:15:00, and 1 as 1900-01-01.
+  EXPECT_DOUBLE_EQ(seconds_of_excel(45363.34375).value(), 1710231300.0);
+  EXPECT_EQ(timestamp_text(seconds_of_excel(1).value()), "1900-01-01T00:00:00");
+  EXPECT_EQ(timestamp_text(seconds_of_excel(61).value()), "1900-03-01T00:00:00");
+}
+
+/// A number of days beyond any calendar had been printed as a year of nonsense.
+TEST(Timestamp, ExcelHasTheYears1900To9999) {
+  for (const double days : {-1.0, 2958466.0, 1e300, -1e300, std::nan(""), HUGE_VAL})
+    EXPECT_FALSE(seconds_of_excel(days)) << days;
+  EXPECT_EQ(timestamp_text(seconds_of_excel(2958465).value()), "9999-12-31T00:00:00");
+}
+
+}  // namespace
+}  // namespace raceway::text

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/channel.h"
+#include "text/csv.h"
+
+namespace raceway::text {
+
+/// Collects what is wrong with cells; one message tells of all, the first ten in full, by line.
+class BadCells {
+ public:
+  /// `rows` is the number of rows that the message speaks of.
+  BadCells(std::string source, std::size_t rows) : source_(std::move(source)), rows_(rows) {}
+
+  void add(int line, std::string_view column, std::string_view cell, std::string_view problem);
+  /// Throws InputError if there is one.
+  void throw_if_any() const;
+
+ private:
+  struct BadCell {
+    int line;
+    std::string column;
+    std::string text;
+  };
+  static constexpr std::size_t shown = 10;
+  std::string source_;
+  std::size_t rows_;
+  std::size_t count_ = 0;
+  std::vector<BadCell> first_;  // by line
+};
+
+/// What the cells of a column may be, in the unit of the column.
+struct CellRange {
+  std::string_view column;  ///< its name, for messages
+  double lower, upper;      ///< closed
+  std::string_view unit;
+};
+
+/// The range of a channel in its own unit.
+[[nodiscard]] inline CellRange range_of(const record::Channel& channel) {
+  return {channel.name, channel.lower, channel.upper, channel.unit};
+}
+
+/// A cell in the unit of its column; what is no number or lies outside of the range goes to `bad`.
+[[nodiscard]] ParsedNumber read_cell(const CsvTable& table, std::size_t row, std::size_t column,
+                                     const CellRange& range, BadCells& bad);
+
+}  // namespace raceway::text

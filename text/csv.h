@@ -1,0 +1,136 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "text/error.h"
+
+namespace raceway::text {
+
+/// Where the header stands in a file that has more than a header and rows.
+struct CsvForm {
+  int header_line = 0;    ///< counted from 1; what stands above is skipped. 0: the first line
+  int unit_line = 0;      ///< a row of units below the header; 0: none
+  char separator = '\0';  ///< '\0': as found in the header
+};
+
+/// A number, or why a cell is none.
+struct ParsedNumber {
+  double value;              ///< NaN unless `problem` is empty
+  char decimal_mark = '\0';  ///< '.' or ',' where there was one
+  std::string_view problem;  ///< "is not a number", ...: to be put after the cell's text
+};
+
+/// Which mark of a file is which, as its cells tell.
+struct DecimalMarks {
+  char decimal = '\0';    ///< that was stated; '\0': not stated
+  char thousands = '\0';  ///< between groups of three digits; '\0': none
+  char asked = '\0';      ///< a mark that may be either
+};
+
+/// A column of a table that is no file.
+struct DataColumn {
+  std::string name;
+  std::vector<double> numbers{};  ///< NaN where there is none; empty of texts
+  std::vector<std::string> texts{};
+};
+
+/// Finds it in a text of UTF-8.
+using FormFinder = std::function<CsvForm(std::string_view)>;
+
+/// A delimited text file as it stands: names of columns and cells of text, with their lines.
+///
+/// Separator: comma, semicolon or tab, as found in the header. Lines that begin with `#` are
+/// comments; the last one above the data is the header where its cells fit the first row, and below
+/// the header a line whose cells fit is a row ("#N/A,20,0.1"). Blank lines and rows of empty cells
+/// are skipped, as are the header where it stands again and words behind the last row. A cell may
+/// be quoted ("a ""b"""), not broken over lines. Blanks around cells are dropped, and an apostrophe
+/// in front of =, +, - or @, with which cells are kept from being formulas
+/// (text/detail/csv_text.h). Memory: the text plus 16 bytes per cell.
+class CsvTable {
+ public:
+  std::string source;                 ///< file name, for messages
+  std::vector<std::string> comments;  ///< as they stand, wherever they stood
+  std::vector<std::string> header;
+  std::vector<std::string> units;  ///< of the row of units, empty without
+  int header_line = 0;             ///< counted from 1
+  char separator = ',';
+  bool byte_order_mark = false;
+  bool carriage_returns = false;   ///< lines ended in CR or CR LF
+  std::vector<std::string> notes;  ///< what the user should know, without the file's name
+
+  [[nodiscard]] std::size_t rows() const { return lines_.size(); }
+  [[nodiscard]] int line(std::size_t row) const { return lines_[row]; }
+  /// Only for a column of text: is_numeric() is false.
+  [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {
+    if (!columns_.empty()) return columns_[column].texts[row];
+    const Cell& c = cells_[row * header.size() + column];
+    return std::string_view(text_).substr(c.begin, c.size);
+  }
+  /// Whether a column came as numbers, not as text.
+  [[nodiscard]] bool is_numeric(std::size_t column) const {
+    return !columns_.empty() && columns_[column].texts.empty();
+  }
+  /// A cell as messages and names have it, whatever the column came as; empty for no number.
+  [[nodiscard]] std::string shown(std::size_t row, std::size_t column) const;
+  [[nodiscard]] bool is_empty(std::size_t row, std::size_t column) const;
+  /// The number in a cell, or why there is none. Throws InputError for a cell that can be read in
+  /// two ways, as 1.200 beside 600.
+  [[nodiscard]] ParsedNumber parsed(std::size_t row, std::size_t column) const;
+  [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
+  /// Where the header is wrong, in that column.
+  [[nodiscard]] Place header_place(std::string_view name = {}) const {
+    return {.file = source, .line = header_line, .key = std::string(name)};
+  }
+  /// The number in a cell; throws InputError with line and column for anything else.
+  [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+  /// Settles whether points or commas are decimal marks; the other one separates thousands. Without
+  /// this call it is found in the cells, and number() and parsed() ask where they do not tell.
+  void set_decimal_mark(char mark);
+  /// Leaves out rows; one answer for each.
+  void remove_rows(const std::vector<bool>& remove);
+
+ private:
+  friend CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_mark,
+                            const FormFinder& find_form);
+  struct Cell {
+    std::size_t begin;
+    std::size_t size;
+  };
+  friend CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
+  [[nodiscard]] ParsedNumber parsed_text(std::size_t row, std::size_t column,
+                                         std::string_view text) const;
+  std::string text_;
+  std::vector<Cell> cells_;          // row by row
+  std::vector<DataColumn> columns_;  // in place of both, where it came as columns
+  std::vector<int> lines_;
+  DecimalMarks marks_;
+};
+
+/// A table of columns that are numbers or texts. Rows are counted as lines of a CSV with one line
+/// of names. Throws InputError: no columns, no rows, columns of different lengths, a column twice
+/// or without name, a control character.
+[[nodiscard]] CsvTable table_of_columns(std::string source, std::vector<DataColumn> columns);
+
+/// Reads a file. Throws InputError: unreadable, a control character, no header, no rows, more than
+/// 10 000 columns, a column twice or without name, a row with more or fewer cells than the header,
+/// another separator in a row than in the header.
+[[nodiscard]] CsvTable read_csv(const std::string& path, const FormFinder& find_form = {});
+
+/// The same from text; `source` stands in messages.
+[[nodiscard]] CsvTable parse_csv(std::string text, const std::string& source,
+                                 bool byte_order_mark = false, const FormFinder& find_form = {});
+
+/// Reads a whole cell as a number, whatever the locale. Nothing may follow or be left out: no
+/// blanks, no thousands separators, no hexadecimal, "nan" or "inf". A comma is a decimal mark only
+/// where `decimal_comma` allows it.
+[[nodiscard]] ParsedNumber parse_number(std::string_view cell, bool decimal_comma);
+
+/// A cell as messages show it: quoted, shortened to 40 characters.
+[[nodiscard]] std::string quoted(std::string_view cell);
+
+}  // namespace raceway::text

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+/// The one writer of numbers as JSON; shared by those of results and pages.
+namespace raceway::text {
+
+using json = nlohmann::ordered_json;
+
+/// Text of a document: the number of its format, then its members. Two blanks of indent, 15 digits
+/// (see with_15_digits()). Numbers that are not finite become null; bytes that are no UTF-8 (file
+/// names) are replaced.
+[[nodiscard]] std::string text(const json& document);
+
+/// Text of a value on one line, without a line end.
+[[nodiscard]] std::string line_text(const json& value);
+
+}  // namespace raceway::text

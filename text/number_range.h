@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace raceway::text {
+
+/// What a number that a person enters may be, both ends included, in the unit of its name.
+struct NumberRange {
+  double lower, upper;
+  std::string_view unit;
+};
+
+inline constexpr NumberRange speed_range{0.0, 1e6, "rpm"};
+inline constexpr NumberRange load_range{0.0, 1e8, "N"};
+/// On a shaft, whose loads have a direction.
+inline constexpr NumberRange signed_load_range{-1e8, 1e8, "N"};
+inline constexpr NumberRange temperature_range{-100.0, 400.0, "C"};
+inline constexpr NumberRange moment_range{-1e9, 1e9, "N mm"};
+
+/// "must be from 0 to 1000000 rpm"
+[[nodiscard]] std::string range_text(const NumberRange& range);
+
+/// Throws InputError that names the number, its value and the range.
+void require_range(double value, const NumberRange& range, const std::string& name);
+
+}  // namespace raceway::text

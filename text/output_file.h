@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raceway::text {
+
+/// What to do where the file to be written exists already: `refuse` names --force as what replaces
+/// it, `refuse_naming_replace` --replace, of a command whose --force is a load.
+enum class IfExists { refuse, refuse_naming_replace, replace };
+
+/// Throws InputError where write_text() would: a name that promises a workbook, a picture of points
+/// or another format that is no text (st.xlsx, st.png), an existing file that is not to be
+/// replaced, a directory, a folder that is missing or not writable. To be asked before a long
+/// calculation.
+void require_writable(const std::string& path, IfExists if_exists);
+
+/// Writes a whole file or nothing: into a file beside it first, which then takes its name. Keeps
+/// the permissions of a file it replaces. A file that came meanwhile is kept unless it is to be
+/// replaced. Throws InputError as above, and where the disk is full.
+void write_text(const std::string& path, std::string_view text, IfExists if_exists);
+
+/// A file to be written; its text must live until it is.
+struct OutputFile {
+  std::string path;
+  std::string_view text;
+};
+/// Writes files that belong together. All of them are whole before the first takes its name. Where
+/// two runs write the same files, all are those of the later run. Throws as write_text(); the old
+/// files are then still there, unless the disk fails between two names.
+void write_files(const std::vector<OutputFile>& files, IfExists if_exists);
+
+/// For a process that is told to stop: removes what is half written, and lets nothing more be
+/// written. Gives the files that write_text() has written whole. May be called from any thread; the
+/// process must end then.
+[[nodiscard]] std::vector<std::string> stop_writing();
+
+}  // namespace raceway::text

@@ -1,0 +1,230 @@
+#include "text/timestamp.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "text/names.h"
+
+namespace raceway::text {
+namespace {
+
+namespace chrono = std::chrono;
+
+constexpr double day = 86400.0;
+
+/// Takes a text from its front, piece by piece; failed once a piece is not there.
+class Scan {
+  static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+ public:
+  explicit Scan(std::string_view text) : rest_(text) {}
+
+  /// A number of that many digits.
+  int digits(std::size_t least, std::size_t most) {
+    int value = 0;
+    std::size_t count = 0;
+    while (count < most && count < rest_.size() && rest_[count] >= '0' && rest_[count] <= '9')
+      value = 10 * value + (rest_[count++] - '0');
+    failed_ = failed_ || count < least;
+    rest_.remove_prefix(count);
+    return value;
+  }
+  /// Any one of these.
+  bool maybe(std::string_view marks) {
+    if (rest_.empty() || marks.find(rest_.front()) == marks.npos) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  void need(std::string_view marks) { failed_ = !maybe(marks) || failed_; }
+  /// What stands behind the decimal mark of a number.
+  double fraction() {
+    double value = 0.0, place = 0.1;
+    if (rest_.empty() || rest_.front() < '0' || rest_.front() > '9') failed_ = true;
+    for (; !rest_.empty() && rest_.front() >= '0' && rest_.front() <= '9'; place /= 10.0) {
+      value += place * (rest_.front() - '0');
+      rest_.remove_prefix(1);
+    }
+    return value;
+  }
+  /// 'A' or 'P' of "AM" and "PM" behind a blank or none.
+  std::optional<char> half_of_day() {
+    const std::string rest = lower_case(rest_);
+    for (const std::string_view ending : {" am", " pm", "am", "pm"})
+      if (rest == ending) {
+        rest_ = {};
+        return ending[ending.size() - 2] == 'a' ? 'A' : 'P';
+      }
+    return std::nullopt;
+  }
+  /// The number of a month by three letters of its name or more; 0 for none.
+  int month() {
+    std::size_t size = 0;
+    while (size < rest_.size() && (is_letter(rest_[size]) || (rest_[size] & 0x80) != 0)) ++size;
+    const std::string name = lower_case(rest_.substr(0, size));
+    rest_.remove_prefix(size);
+    constexpr std::array names{"january januar",  "february februar", "march m\u00e4rz maerz mrz",
+                               "april",           "may mai",          "june juni",
+                               "july juli",       "august",           "september",
+                               "october oktober", "november",         "december dezember"};
+    for (std::size_t k = 0; name.size() >= 3 && k < names.size(); ++k) {
+      const std::string all = std::string(" ") + names[k];
+      if (all.find(" " + name) != all.npos) return static_cast<int>(k) + 1;
+    }
+    failed_ = true;
+    return 0;
+  }
+  [[nodiscard]] char next() const { return rest_.empty() ? '\0' : rest_.front(); }
+  [[nodiscard]] bool done() const { return !failed_ && rest_.empty(); }
+
+ private:
+  std::string_view rest_;
+  bool failed_ = false;
+};
+
+/// "+01:00" of ISO 8601 [s].
+double zone(Scan& scan) {
+  if (scan.maybe("Z")) return 0.0;
+  const double sign = scan.next() == '-' ? -1.0 : 1.0;
+  if (!scan.maybe("+-")) return 0.0;
+  const int hours = scan.digits(2, 2);
+  scan.maybe(":");
+  const int minutes = scan.next() == '\0' ? 0 : scan.digits(2, 2);
+  return sign * (3600.0 * hours + 60.0 * minutes);
+}
+
+struct Date {
+  int year = 0, month = 0, day = 0;
+  bool compact = false;  ///< without marks, as the time behind it
+};
+
+Date scan_date(Scan& scan, std::string_view cell, DateOrder order) {
+  Date date;
+  const std::size_t digits = std::min(cell.find_first_not_of("0123456789"), cell.size());
+  const char mark = digits < cell.size() ? cell[digits] : '\0';
+  if (digits == 8) {
+    date.compact = true;
+    date.year = scan.digits(4, 4);
+    date.month = scan.digits(2, 2);
+    date.day = scan.digits(2, 2);
+  } else if (digits == 4) {
+    const bool iso = mark == '-';
+    date.year = scan.digits(4, 4);
+    scan.need("-/");
+    date.month = scan.digits(iso ? 2 : 1, 2);
+    scan.need(iso ? "-" : "/");
+    date.day = scan.digits(iso ? 2 : 1, 2);
+  } else if (mark == '.' || mark == '/') {
+    const std::string_view same = mark == '.' ? "." : "/";
+    date.day = scan.digits(1, 2);
+    scan.need(same);
+    date.month = scan.digits(1, 2);
+    scan.need(same);
+    date.year = scan.digits(4, 4);
+    if (mark == '/' && order == DateOrder::month_first) std::swap(date.day, date.month);
+  } else {
+    date.day = scan.digits(1, 2);
+    scan.need("- ");
+    date.month = scan.month();
+    scan.need("- ");
+    date.year = scan.digits(4, 4);
+  }
+  return date;
+}
+
+}  // namespace
+
+std::optional<double> parse_timestamp(std::string_view cell, DateOrder order) {
+  Scan scan(cell);
+  const Date date = scan_date(scan, cell, order);
+  const bool compact = date.compact;
+  scan.need("T ");
+  int hour = scan.digits(compact ? 2 : 1, 2);
+  if (!compact) scan.need(":");
+  const int minute = scan.digits(2, 2);
+  double second = 0.0;
+  if (compact ? scan.next() >= '0' && scan.next() <= '9' : scan.maybe(":")) {
+    second = scan.digits(2, 2);
+    if (scan.maybe(".,")) second += scan.fraction();
+  }
+  if (const auto half = scan.half_of_day()) {
+    if (hour < 1 || hour > 12) return std::nullopt;
+    hour = hour % 12 + (*half == 'P' ? 12 : 0);
+  }
+  const double offset = zone(scan);
+  if (!scan.done() || hour > 24 || minute > 59 || second >= 61.0) return std::nullopt;
+  const chrono::year_month_day day_of{chrono::year(date.year),
+                                      chrono::month(static_cast<unsigned>(date.month)),
+                                      chrono::day(static_cast<unsigned>(date.day))};
+  if (!day_of.ok()) return std::nullopt;
+  const auto days = chrono::sys_days(day_of).time_since_epoch().count();
+  return day * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second - offset;
+}
+
+bool has_zone(std::string_view cell) {
+  const std::size_t colon = cell.find(':'), time = colon != cell.npos ? colon : cell.find('T');
+  return cell.ends_with('Z') || (time != cell.npos && cell.find_first_of("+-", time) != cell.npos);
+}
+
+std::optional<double> parse_elapsed(std::string_view cell) {
+  Scan scan(cell);
+  int days = 0;
+  const std::size_t blank = cell.find(' ');
+  if (blank != cell.npos && blank < cell.find(':')) {
+    days = scan.digits(1, 4);
+    scan.need(" ");
+  }
+  const int hours = scan.digits(1, 6);
+  scan.need(":");
+  const int minutes = scan.digits(2, 2);
+  scan.need(":");
+  double seconds = scan.digits(2, 2);
+  if (scan.maybe(".,")) seconds += scan.fraction();
+  if (!scan.done() || minutes > 59 || seconds >= 60.0) return std::nullopt;
+  return day * days + 3600.0 * hours + 60.0 * minutes + seconds;
+}
+
+bool is_time(std::string_view cell) {
+  return parse_timestamp(cell) || parse_timestamp(cell, DateOrder::month_first) ||
+         parse_elapsed(cell);
+}
+
+bool clocks_may_change(double before, bool forward) {
+  const double days = std::floor(before / day);
+  if (!(std::abs(days) < 4e6)) return false;
+  const chrono::sys_days date{chrono::days(static_cast<int>(days))};
+  const chrono::year_month_day parts{date};
+  if (chrono::weekday(date) != chrono::Sunday) return false;
+  const unsigned month = static_cast<unsigned>(parts.month()),
+                 of_month = static_cast<unsigned>(parts.day());
+  const double hour = (before - day * days) / 3600.0;
+  if (forward)
+    return month == 3 && (of_month > 24 || (of_month > 7 && of_month < 15)) && hour < 3.0;
+  return ((month == 10 && of_month > 24) || (month == 11 && of_month < 8)) && hour >= 1.0 &&
+         hour < 4.0;
+}
+
+std::optional<double> seconds_of_excel(double days) {
+  constexpr double of_1970 = 25569.0, of_10000 = 2958466.0;
+  if (!(days >= 0.0 && days < of_10000)) return std::nullopt;
+  return (days - of_1970 + (days < 60.0 ? 1.0 : 0.0)) * day;
+}
+
+std::string timestamp_text(double seconds) {
+  const double days = std::floor(seconds / day);
+  const chrono::year_month_day date{chrono::sys_days{chrono::days(static_cast<int>(days))}};
+  // Numbers of Excel are good for some microseconds.
+  const double rest = std::round((seconds - day * days) * 1e3) / 1e3;
+  const int minutes = static_cast<int>(rest / 60.0);
+  std::string second = fmt::format("{:06.3f}", rest - 60.0 * minutes);
+  if (second.ends_with(".000")) second.resize(2);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{}", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                     minutes / 60, minutes % 60, second);
+}
+
+}  // namespace raceway::text

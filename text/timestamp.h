@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace raceway::text {
+
+/// Order of a date with slashes: 12/03/2024 is in March or in December.
+enum class DateOrder { day_first, month_first };
+
+/// A date with a time as seconds since 1970, leap seconds left out: "2024-03-12T08:15:00.5+01:00"
+/// (ISO 8601; a blank for the T, Z, no seconds), "20240312T081500", "2024/03/12 08:15",
+/// "12.03.2024 08:15:00,5", "12-Mar-2024 08:15:00", "03/12/2024 08:15:00.5 AM". Names of months are
+/// English or German, of three letters or more. Nothing for all else.
+[[nodiscard]] std::optional<double> parse_timestamp(std::string_view cell,
+                                                    DateOrder order = DateOrder::day_first);
+
+/// Whether a date states its zone, as "2024-03-12T08:15:00Z" and "...+01:00" do.
+[[nodiscard]] bool has_zone(std::string_view cell);
+
+/// A time that has passed [s]: "1:30:05.5", "100:00:00", with days in front "2 01:30:05". Nothing
+/// for all else.
+[[nodiscard]] std::optional<double> parse_elapsed(std::string_view cell);
+
+/// Whether a cell is a date with a time, in either order, or an elapsed time.
+[[nodiscard]] bool is_time(std::string_view cell);
+
+/// Whether clocks may have been changed between two local times: on the last Sunday of March and of
+/// October (Europe), the second of March and the first of November (North America), in the night.
+/// `forward`: to summer time.
+[[nodiscard]] bool clocks_may_change(double before, bool forward);
+
+/// Days since 1900 as Excel counts them (60 is a 29 February 1900 that never was), as seconds since
+/// 1970. Nothing outside of the years that Excel has, 1900 to 9999.
+[[nodiscard]] std::optional<double> seconds_of_excel(double days);
+
+/// "2024-03-12T08:15:00.5"; of the years 0 to 9999.
+[[nodiscard]] std::string timestamp_text(double seconds);
+
+}  // namespace raceway::text
