@@ -85,9 +85,9 @@ struct CheckFlags {
 };
 
 /// What the model leaves to the program.
-void print_defaults(const std::string& source, const std::vector<std::string>& defaults) {
+void print_defaults(const std::string& source, const std::vector<files::UsedDefault>& defaults) {
   fmt::print("{}: {} default{}\n", source, defaults.size(), defaults.size() == 1 ? "" : "s");
-  for (const std::string& d : defaults) fmt::print("  {}\n", d.substr(0, d.find(" (default)")));
+  for (const std::string& line : files::short_lines(defaults)) fmt::print("  {}\n", line);
 }
 
 /// What a record over time can tell, in lines.

@@ -7,6 +7,7 @@
 #include "correction/model.h"
 #include "files/column_map.h"
 #include "files/named_files.h"
+#include "files/used_default.h"
 
 namespace raceway::files {
 
@@ -15,7 +16,7 @@ struct CorrectionFile {
   std::vector<correction::Model> models;
   std::string source;                     ///< file name, for messages
   std::string text;                       ///< of the file, to be edited
-  std::vector<std::string> defaults{};    ///< every default that was used
+  std::vector<UsedDefault> defaults{};    ///< every default that was used
   std::vector<std::string> notes{};       ///< what else the user should know
   ColumnMap columns{};                    ///< how its measurements are written
   correction::ControlSettings control{};  ///< what a control does with it, [export]

@@ -82,29 +82,21 @@ void collect(const toml::node& node, Path& path, std::vector<Leaf>& leaves) {
   for (const auto& [key, child] : children) below(key, *child);
 }
 
-/// The default of a line of ModelFile::defaults; nothing where it is no number of its own.
-std::optional<Leaf> number_of_default(std::string_view line) {
-  const std::size_t equals = line.find(" = "), why = line.rfind(" (");
-  if (equals == line.npos || why == line.npos || why < equals) return std::nullopt;
-  const std::string_view reason = line.substr(why);
-  if (reason != " (default)" && reason != " (of the catalogue)") return std::nullopt;
-  const std::string_view text = line.substr(equals + 3, why - equals - 3);
-  double value = unset;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  Leaf leaf{.path = {}, .value = value};
-  std::string_view place = line.substr(0, equals);
-  const std::size_t dot = place.rfind('.');
-  if (dot == place.npos) return std::nullopt;
-  std::string_view table = place.substr(0, dot);
+/// A default by its path; nothing where it is no number of its own.
+std::optional<Leaf> number_of_default(const UsedDefault& one) {
+  if (one.origin == UsedDefault::Origin::derived) return std::nullopt;
+  Leaf leaf{.path = {}, .value = unset};
+  const char* const last = one.value.data() + one.value.size();
+  const auto [end, error] = std::from_chars(one.value.data(), last, leaf.value);
+  if (error != std::errc() || end != last) return std::nullopt;
   // effect[0] is written effect.0 in names.
-  if (table.starts_with("effect[") && table.ends_with("]"))
-    leaf.path = {"effect", std::string(table.substr(7, table.size() - 8))};
-  else if (table.find_first_of(".[") != table.npos)
+  if (one.table.starts_with("effect[") && one.table.ends_with("]"))
+    leaf.path = {"effect", one.table.substr(7, one.table.size() - 8)};
+  else if (one.table.find_first_of(".[") != one.table.npos)
     return std::nullopt;
   else
-    leaf.path = {std::string(table)};
-  leaf.path.emplace_back(place.substr(dot + 1));
+    leaf.path = {one.table};
+  leaf.path.emplace_back(one.key);
   return leaf;
 }
 
@@ -208,9 +200,9 @@ ModelData::ModelData(const ModelFile& file) {
       found.emplace_back(std::move(leaf), ModelDatum::Origin::catalogue);
     }
   }
-  for (const std::string& line : file.defaults)
-    if (std::optional<Leaf> leaf = number_of_default(line); leaf && !is_known(leaf->path))
-      found.emplace_back(*std::move(leaf), line.ends_with("(default)")
+  for (const UsedDefault& one : file.defaults)
+    if (std::optional<Leaf> leaf = number_of_default(one); leaf && !is_known(leaf->path))
+      found.emplace_back(*std::move(leaf), one.origin == UsedDefault::Origin::key
                                                ? ModelDatum::Origin::by_default
                                                : ModelDatum::Origin::catalogue);
   const std::vector<std::string> effects = ids_of_effects(root);

@@ -10,6 +10,7 @@
 #include "files/catalogue_file.h"
 #include "files/column_map.h"
 #include "files/named_files.h"
+#include "files/used_default.h"
 #include "model/model.h"
 #include "rig/torque_sensor.h"
 
@@ -25,8 +26,8 @@ struct ModelFile {
   /// What the user says of bearings and solver beside defaults and catalogue: keys of [bearing], of
   /// the bearings of an [arrangement] and of [solver].
   std::vector<std::string> written = {};
-  /// Every default that was used, e.g. `solver.tilt = "locked" (default)`.
-  std::vector<std::string> defaults;
+  /// Every default that was used.
+  std::vector<UsedDefault> defaults;
   /// What else the user should know, one line each, without the file's name.
   std::vector<std::string> notes = {};
   ColumnMap columns = {};  ///< how its measurements are written

@@ -73,17 +73,19 @@ void read_rings(ModelTables& tables, const NamedBearing& bearing, Spindle& spind
   const Section s = tables.part("bearing", {spindle_bearing_keys});
   const bearing::BearingGeometry& g = bearing.bearing.geometry();
   const auto take = [&](double& value, std::string_view key, double fallback,
-                        const std::string& why = "") {
+                        const std::string& why = "", auto... origin) {
     if (const auto given = s.number(key)) {
       value = *given * mm;
       return;
     }
     value = fallback;
     const std::string text = fmt::format("{:.6g}", value / mm);
-    why.empty() ? tables.note_default(s, key, text) : tables.note_default(s.name(), key, text, why);
+    why.empty() ? tables.note_default(s, key, text)
+                : tables.note_default(s.name(), key, text, why, origin...);
   };
   if (bearing.row && !std::isnan(bearing.row->width))
-    take(spindle.bearing_width, "width_mm", bearing.row->width, "of the catalogue");
+    take(spindle.bearing_width, "width_mm", bearing.row->width, "of the catalogue",
+         UsedDefault::Origin::catalogue);
   else
     take(spindle.bearing_width, "width_mm", 0.5 * (g.outer_diameter - g.bore),
          "default: half of outer diameter - bore");

@@ -20,7 +20,7 @@ text::json facts(const ModelOfPage& of) {
           {"effects", effects},
           {"viscosity_40C_mm2_s", model.lubricant.viscosity_40C() / mm2_per_s},
           {"viscosity_100C_mm2_s", model.lubricant.viscosity_100C() / mm2_per_s},
-          {"defaults", of.defaults}};
+          {"defaults", files::short_lines(of.defaults)}};
 }
 
 }  // namespace

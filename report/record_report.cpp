@@ -108,7 +108,7 @@ class Page {
         {"unit", channel.key_unit()},
         {"predicted", add_readings("predicted_" + number, channel, predicted)},
         {"tolerance", tolerance / channel.factor},
-        {"defaults", drawn.defaults},
+        {"defaults", files::short_lines(drawn.defaults)},
     };
     if (record_.has(channel)) {
       one["measured"] = measured(channel);
@@ -316,7 +316,7 @@ std::string record_report(const std::string& command, const std::string& results
 
 std::string record_diagnosis_report(const std::string& model_file, const record::Record& record,
                                     const fit::Diagnosis& d,
-                                    const std::vector<std::string>& defaults,
+                                    const std::vector<files::UsedDefault>& defaults,
                                     const std::vector<ModelOfPage>& facts) {
   std::vector<DrawnModel> models;
   std::vector<double> tolerances;
@@ -333,7 +333,8 @@ std::string record_diagnosis_report(const std::string& model_file, const record:
 }
 
 std::string record_add_report(const std::string& model_file, const record::Record& record,
-                              const fit::AddResult& r, const std::vector<std::string>& defaults,
+                              const fit::AddResult& r,
+                              const std::vector<files::UsedDefault>& defaults,
                               const std::vector<ModelOfPage>& facts) {
   std::vector<DrawnModel> models;
   std::vector<double> tolerances;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "files/used_default.h"
 #include "fit/add.h"
 #include "fit/compare.h"
 #include "fit/diagnosis.h"
@@ -23,7 +24,7 @@ struct DrawnModel {
   std::string name{};                             ///< as people read it
   std::shared_ptr<const fit::Subject> subject{};  ///< of a correction: aligned with the record
   std::vector<fit::HeldOutReading> held_out{};    ///< where a fit left parts of the record out
-  std::vector<std::string> defaults{};            ///< that its file used
+  std::vector<files::UsedDefault> defaults{};     ///< that its file used
   std::vector<double> tolerances{};  ///< of a spindle: of each channel that was measured [SI]
 };
 
@@ -39,13 +40,13 @@ struct DrawnModel {
 [[nodiscard]] std::string record_diagnosis_report(const std::string& model_file,
                                                   const record::Record& record,
                                                   const fit::Diagnosis& diagnosis,
-                                                  const std::vector<std::string>& defaults,
+                                                  const std::vector<files::UsedDefault>& defaults,
                                                   const std::vector<ModelOfPage>& facts = {});
 
 [[nodiscard]] std::string record_add_report(const std::string& model_file,
                                             const record::Record& record,
                                             const fit::AddResult& result,
-                                            const std::vector<std::string>& defaults,
+                                            const std::vector<files::UsedDefault>& defaults,
                                             const std::vector<ModelOfPage>& facts = {});
 
 }  // namespace raceway::report

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/used_default.h"
 #include "fit/add.h"
 #include "fit/compare.h"
 #include "fit/diagnosis.h"
@@ -28,7 +29,7 @@ namespace raceway::report {
 struct ModelOfPage {
   std::string file;
   model::Model model;  ///< as it was used
-  std::vector<std::string> defaults;
+  std::vector<files::UsedDefault> defaults;
 };
 
 /// The models in the order in which they were made, as they were compared; of each the comparisons

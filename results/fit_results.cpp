@@ -350,13 +350,14 @@ text::json over_time_object(const correction::RecordCheck& c) {
 }  // namespace
 
 std::string model_check_json(const std::string& model_name,
-                             const std::vector<std::string>& defaults,
+                             const std::vector<files::UsedDefault>& defaults,
                              const std::vector<std::string>& notes) {
-  return text::text({{"model", model_name}, {"defaults", defaults}, {"notes", notes}});
+  return text::text(
+      {{"model", model_name}, {"defaults", files::lines(defaults)}, {"notes", notes}});
 }
 
 std::string check_json(const std::string& model_name, const fit::Check& check,
-                       const std::vector<std::string>& defaults,
+                       const std::vector<files::UsedDefault>& defaults,
                        const std::vector<std::string>& notes,
                        const correction::RecordCheck* over_time) {
   text::json columns = text::json::array();
@@ -386,7 +387,7 @@ std::string check_json(const std::string& model_name, const fit::Check& check,
                          {"rows", check.rows},    {"runs", check.runs},
                          {"unit", first["unit"]}, {"noise", first["noise"]},
                          {"columns", columns},    {"free_parameters", parameters},
-                         {"effects", effects},    {"defaults", defaults},
+                         {"effects", effects},    {"defaults", files::lines(defaults)},
                          {"notes", notes}};
   add_channels(document, std::move(channels));
   if (over_time) document.update(over_time_object(*over_time));

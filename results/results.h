@@ -11,6 +11,7 @@
 #include "correction/record_check.h"
 #include "effects/effect.h"
 #include "files/catalogue_file.h"
+#include "files/used_default.h"
 #include "fit/calibrate.h"
 #include "fit/check.h"
 #include "fit/compare.h"
@@ -55,13 +56,13 @@ namespace raceway::results {
 
 /// `defaults` of the model and `notes` on the data, as people read them.
 [[nodiscard]] std::string check_json(const std::string& model_name, const fit::Check& check,
-                                     const std::vector<std::string>& defaults,
+                                     const std::vector<files::UsedDefault>& defaults,
                                      const std::vector<std::string>& notes,
                                      const correction::RecordCheck* over_time = nullptr);
 
 /// The same of a model without data.
 [[nodiscard]] std::string model_check_json(const std::string& model_name,
-                                           const std::vector<std::string>& defaults,
+                                           const std::vector<files::UsedDefault>& defaults,
                                            const std::vector<std::string>& notes);
 
 /// Why there is no result: `{"error": {"message", "file", "line", "key"}}`, null where not known.

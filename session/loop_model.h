@@ -10,6 +10,7 @@
 #include "correction/range.h"
 #include "correction/record_check.h"
 #include "files/model_file.h"
+#include "files/used_default.h"
 #include "fit/add.h"
 #include "fit/calibrate.h"
 #include "fit/compare.h"
@@ -86,7 +87,7 @@ class LoopModel {
   struct About {
     std::string source;  ///< file name, for messages
     std::string name;
-    std::vector<std::string> defaults{};  ///< that were used
+    std::vector<files::UsedDefault> defaults{};  ///< that were used
     std::vector<std::string> notes{};
     std::vector<files::NamedFile> files{};  ///< that it names
   };

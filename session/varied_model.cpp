@@ -45,13 +45,6 @@ double stiffness_of(const model::Model& model, const bearing::OperatingPoint& po
   return p[0].equilibrium.report.converged() ? p[0].equilibrium.axial_stiffness / N_per_um : unset;
 }
 
-/// Message of an error without its place in the file.
-std::string without_place(const std::string& message, const std::string& source) {
-  if (!message.starts_with(source + ":")) return message;
-  const std::size_t space = message.find(' ', source.size());
-  return space == message.npos ? message : message.substr(space + 1);
-}
-
 }  // namespace
 
 std::vector<Axis> axes_of(const SensitivityQuestion& q, bool shaft) {
@@ -169,7 +162,7 @@ std::vector<double> Predictor::steady(const files::ModelFile& file,
 
 Data::Data(const files::ModelFile& file, const SensitivityQuestion& question,
            std::vector<State> states)
-    : question_(question), of_model_(file), source_(file.source), states_(std::move(states)) {
+    : question_(question), of_model_(file), states_(std::move(states)) {
   for (const files::ModelDatum& d : of_model_.data())
     all_.push_back({.name = d.name,
                     .value = d.value,
@@ -225,7 +218,7 @@ Outcome Data::predict(const Predictor& predictor,
     if (question_.amend) question_.amend(file);
     return {.values = predictor(file, states)};
   } catch (const text::InputError& e) {
-    return {.refused = without_place(e.what(), source_)};
+    return {.refused = e.without_place()};
   } catch (const std::invalid_argument& e) {
     return {.refused = e.what()};
   }

@@ -22,6 +22,12 @@ struct InputError : std::runtime_error {
   explicit InputError(const std::string& message, Place where = {})
       : std::runtime_error(message), place(std::move(where)) {}
   Place place;
+
+  /// The message from behind `FILE:LINE: `.
+  [[nodiscard]] std::string without_place() const {
+    const std::string message = what(), front = place.text() + ": ";
+    return message.starts_with(front) ? message.substr(front.size()) : message;
+  }
 };
 
 }  // namespace raceway::text

@@ -9,6 +9,7 @@
 
 #include "files/detail/model_section.h"
 #include "files/named_files.h"
+#include "files/used_default.h"
 
 namespace raceway::files {
 
@@ -23,7 +24,7 @@ class ModelTables {
 
   [[nodiscard]] const toml::table& root() const { return root_; }
   [[nodiscard]] const std::string& source() const { return source_; }
-  [[nodiscard]] const Names& defaults() const { return defaults_; }
+  [[nodiscard]] const std::vector<UsedDefault>& defaults() const { return defaults_; }
   /// That the model names.
   [[nodiscard]] NamedFiles& files() { return files_; }
   [[nodiscard]] std::string place(const toml::key& key) const {
@@ -52,9 +53,12 @@ class ModelTables {
     return section(name).part(std::move(keys));
   }
 
-  void note_default(std::string_view table, std::string_view key, const std::string& value,
-                    std::string_view why = "default") {
-    defaults_.push_back(fmt::format("{}.{} = {} ({})", table, key, value, why));
+  void note_default(std::string_view table, std::string_view key, std::string value,
+                    std::string why = {},
+                    UsedDefault::Origin origin = UsedDefault::Origin::derived) {
+    if (why.empty()) origin = UsedDefault::Origin::key;
+    defaults_.push_back(
+        {std::string(table), std::string(key), std::move(value), origin, std::move(why)});
   }
   /// Of a default that its key has in words.
   void note_default(const Section& s, std::string_view key, const std::string& value) {
@@ -82,7 +86,7 @@ class ModelTables {
  private:
   toml::table root_;
   std::string source_;
-  Names defaults_;
+  std::vector<UsedDefault> defaults_;
   NamedFiles files_;
 };
 

@@ -21,7 +21,9 @@ class EngineCorrection final : public EngineFile {
     return {file_.source, file_.text, file_.files};
   }
   [[nodiscard]] session::Part part() const override { return session::Part::correction; }
-  [[nodiscard]] const std::vector<std::string>& defaults() const override { return file_.defaults; }
+  [[nodiscard]] std::vector<std::string> defaults() const override {
+    return files::lines(file_.defaults);
+  }
   /// Of all displacements.
   [[nodiscard]] py::list parameters() const;
   /// Columns that a record needs.

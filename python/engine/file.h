@@ -23,7 +23,7 @@ class EngineFile {
   /// The file, for a question.
   [[nodiscard]] virtual session::Source source() const = 0;
   [[nodiscard]] virtual session::Part part() const = 0;
-  [[nodiscard]] virtual const std::vector<std::string>& defaults() const = 0;
+  [[nodiscard]] virtual std::vector<std::string> defaults() const = 0;
   /// What no file can say, put into a model.
   virtual void amend(files::ModelFile&) const {}
 

@@ -26,7 +26,9 @@ class EngineModel final : public EngineFile {
     return {file_.source, file_.text, file_.files};
   }
   [[nodiscard]] session::Part part() const override { return session::Part::bearing; }
-  [[nodiscard]] const std::vector<std::string>& defaults() const override { return file_.defaults; }
+  [[nodiscard]] std::vector<std::string> defaults() const override {
+    return files::lines(file_.defaults);
+  }
   void amend(files::ModelFile& file) const override;
   /// Of its fitted parameters where that is wanted. Throws text::InputError where it has none.
   [[nodiscard]] std::optional<model::Band> band(bool wanted) const;

@@ -97,7 +97,6 @@ class Data {
  private:
   const SensitivityQuestion& question_;
   files::ModelData of_model_;
-  std::string source_;
   std::vector<State> states_;
   std::vector<results::VariedDatum> all_;
   std::vector<std::size_t> asked_;

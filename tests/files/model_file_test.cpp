@@ -125,12 +125,12 @@ TEST(ModelFile, EveryDefaultUsedIsNamed) {
       complete.substr(0, complete.find("[rig]")).replace(complete.find("my-ball"), 7, "steel"),
       "m.toml");
   EXPECT_THAT(
-      file.defaults,
+      lines(file.defaults),
       IsSupersetOf({"solver.race_control = \"outer\" (default)",
                     "solver.tilt = \"locked\" (default)", "friction.law = \"palmgren\" (default)",
                     "rig.bearings = 1 (default)", "rig.temperature_C = 40 (default)",
                     "calibration.free = [\"f0\", \"z\"] (default)"}));
-  EXPECT_THAT(file.defaults, Contains(StartsWith("bearing.bore_mm = 72.141 (default: ")));
+  EXPECT_THAT(lines(file.defaults), Contains(StartsWith("bearing.bore_mm = 72.141 (default: ")));
 }
 
 TEST(ModelFile, SkfTakesItsPublishedConstantsByDefault) {
@@ -140,7 +140,7 @@ TEST(ModelFile, SkfTakesItsPublishedConstantsByDefault) {
   EXPECT_EQ(file.model.law, friction::FrictionLaw::skf);
   EXPECT_EQ(file.model.law_values[0], 0.12);
   EXPECT_EQ(file.model.law_values[2], friction::parameters(file.model.law)[2].initial);
-  EXPECT_THAT(file.defaults, Contains(StartsWith("friction.K_rs = ")));
+  EXPECT_THAT(lines(file.defaults), Contains(StartsWith("friction.K_rs = ")));
 }
 
 TEST(ModelFile, MisspeltKeysAreErrorsWithTheNearestName) {
@@ -239,13 +239,13 @@ TEST(ModelFile, FactorsOfTheOtherLawAreRefused) {
 TEST(ModelFile, TheLoadOfTheFactorIsP0UnlessTheFileSaysOtherwise) {
   const ModelFile file = parse_model(complete, "m.toml");
   EXPECT_EQ(file.model.f1_load, friction::F1Load::P0);
-  EXPECT_THAT(file.defaults, Contains("friction.f1_load = \"P0\" (default)"));
+  EXPECT_THAT(lines(file.defaults), Contains("friction.f1_load = \"P0\" (default)"));
   const auto with = [](const std::string& value) {
     return changed("y = 0.33", "y = 0.33\nf1_load = " + value);
   };
   const ModelFile said = parse_model(with("\"F_b\""), "m.toml");
   EXPECT_EQ(said.model.f1_load, friction::F1Load::F_b);
-  EXPECT_THAT(said.defaults, testing::Not(Contains(StartsWith("friction.f1_load"))));
+  EXPECT_THAT(lines(said.defaults), testing::Not(Contains(StartsWith("friction.f1_load"))));
   EXPECT_EQ(parse_model(with("\"P0\""), "m.toml").model.f1_load, friction::F1Load::P0);
   EXPECT_EQ(model_error(with("\"F_a\"")),
             "m.toml:21: f1_load = \"F_a\": must be P0 or F_b; did you mean F_b?");
@@ -258,7 +258,7 @@ TEST(ModelFile, TheLoadOfTheFactorIsP0UnlessTheFileSaysOtherwise) {
   EXPECT_EQ(model_error(skf),
             "m.toml:19: f1_load = \"F_b\": belongs to law = \"palmgren\", but the law is \"skf\"");
   skf.erase(skf.find("f1_load = \"F_b\"\n"), 16);
-  EXPECT_THAT(parse_model(skf, "m.toml").defaults,
+  EXPECT_THAT(lines(parse_model(skf, "m.toml").defaults),
               testing::Not(Contains(StartsWith("friction.f1_load"))));
 }
 
@@ -269,7 +269,7 @@ TEST(ModelFile, TheSupplyIsReadAndMayBeAbsent) {
   };
   const ModelFile silent = parse_model(complete, "m.toml");
   EXPECT_EQ(silent.model.supply, std::nullopt);
-  EXPECT_THAT(silent.defaults, testing::Not(Contains(HasSubstr("supply"))));
+  EXPECT_THAT(lines(silent.defaults), testing::Not(Contains(HasSubstr("supply"))));
   EXPECT_EQ(parse_model(with("\"oil-air\""), "m.toml").model.supply, friction::Supply::oil_air);
   EXPECT_EQ(parse_model(with("\"grease\""), "m.toml").model.supply, friction::Supply::grease);
   EXPECT_EQ(parse_model(with("\"jet\""), "m.toml").model.supply, friction::Supply::jet);
@@ -301,7 +301,7 @@ TEST(ModelFile, EffectsAreCheckedLikeTheRest) {
   EXPECT_THAT(model_error(complete + "[[effect]]\nid = \"lubricant-drag\"\ntorque_Nmm = \"1\"\n"),
               HasSubstr("is an effect of the catalogue; give yours another id"));
   const ModelFile file = parse_model(changed("friction_coefficient = 0.06\n", ""), "m.toml");
-  EXPECT_THAT(file.defaults, Contains(StartsWith("effect[0].friction_coefficient = ")));
+  EXPECT_THAT(lines(file.defaults), Contains(StartsWith("effect[0].friction_coefficient = ")));
 }
 
 TEST(ModelFile, AnInertiaMayBeUnknownIfThatIsSaid) {
@@ -426,8 +426,8 @@ TEST(ModelFile, ACatalogueBearingNeedsNoMoreThanItsName) {
   EXPECT_EQ(file.model.bearing.geometry().ball_count, row.geometry.ball_count);
   EXPECT_EQ(file.model.bearing.geometry().bore, row.geometry.bore);
   EXPECT_THAT(file.model.law_values, ElementsAre(1.5, 0.001, 0.33));
-  EXPECT_THAT(file.defaults, IsSupersetOf({"bearing.inner_conformity = 0.52 (default)",
-                                           "friction.f0 = 1.5 (default)"}));
+  EXPECT_THAT(lines(file.defaults), IsSupersetOf({"bearing.inner_conformity = 0.52 (default)",
+                                                  "friction.f0 = 1.5 (default)"}));
 }
 
 TEST(ModelFile, OtherKeysOverrideTheCatalogue) {
@@ -451,7 +451,7 @@ TEST(ModelFile, UnknownCatalogueBearingsAreAnsweredWithTheNearest) {
 TEST(ModelFile, ANewModelReadsBackWithoutDefaultsExceptCommentedOnes) {
   for (const auto& row : read_catalogues()) {
     const ModelFile file = parse_model(new_model_text(row), "new.toml");
-    EXPECT_TRUE(file.defaults.empty()) << row.full_name() << ": " << file.defaults.front();
+    EXPECT_TRUE(file.defaults.empty()) << row.full_name() << ": " << file.defaults.front().line();
     EXPECT_EQ(file.model.name, row.full_name());
     EXPECT_DOUBLE_EQ(file.model.bearing.geometry().ball_diameter, row.geometry.ball_diameter);
   }

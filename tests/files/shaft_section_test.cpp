@@ -87,16 +87,16 @@ TEST(ShaftSection, ReadsEveryKeyIntoSi) {
 TEST(ShaftSection, NamesItsDefaults) {
   const ModelFile file = parsed(shaft_sets + "preload_N = 600\n");
   EXPECT_FALSE(file.model.shaft->temperatures);
-  EXPECT_THAT(file.defaults, Contains("arrangement.mounting = \"rigid\" (default)"));
-  EXPECT_THAT(file.defaults, Contains("arrangement.external_load_N = 0 (default)"));
-  EXPECT_THAT(file.defaults, Not(Contains(HasSubstr("temperature_C = 20"))));
+  EXPECT_THAT(lines(file.defaults), Contains("arrangement.mounting = \"rigid\" (default)"));
+  EXPECT_THAT(lines(file.defaults), Contains("arrangement.external_load_N = 0 (default)"));
+  EXPECT_THAT(lines(file.defaults), Not(Contains(HasSubstr("temperature_C = 20"))));
   // One temperature stands for what touches it; the rest is as mounted.
   const ModelFile warm = parsed(shaft_sets + "preload_N = 600\ninner_ring_temperature_C = 35\n");
   EXPECT_DOUBLE_EQ(warm.model.shaft->temperatures->shaft, kelvin(35));
   EXPECT_DOUBLE_EQ(warm.model.shaft->temperatures->housing, kelvin(20));
   EXPECT_DOUBLE_EQ(warm.model.shaft->temperatures->balls, kelvin(27.5));
-  EXPECT_THAT(warm.defaults, Contains("arrangement.shaft_temperature_C = 35 (default)"));
-  EXPECT_THAT(warm.defaults, Contains("arrangement.distance_mm = 0 (default)"));
+  EXPECT_THAT(lines(warm.defaults), Contains("arrangement.shaft_temperature_C = 35 (default)"));
+  EXPECT_THAT(lines(warm.defaults), Contains("arrangement.distance_mm = 0 (default)"));
 }
 
 TEST(ShaftSection, OneBearingOnARigHasNoShaft) { EXPECT_FALSE(parsed("").model.shaft); }

@@ -53,7 +53,7 @@ TEST(SpindleSection, ShortestFileHasEveryDefaultNamed) {
         "seat.collar_conductance_W_m2K = 8000 (default)", "ambient.emissivity = 0.85 (default)",
         "solver.cells = \"medium\" (default)", "rig.model_floor_K = 0.5 (default)",
         "rig.model_floor_um = 1 (default)"})
-    EXPECT_THAT(file.defaults, Contains(one));
+    EXPECT_THAT(lines(file.defaults), Contains(one));
 }
 
 TEST(SpindleSection, BaseFileIsReadIntoSi) {

@@ -293,7 +293,7 @@ function assumed(report: Report): HTMLElement | undefined {
     `${m.law}: ${m.factors.map((f) => `${f.name} = ${plain(f.value, 4)}${f.unit === '1' ? '' : ` ${unitText(f.unit)}`}`).join(', ')}`,
     m.effects.length ? m.effects.join(', ') : 'none',
     `${plain(m.viscosity_40C_mm2_s, 4)} mm²/s at 40 °C, ${plain(m.viscosity_100C_mm2_s, 4)} at 100 °C`,
-    m.defaults.length ? m.defaults.map((d) => d.replace(' (default)', '')).join('; ') : 'none',
+    m.defaults.length ? m.defaults.join('; ') : 'none',
   ]);
   return el('div', { id: 'assumed' }, section('What the model takes for granted', valueList('Law, oil and defaults', ['model', 'bearing', 'law and numbers', 'effects', 'oil', 'defaults used'], lines)));
 }

@@ -188,7 +188,7 @@ function correct(report: RecordReport & { command: 'correct' }): (Node | undefin
 
 /// What the models take for granted.
 function taken(report: RecordReport): HTMLElement | undefined {
-  const lines = report.models.map((m) => [m.name, m.displacement, m.initial_state === 'rest' ? 'from rest' : 'warm: found from the readings', m.defaults.length ? m.defaults.map((d) => d.replace(' (default)', '')).join('; ') : 'none']);
+  const lines = report.models.map((m) => [m.name, m.displacement, m.initial_state === 'rest' ? 'from rest' : 'warm: found from the readings', m.defaults.length ? m.defaults.join('; ') : 'none']);
   return el('div', { id: 'assumed' }, section('What the model takes for granted', valueList('Beginning and defaults', ['model', 'displacement', 'a run begins', 'defaults used'], lines)));
 }
 

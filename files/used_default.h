@@ -1,0 +1,44 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace raceway::files {
+
+/// A value that the reader of a model file took where the file says nothing.
+struct UsedDefault {
+  enum class Origin {
+    key,        ///< the default of its key
+    catalogue,  ///< of the bearing that the file names
+    derived,    ///< of other values, as `why` says
+  };
+  std::string table, key;  ///< `effect[0]` is the first effect
+  std::string value;       ///< as the file would have it, or in words
+  Origin origin = Origin::key;
+  std::string why = {};  ///< for people; empty of Origin::key
+
+  /// `solver.tilt = "locked"`, and why where that is not plain.
+  [[nodiscard]] std::string short_line() const {
+    return fmt::format("{}.{} = {}{}", table, key, value,
+                       why.empty() ? "" : fmt::format(" ({})", why));
+  }
+  /// `solver.tilt = "locked" (default)`.
+  [[nodiscard]] std::string line() const { return short_line() + (why.empty() ? " (default)" : ""); }
+};
+
+[[nodiscard]] inline std::vector<std::string> lines(std::span<const UsedDefault> defaults) {
+  std::vector<std::string> list;
+  for (const UsedDefault& one : defaults) list.push_back(one.line());
+  return list;
+}
+
+[[nodiscard]] inline std::vector<std::string> short_lines(std::span<const UsedDefault> defaults) {
+  std::vector<std::string> list;
+  for (const UsedDefault& one : defaults) list.push_back(one.short_line());
+  return list;
+}
+
+}  // namespace raceway::files
