@@ -245,7 +245,8 @@ TEST(Results, ACheckListsColumnsInTheirUnits) {
       {.id = "spin-friction", .ruled_out = "", .missing = "", .levels = ""},
       {.id = "torque-time-drift", .ruled_out = "", .missing = "time_s of every row", .levels = ""},
       {.id = "churning", .ruled_out = "another supply", .missing = "", .levels = ""}};
-  const Json d = Json::parse(check_json("7014", check, {"a = 1"}, {"b"}));
+  const Json d =
+      Json::parse(check_json("7014", check, {{.table = "a", .key = "b", .value = "1"}}, {"b"}));
   EXPECT_EQ(keys(d),
             (std::set<std::string>{"format", "model", "quantity", "rows", "runs", "unit", "noise",
                                    "columns", "free_parameters", "effects", "defaults", "notes"}));
