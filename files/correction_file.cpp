@@ -528,7 +528,7 @@ class CorrectionReader {
   std::vector<std::string>& notes_;
 };
 
-void check_tables(const ModelTables& tables) {
+void check_correction_tables(const ModelTables& tables) {
   const Names known{"correction", "calibration", "loop",          "columns", "bearing",
                     "lubricant",  "friction",    "arrangement",   "rig",     "solver",
                     "material",   "effect",      "torque_sensor", "export"};
@@ -591,7 +591,7 @@ std::vector<KeyTable> correction_tables() {
 CorrectionFile parse_correction(std::string text, const std::string& source,
                                 std::vector<NamedFile> held) {
   ModelTables tables(text, source, std::move(held));
-  check_tables(tables);
+  check_correction_tables(tables);
   CorrectionFile file;
   file.source = source;
   CorrectionReader reader(tables, file);

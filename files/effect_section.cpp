@@ -22,7 +22,6 @@ constexpr Key own_effect_keys[]{
 };
 
 using effects::Description;
-using effects::Effect;
 using effects::UserMadeEffect;
 
 /// What a formula may use beside its parameters.
@@ -43,7 +42,7 @@ UserMadeEffect::Number number_of(FormulaNumber n) {
 }
 
 /// An effect of the user's own: a formula and its parameters.
-Effect read_user_made(const Section& table, const std::string& id) {
+effects::Effect read_user_made(const Section& table, const std::string& id) {
   const Section s = table.part({effect_id_keys, own_effect_keys});
   UserMadeEffect effect{.id = id,
                         .title = s.text("title").value_or(""),
@@ -79,7 +78,7 @@ class EffectReader {
       if (d.belongs_to(form_)) ids_.emplace_back(d.id);
   }
 
-  std::vector<Effect> read() {
+  std::vector<effects::Effect> read() {
     if (const toml::array* const list = tables_.root()["effect"].as_array())
       for (const toml::node& node : *list) {
         const Section s =
@@ -124,12 +123,12 @@ class EffectReader {
     if (found && shaft_ && shaft_->arrangement.design().rear.empty())
       for (const effects::Need need : found->needs)
         if (need == effects::Need::opposed_sets) fail(fmt::format("needs {}", effects::text(need)));
-    for (const Effect& before : effects_)
+    for (const effects::Effect& before : effects_)
       if (before.description->id == id) fail("this effect is listed twice");
     return found;
   }
 
-  Effect from_catalogue(const Section& table, const Description& description) {
+  effects::Effect from_catalogue(const Section& table, const Description& description) {
     // A text is a formula; a number is the parameter that torque-offset calls so.
     if (const toml::node* const formula = table.find("torque_Nmm"); formula && formula->is_string())
       table.fail("torque_Nmm",
@@ -139,7 +138,7 @@ class EffectReader {
     for (const effects::Parameter& p : description.parameters)
       numbers.push_back({p.name, between(p), p.initial, description.title});
     const Section s = table.with({effect_id_keys, numbers});
-    Effect effect;
+    effects::Effect effect;
     effect.description = &description;
     for (const effects::Parameter& p : description.parameters) {
       const auto value = s.number(p.name);
@@ -156,7 +155,7 @@ class EffectReader {
   const model::Shaft* shaft_;
   effects::Form form_;
   Names ids_;
-  std::vector<Effect> effects_;
+  std::vector<effects::Effect> effects_;
 };
 
 }  // namespace
@@ -165,7 +164,8 @@ std::vector<KeyTable> effect_tables() {
   return {{"effect", effect_id_keys}, {"effect", own_effect_keys}};
 }
 
-std::vector<Effect> read_effects(ModelTables& tables, const model::Shaft* shaft, bool spindle) {
+std::vector<effects::Effect> read_effects(ModelTables& tables, const model::Shaft* shaft,
+                                          bool spindle) {
   return EffectReader(tables, shaft, spindle).read();
 }
 

@@ -122,7 +122,7 @@ std::optional<Proposal> proposal(const text::CsvTable& table, std::size_t column
     return text::parse_number(cell, table.separator != ',').problem.empty();
   });
   if (words.channel->role == Role::time) {
-    p.stamped = all_cells(table, column, is_time);
+    p.stamped = all_cells(table, column, text::is_time);
     p.excel_date = !p.unit && all_cells(table, column, [&](std::string_view cell) {
       const double days = text::parse_number(cell, table.separator != ',').value;
       return days > 20000 && days < 80000;

@@ -15,17 +15,17 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-DisplacementCurve parsed(const std::string& text) {
+DisplacementCurve parsed_curve(const std::string& text) {
   return read_displacement_curve({"u.csv", text});
 }
 
 std::string problem(const std::string& text) {
-  return tests::message_of([&] { (void)parsed(text); });
+  return tests::message_of([&] { (void)parsed_curve(text); });
 }
 
 TEST(DisplacementCurve, IsReadIntoSi) {
   const DisplacementCurve curve =
-      parsed("# a comment\nspeed_rpm,axial_displacement_um,std_um\n0,0,0.1\n3000,1.5,0.2\n");
+      parsed_curve("# a comment\nspeed_rpm,axial_displacement_um,std_um\n0,0,0.1\n3000,1.5,0.2\n");
   ASSERT_EQ(curve.points.size(), 2U);
   EXPECT_DOUBLE_EQ(curve.points[1].speed, 100 * pi);
   EXPECT_DOUBLE_EQ(curve.points[1].displacement, 1.5e-6);
@@ -34,7 +34,7 @@ TEST(DisplacementCurve, IsReadIntoSi) {
 }
 
 TEST(DisplacementCurve, NamesTheColumnsThatItDoesNotUse) {
-  const DisplacementCurve curve = parsed(
+  const DisplacementCurve curve = parsed_curve(
       "speed_rpm,axial_displacement_um,front_force_N,rear_force_N,a_deg,b_deg,c_deg\n"
       "0,0,1,1,1,1,1\n3000,1.5,2,2,2,2,2\n");
   EXPECT_THAT(curve.notes, ElementsAre("not used: front_force_N, rear_force_N, a_deg, b_deg and 1 "
@@ -43,20 +43,20 @@ TEST(DisplacementCurve, NamesTheColumnsThatItDoesNotUse) {
 }
 
 TEST(DisplacementCurve, WarnsOfSeveralPreloadsInOneFile) {
-  EXPECT_THAT(parsed("speed_rpm,axial_displacement_um,preload_N\n0,0,100\n3000,1.5,300\n").notes,
+  EXPECT_THAT(parsed_curve("speed_rpm,axial_displacement_um,preload_N\n0,0,100\n3000,1.5,300\n").notes,
               Contains(HasSubstr("preload_N changes from row to row")));
 }
 
 TEST(DisplacementCurve, IsReadWithSemicolonsAndDecimalCommas) {
   const DisplacementCurve curve =
-      parsed("speed_rpm;axial_displacement_um\r\n0;0\r\n1500,5;-0,25\r\n");
+      parsed_curve("speed_rpm;axial_displacement_um\r\n0;0\r\n1500,5;-0,25\r\n");
   EXPECT_DOUBLE_EQ(curve.points[1].speed, 1500.5 * rpm);
   EXPECT_DOUBLE_EQ(curve.points[1].displacement, -0.25e-6);
 }
 
 TEST(DisplacementCurve, LeavesRowsOutWhoseStatusSaysWhyTheyAreEmpty) {
   const DisplacementCurve curve =
-      parsed("speed_rpm,axial_displacement_um,status\n0,0,converged\n9000,,no_equilibrium\n");
+      parsed_curve("speed_rpm,axial_displacement_um,status\n0,0,converged\n9000,,no_equilibrium\n");
   EXPECT_EQ(curve.points.size(), 1U);
   EXPECT_THAT(curve.notes, Contains(HasSubstr("1 of 2 rows have no displacement")));
   EXPECT_THAT(problem("speed_rpm,axial_displacement_um,status\n0,,converged\n"),
@@ -86,12 +86,12 @@ TEST(DisplacementCurve, NamesTheColumnThatWasMeant) {
 
 TEST(DisplacementTableText, ReadsBackAsACurve) {
   const DisplacementCurve curve =
-      parsed("speed_rpm,axial_displacement_um\n0,0\n1000,0.1\n2000,0.5\n3000,1.5\n4000,1.6\n");
+      parsed_curve("speed_rpm,axial_displacement_um\n0,0\n1000,0.1\n2000,0.5\n3000,1.5\n4000,1.6\n");
   const shaft::DisplacementTable table = shaft::make_displacement_table(curve.points);
   const std::string text = displacement_table_text(table, "u.csv");
   EXPECT_THAT(text, HasSubstr("speed_rpm,axial_displacement_um,slope_um_rpm\n0,0,"));
   EXPECT_THAT(text, HasSubstr("monotone"));
-  const DisplacementCurve back = parsed(text);
+  const DisplacementCurve back = parsed_curve(text);
   ASSERT_EQ(back.points.size(), 5U);
   EXPECT_NEAR(back.points[3].displacement, 1.5e-6, 1e-18);
 }
