@@ -16,7 +16,7 @@
 #include "text/twelve_digits.h"
 #include "text/units.h"
 
-namespace raceway::results {
+namespace raceway::files {
 namespace {
 
 /// Tells grids apart: FNV-1a over the axes.
@@ -36,7 +36,7 @@ std::uint64_t fingerprint(const friction::TableAxes& axes) {
 }
 
 std::string slab_line(const friction::StribeckTable& table) {
-  return fmt::format("{}{}/{}: {} of {} points, grid {:016x}", files::slab_mark,
+  return fmt::format("{}{}/{}: {} of {} points, grid {:016x}", slab_mark,
                      table.slab.index + 1, table.slab.count, table.points(), table.axes.size(),
                      fingerprint(table.axes));
 }
@@ -49,12 +49,12 @@ std::string head(const friction::StribeckTable& table, std::string_view title,
                  RACEWAY_VERSION);
   if (table.slab.count != 1) fmt::format_to(put, "{}\n", slab_line(table));
   text::append_model(out, model_text);
-  for (const std::string_view name : files::leading_columns) fmt::format_to(put, "{},", name);
+  for (const std::string_view name : leading_columns) fmt::format_to(put, "{},", name);
   for (const std::string& name : table.columns) {
     text::append_text(out, name);
     out.push_back(',');
   }
-  fmt::format_to(put, "{}\n", files::status_column);
+  fmt::format_to(put, "{}\n", status_column);
   return fmt::to_string(out);
 }
 
@@ -137,4 +137,4 @@ std::string table_text(const friction::StribeckTable& table, std::string_view ti
   return text;
 }
 
-}  // namespace raceway::results
+}  // namespace raceway::files
