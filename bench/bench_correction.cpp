@@ -9,7 +9,7 @@
 #include "correction/identify.h"
 #include "files/correction_file.h"
 #include "files/series_file.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 #include "record/series_channel.h"
 #include "tests/places.h"
 
@@ -35,10 +35,10 @@ void verdict(benchmark::State& state, const std::string& name, bool pairs) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
   const Machine machine = read_machine(name);
   const correction::CorrectionSubject subject(machine.model);
-  fit::DiagnoseOptions options;
+  verdict::DiagnoseOptions options;
   options.pairs = pairs;
   for (auto _ : state) {
-    const fit::Diagnosis d = fit::diagnose(subject, machine.data, options);
+    const verdict::Diagnosis d = loop::diagnose(subject, machine.data, options);
     benchmark::DoNotOptimize(&d);
   }
   state.SetItemsProcessed(state.iterations());

@@ -11,8 +11,7 @@
 #include "files/data_file.h"
 #include "files/model_file.h"
 #include "files/subject.h"
-#include "fit/calibrate.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 #include "tests/places.h"
 
 namespace {
@@ -63,11 +62,11 @@ Rig measured_rig(std::size_t rows) {
   return rig;
 }
 
-void diagnose(benchmark::State& state, const Rig& rig, const fit::DiagnoseOptions& options) {
+void diagnose(benchmark::State& state, const Rig& rig, const verdict::DiagnoseOptions& options) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
   const auto subject = files::make_subject(rig.model);
   for (auto _ : state) {
-    const fit::Diagnosis d = fit::diagnose(*subject, rig.data, options);
+    const verdict::Diagnosis d = loop::diagnose(*subject, rig.data, options);
     benchmark::DoNotOptimize(&d);
   }
   state.SetItemsProcessed(state.iterations());
@@ -88,7 +87,7 @@ void calibrate(benchmark::State& state, std::size_t rows, bool offset, std::size
   const auto subject = files::make_subject(rig.model);
   int steps = 0;
   for (auto _ : state) {
-    const fit::Calibration c = fit::calibrate(*subject, rig.data);
+    const verdict::Calibration c = loop::calibrate(*subject, rig.data);
     if (!c.converged()) state.SkipWithError("not converged");
     steps = c.iterations;
   }
@@ -157,7 +156,7 @@ const bool registered = [] {
         [=](benchmark::State& state) { diagnose(state, measured_rig(rows), {}); });
   for (const std::size_t count : {4, 8, 16})
     add("grow/candidates_" + std::to_string(count), [=](benchmark::State& state) {
-      fit::DiagnoseOptions options;
+      verdict::DiagnoseOptions options;
       for (const effects::Description& d : effects::catalogue().first(count))
         options.candidates.emplace_back(d.id);
       diagnose(state, measured_rig(1000), options);

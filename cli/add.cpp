@@ -1,4 +1,4 @@
-#include "fit/add.h"
+#include "verdict/add.h"
 
 #include <fmt/core.h>
 
@@ -32,8 +32,8 @@ void print_parameters(const std::vector<fit::Parameter>& parameters) {
 }
 
 /// `channel`: which of the measured ones.
-void print_errors(const fit::AddResult& r, std::size_t channel) {
-  const fit::ChannelGain& gain = r.channels[channel];
+void print_errors(const verdict::AddResult& r, std::size_t channel) {
+  const verdict::ChannelGain& gain = r.channels[channel];
   const record::Channel& of = gain.channel();
   const std::string unit = error_unit(of);
   TextTable errors(
@@ -49,7 +49,7 @@ void print_errors(const fit::AddResult& r, std::size_t channel) {
   fmt::print("{}\n{}\n", errors.text(terminal_width()), gain.after.statement);
 }
 
-void print(const fit::AddResult& r) {
+void print(const verdict::AddResult& r) {
   print_parameters(r.calibration.parameters);
   for (std::size_t k = 0; k < r.channels.size(); ++k) {
     if (k > 0) fmt::print("\n");
@@ -73,7 +73,7 @@ int run(const AddFlags& flags) {
       session::ask(messages(), flags.names.front(), session::files(files), flags.loop);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*asked.subject);
-  const fit::AddResult result = session::add(asked, ids);
+  const verdict::AddResult result = session::add(asked, ids);
   if (flags.json) {
     put_document(session::json(asked, result));
   } else {

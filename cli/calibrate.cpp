@@ -1,4 +1,4 @@
-#include "fit/calibrate.h"
+#include "verdict/calibrate.h"
 
 #include <fmt/core.h>
 
@@ -36,7 +36,7 @@ std::string end_text(double value, bool open) {
   return number(value, 5) + (open ? " (bound)" : "");
 }
 
-void print_parameters(const fit::Calibration& c) {
+void print_parameters(const verdict::Calibration& c) {
   const bool profile = !c.profile.empty();
   std::vector<TextTable::Column> columns{
       {"parameter", "", true}, {"before", ""}, {"after", ""}, {"std error", ""}};
@@ -62,7 +62,7 @@ void print_parameters(const fit::Calibration& c) {
              c.error_factor == 1.0 ? "" : " (3.84 times the reduced chi2)");
 }
 
-void print(const fit::Calibration& c) {
+void print(const verdict::Calibration& c) {
   print_parameters(c);
   // Numbers of two records hardly know of each other.
   constexpr double worth_a_line = 0.005;
@@ -73,7 +73,7 @@ void print(const fit::Calibration& c) {
                    c.parameters[static_cast<std::size_t>(j)].name,
                    c.parameters[static_cast<std::size_t>(i)].name, c.correlation(i, j));
   fmt::print("\n");
-  for (const fit::ChannelError& e : c.channels)
+  for (const verdict::ChannelError& e : c.channels)
     fmt::print("RMS error{} over {} rows: {} {} before, {} {} after\n",
                c.channels.size() > 1 ? fmt::format(" of {}", e.channel->words) : "", c.rows,
                error_text(e.rmse_before, *e.channel), error_unit(*e.channel),
@@ -101,7 +101,7 @@ int run(const CalibrateFlags& flags) {
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
   const FittedModels output(flags.output, if_exists);
   output.require_writable(*asked.subject);
-  const fit::Calibration found = session::calibrate(asked, {.profile = flags.profile});
+  const verdict::Calibration found = session::calibrate(asked, {.profile = flags.profile});
   if (flags.json) {
     put_document(session::json(asked, found));
   } else if (found.converged()) {

@@ -1,4 +1,4 @@
-#include "fit/check.h"
+#include "loop/check.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@
 namespace raceway::cli {
 namespace {
 
-std::string noise_text(const fit::Check::MeasuredChannel& m) {
+std::string noise_text(const loop::Check::MeasuredChannel& m) {
   const auto text = [&](double rms) {
     return fmt::format("{} {} rms", error_text(rms, *m.channel, 3), error_unit(*m.channel));
   };
@@ -35,24 +35,24 @@ std::string noise_text(const fit::Check::MeasuredChannel& m) {
   return fmt::format("{}; calibrate and diagnose find {}", stated, text(m.found_noise));
 }
 
-void print_measured(const fit::Check& c, const record::Record& data) {
-  const std::vector<fit::Check::MeasuredChannel>& measured = c.measured;
+void print_measured(const loop::Check& c, const record::Record& data) {
+  const std::vector<loop::Check::MeasuredChannel>& measured = c.measured;
   std::vector<std::string_view> words;
-  for (const fit::Check::MeasuredChannel& m : measured) words.push_back(m.channel->words);
+  for (const loop::Check::MeasuredChannel& m : measured) words.push_back(m.channel->words);
   fmt::print("{}: {} row{} of {}{}\n", data.source, c.rows, c.rows == 1 ? "" : "s",
              fmt::join(words, ", "),
              c.runs == 0   ? ""
              : c.runs == 1 ? ", one run"
                            : fmt::format(", {} runs", c.runs));
-  for (const fit::Check::MeasuredChannel& m : measured)
+  for (const loop::Check::MeasuredChannel& m : measured)
     fmt::print("noise{}: {}\n", measured.size() > 1 ? fmt::format(" of {}", m.channel->words) : "",
                noise_text(m));
 }
 
-void print(const fit::Check& c, const record::Record& data) {
+void print(const loop::Check& c, const record::Record& data) {
   print_measured(c, data);
   TextTable columns({{"column", "", true}, {"from", ""}, {"to", ""}, {"levels", ""}});
-  for (const fit::Check::Column& column : c.columns)
+  for (const loop::Check::Column& column : c.columns)
     columns.add(
         {std::string(column.channel->name), number(column.channel->in_unit(column.lower), 5),
          number(column.channel->in_unit(column.upper), 5), fmt::format("{}", column.levels)});
@@ -60,7 +60,7 @@ void print(const fit::Check& c, const record::Record& data) {
   for (const fit::Parameter& p : c.free)
     fmt::print("free parameter {}: {}\n", p.name,
                p.identifiable ? "can be fitted" : "cannot be told from these data");
-  for (const fit::Check::Testable& t : c.catalogue)
+  for (const loop::Check::Testable& t : c.catalogue)
     fmt::print("effect {}: {}\n", t.id,
                !t.ruled_out.empty() ? "not testable: " + t.ruled_out
                : !t.missing.empty() ? "needs " + t.missing

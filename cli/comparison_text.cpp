@@ -13,18 +13,18 @@
 namespace raceway::cli {
 namespace {
 
-using Comparisons = std::vector<fit::Comparison>;  // of one model, by measured channel
+using Comparisons = std::vector<verdict::Comparison>;  // of one model, by measured channel
 
 /// Values beside an error show its decimals: rounding noise reads 0.
-std::string rounded(double value, const fit::Comparison& c, bool sign) {
+std::string rounded(double value, const verdict::Comparison& c, bool sign) {
   return beside(value, c.rmse / c.channel->factor, 3, sign);
 }
 
-std::string difference(double error, const fit::Comparison& c, bool sign = true) {
+std::string difference(double error, const verdict::Comparison& c, bool sign = true) {
   return rounded(error / c.channel->factor, c, sign);
 }
 
-std::string range_text(const fit::ErrorRange& r) {
+std::string range_text(const verdict::ErrorRange& r) {
   if (r.is_run())
     return r.run.empty() ? "no run_id" : fmt::format("{} {}", r.channel->words, r.run);
   const record::Channel& of = *r.channel;
@@ -41,7 +41,7 @@ std::string_view deviation_column(const record::Channel& measured) {
   return {};
 }
 
-std::string noise_text(const fit::Comparison& c) {
+std::string noise_text(const verdict::Comparison& c) {
   const record::Channel& of = *c.channel;
   if (!std::isnan(c.noise.rms))
     return fmt::format("{} {} ({})", error_text(c.noise.rms, of, 3), error_unit(of),
@@ -58,7 +58,7 @@ std::string noise_text(const fit::Comparison& c) {
           : fmt::format("; estimated {} {}", error_text(c.estimated_noise, of, 3), error_unit(of)));
 }
 
-void print_summary(const fit::Comparison& c) {
+void print_summary(const verdict::Comparison& c) {
   const std::string unit = error_unit(*c.channel);
   fmt::print("RMS error       {:>10} {}   mean error (bias) {:>10} {}\n",
              error_text(c.rmse, *c.channel), unit, difference(c.bias, c), unit);
@@ -70,40 +70,40 @@ void print_summary(const fit::Comparison& c) {
   if (!std::isnan(c.lack_of_fit.p_value))
     fmt::print("lack of fit: {} = {}, {}\n",
                c.noise.source == fit::NoiseSource::repeats ? "F" : "chi2/dof",
-               number(c.lack_of_fit.statistic, 3), fit::p_value_text(c.lack_of_fit.p_value));
+               number(c.lack_of_fit.statistic, 3), verdict::p_value_text(c.lack_of_fit.p_value));
 }
 
 /// Each of several records by itself.
-void print_records(const fit::Comparison& c) {
+void print_records(const verdict::Comparison& c) {
   if (c.records.empty()) return;
   const std::string unit = error_unit(*c.channel);
   TextTable records({{"record", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
-  for (const fit::ErrorRange& r : c.records)
+  for (const verdict::ErrorRange& r : c.records)
     records.add(
         {r.run, fmt::format("{}", r.rows), difference(r.rmse, c, false), difference(r.bias, c)});
   fmt::print("\n{}", records.text(terminal_width()));
 }
 
-void print_where(const fit::Comparison& c) {
+void print_where(const verdict::Comparison& c) {
   if (c.where.empty()) return;
   const std::string unit = error_unit(*c.channel);
   TextTable where({{"where it fails", "", true}, {"rows", ""}, {"RMS", unit}, {"bias", unit}});
   for (std::size_t i = 0; i < std::min<std::size_t>(c.where.size(), 8); ++i) {
-    const fit::ErrorRange& r = c.where[i];
+    const verdict::ErrorRange& r = c.where[i];
     where.add({range_text(r), fmt::format("{}", r.rows), difference(r.rmse, c, false),
                difference(r.bias, c)});
   }
   fmt::print("\n{}", where.text(terminal_width()));
 }
 
-void print_worst(const fit::Comparison& c, const record::Record& data) {
+void print_worst(const verdict::Comparison& c, const record::Record& data) {
   const std::string unit(c.channel->unit);
   TextTable worst({{"worst rows", "", true},
                    {"predicted", unit},
                    {"measured", unit},
                    {"difference", error_unit(*c.channel)},
                    {"in sigma", ""}});
-  for (const fit::RowError& r : c.worst)
+  for (const verdict::RowError& r : c.worst)
     worst.add({data.place(r.row), rounded(c.channel->in_unit(r.predicted), c, false),
                rounded(c.channel->in_unit(r.measured), c, false), difference(r.residual, c),
                std::isnan(r.sigmas) ? "-" : fmt::format("{:+.1f}", r.sigmas)});
@@ -121,7 +121,7 @@ void print_channels(const Comparisons& comparisons) {
                    {"tolerance", ""},
                    {"unit", "", true},
                    {"", "", true}});
-  for (const fit::Comparison& c : comparisons) {
+  for (const verdict::Comparison& c : comparisons) {
     const record::Channel& of = *c.channel;
     const bool tolerated = !std::isnan(c.tolerance);
     table.add({std::string(of.words), fmt::format("{}", c.rows), error_text(c.rmse, of),
@@ -136,13 +136,13 @@ void print_channels(const Comparisons& comparisons) {
 
 /// Channels that are shown in full: of many, those beyond their tolerance, or else the one nearest
 /// to it. print_channels() has a line for each of the others.
-std::vector<const fit::Comparison*> told_in_full(const Comparisons& comparisons) {
-  std::vector<const fit::Comparison*> told;
-  const auto share = [](const fit::Comparison& c) {
+std::vector<const verdict::Comparison*> told_in_full(const Comparisons& comparisons) {
+  std::vector<const verdict::Comparison*> told;
+  const auto share = [](const verdict::Comparison& c) {
     return c.rmse / (std::isnan(c.tolerance) ? c.noise.rms : c.tolerance);
   };
-  const fit::Comparison* worst = &comparisons.front();
-  for (const fit::Comparison& c : comparisons) {
+  const verdict::Comparison* worst = &comparisons.front();
+  for (const verdict::Comparison& c : comparisons) {
     if (comparisons.size() < many_channels || !(share(c) <= 1.0)) told.push_back(&c);
     if (share(c) > share(*worst)) worst = &c;
   }
@@ -152,13 +152,13 @@ std::vector<const fit::Comparison*> told_in_full(const Comparisons& comparisons)
 
 struct Rung {
   std::string model;
-  fit::Comparison comparison;
+  verdict::Comparison comparison;
 };
 
 /// Models against one measured channel.
 void print_ladder(const std::vector<Rung>& rungs) {
   constexpr std::size_t bar_width = 24;
-  const fit::Comparison& first = rungs.front().comparison;
+  const verdict::Comparison& first = rungs.front().comparison;
   const std::string unit = error_unit(*first.channel);
   TextTable ladder({{"model", "", true},
                     {"RMS", unit},
@@ -170,7 +170,7 @@ void print_ladder(const std::vector<Rung>& rungs) {
   for (const auto& [model, c] : rungs) {
     ladder.add({model, error_text(c.rmse, *c.channel), difference(c.bias, c),
                 number(c.fit_percent, 3), bar(c.rmse, worst, bar_width, c.noise.rms)});
-    for (const fit::ErrorRange& r : c.records)
+    for (const verdict::ErrorRange& r : c.records)
       ladder.add({"  " + r.run, difference(r.rmse, c, false), difference(r.bias, c), "",
                   bar(r.rmse, worst, bar_width, c.noise.rms)});
   }
@@ -182,9 +182,9 @@ void print_ladder(const std::vector<Rung>& rungs) {
 void print_comparison(const std::string& model, const Comparisons& comparisons,
                       const record::Record& data) {
   if (comparisons.size() >= many_channels) print_channels(comparisons);
-  const std::vector<const fit::Comparison*> told = told_in_full(comparisons);
-  for (const fit::Comparison* one : told) {
-    const fit::Comparison& c = *one;
+  const std::vector<const verdict::Comparison*> told = told_in_full(comparisons);
+  for (const verdict::Comparison* one : told) {
+    const verdict::Comparison& c = *one;
     if (one != told.front()) fmt::print("\n");
     fmt::print("{} against {}: {} row{}, {}\n\n", model, data.source, c.rows,
                c.rows == 1 ? "" : "s", c.channel->words);
@@ -193,20 +193,20 @@ void print_comparison(const std::string& model, const Comparisons& comparisons,
     print_where(c);
     print_worst(c, data);
     fmt::print("\n{}\n",
-               in_colour(c.statement,
-                         c.judgement == fit::Judgement::structure ? Colour::bad : Colour::good));
+               in_colour(c.statement, c.judgement == verdict::Judgement::structure ? Colour::bad
+                                                                                   : Colour::good));
   }
 }
 
 void print_ladders(const std::vector<std::string>& models,
                    const std::vector<Comparisons>& comparisons) {
   const Comparisons& first = comparisons.front();
-  for (const fit::Comparison& of : first) {
+  for (const verdict::Comparison& of : first) {
     if (first.size() > 1)
       fmt::print("{}{}\n", &of == &first.front() ? "" : "\n", of.channel->words);
     std::vector<Rung> rungs;
     for (std::size_t i = 0; i < models.size(); ++i)
-      for (const fit::Comparison& c : comparisons[i])
+      for (const verdict::Comparison& c : comparisons[i])
         if (*c.channel == *of.channel) rungs.push_back({models[i], c});
     print_ladder(rungs);
   }

@@ -1,4 +1,4 @@
-#include "fit/diagnose.h"
+#include "verdict/diagnose.h"
 
 #include <fmt/format.h>
 
@@ -47,8 +47,8 @@ std::string out_of_time(const DiagnoseFlags& flags, const record::Record& data) 
   return text;
 }
 
-fit::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const session::LoopQuestion& asked) {
-  fit::DiagnoseOptions options;
+verdict::Diagnosis diagnosis_of(const DiagnoseFlags& flags, const session::LoopQuestion& asked) {
+  verdict::DiagnoseOptions options;
   options.pairs = !flags.no_pairs;
   require_range(flags.tried_before, {0.0, 1e6, "explanations"}, "--tried-before");
   options.tried_before = flags.tried_before;
@@ -71,7 +71,7 @@ int run(const DiagnoseFlags& flags) {
   flags.report.check(flags.force);
   const session::LoopQuestion asked =
       session::ask(messages(), flags.model, session::files(flags.data), flags.loop);
-  fit::Diagnosis diagnosis;
+  verdict::Diagnosis diagnosis;
   try {
     diagnosis = diagnosis_of(flags, asked);
   } catch (const OutOfTime& e) {

@@ -17,7 +17,7 @@ constexpr int error_digits = 3;
 
 /// The error of one channel; "-" where it has none.
 std::string channel_error(const std::vector<double>& errors, std::size_t k,
-                          const fit::Diagnosis& d) {
+                          const verdict::Diagnosis& d) {
   return k < errors.size() ? error_text(errors[k], d.channels[k].channel(), error_digits) : "-";
 }
 
@@ -35,7 +35,7 @@ std::string size_text(const std::vector<fit::Parameter>& parameters) {
 }
 
 /// Gains are falls of the likelihood; a verdict by tolerance alone has none.
-bool has_gains(const fit::Diagnosis& d) { return !std::isnan(d.needed_gain); }
+bool has_gains(const verdict::Diagnosis& d) { return !std::isnan(d.needed_gain); }
 
 /// The channel that errs most on rows left out, of what is tolerated or else of its noise.
 struct WorstChannel {
@@ -43,10 +43,10 @@ struct WorstChannel {
   std::string_view words = {};
 };
 
-WorstChannel worst_channel(const std::vector<double>& errors, const fit::Diagnosis& d) {
+WorstChannel worst_channel(const std::vector<double>& errors, const verdict::Diagnosis& d) {
   WorstChannel worst;
   for (std::size_t k = 0; k < std::min(errors.size(), d.channels.size()); ++k) {
-    const fit::ChannelDiagnosis& c = d.channels[k];
+    const verdict::ChannelDiagnosis& c = d.channels[k];
     const double share = errors[k] / (d.tolerance_limited() ? c.tolerance : c.noise.rms);
     if (std::isnan(worst.share) || share > worst.share) worst = {share, c.channel().words};
   }
@@ -54,14 +54,14 @@ WorstChannel worst_channel(const std::vector<double>& errors, const fit::Diagnos
 }
 
 /// Errors of every channel, then what it is and how much it gains.
-TextTable effects_table(const fit::Diagnosis& d) {
+TextTable effects_table(const verdict::Diagnosis& d) {
   std::vector<TextTable::Column> columns{{"effect", "", true}, {"", "", true}};
   if (has_gains(d)) columns.push_back({"gain", ""});
   if (d.channels.size() >= many_channels) {
     columns.push_back({"held out", d.tolerance_limited() ? "of tolerance" : "of noise"});
     columns.push_back({"worst in", "", true});
   } else {
-    for (const fit::ChannelDiagnosis& c : d.channels) {
+    for (const verdict::ChannelDiagnosis& c : d.channels) {
       columns.push_back({"RMS", error_unit(c.channel())});
       columns.push_back({"held out", error_unit(c.channel())});
     }
@@ -71,13 +71,13 @@ TextTable effects_table(const fit::Diagnosis& d) {
   return TextTable(columns);
 }
 
-void print_effects(const fit::Diagnosis& d) {
+void print_effects(const verdict::Diagnosis& d) {
   TextTable table = effects_table(d);
   constexpr std::size_t bar_width = 16;
   double best = 0.0;
-  for (const fit::RankedEffect& e : d.effects) best = std::max(best, e.gain);
+  for (const verdict::RankedEffect& e : d.effects) best = std::max(best, e.gain);
   std::size_t shown = 0;
-  for (const fit::RankedEffect& e : d.effects) {
+  for (const verdict::RankedEffect& e : d.effects) {
     if (!e.in_verdict && shown >= 8) break;
     ++shown;
     const std::string gain_bar = bar(e.gain, best, bar_width, d.needed_gain);
@@ -112,8 +112,8 @@ std::string range_text(double lower, double upper) {
                                 : "any value";
 }
 
-void print_intervals(const fit::Diagnosis& d) {
-  for (const fit::RankedEffect& e : d.effects)
+void print_intervals(const verdict::Diagnosis& d) {
+  for (const verdict::RankedEffect& e : d.effects)
     for (const fit::Parameter& p : e.parameters)
       if (e.in_verdict && !std::isnan(p.interval.lower))
         fmt::print("{}.{}: {}{}{} (95 % interval; in practice {})\n", e.id, p.name,
@@ -125,7 +125,7 @@ void print_intervals(const fit::Diagnosis& d) {
                number(b.value), std::isnan(b.std) ? "" : " +- " + number(b.std, 2));
 }
 
-void print_hold_out(const fit::Diagnosis& d) {
+void print_hold_out(const verdict::Diagnosis& d) {
   for (const fit::HoldOut& h : d.hold_out)
     for (std::size_t k = 0; k < d.channels.size(); ++k) {
       const record::Channel& of = d.channels[k].channel();
@@ -149,7 +149,7 @@ std::string setting_text(const fit::Setting& s) {
 }
 
 /// Values of the axes that are told, point by point.
-void print_next_points(const fit::Diagnosis& d) {
+void print_next_points(const verdict::Diagnosis& d) {
   if (d.suggested_measurements.empty()) return;
   std::vector<TextTable::Column> columns;
   for (const fit::Axis& axis : d.axes)
@@ -160,7 +160,7 @@ void print_next_points(const fit::Diagnosis& d) {
   columns.push_back({"repeats", ""});
   columns.push_back({"separates", "", true});
   TextTable points(columns);
-  for (const fit::SuggestedMeasurement& m : d.suggested_measurements) {
+  for (const verdict::SuggestedMeasurement& m : d.suggested_measurements) {
     std::vector<std::string> row;
     for (std::size_t i = 0; i < d.axes.size(); ++i)
       if (d.axes[i].told) row.push_back(setting_text(m.point[i]));
@@ -171,14 +171,14 @@ void print_next_points(const fit::Diagnosis& d) {
   fmt::print("\n{}", points.text(terminal_width()));
 }
 
-std::string p_of_misfit(const fit::Diagnosis& d) {
+std::string p_of_misfit(const verdict::Diagnosis& d) {
   return std::isnan(d.p_value) ? ""
          : d.p_value < 1e-300  ? " (p of the misfit < 1e-300)"
                                : fmt::format(" (p of the misfit {:.1g})", d.p_value);
 }
 
-void print_other_bases(const fit::Diagnosis& d) {
-  for (const fit::OtherBaseTried& b : d.other_bases) {
+void print_other_bases(const verdict::Diagnosis& d) {
+  for (const verdict::OtherBaseTried& b : d.other_bases) {
     fmt::print("{}: gain {}, RMS {} {}, held out {}", b.words, number(b.gain, 3),
                channel_error(b.rmse, 0, d), error_unit(d.channels.front().channel()),
                channel_error(b.rmse_held_out, 0, d));
@@ -187,7 +187,7 @@ void print_other_bases(const fit::Diagnosis& d) {
   }
 }
 
-void print_verdict_details(const fit::Diagnosis& d) {
+void print_verdict_details(const verdict::Diagnosis& d) {
   print_intervals(d);
   print_hold_out(d);
   if (d.tolerance_limited() && !d.significant_but_immaterial.empty())
@@ -199,23 +199,23 @@ void print_verdict_details(const fit::Diagnosis& d) {
   for (const std::string& record : d.records_needed) fmt::print("record: {}\n", record);
 }
 
-void print_limits(const fit::Diagnosis& d) {
+void print_limits(const verdict::Diagnosis& d) {
   const bool torque = d.channels.front().channel() == record::friction_torque;
   TextTable found({{"would have been found: effect", "", true},
                    {"from", ""},
                    {"unit", "", true},
                    {torque ? "% of torque" : "% of reading", ""}});
-  for (const fit::DetectableSize& s : d.would_have_been_found)
+  for (const verdict::DetectableSize& s : d.would_have_been_found)
     found.add({s.id, number(s.size, 2), s.unit == "1" ? "-" : s.unit,
                number(100.0 * s.share_of_reading, 2)});
   if (!d.would_have_been_found.empty()) fmt::print("\n{}", found.text(terminal_width()));
   if (!d.not_testable.empty()) fmt::print("\ncould not have been found:\n");
-  for (const fit::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
+  for (const verdict::NotTestable& n : d.not_testable) fmt::print("  {}: {}\n", n.id, n.reason);
 }
 
 /// Errors of one channel against the noise; against what is tolerated, which is judged on rows that
 /// no fit saw, where that decides.
-void print_ladder(const fit::Diagnosis& d, const fit::ChannelDiagnosis& c) {
+void print_ladder(const verdict::Diagnosis& d, const verdict::ChannelDiagnosis& c) {
   constexpr std::size_t bar_width = 40;
   const record::Channel& of = c.channel();
   const double tolerance = d.tolerance_limited() ? c.tolerance : unset;
@@ -242,7 +242,7 @@ void print_ladder(const fit::Diagnosis& d, const fit::ChannelDiagnosis& c) {
 }
 
 /// One line for each of many channels.
-void print_channels(const fit::Diagnosis& d) {
+void print_channels(const verdict::Diagnosis& d) {
   const bool tolerated = d.tolerance_limited();
   std::vector<TextTable::Column> columns{{"RMS error", "", true}, {"before", ""}, {"after", ""}};
   if (tolerated) {
@@ -253,7 +253,7 @@ void print_channels(const fit::Diagnosis& d) {
   if (tolerated) columns.push_back({"tolerance", ""});
   columns.push_back({"unit", "", true});
   TextTable table(columns);
-  for (const fit::ChannelDiagnosis& c : d.channels) {
+  for (const verdict::ChannelDiagnosis& c : d.channels) {
     const record::Channel& of = c.channel();
     const auto text = [&](double error) { return error_text(error, of, error_digits); };
     std::vector<std::string> row{std::string(of.words), text(c.rmse_before), text(c.rmse_after)};
@@ -271,18 +271,18 @@ void print_channels(const fit::Diagnosis& d) {
 
 }  // namespace
 
-void print_diagnosis(const fit::Diagnosis& d) {
+void print_diagnosis(const verdict::Diagnosis& d) {
   fmt::print("{}\n{}\n\n", in_colour(d.headline, Colour::strong), d.sentence);
-  fmt::print("verdict: {}{}\n\n", fit::name(d.verdict), p_of_misfit(d));
+  fmt::print("verdict: {}{}\n\n", verdict::name(d.verdict), p_of_misfit(d));
   if (d.given_other_base) {
-    const fit::Diagnosis& given = *d.given_other_base;
-    fmt::print("given {}: {}{}\n  {}\n\n", d.other_bases.front().words, fit::name(given.verdict),
-               p_of_misfit(given), given.headline);
+    const verdict::Diagnosis& given = *d.given_other_base;
+    fmt::print("given {}: {}{}\n  {}\n\n", d.other_bases.front().words,
+               verdict::name(given.verdict), p_of_misfit(given), given.headline);
   }
   if (d.channels.size() >= many_channels)
     print_channels(d);
   else
-    for (const fit::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
+    for (const verdict::ChannelDiagnosis& c : d.channels) print_ladder(d, c);
   print_effects(d);
   fmt::print("\n");
   print_verdict_details(d);

@@ -42,7 +42,7 @@ void FittedModels::require_writable(const fit::Subject& subject) const {
 }
 
 void FittedModels::write(const session::LoopQuestion& asked,
-                         const fit::Calibration& calibration) const {
+                         const verdict::Calibration& calibration) const {
   const std::vector<std::string> paths = files(*calibration.subject);
   if (paths.empty()) return;
   const session::FittedTexts fitted = session::fitted_texts(asked, calibration);

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/calibrate.h"
 #include "session/loop.h"
 #include "text/output_file.h"
+#include "verdict/calibrate.h"
 
 namespace raceway::cli {
 
@@ -20,7 +20,7 @@ class FittedModels {
   /// Throws text::InputError where a file that will be written cannot be.
   void require_writable(const fit::Subject& subject) const;
   /// Writes the models that `calibration` found, and says so.
-  void write(const session::LoopQuestion& asked, const fit::Calibration& calibration) const;
+  void write(const session::LoopQuestion& asked, const verdict::Calibration& calibration) const;
   /// "a.toml" or "a-monday.toml and a-friday.toml", for messages.
   [[nodiscard]] std::string names(const fit::Subject& subject) const;
 

@@ -15,9 +15,9 @@
 #include "correction/regression.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
-#include "fit/compare.h"
 #include "fit/thinned.h"
 #include "record/series_channel.h"
+#include "verdict/compare.h"
 
 namespace raceway::correction {
 
@@ -172,7 +172,7 @@ Identification regression_baseline(const Model& model, const std::vector<const C
   for (std::size_t i = 0; i < design.rows().size(); ++i)
     predicted[design.rows()[i]] = simulated[static_cast<Eigen::Index>(i)] * um;
   const CorrectionSubject subject(found);
-  const fit::Comparison c = fit::compare(predicted, record, subject.measured().front());
+  const verdict::Comparison c = verdict::compare(predicted, record, subject.measured().front());
   result.metrics = metrics(record.values(*model.displacement), predicted);
   result.rms_held_out = error_held_out(design, subject, record) * um;
   result.condition = fit.condition;

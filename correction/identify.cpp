@@ -13,11 +13,11 @@
 #include "correction/numbers.h"
 #include "correction/range.h"
 #include "correction/simulation.h"
-#include "fit/compare.h"
 #include "fit/distributions.h"
 #include "fit/problem.h"
-#include "fit/thinned_record.h"
 #include "record/series_channel.h"
+#include "tolerance/thinned_record.h"
+#include "verdict/compare.h"
 
 namespace raceway::correction {
 namespace {
@@ -70,9 +70,9 @@ class Search {
   }
 
  private:
-  using Approximation = fit::Approximation;
+  using Approximation = tolerance::Approximation;
 
-  [[nodiscard]] fit::ApproximationOptions search() const {
+  [[nodiscard]] tolerance::ApproximationOptions search() const {
     return {.cancelled = options_.cancelled};
   }
 
@@ -94,19 +94,19 @@ class Search {
   Approximation fitted(const Model& model) {
     const auto subject = subject_of(model);
     if (!recorded_)
-      recorded_ = std::make_unique<fit::Recorded>(
-          fit::recorded(*subject, fit::for_search(record_), fit::usual_width(*record_)));
+      recorded_ = std::make_unique<tolerance::Recorded>(tolerance::recorded(
+          *subject, tolerance::for_search(record_), tolerance::usual_width(*record_)));
     if (recorded_->means.list.size() < 3 * subject->free().size())
       throw std::invalid_argument(fmt::format(
           "{} readings of {} for {} numbers: too few. Rows that are close in time count as one: "
           "the record has {} rows over {:.4g} s. Is {} in seconds?",
           recorded_->means.list.size(), model.displacement->words, subject->free().size(),
           record_->rows(), length_of(record_->values(record::time)), record::time.name));
-    Approximation a = fit::approximate(subject, *recorded_, subject->free(), search());
+    Approximation a = tolerance::approximate(subject, *recorded_, subject->free(), search());
     stop_where_cancelled();
     if (a.fit.values.size() == 0)
       throw std::invalid_argument("no start of the search has a finite error");
-    fit::hold_out(a, *recorded_);
+    tolerance::hold_out(a, *recorded_);
     stop_where_cancelled();
     return a;
   }
@@ -201,9 +201,9 @@ class Search {
 
   Identification finish(const Approximation& best) {
     if (options_.progress) options_.progress(0.95, "fitting single rows");
-    fit::Recorded rows, whole = *recorded_;
+    tolerance::Recorded rows, whole = *recorded_;
     whole.record = record_;
-    const Approximation last = fit::refined(slowest_first(best), whole, rows);
+    const Approximation last = tolerance::refined(slowest_first(best), whole, rows);
     describe(last, best, rows);
     return std::move(result_);
   }
@@ -228,15 +228,17 @@ class Search {
     return a;
   }
 
-  void describe(const Approximation& last, const Approximation& best, const fit::Recorded& rows) {
-    const fit::ApproximationErrors errors = fit::errors_of(last, rows);
+  void describe(const Approximation& last, const Approximation& best,
+                const tolerance::Recorded& rows) {
+    const tolerance::ApproximationErrors errors = tolerance::errors_of(last, rows);
     result_.rms_held_out = in_SI(best.rms_held_out);
     result_.condition = errors.condition;
     result_.correlation_time = errors.correlation_time;
-    const fit::Noise noise = fit::noise_of(*record_, CorrectionSubject(model_).measured().front());
+    const fit::Noise noise =
+        verdict::noise_of(*record_, CorrectionSubject(model_).measured().front());
     result_.noise = noise.rms;
     result_.noise_source = noise.source;
-    const auto fitted = fit::fitted(last);
+    const auto fitted = tolerance::fitted(last);
     result_.model = model_of(*fitted);
     result_.model.free = {};
     result_.parameters = last.parameters;
@@ -281,7 +283,7 @@ class Search {
     return fit::chi_squared_above(static_cast<double>(lags), n * (n + 2.0) * q);
   }
 
-  void warn(const fit::Recorded& rows) {
+  void warn(const tolerance::Recorded& rows) {
     const auto tell = [&](std::string text) { result_.messages.push_back(std::move(text)); };
     for (const std::string& name : result_.at_bound)
       tell(fmt::format("{} ends at a bound: the record cannot tell it", name));
@@ -300,7 +302,7 @@ class Search {
 
   const IdentifyOptions& options_;
   std::shared_ptr<const record::Record> record_;
-  std::unique_ptr<fit::Recorded> recorded_;
+  std::unique_ptr<tolerance::Recorded> recorded_;
   Model model_;
   Identification result_;
 };

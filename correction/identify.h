@@ -6,8 +6,8 @@
 
 #include "correction/metrics.h"
 #include "correction/model.h"
-#include "fit/approximation.h"
 #include "fit/noise.h"
+#include "tolerance/approximation.h"
 
 namespace raceway::correction {
 

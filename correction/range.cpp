@@ -183,13 +183,13 @@ void see(Model& model, const record::Record& whole) {
   model.together = together_on(model, record);
 }
 
-Model trusted(const fit::Calibration& found, const record::Record& record) {
+Model trusted(const verdict::Calibration& found, const record::Record& record) {
   Model model = model_of(*found.subject);
   see(model, record);
   model.left = Left{.rms = std::isfinite(found.rms_held_out) ? found.rms_held_out
                                                              : found.channels.front().rmse_after,
                     .correlation_time = found.correlation_time};
-  const std::optional<fit::Covariance> all = fit::covariance_of(found);
+  const std::optional<fit::Covariance> all = verdict::covariance_of(found);
   if (!all) return model;
   // Zeros and first states of that record are no numbers of the model.
   const std::vector<record::Parameter> own = parameters(model);

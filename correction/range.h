@@ -7,7 +7,7 @@
 
 #include "correction/model.h"
 #include "correction/series.h"
-#include "fit/calibrate.h"
+#include "verdict/calibrate.h"
 
 /// What the numbers of a model come from, and where a record asks it for something else.
 namespace raceway::correction {
@@ -17,7 +17,7 @@ void see(Model& model, const record::Record& record);
 
 /// The model of a calibration on a record, with what that showed, the covariance of what was fitted
 /// and what is left.
-[[nodiscard]] Model trusted(const fit::Calibration& found, const record::Record& record);
+[[nodiscard]] Model trusted(const verdict::Calibration& found, const record::Record& record);
 
 /// Takes out what is of another record: ranges, covariance, what was left.
 void forget_what_was_seen(Model& model);

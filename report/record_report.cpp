@@ -315,12 +315,12 @@ std::string record_report(const std::string& command, const std::string& results
 }
 
 std::string record_diagnosis_report(const std::string& model_file, const record::Record& record,
-                                    const fit::Diagnosis& d,
+                                    const verdict::Diagnosis& d,
                                     const std::vector<files::UsedDefault>& defaults,
                                     const std::vector<ModelOfPage>& facts) {
   std::vector<DrawnModel> models;
   std::vector<double> tolerances;
-  for (const fit::ChannelDiagnosis& c : d.channels) tolerances.push_back(c.tolerance);
+  for (const verdict::ChannelDiagnosis& c : d.channels) tolerances.push_back(c.tolerance);
   for (const fit::Refit& refit : d.refits)
     models.push_back(
         {.name = models.empty() ? "refitted, nothing added" : "with " + joined_ids(d.sets.front()),
@@ -333,12 +333,12 @@ std::string record_diagnosis_report(const std::string& model_file, const record:
 }
 
 std::string record_add_report(const std::string& model_file, const record::Record& record,
-                              const fit::AddResult& r,
+                              const verdict::AddResult& r,
                               const std::vector<files::UsedDefault>& defaults,
                               const std::vector<ModelOfPage>& facts) {
   std::vector<DrawnModel> models;
   std::vector<double> tolerances;
-  for (const fit::ChannelGain& c : r.channels) tolerances.push_back(c.tolerance);
+  for (const verdict::ChannelGain& c : r.channels) tolerances.push_back(c.tolerance);
   for (const fit::Refit& refit : r.refits)
     models.push_back({.name = models.empty() ? "before, refitted" : "after",
                       .subject = refit.subject,

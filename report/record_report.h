@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "files/used_default.h"
-#include "fit/add.h"
-#include "fit/compare.h"
-#include "fit/diagnosis.h"
 #include "fit/subject.h"
 #include "model/model_changes.h"
 #include "record/record.h"
 #include "report/report.h"
 #include "results/correction_results.h"
+#include "verdict/add.h"
+#include "verdict/compare.h"
+#include "verdict/diagnosis.h"
 
 /// The page of a record over time: what was measured and predicted with the inputs below, what each
 /// channel adds, what is left, what a step of an input does, and how much each model or effect
@@ -39,13 +39,13 @@ struct DrawnModel {
 
 [[nodiscard]] std::string record_diagnosis_report(const std::string& model_file,
                                                   const record::Record& record,
-                                                  const fit::Diagnosis& diagnosis,
+                                                  const verdict::Diagnosis& diagnosis,
                                                   const std::vector<files::UsedDefault>& defaults,
                                                   const std::vector<ModelOfPage>& facts = {});
 
 [[nodiscard]] std::string record_add_report(const std::string& model_file,
                                             const record::Record& record,
-                                            const fit::AddResult& result,
+                                            const verdict::AddResult& result,
                                             const std::vector<files::UsedDefault>& defaults,
                                             const std::vector<ModelOfPage>& facts = {});
 

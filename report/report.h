@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "files/used_default.h"
-#include "fit/add.h"
-#include "fit/compare.h"
-#include "fit/diagnosis.h"
 #include "friction/stribeck_table.h"
 #include "model/model.h"
 #include "model/prediction.h"
 #include "record/record.h"
 #include "shaft/fit_kinematic_law.h"
 #include "shaft/shaft_prediction.h"
+#include "verdict/add.h"
+#include "verdict/compare.h"
+#include "verdict/diagnosis.h"
 
 /// Results as one HTML page with pictures that needs no network. It holds the document that
 /// `--json` prints, the rows behind the pictures, and the script that draws them (report/page/).
@@ -36,18 +36,18 @@ struct ModelOfPage {
 /// of its measured channels. `facts` may be empty, here and below.
 [[nodiscard]] std::string comparison_report(
     const std::vector<std::string>& model_files, const std::vector<model::Model>& models,
-    const std::vector<std::vector<fit::Comparison>>& comparisons, const record::Record& record,
+    const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
     const std::vector<ModelOfPage>& facts = {});
 
 /// `subject` is the one that was diagnosed.
 [[nodiscard]] std::string diagnosis_report(const std::string& model_file,
                                            const fit::Subject& subject,
                                            const record::Record& record,
-                                           const fit::Diagnosis& diagnosis,
+                                           const verdict::Diagnosis& diagnosis,
                                            const std::vector<ModelOfPage>& facts = {});
 
 [[nodiscard]] std::string add_report(const std::string& model_file, const record::Record& record,
-                                     const fit::AddResult& result,
+                                     const verdict::AddResult& result,
                                      const std::vector<ModelOfPage>& facts = {});
 
 /// What is drawn around a bearing, beside the curves: points with their predicted balance.

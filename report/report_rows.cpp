@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fit/misfit_map.h"
 #include "text/number_text.h"
+#include "verdict/misfit_map.h"
 
 namespace raceway::report {
 namespace {
@@ -14,9 +14,9 @@ using record::Channel;
 
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
-text::json axis_json(const std::vector<fit::ErrorRange>& ranges) {
+text::json axis_json(const std::vector<verdict::ErrorRange>& ranges) {
   text::json list = text::json::array();
-  for (const fit::ErrorRange& r : ranges) {
+  for (const verdict::ErrorRange& r : ranges) {
     if (r.is_run())
       list.push_back({{"run", r.run}});
     else
@@ -26,9 +26,9 @@ text::json axis_json(const std::vector<fit::ErrorRange>& ranges) {
   return list;
 }
 
-text::json map_json(const fit::MisfitMap& map, double unit) {
+text::json map_json(const verdict::MisfitMap& map, double unit) {
   text::json cells = text::json::array();
-  for (const fit::MisfitCell& c : map.cells)
+  for (const verdict::MisfitCell& c : map.cells)
     cells.push_back({{"across", c.across},
                      {"up", c.up},
                      {"rows", c.rows},
@@ -102,7 +102,7 @@ void ReportRows::add_inputs() {
   }
 }
 
-std::vector<double> ReportRows::by_row(const fit::Comparison& comparison,
+std::vector<double> ReportRows::by_row(const verdict::Comparison& comparison,
                                        std::span<const double> values) const {
   std::vector<double> result(rows_.size(), unset);
   for (std::size_t i = 0; i < comparison.errors.size(); ++i)
@@ -123,13 +123,13 @@ void ReportRows::add_std(std::vector<double> std) {
   columns_.add("std_" + std::string(channel_.key_unit()), std::move(std));
 }
 
-void ReportRows::add_model(const std::string& name, const fit::Comparison& comparison) {
+void ReportRows::add_model(const std::string& name, const verdict::Comparison& comparison) {
   std::vector<double> predicted, std;
-  for (const fit::RowError& e : comparison.errors) {
+  for (const verdict::RowError& e : comparison.errors) {
     predicted.push_back(e.predicted);
     std.push_back(place_[e.row] == nowhere ? unset : std_.at(place_[e.row]));
   }
-  for (const fit::RowError& e : comparison.worst)
+  for (const verdict::RowError& e : comparison.worst)
     if (place_[e.row] != nowhere) columns_.keep(place_[e.row]);
   const std::string column =
       add_readings("predicted_" + std::to_string(models_.size()), by_row(comparison, predicted));
@@ -137,7 +137,7 @@ void ReportRows::add_model(const std::string& name, const fit::Comparison& compa
       {{"name", name},
        {"column", column},
        {"rmse", comparison.rmse / channel_.factor},
-       {"map", map_json(fit::misfit_map(comparison, record_, std), channel_.factor)}});
+       {"map", map_json(verdict::misfit_map(comparison, record_, std), channel_.factor)}});
 }
 
 void ReportRows::finish(Document& document) const {
@@ -163,9 +163,9 @@ std::vector<std::size_t> rows_read(const record::Record& record, const Channel& 
   return rows;
 }
 
-std::vector<std::size_t> rows_compared(const fit::Comparison& comparison) {
+std::vector<std::size_t> rows_compared(const verdict::Comparison& comparison) {
   std::vector<std::size_t> rows;
-  for (const fit::RowError& e : comparison.errors) rows.push_back(e.row);
+  for (const verdict::RowError& e : comparison.errors) rows.push_back(e.row);
   std::sort(rows.begin(), rows.end());
   return rows;
 }

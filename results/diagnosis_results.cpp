@@ -13,9 +13,10 @@ namespace {
 using Channels = std::vector<const record::Channel*>;
 using Counts = std::vector<ChannelCount>;
 
-Counts counts_of(const fit::Diagnosis& d) {
+Counts counts_of(const verdict::Diagnosis& d) {
   Counts list;
-  for (const fit::ChannelDiagnosis& c : d.channels) list.push_back({&c.channel(), c.baseline.rows});
+  for (const verdict::ChannelDiagnosis& c : d.channels)
+    list.push_back({&c.channel(), c.baseline.rows});
   return list;
 }
 
@@ -68,8 +69,8 @@ double in_unit(const std::vector<double>& errors, std::size_t c, const record::C
 /// Ids as documents have them: where an effect acts is a field of its own.
 class PlainIds {
  public:
-  explicit PlainIds(const fit::Diagnosis& d) {
-    for (const fit::RankedEffect& e : d.effects) plain_[e.id] = e.plain_id();
+  explicit PlainIds(const verdict::Diagnosis& d) {
+    for (const verdict::RankedEffect& e : d.effects) plain_[e.id] = e.plain_id();
   }
   /// Each once.
   [[nodiscard]] std::vector<std::string> of(const std::vector<std::string>& ids) const {
@@ -87,8 +88,8 @@ class PlainIds {
 };
 
 /// `limited`: a tolerance decides.
-text::json effect_object(const fit::RankedEffect& e, const Counts& counts, const PlainIds& plain,
-                         bool limited) {
+text::json effect_object(const verdict::RankedEffect& e, const Counts& counts,
+                         const PlainIds& plain, bool limited) {
   const Channels channels = channels_of(counts);
   text::json errors = text::json::array();
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -113,7 +114,7 @@ text::json effect_object(const fit::RankedEffect& e, const Counts& counts, const
   return effect;
 }
 
-text::json detectable_object(const fit::DetectableSize& s) {
+text::json detectable_object(const verdict::DetectableSize& s) {
   return {{"id", s.id},
           {"parameter", s.parameter},
           {"unit", s.unit},
@@ -124,7 +125,7 @@ text::json detectable_object(const fit::DetectableSize& s) {
 }
 
 /// The input values of a point by their columns, null where one stays as it is.
-text::json suggested_object(const fit::SuggestedMeasurement& m) {
+text::json suggested_object(const verdict::SuggestedMeasurement& m) {
   text::json point = text::json::object();
   for (const fit::Setting& s : m.point)
     point[std::string(s.channel->name)] = text::value_in_unit(*s.channel, s.value);
@@ -147,7 +148,7 @@ text::json noise_object(const fit::NoiseModel& noise, double factor) {
 }
 
 /// Error and noise of one channel, and its tolerance where there is one.
-text::json diagnosed_channel(const fit::ChannelDiagnosis& c) {
+text::json diagnosed_channel(const verdict::ChannelDiagnosis& c) {
   const record::Channel& channel = c.channel();
   text::json result = channel_object(channel);
   result["rmse_before"] = c.rmse_before / channel.factor;
@@ -166,7 +167,7 @@ text::json shape_object(const fit::Shape& shape) {
           {"explained_share", shape.explained_share}};
 }
 
-text::json course_object(const fit::Course& course) {
+text::json course_object(const verdict::Course& course) {
   text::json when = text::json::array();
   for (const auto& [from, to] : course.when) when.push_back({from, to});
   return {{"when", std::move(when)},
@@ -189,7 +190,7 @@ text::json list_of(const std::vector<Result>& results, const Make& make) {
 
 /// What stands beneath the verdict: errors and noise of the channels, first the leading one.
 void add_errors(text::json& document, const std::string& model_file, const record::Record& record,
-                const fit::Diagnosis& d, const PlainIds& plain) {
+                const verdict::Diagnosis& d, const PlainIds& plain) {
   const text::json channels = list_of(d.channels, diagnosed_channel);
   text::json first = channels.at(0);
   first.erase("quantity");
@@ -198,8 +199,8 @@ void add_errors(text::json& document, const std::string& model_file, const recor
     document["within_tolerance"] = d.within_tolerance;
     document["significant_but_immaterial"] = plain.of(d.significant_but_immaterial);
   }
-  std::vector<const fit::Comparison*> baselines;
-  for (const fit::ChannelDiagnosis& c : d.channels) baselines.push_back(&c.baseline);
+  std::vector<const verdict::Comparison*> baselines;
+  for (const verdict::ChannelDiagnosis& c : d.channels) baselines.push_back(&c.baseline);
   const Counts counts = counts_of(d);
   document["noise"]["log_determinant"] = log_determinant_in_units(d.likelihood, counts);
   document["baseline"] = comparison_object(model_file, baselines, record);
@@ -208,14 +209,14 @@ void add_errors(text::json& document, const std::string& model_file, const recor
 }
 
 /// A set of effects at once, the error that of the leading channel.
-text::json set_object(const fit::SetFit& f, const Counts& counts) {
+text::json set_object(const verdict::SetFit& f, const Counts& counts) {
   text::json result = {{"gain", f.gain}};
   result.update(likelihood_object(f.likelihood, counts));
   result["rmse"] = in_unit(f.rmse, 0, *counts.front().channel);
   return result;
 }
 
-text::json other_base_object(const fit::OtherBaseTried& b, const Counts& counts) {
+text::json other_base_object(const verdict::OtherBaseTried& b, const Counts& counts) {
   const record::Channel& first = *counts.front().channel;
   text::json result = {{"id", b.id}, {"words", b.words}, {"gain", b.gain}};
   result.update(likelihood_object(b.likelihood, counts));
@@ -233,16 +234,16 @@ text::json other_base_object(const fit::OtherBaseTried& b, const Counts& counts)
 }
 
 /// The verdict with another base model.
-text::json given_object(const fit::OtherBaseTried& base, const fit::Diagnosis& d) {
+text::json given_object(const verdict::OtherBaseTried& base, const verdict::Diagnosis& d) {
   text::json effects = text::json::array();
-  for (const fit::RankedEffect& e : d.effects)
+  for (const verdict::RankedEffect& e : d.effects)
     if (e.in_verdict) effects.push_back(e.plain_id());
-  return {{"id", base.id},          {"verdict", fit::name(d.verdict)},
+  return {{"id", base.id},          {"verdict", verdict::name(d.verdict)},
           {"headline", d.headline}, {"sentence", d.sentence},
           {"p_value", d.p_value},   {"effects", effects}};
 }
 
-text::json added_channel(const fit::ChannelGain& c) {
+text::json added_channel(const verdict::ChannelGain& c) {
   const record::Channel& channel = c.channel();
   text::json result = channel_object(channel);
   result["rmse_before"] = c.before.rmse / channel.factor;
@@ -255,14 +256,14 @@ text::json added_channel(const fit::ChannelGain& c) {
 }  // namespace
 
 std::string diagnosis_json(const std::string& model_file, const record::Record& record,
-                           const fit::Diagnosis& d) {
+                           const verdict::Diagnosis& d) {
   const Counts counts = counts_of(d);
   const Channels channels = channels_of(counts);
   const bool limited = d.tolerance_limited();
   const PlainIds plain(d);
   text::json document = {{"model", model_file},
                          {"data", data_of(record)},
-                         {"verdict", fit::name(d.verdict)},
+                         {"verdict", verdict::name(d.verdict)},
                          {"headline", d.headline},
                          {"sentence", d.sentence},
                          {"p_value", d.p_value},
@@ -279,7 +280,7 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
                 [&](const auto& e) { return effect_object(e, counts, plain, limited); })},
        {"explanations", list_of(d.sets, [&](const auto& set) { return plain.of(set); })},
        {"explanation_fits",
-        list_of(d.fits, [&](const fit::SetFit& f) { return set_object(f, counts); })},
+        list_of(d.fits, [&](const verdict::SetFit& f) { return set_object(f, counts); })},
        {"base_parameters", base_objects(d.base)},
        {"correlation",
         {{"names", d.correlation.names}, {"rows", correlation_rows(d.correlation.matrix)}}},
@@ -287,7 +288,7 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
        {"aliases", d.aliases},
        {"would_have_been_found", list_of(d.would_have_been_found, detectable_object)},
        {"not_testable", list_of(d.not_testable,
-                                [](const fit::NotTestable& n) {
+                                [](const verdict::NotTestable& n) {
                                   return text::json{{"id", n.id}, {"missing", n.reason}};
                                 })},
        {"suggested_measurements", list_of(d.suggested_measurements, suggested_object)},
@@ -308,18 +309,18 @@ std::string diagnosis_json(const std::string& model_file, const record::Record& 
 }
 
 std::string add_json(const std::string& model_file, const record::Record& record,
-                     const fit::AddResult& r) {
+                     const verdict::AddResult& r) {
   const text::json list = list_of(r.channels, added_channel);
   const text::json& first = list.at(0);
-  std::vector<const fit::Comparison*> before, after;
+  std::vector<const verdict::Comparison*> before, after;
   Channels channels;
-  for (const fit::ChannelGain& c : r.channels) {
+  for (const verdict::ChannelGain& c : r.channels) {
     before.push_back(&c.before);
     after.push_back(&c.after);
     channels.push_back(&c.channel());
   }
   Counts counts;
-  for (const fit::ChannelGain& c : r.channels) counts.push_back({&c.channel(), c.before.rows});
+  for (const verdict::ChannelGain& c : r.channels) counts.push_back({&c.channel(), c.before.rows});
   text::json document = {{"model", model_file},
                          {"data", data_of(record)},
                          {"refused", r.refused},

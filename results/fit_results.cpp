@@ -12,7 +12,7 @@
 namespace raceway::results {
 namespace {
 
-text::json range_object(const fit::ErrorRange& r, double factor) {
+text::json range_object(const verdict::ErrorRange& r, double factor) {
   text::json range = {{"variable", r.channel->variable}};
   if (r.is_run()) {
     range["from"] = range["to"] = r.run;
@@ -27,10 +27,10 @@ text::json range_object(const fit::ErrorRange& r, double factor) {
   return range;
 }
 
-text::json worst_rows(const fit::Comparison& c, const record::Record& record) {
+text::json worst_rows(const verdict::Comparison& c, const record::Record& record) {
   const double factor = c.channel->factor;
   text::json list = text::json::array();
-  for (const fit::RowError& r : c.worst) {
+  for (const verdict::RowError& r : c.worst) {
     list.push_back({{"line", r.line},
                     {"predicted", r.predicted / factor},
                     {"measured", r.measured / factor},
@@ -42,9 +42,9 @@ text::json worst_rows(const fit::Comparison& c, const record::Record& record) {
 }
 
 /// The error of each of several records by itself.
-text::json records_of(const fit::Comparison& c, const record::Record& record) {
+text::json records_of(const verdict::Comparison& c, const record::Record& record) {
   text::json list = text::json::array();
-  for (const fit::ErrorRange& r : c.records)
+  for (const verdict::ErrorRange& r : c.records)
     list.push_back({{"record", r.run},
                     {"data", record.parts.at(static_cast<std::size_t>(r.from)).source},
                     {"rows", r.rows},
@@ -53,9 +53,9 @@ text::json records_of(const fit::Comparison& c, const record::Record& record) {
   return list;
 }
 
-correction::Metrics metrics_of(const fit::Comparison& c) {
+correction::Metrics metrics_of(const verdict::Comparison& c) {
   std::vector<double> measured, predicted;
-  for (const fit::RowError& e : c.errors) {
+  for (const verdict::RowError& e : c.errors) {
     measured.push_back(e.measured);
     predicted.push_back(e.predicted);
   }
@@ -63,12 +63,12 @@ correction::Metrics metrics_of(const fit::Comparison& c) {
 }
 
 /// What a comparison says of one channel.
-text::json compared_channel(const fit::Comparison& c, const record::Record& record) {
+text::json compared_channel(const verdict::Comparison& c, const record::Record& record) {
   const double factor = c.channel->factor;
   text::json noise = {{"rms", c.noise.rms / factor}, {"source", fit::name(c.noise.source)}};
   if (!std::isnan(c.estimated_noise)) noise["estimated_rms"] = c.estimated_noise / factor;
   text::json where = text::json::array();
-  for (const fit::ErrorRange& r : c.where) where.push_back(range_object(r, factor));
+  for (const verdict::ErrorRange& r : c.where) where.push_back(range_object(r, factor));
   text::json result = channel_object(*c.channel);
   result.update({{"rows", c.rows},
                  {"rows_not_predicted", lines_of(record, c.rows_not_predicted)},
@@ -99,7 +99,7 @@ text::json compared_channel(const fit::Comparison& c, const record::Record& reco
   return result;
 }
 
-text::json calibrated_parameters(const fit::Calibration& c) {
+text::json calibrated_parameters(const verdict::Calibration& c) {
   text::json parameters = text::json::object();
   for (const record::Parameter& p : c.parameters)
     parameters[p.name] = {{"value", p.value},
@@ -121,7 +121,7 @@ text::json calibrated_parameters(const fit::Calibration& c) {
   return parameters;
 }
 
-text::json calibrated_channel(const fit::ChannelError& c) {
+text::json calibrated_channel(const verdict::ChannelError& c) {
   text::json result = channel_object(*c.channel);
   result["rmse_before"] = c.rmse_before / c.channel->factor;
   result["rmse"] = c.rmse_after / c.channel->factor;
@@ -130,14 +130,14 @@ text::json calibrated_channel(const fit::ChannelError& c) {
 }
 
 /// What the intervals of the parameters are, and what they took.
-text::json profile_object(const fit::Calibration& c) {
+text::json profile_object(const verdict::Calibration& c) {
   int refits = 0;
   for (const fit::ProfileInterval& of : c.profile) refits += of.refits;
   const double rise = fit::profile_rise * c.error_factor * c.error_factor;
   return {{"level", 0.95}, {"rise", rise}, {"refits", refits}};
 }
 
-text::json checked_channel(const fit::Check::MeasuredChannel& m) {
+text::json checked_channel(const loop::Check::MeasuredChannel& m) {
   text::json result = channel_object(*m.channel);
   result["rows"] = m.rows;
   result["noise"] = {{"rms", m.noise.rms / m.channel->factor},
@@ -248,10 +248,10 @@ text::json hold_out_object(const std::vector<fit::HoldOut>& hold_out,
 }
 
 text::json comparison_object(const std::string& model_file,
-                             const std::vector<const fit::Comparison*>& channels,
+                             const std::vector<const verdict::Comparison*>& channels,
                              const record::Record& record) {
   text::json list = text::json::array();
-  for (const fit::Comparison* c : channels) list.push_back(compared_channel(*c, record));
+  for (const verdict::Comparison* c : channels) list.push_back(compared_channel(*c, record));
   text::json document = {{"model", model_file}};
   document.update(list.at(0));
   document["data"] = data_of(record);
@@ -259,9 +259,9 @@ text::json comparison_object(const std::string& model_file,
   return document;
 }
 
-text::json calibration_object(const fit::Calibration& c, const record::Record& record) {
+text::json calibration_object(const verdict::Calibration& c, const record::Record& record) {
   std::vector<ChannelCount> counts;
-  for (const fit::ChannelError& e : c.channels) counts.push_back({e.channel, e.readings});
+  for (const verdict::ChannelError& e : c.channels) counts.push_back({e.channel, e.readings});
   text::json document = {
       {"parameters", calibrated_parameters(c)},
       {"correlation", correlation_rows(c.correlation)},
@@ -276,7 +276,7 @@ text::json calibration_object(const fit::Calibration& c, const record::Record& r
   document["degrees_of_freedom"] = c.degrees_of_freedom;
   if (!c.profile.empty()) document["profile"] = profile_object(c);
   text::json channels = text::json::array();
-  for (const fit::ChannelError& e : c.channels) channels.push_back(calibrated_channel(e));
+  for (const verdict::ChannelError& e : c.channels) channels.push_back(calibrated_channel(e));
   if (!channels.empty()) document.update(channels[0]);
   document["readings"] = c.likelihood.readings;
   add_channels(document, std::move(channels));
@@ -285,20 +285,21 @@ text::json calibration_object(const fit::Calibration& c, const record::Record& r
   return document;
 }
 
-std::string calibration_json(const fit::Calibration& calibration, const record::Record& record) {
+std::string calibration_json(const verdict::Calibration& calibration,
+                             const record::Record& record) {
   text::json document = calibration_object(calibration, record);
   add_notes(document, record);
   return text::text(std::move(document));
 }
 
 std::string comparison_json(const std::vector<std::string>& model_files,
-                            const std::vector<std::vector<fit::Comparison>>& comparisons,
+                            const std::vector<std::vector<verdict::Comparison>>& comparisons,
                             const record::Record& record,
                             const std::vector<correction::Beyond>& beyond) {
   text::json documents = text::json::array();
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
-    std::vector<const fit::Comparison*> channels;
-    for (const fit::Comparison& c : comparisons[i]) channels.push_back(&c);
+    std::vector<const verdict::Comparison*> channels;
+    for (const verdict::Comparison& c : comparisons[i]) channels.push_back(&c);
     documents.push_back(comparison_object(model_files.at(i), channels, record));
     if (i < beyond.size()) documents.back().update(beyond_object(beyond[i], record));
   }
@@ -356,18 +357,18 @@ std::string model_check_json(const std::string& model_name,
       {{"model", model_name}, {"defaults", files::lines(defaults)}, {"notes", notes}});
 }
 
-std::string check_json(const std::string& model_name, const fit::Check& check,
+std::string check_json(const std::string& model_name, const loop::Check& check,
                        const std::vector<files::UsedDefault>& defaults,
                        const std::vector<std::string>& notes,
                        const correction::RecordCheck* over_time) {
   text::json columns = text::json::array();
-  for (const fit::Check::Column& c : check.columns)
+  for (const loop::Check::Column& c : check.columns)
     columns.push_back({{"name", c.channel->name},
                        {"from", text::value_in_unit(*c.channel, c.lower)},
                        {"to", text::value_in_unit(*c.channel, c.upper)},
                        {"levels", c.levels}});
   text::json effects = text::json::array();
-  for (const fit::Check::Testable& t : check.catalogue)
+  for (const loop::Check::Testable& t : check.catalogue)
     effects.push_back({{"id", t.id},
                        {"testable", t.missing.empty() && t.ruled_out.empty()},
                        {"missing", t.missing},
@@ -377,7 +378,7 @@ std::string check_json(const std::string& model_name, const fit::Check& check,
   for (const record::Parameter& p : check.free)
     parameters.push_back({{"name", p.name}, {"identifiable", p.identifiable}});
   text::json channels = text::json::array();
-  for (const fit::Check::MeasuredChannel& m : check.measured)
+  for (const loop::Check::MeasuredChannel& m : check.measured)
     channels.push_back(checked_channel(m));
   const text::json first =
       check.measured.empty()

@@ -12,15 +12,15 @@
 #include "effects/effect.h"
 #include "files/catalogue_file.h"
 #include "files/used_default.h"
-#include "fit/calibrate.h"
-#include "fit/check.h"
-#include "fit/compare.h"
 #include "friction/heat.h"
 #include "friction/stribeck_table.h"
+#include "loop/check.h"
 #include "model/model.h"
 #include "model/prediction.h"
 #include "results/band_of_result.h"
 #include "text/error.h"
+#include "verdict/calibrate.h"
+#include "verdict/compare.h"
 
 /// Results as JSON documents, two blanks of indent, keys with their units (docs/files.md).
 /// What is not known, or has no balance, is null; numbers have 15 digits.
@@ -43,7 +43,7 @@ namespace raceway::results {
                                      const BandOfResult* band = nullptr);
 
 /// `record` is what was fitted to.
-[[nodiscard]] std::string calibration_json(const fit::Calibration& calibration,
+[[nodiscard]] std::string calibration_json(const verdict::Calibration& calibration,
                                            const record::Record& record);
 
 /// One document for one model; for several `{"models": [...]}` in the order given. Of each model
@@ -51,11 +51,11 @@ namespace raceway::results {
 /// have seen.
 [[nodiscard]] std::string comparison_json(
     const std::vector<std::string>& model_files,
-    const std::vector<std::vector<fit::Comparison>>& comparisons, const record::Record& record,
+    const std::vector<std::vector<verdict::Comparison>>& comparisons, const record::Record& record,
     const std::vector<correction::Beyond>& beyond = {});
 
 /// `defaults` of the model and `notes` on the data, as people read them.
-[[nodiscard]] std::string check_json(const std::string& model_name, const fit::Check& check,
+[[nodiscard]] std::string check_json(const std::string& model_name, const loop::Check& check,
                                      const std::vector<files::UsedDefault>& defaults,
                                      const std::vector<std::string>& notes,
                                      const correction::RecordCheck* over_time = nullptr);

@@ -47,11 +47,11 @@ std::vector<std::string> corrected(const model::Model& model) {
 }
 
 /// The model of one record as the fit has left it, with the covariance of what was fitted.
-model::Model model_of_record(const fit::Calibration& calibration, std::size_t record) {
+model::Model model_of_record(const verdict::Calibration& calibration, std::size_t record) {
   const auto* const of = dynamic_cast<const fit::SeveralRecords*>(calibration.subject.get());
   model::Model model =
       of ? model::model_of(*of->model_of(record)) : model::model_of(*calibration.subject);
-  model.covariance = fit::covariance_of(calibration);
+  model.covariance = verdict::covariance_of(calibration);
   if (model.covariance && of) model.covariance = of_record(*model.covariance, *of, record);
   return model;
 }
@@ -96,9 +96,9 @@ std::string why_not_predicted(const model::Model& model, const record::Record& d
 }
 
 void tell_not_predicted(Messages& messages, const std::string& file, const model::Model& model,
-                        const std::vector<fit::Comparison>& comparisons,
+                        const std::vector<verdict::Comparison>& comparisons,
                         const record::Record& data) {
-  for (const fit::Comparison& c : comparisons)
+  for (const verdict::Comparison& c : comparisons)
     if (const auto& missing = c.rows_not_predicted; !missing.empty())
       messages.warn(fmt::format(
           "{}: {} rows{} have no prediction and are left out, the first in {}: {}", file,
@@ -194,14 +194,15 @@ class BearingInLoop final : public LoopModel {
     ComparedModel result{.subject = subject_of(wanted, data, per_record)};
     int fitted = 0;
     if (!names.empty()) {
-      const fit::Calibration calibration = refitted(messages, *result.subject, data, names);
+      const verdict::Calibration calibration = refitted(messages, *result.subject, data, names);
       result.subject = calibration.subject;
       fitted = static_cast<int>(calibration.parameters.size());
     }
-    result.errors = fit::compare(*result.subject, data, fitted);
+    result.errors = verdict::compare(*result.subject, data, fitted);
     result.facts = of_page(file_, model_of(*result.subject));
     result.drawn = {.name = file_.source, .subject = result.subject};
-    for (const fit::Comparison& c : result.errors) result.drawn.tolerances.push_back(c.tolerance);
+    for (const verdict::Comparison& c : result.errors)
+      result.drawn.tolerances.push_back(c.tolerance);
     tell_not_predicted(messages, file_.source, file_.model, result.errors, data);
     return result;
   }
@@ -210,7 +211,7 @@ class BearingInLoop final : public LoopModel {
     return std::nullopt;
   }
 
-  std::string page(const record::Record& data, const fit::Diagnosis& found) const override {
+  std::string page(const record::Record& data, const verdict::Diagnosis& found) const override {
     if (written_->approximates())
       return report::record_diagnosis_report(file_.source, data, found, {},
                                              {of_page(file_, file_.model)});
@@ -218,7 +219,7 @@ class BearingInLoop final : public LoopModel {
                                     {of_page(file_, file_.model)});
   }
 
-  std::string page(const record::Record& data, const fit::AddResult& found) const override {
+  std::string page(const record::Record& data, const verdict::AddResult& found) const override {
     const std::vector<report::ModelOfPage> used{
         of_page(file_, model_of(*found.calibration.subject))};
     if (written_->approximates())
@@ -226,7 +227,8 @@ class BearingInLoop final : public LoopModel {
     return report::add_report(file_.source, data, found, used);
   }
 
-  FittedTexts fitted_texts(const record::Record&, const fit::Calibration& found) const override {
+  FittedTexts fitted_texts(const record::Record&,
+                           const verdict::Calibration& found) const override {
     FittedTexts result{.records = records_apart(*found.subject)};
     files::ModelFile written = file_;
     (void)take_own_effects(written.model);

@@ -90,14 +90,14 @@ class CorrectionInLoop final : public LoopModel {
       wanted.free = how.refit;
       if (std::find(wanted.free.begin(), wanted.free.end(), "offset") == wanted.free.end())
         wanted.free.emplace_back("offset");
-      const fit::Calibration found =
+      const verdict::Calibration found =
           refitted(messages, correction::CorrectionSubject(wanted), data, how.refit);
       result.subject = found.subject;
       fitted = static_cast<int>(found.parameters.size());
     }
-    result.errors = fit::compare(*result.subject, data, fitted);
-    for (fit::Comparison& c : result.errors)
-      fit::add_groups(c, correction::phase, correction::phases(data, *c.channel));
+    result.errors = verdict::compare(*result.subject, data, fitted);
+    for (verdict::Comparison& c : result.errors)
+      verdict::add_groups(c, correction::phase, correction::phases(data, *c.channel));
     result.drawn = {.name = file_.source,
                     .subject = result.subject,
                     .held_out = {},
@@ -115,16 +115,16 @@ class CorrectionInLoop final : public LoopModel {
     return correction::check_record(model(), data);
   }
 
-  std::string page(const record::Record& data, const fit::Diagnosis& found) const override {
+  std::string page(const record::Record& data, const verdict::Diagnosis& found) const override {
     return report::record_diagnosis_report(file_.source, data, found, file_.defaults);
   }
 
-  std::string page(const record::Record& data, const fit::AddResult& found) const override {
+  std::string page(const record::Record& data, const verdict::AddResult& found) const override {
     return report::record_add_report(file_.source, data, found, file_.defaults);
   }
 
   FittedTexts fitted_texts(const record::Record& data,
-                           const fit::Calibration& found) const override {
+                           const verdict::Calibration& found) const override {
     std::vector<correction::Model> models = file_.models;
     models[index_] = correction::trusted(found, data);
     return {.records = {},

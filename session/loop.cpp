@@ -1,4 +1,4 @@
-#include "session/loop.h"
+#include "loop/loop.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include "report/record_report.h"
 #include "results/diagnosis_results.h"
 #include "results/results.h"
+#include "session/loop.h"
 #include "text/error.h"
 
 namespace raceway::session {
@@ -54,25 +55,26 @@ LoopQuestion ask(Messages& messages, const Source& model, const std::vector<Sour
   return asked;
 }
 
-fit::Calibration calibrate(const LoopQuestion& asked, const fit::CalibrateOptions& options) {
-  fit::Calibration found = with_data(asked.source(), asked.data, [&] {
-    return fit::calibrate(*asked.subject, asked.data, options);
+verdict::Calibration calibrate(const LoopQuestion& asked,
+                               const verdict::CalibrateOptions& options) {
+  verdict::Calibration found = with_data(asked.source(), asked.data, [&] {
+    return loop::calibrate(*asked.subject, asked.data, options);
   });
   tell_of_scale(asked.data, found.messages);
   return found;
 }
 
-fit::Diagnosis diagnose(const LoopQuestion& asked, const fit::DiagnoseOptions& options) {
-  fit::Diagnosis found = with_data(asked.source(), asked.data, [&] {
-    return fit::diagnose(*asked.subject, asked.data, options);
+verdict::Diagnosis diagnose(const LoopQuestion& asked, const verdict::DiagnoseOptions& options) {
+  verdict::Diagnosis found = with_data(asked.source(), asked.data, [&] {
+    return loop::diagnose(*asked.subject, asked.data, options);
   });
   tell_of_scale(asked.data, found.messages);
   return found;
 }
 
-fit::AddResult add(const LoopQuestion& asked, const Names& effects) {
-  fit::AddResult found = with_data(asked.source(), asked.data, [&] {
-    return fit::add(*asked.subject, asked.model->meant(effects, asked.data), asked.data);
+verdict::AddResult add(const LoopQuestion& asked, const Names& effects) {
+  verdict::AddResult found = with_data(asked.source(), asked.data, [&] {
+    return loop::add(*asked.subject, asked.model->meant(effects, asked.data), asked.data);
   });
   tell_of_scale(asked.data, found.messages);
   return found;
@@ -85,32 +87,32 @@ std::vector<double> predict(const LoopQuestion& asked) {
   });
 }
 
-std::string json(const LoopQuestion& asked, const fit::Calibration& found) {
+std::string json(const LoopQuestion& asked, const verdict::Calibration& found) {
   return results::calibration_json(found, asked.data);
 }
 
-std::string json(const LoopQuestion& asked, const fit::Diagnosis& found) {
+std::string json(const LoopQuestion& asked, const verdict::Diagnosis& found) {
   return results::diagnosis_json(asked.source(), asked.data, found);
 }
 
-std::string json(const LoopQuestion& asked, const fit::AddResult& found) {
+std::string json(const LoopQuestion& asked, const verdict::AddResult& found) {
   return results::add_json(asked.source(), asked.data, found);
 }
 
-std::string page(const LoopQuestion& asked, const fit::Diagnosis& found) {
+std::string page(const LoopQuestion& asked, const verdict::Diagnosis& found) {
   return asked.model->page(asked.data, found);
 }
 
-std::string page(const LoopQuestion& asked, const fit::AddResult& found) {
+std::string page(const LoopQuestion& asked, const verdict::AddResult& found) {
   return asked.model->page(asked.data, found);
 }
 
-FittedTexts fitted_texts(const LoopQuestion& asked, const fit::Calibration& found) {
+FittedTexts fitted_texts(const LoopQuestion& asked, const verdict::Calibration& found) {
   return asked.model->fitted_texts(asked.data, found);
 }
 
-std::vector<std::vector<fit::Comparison>> ComparedModels::errors() const {
-  std::vector<std::vector<fit::Comparison>> list;
+std::vector<std::vector<verdict::Comparison>> ComparedModels::errors() const {
+  std::vector<std::vector<verdict::Comparison>> list;
   for (const ComparedModel& model : models) list.push_back(model.errors);
   return list;
 }
@@ -157,7 +159,7 @@ ComparedModels compare(Messages& messages, const std::vector<Source>& models,
   }
   // The noise is that of the data: one for all models, by the last.
   for (ComparedModel& model : result.models)
-    fit::estimate_unknown_noise(*result.models.back().subject, result.data, model.errors);
+    verdict::estimate_unknown_noise(*result.models.back().subject, result.data, model.errors);
   if (!how.refit.empty())
     messages.note(fmt::format("{} refitted to {} in each model; all else as in the files",
                               fmt::join(how.refit, " and "), result.data.source));
@@ -181,7 +183,7 @@ CheckedModel check(Messages& messages, const Source& source, const Source& data,
   result.check = with_data(result.model.source, result.data, [&] {
     const std::shared_ptr<const fit::Subject> written = model->as_written();
     const auto informed = result.over_time ? written->informed_by(result.data) : nullptr;
-    return fit::check(informed ? *informed : *written, result.data);
+    return loop::check(informed ? *informed : *written, result.data);
   });
   result.notes = result.model.notes;
   result.notes.insert(result.notes.end(), result.data.notes.begin(), result.data.notes.end());

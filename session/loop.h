@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "fit/add.h"
-#include "fit/calibrate.h"
-#include "fit/check.h"
-#include "fit/diagnose.h"
+#include "loop/check.h"
 #include "record/record.h"
 #include "session/loop_model.h"
 #include "session/messages.h"
 #include "session/source.h"
+#include "verdict/add.h"
+#include "verdict/calibrate.h"
+#include "verdict/diagnose.h"
 
 /// The loop, as the command, Python and programs ask it, whatever a model file describes: how far a
 /// model is from what was measured, which effect is missing, what adding it buys.
@@ -34,22 +34,23 @@ struct LoopQuestion {
 
 /// As those of fit, and text::InputError for what the data do not allow. `effects`: as people name
 /// them.
-[[nodiscard]] fit::Calibration calibrate(const LoopQuestion& asked,
-                                         const fit::CalibrateOptions& options = {});
-[[nodiscard]] fit::Diagnosis diagnose(const LoopQuestion& asked,
-                                      const fit::DiagnoseOptions& options = {});
-[[nodiscard]] fit::AddResult add(const LoopQuestion& asked, const Names& effects);
+[[nodiscard]] verdict::Calibration calibrate(const LoopQuestion& asked,
+                                             const verdict::CalibrateOptions& options = {});
+[[nodiscard]] verdict::Diagnosis diagnose(const LoopQuestion& asked,
+                                          const verdict::DiagnoseOptions& options = {});
+[[nodiscard]] verdict::AddResult add(const LoopQuestion& asked, const Names& effects);
 [[nodiscard]] std::vector<double> predict(const LoopQuestion& asked);
 
 /// What was found as JSON, and as one page.
-[[nodiscard]] std::string json(const LoopQuestion& asked, const fit::Calibration& found);
-[[nodiscard]] std::string json(const LoopQuestion& asked, const fit::Diagnosis& found);
-[[nodiscard]] std::string json(const LoopQuestion& asked, const fit::AddResult& found);
-[[nodiscard]] std::string page(const LoopQuestion& asked, const fit::Diagnosis& found);
-[[nodiscard]] std::string page(const LoopQuestion& asked, const fit::AddResult& found);
+[[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::Calibration& found);
+[[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::Diagnosis& found);
+[[nodiscard]] std::string json(const LoopQuestion& asked, const verdict::AddResult& found);
+[[nodiscard]] std::string page(const LoopQuestion& asked, const verdict::Diagnosis& found);
+[[nodiscard]] std::string page(const LoopQuestion& asked, const verdict::AddResult& found);
 
 /// The texts of the models that a fit found.
-[[nodiscard]] FittedTexts fitted_texts(const LoopQuestion& asked, const fit::Calibration& found);
+[[nodiscard]] FittedTexts fitted_texts(const LoopQuestion& asked,
+                                       const verdict::Calibration& found);
 
 /// Models held against one record, in the order given.
 struct ComparedModels {
@@ -58,7 +59,7 @@ struct ComparedModels {
   std::vector<ComparedModel> models{};
 
   /// Of each model, by measured channel.
-  [[nodiscard]] std::vector<std::vector<fit::Comparison>> errors() const;
+  [[nodiscard]] std::vector<std::vector<verdict::Comparison>> errors() const;
   [[nodiscard]] std::string json() const;
   /// The report, as one page.
   [[nodiscard]] std::string page() const;
@@ -75,7 +76,7 @@ struct ComparedModels {
 struct CheckedModel {
   LoopModel::About model{};
   record::Record data{};
-  fit::Check check{};
+  loop::Check check{};
   std::optional<correction::RecordCheck> over_time{};
   std::vector<std::string> notes{};  ///< of the model and of the record
 

@@ -8,6 +8,7 @@
 
 #include "files/model_parts.h"
 #include "fit/several_records.h"
+#include "loop/loop.h"
 #include "session/bearing_in_loop.h"
 #include "session/correction_in_loop.h"
 #include "session/correction_input.h"
@@ -73,9 +74,9 @@ Names records_apart(const fit::Subject& subject) {
   return several->records();
 }
 
-fit::Calibration refitted(Messages& messages, const fit::Subject& subject,
-                          const record::Record& data, const Names& names) {
-  fit::Calibration found = fit::calibrate(subject, data);
+verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
+                              const record::Record& data, const Names& names) {
+  verdict::Calibration found = loop::calibrate(subject, data);
   if (!found.converged())
     throw std::invalid_argument(
         fmt::format("the refit of {} does not converge", fmt::join(names, ", ")));

@@ -11,10 +11,6 @@
 #include "correction/record_check.h"
 #include "files/model_file.h"
 #include "files/used_default.h"
-#include "fit/add.h"
-#include "fit/calibrate.h"
-#include "fit/compare.h"
-#include "fit/diagnosis.h"
 #include "fit/subject.h"
 #include "record/record.h"
 #include "report/record_report.h"
@@ -24,6 +20,10 @@
 #include "session/reading.h"
 #include "session/source.h"
 #include "session/tolerance.h"
+#include "verdict/add.h"
+#include "verdict/calibrate.h"
+#include "verdict/compare.h"
+#include "verdict/diagnosis.h"
 
 namespace raceway::session {
 
@@ -73,7 +73,7 @@ struct FittedTexts {
 /// A model held against a record.
 struct ComparedModel {
   std::shared_ptr<const fit::Subject> subject{};
-  std::vector<fit::Comparison> errors{};       ///< by measured channel
+  std::vector<verdict::Comparison> errors{};   ///< by measured channel
   std::optional<correction::Beyond> beyond{};  ///< of a correction: what its numbers never saw
   report::DrawnModel drawn{};
   std::optional<report::ModelOfPage> facts{};  ///< of all else
@@ -125,12 +125,12 @@ class LoopModel {
 
   /// The report, as one page.
   [[nodiscard]] virtual std::string page(const record::Record& data,
-                                         const fit::Diagnosis& found) const = 0;
+                                         const verdict::Diagnosis& found) const = 0;
   [[nodiscard]] virtual std::string page(const record::Record& data,
-                                         const fit::AddResult& found) const = 0;
+                                         const verdict::AddResult& found) const = 0;
   /// The text of its file with what a fit found.
   [[nodiscard]] virtual FittedTexts fitted_texts(const record::Record& data,
-                                                 const fit::Calibration& found) const = 0;
+                                                 const verdict::Calibration& found) const = 0;
 
  private:
   About about_;
@@ -145,8 +145,8 @@ class LoopModel {
 
 /// The subject fitted to a record, for a comparison after it. `names`: what was asked to be fitted.
 /// Throws std::invalid_argument for a fit that does not converge.
-[[nodiscard]] fit::Calibration refitted(Messages& messages, const fit::Subject& subject,
-                                        const record::Record& data, const Names& names);
+[[nodiscard]] verdict::Calibration refitted(Messages& messages, const fit::Subject& subject,
+                                            const record::Record& data, const Names& names);
 
 /// Opens the part of a file that is asked, which `place` of several it is, and says what is to be
 /// known of it. Throws text::InputError as the readers and Tolerance, and for a file with several

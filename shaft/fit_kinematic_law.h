@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/calibrate.h"
 #include "record/units.h"
 #include "shaft/kinematic_law.h"
+#include "verdict/calibrate.h"
 
 namespace raceway::shaft {
 

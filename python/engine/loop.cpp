@@ -40,9 +40,9 @@ std::shared_ptr<const session::LoopQuestion> ask(Heard& heard, const EngineFile&
 /// The record as it was understood, with what the first model says of each measured channel.
 NamedColumns rows_of(const session::ComparedModels& compared) {
   NamedColumns columns = columns_of(compared.data);
-  for (const fit::Comparison& c : compared.models.front().errors) {
+  for (const verdict::Comparison& c : compared.models.front().errors) {
     std::vector<double> predicted(compared.data.rows(), unset);
-    for (const fit::RowError& row : c.errors) predicted[row.row] = row.predicted;
+    for (const verdict::RowError& row : c.errors) predicted[row.row] = row.predicted;
     columns.emplace_back("predicted_" + std::string(c.channel->name),
                          in_unit(*c.channel, predicted));
   }
@@ -73,7 +73,7 @@ EngineAnswer calibrate(const EngineFile& model, const std::vector<Data>& data, b
   const session::LoopOptions options = loop_options({&model}, given);
   return answered([&](Heard& heard) {
     const auto asked = ask(heard, model, data, options);
-    const fit::Calibration found = session::calibrate(*asked, {.profile = profile});
+    const verdict::Calibration found = session::calibrate(*asked, {.profile = profile});
     EngineAnswer answer;
     answer.json = session::json(*asked, found);
     answer.warnings = found.messages;
@@ -89,14 +89,14 @@ EngineAnswer diagnose(const EngineFile& model, const std::vector<Data>& data, bo
   const session::LoopOptions options = loop_options({&model}, given);
   std::atomic<bool> cancelled = false;
   Progress progress;
-  fit::DiagnoseOptions how;
+  verdict::DiagnoseOptions how;
   how.pairs = pairs;
   how.tried_before = tried_before;
   how.cancelled = &cancelled;
   how.progress = [&](double share, std::string_view step) { progress.set(share, step); };
   return answered({time_limit_s, progress_of_caller}, cancelled, progress, [&](Heard& heard) {
     const auto asked = ask(heard, model, data, options);
-    const auto found = std::make_shared<const fit::Diagnosis>(session::diagnose(*asked, how));
+    const auto found = std::make_shared<const verdict::Diagnosis>(session::diagnose(*asked, how));
     EngineAnswer answer;
     answer.json = session::json(*asked, *found);
     answer.warnings = found->messages;
@@ -110,7 +110,7 @@ EngineAnswer add(const EngineFile& model, const std::vector<std::string>& effect
   const session::LoopOptions options = loop_options({&model}, given);
   return answered([&](Heard& heard) {
     const auto asked = ask(heard, model, data, options);
-    const auto found = std::make_shared<const fit::AddResult>(session::add(*asked, effects));
+    const auto found = std::make_shared<const verdict::AddResult>(session::add(*asked, effects));
     EngineAnswer answer;
     answer.json = session::json(*asked, *found);
     answer.warnings = found->messages;

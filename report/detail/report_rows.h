@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "fit/compare.h"
 #include "record/record.h"
 #include "report/detail/report_document.h"
 #include "report/report_columns.h"
+#include "verdict/compare.h"
 
 namespace raceway::report {
 
@@ -22,7 +22,7 @@ class ReportRows {
 
   [[nodiscard]] const std::vector<std::size_t>& rows() const { return rows_; }
   /// Numbers in the order of the errors of a comparison, by row of the page; NaN elsewhere.
-  [[nodiscard]] std::vector<double> by_row(const fit::Comparison& comparison,
+  [[nodiscard]] std::vector<double> by_row(const verdict::Comparison& comparison,
                                            std::span<const double> values) const;
 
   /// A column of readings by row of the page [SI]. Returns its name, which is `name` and the unit.
@@ -31,7 +31,7 @@ class ReportRows {
   void add_std(std::vector<double> std);
   /// What a model predicts, as the next of the columns `predicted_0_UNIT`, ..., and where it errs
   /// on the plan. After add_std().
-  void add_model(const std::string& name, const fit::Comparison& comparison);
+  void add_model(const std::string& name, const verdict::Comparison& comparison);
 
   void finish(Document& document) const;
 
@@ -58,6 +58,6 @@ class ReportRows {
                                                  const record::Channel& channel);
 
 /// Rows of a record that a comparison compares, rising.
-[[nodiscard]] std::vector<std::size_t> rows_compared(const fit::Comparison& comparison);
+[[nodiscard]] std::vector<std::size_t> rows_compared(const verdict::Comparison& comparison);
 
 }  // namespace raceway::report

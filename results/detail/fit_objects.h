@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "correction/range.h"
-#include "fit/add.h"
-#include "fit/compare.h"
 #include "fit/likelihood.h"
 #include "record/record.h"
 #include "text/detail/json_text.h"
+#include "verdict/add.h"
+#include "verdict/compare.h"
 
 /// Results of the loop as JSON objects, which documents are made of; shared by the writers of
 /// results.
@@ -17,10 +17,10 @@ namespace raceway::results {
 
 /// Of one model; the first channel at the top, all of them in `channels` where there are several.
 [[nodiscard]] text::json comparison_object(const std::string& model_file,
-                                           const std::vector<const fit::Comparison*>& channels,
+                                           const std::vector<const verdict::Comparison*>& channels,
                                            const record::Record& record);
 
-[[nodiscard]] text::json calibration_object(const fit::Calibration& calibration,
+[[nodiscard]] text::json calibration_object(const verdict::Calibration& calibration,
                                             const record::Record& record);
 
 /// `quantity` and `unit` of a measured channel.

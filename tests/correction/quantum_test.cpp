@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "correction/correction_subject.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 #include "tests/correction/made_record.h"
 
 namespace raceway::correction {
@@ -86,17 +86,17 @@ Model with_feedthrough() {
 
 TEST(Quantum, ASensorThatStepsIsTheVerdict) {
   const MadeRecord made = record_of_sensor(2.0);
-  const fit::Diagnosis d = fit::diagnose(CorrectionSubject(with_feedthrough()), made.record);
+  const verdict::Diagnosis d = loop::diagnose(CorrectionSubject(with_feedthrough()), made.record);
   ASSERT_FALSE(d.sets.empty()) << d.sentence;
   EXPECT_THAT(d.sets.front(), ElementsAre("sensor-quantisation")) << d.sentence;
-  EXPECT_TRUE(d.verdict == fit::Verdict::effect || d.verdict == fit::Verdict::effect_like);
+  EXPECT_TRUE(d.verdict == verdict::Verdict::effect || d.verdict == verdict::Verdict::effect_like);
   EXPECT_THAT(d.effects.front().datum, testing::HasSubstr("front_bearing_temperature_C"));
 }
 
 TEST(Quantum, AFineSensorIsNone) {
   const MadeRecord made = record_of_sensor(0.1);
-  const fit::Diagnosis d = fit::diagnose(CorrectionSubject(with_feedthrough()), made.record);
-  EXPECT_EQ(d.verdict, fit::Verdict::nothing_missing) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(CorrectionSubject(with_feedthrough()), made.record);
+  EXPECT_EQ(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
   const auto fitted = CorrectionSubject(with_feedthrough()).informed_by(made.record);
   EXPECT_TRUE(fitted->faults(made.record).empty());
 }
@@ -109,8 +109,8 @@ TEST(Jumps, ThreeOfThemAreFoundWhereTheyAre) {
   for (std::size_t k = 0; k < read.size(); ++k)
     for (const auto& [time, size] : jumps)
       if (made.time[k] >= time) read[k] += size * 1e-6;
-  const fit::Diagnosis d = fit::diagnose(CorrectionSubject(with_feedthrough()), made.record);
-  ASSERT_EQ(d.verdict, fit::Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(CorrectionSubject(with_feedthrough()), made.record);
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_THAT(d.sets.front(), ElementsAre("offset-jump"));
   for (const auto& [time, size] : jumps) {
     bool found = false;

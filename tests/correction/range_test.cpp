@@ -7,6 +7,7 @@
 #include "correction/alignment.h"
 #include "correction/band.h"
 #include "correction/simulation.h"
+#include "loop/loop.h"
 #include "tests/correction/made_record.h"
 
 namespace raceway::correction {
@@ -230,7 +231,7 @@ TEST(Range, AFitIsNotBoundedByTheRangeOfTheRecordBefore) {
   made.record.set(*m.displacement, y);
   m.range = {{.column = &record::speed, .name = "speed_rpm", .lower = 0, .upper = 3000 * rpm}};
   m.kinematic->A = 2e-3;
-  const fit::Calibration found = fit::calibrate(CorrectionSubject(m), made.record);
+  const verdict::Calibration found = loop::calibrate(CorrectionSubject(m), made.record);
   EXPECT_NEAR(model_of(*found.subject).kinematic->A, 1e-3, 1e-9);
   const Model trusted_model = trusted(found, made.record);
   EXPECT_NEAR(seen_speed(trusted_model).upper, 9000, 1e-9);

@@ -1,4 +1,4 @@
-#include "fit/thinned_record.h"
+#include "tolerance/thinned_record.h"
 
 #include <gmock/gmock.h>
 
@@ -20,13 +20,13 @@ TEST(ThinnedRecord, AFewRowsStayAsTheyAre) {
   MadeRecord made(34 * 3600, 30);
   made.with("displacement_z_um", [](double t) { return t; });
   const auto record = std::make_shared<const record::Record>(made.record);
-  EXPECT_EQ(fit::for_search(record), record);
+  EXPECT_EQ(tolerance::for_search(record), record);
 }
 
 /// Temperatures in straight lines, speeds held: what a lag makes of them is what it made of all.
 TEST(ThinnedRecord, ALagAnswersAsItDidToAllRows) {
   const MadeRecord made = at_1_Hz();
-  const auto thin = fit::for_search(std::make_shared<const record::Record>(made.record));
+  const auto thin = tolerance::for_search(std::make_shared<const record::Record>(made.record));
   EXPECT_GT(thin->rows(), 7000U);
   EXPECT_LT(thin->rows(), 9000U);
   const Series all(made.record), some(*thin);
@@ -50,7 +50,7 @@ TEST(ThinnedRecord, NoMeanIsOverTwoRuns) {
   for (std::size_t k = 50000; k < run.size(); ++k) run[k] = 1.0;
   made.record.runs = {"a", "b"};
   made.record.set(record::run, run);
-  const auto thin = fit::for_search(std::make_shared<const record::Record>(made.record));
+  const auto thin = tolerance::for_search(std::make_shared<const record::Record>(made.record));
   for (std::size_t k = 0; k < thin->rows(); ++k)
     EXPECT_EQ(thin->run_of(k), thin->value(record::time, k) < 50000.0 ? 0 : 1) << k;
 }

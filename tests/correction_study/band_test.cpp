@@ -12,8 +12,7 @@
 #include "correction/simulation.h"
 #include "files/correction_file.h"
 #include "files/series_file.h"
-#include "fit/add.h"
-#include "fit/calibrate.h"
+#include "loop/loop.h"
 #include "tests/correction_study/rig.h"
 
 namespace correction_study {
@@ -21,6 +20,8 @@ namespace {
 
 namespace correction = raceway::correction;
 namespace fit = raceway::fit;
+namespace loop = raceway::loop;
+namespace verdict = raceway::verdict;
 namespace files = raceway::files;
 
 /// How often the truth lies within a band.
@@ -62,8 +63,8 @@ void judge(const Rig& rig, const std::filesystem::path& folder, Judged& all) {
   const raceway::record::Record train = open("train.csv"), test = open("test.csv");
   const correction::CorrectionSubject base(start);
   const correction::Model model = correction::trusted(
-      rig.truth.hidden.empty() ? fit::calibrate(base, train)
-                               : fit::add(base, rig.truth.hidden, train).calibration,
+      rig.truth.hidden.empty() ? loop::calibrate(base, train)
+                               : loop::add(base, rig.truth.hidden, train).calibration,
       train);
   const auto subject = correction::aligned(model, test, correction::Zero::none);
   const auto series = std::make_shared<const correction::Series>(test);

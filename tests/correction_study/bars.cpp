@@ -146,7 +146,7 @@ std::string line(const Outcome& o) {
       o.right()   ? "right"
       : o.wrong() ? "WRONG"
                   : "missed",
-      fit::name(o.verdict), o.of.tolerance, o.base_held_out, o.right_held_out, o.wrong_held_out,
+      verdict::name(o.verdict), o.of.tolerance, o.base_held_out, o.right_held_out, o.wrong_held_out,
       o.best_wrong, o.base_test, o.added_test, o.of.floor,
       o.asked_again ? o.content ? "content; " : "NOT content; " : "", o.seconds, o.pairs_seconds,
       fmt::join(sets, " | "));
@@ -169,7 +169,7 @@ std::string confusion(const std::vector<Outcome>& outcomes) {
     }
     row.right += o.right() ? 1 : 0;
     row.wrong += o.wrong() ? 1 : 0;
-    std::string verdict(fit::name(o.verdict));
+    std::string verdict(verdict::name(o.verdict));
     if (o.wrong()) verdict += fmt::format(" ({})", fmt::join(o.sets.front(), "+"));
     ++row.verdicts[verdict];
   }

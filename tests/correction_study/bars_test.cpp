@@ -7,7 +7,7 @@
 namespace correction_study {
 namespace {
 
-Outcome outcome(std::string kind, std::vector<std::string> hidden, fit::Verdict verdict,
+Outcome outcome(std::string kind, std::vector<std::string> hidden, verdict::Verdict verdict,
                 std::vector<std::vector<std::string>> sets) {
   Outcome o{.of = {.name = kind + "-1", .kind = kind, .hidden = hidden}};
   o.of.outside = kind == "door";
@@ -21,7 +21,7 @@ Outcome outcome(std::string kind, std::vector<std::string> hidden, fit::Verdict 
   return o;
 }
 
-using fit::Verdict;
+using verdict::Verdict;
 
 TEST(Bars, ASetWithTheRightNameIsRight) {
   const auto single = [](Verdict v, std::vector<std::vector<std::string>> sets) {

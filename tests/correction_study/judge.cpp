@@ -21,9 +21,7 @@
 #include "correction/simulation.h"
 #include "files/correction_file.h"
 #include "files/series_file.h"
-#include "fit/add.h"
-#include "fit/calibrate.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 
 namespace correction_study {
 namespace {
@@ -65,8 +63,8 @@ correction::Model refitted(const correction::Model& model, const record::Record&
                            const Ids& effects) {
   const correction::CorrectionSubject subject(model);
   const std::shared_ptr<const fit::Subject> found =
-      effects.empty() ? fit::calibrate(subject, train).subject
-                      : fit::add(subject, effects, train).calibration.subject;
+      effects.empty() ? loop::calibrate(subject, train).subject
+                      : loop::add(subject, effects, train).calibration.subject;
   return correction::model_of(*found);
 }
 
@@ -97,7 +95,7 @@ double error_on(correction::Model model, const record::Record& test) {
 }
 
 /// Errors held out of what was tried: singles, and the sets of the verdict.
-void rank(const fit::Diagnosis& d, Outcome& o) {
+void rank(const verdict::Diagnosis& d, Outcome& o) {
   o.base_held_out = d.channels.front().rmse_held_out_before / raceway::um;
   double right = std::numeric_limits<double>::infinity(), wrong = right;
   const auto take = [&](const Ids& set, double error) {
@@ -106,10 +104,10 @@ void rank(const fit::Diagnosis& d, Outcome& o) {
     best = error;
     if (&best == &wrong) o.best_wrong = fmt::format("{}", fmt::join(set, "+"));
   };
-  for (const fit::RankedEffect& e : d.effects)
-    if (d.verdict != fit::Verdict::several_effects || !e.in_verdict)
+  for (const verdict::RankedEffect& e : d.effects)
+    if (d.verdict != verdict::Verdict::several_effects || !e.in_verdict)
       take({e.id}, e.rmse_held_out.front() / raceway::um);
-  if (d.verdict == fit::Verdict::several_effects)
+  if (d.verdict == verdict::Verdict::several_effects)
     take(d.sets.front(), d.channels.front().rmse_held_out_after / raceway::um);
   if (std::isfinite(right)) o.right_held_out = right;
   if (std::isfinite(wrong)) o.wrong_held_out = wrong;
@@ -151,7 +149,8 @@ std::optional<Case> read_case(const std::filesystem::path& folder) {
 }
 
 bool Outcome::right() const {
-  if (std::find(of.verdicts.begin(), of.verdicts.end(), fit::name(verdict)) == of.verdicts.end())
+  if (std::find(of.verdicts.begin(), of.verdicts.end(), verdict::name(verdict)) ==
+      of.verdicts.end())
     return false;
   return of.is_clean() || of.outside ||
          std::any_of(sets.begin(), sets.end(), [&](const Ids& s) { return accepts(of, s); });
@@ -159,9 +158,9 @@ bool Outcome::right() const {
 
 bool Outcome::wrong() const {
   if (sets.empty()) return false;
-  if (of.outside) return verdict != fit::Verdict::effect_like;
+  if (of.outside) return verdict != verdict::Verdict::effect_like;
   // Of two that are hidden, one that acts like most of it is no lie.
-  if (of.is_pair() && verdict == fit::Verdict::effect_like)
+  if (of.is_pair() && verdict == verdict::Verdict::effect_like)
     return std::find(of.hidden.begin(), of.hidden.end(), sets.front().front()) == of.hidden.end();
   return std::none_of(sets.begin(), sets.end(), [&](const Ids& s) { return accepts(of, s); });
 }
@@ -174,26 +173,27 @@ Outcome judge(const Case& of) {
     const correction::Model model = files::read_correction(file.string()).models.front();
     const record::Record train = open(of.folder / "train.csv", model);
     const record::Record test = open(of.folder / "test.csv", model);
-    fit::DiagnoseOptions options;
+    verdict::DiagnoseOptions options;
     const double begin = seconds_of_thread();
     options.progress = [&](double, std::string_view step) {
       if (std::isnan(o.seconds) && step.find("pairs") != std::string_view::npos)
         o.seconds = seconds_of_thread() - begin;
     };
-    const fit::Diagnosis d = fit::diagnose(correction::CorrectionSubject(model), train, options);
+    const verdict::Diagnosis d =
+        loop::diagnose(correction::CorrectionSubject(model), train, options);
     (std::isnan(o.seconds) ? o.seconds : o.pairs_seconds) = seconds_of_thread() - begin;
     o.verdict = d.verdict;
     o.sentence = d.sentence;
     for (const Ids& set : d.sets) o.sets.push_back(plain(set));
     rank(d, o);
     o.base_test = error_on(refitted(model, train, {}), test);
-    if (d.sets.empty() || d.verdict == fit::Verdict::effect_like || is_fault(d.sets.front()))
+    if (d.sets.empty() || d.verdict == verdict::Verdict::effect_like || is_fault(d.sets.front()))
       return o;
     const correction::Model added = refitted(model, train, d.sets.front());
     o.added_test = error_on(added, test);
     o.asked_again = true;
-    o.content = fit::diagnose(correction::CorrectionSubject(added), train, {}).verdict ==
-                fit::Verdict::nothing_missing;
+    o.content = loop::diagnose(correction::CorrectionSubject(added), train, {}).verdict ==
+                verdict::Verdict::nothing_missing;
   } catch (const std::exception& e) {
     o.failure = e.what();
   }

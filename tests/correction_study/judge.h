@@ -6,13 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "fit/diagnosis.h"
+#include "loop/loop.h"
 #include "record/units.h"
+#include "verdict/diagnosis.h"
 
 /// What the library says of machines with a known truth.
 namespace correction_study {
 
 namespace fit = raceway::fit;
+namespace loop = raceway::loop;
+namespace verdict = raceway::verdict;
 using raceway::unset;
 
 /// A machine as it lies in a folder: model, train.csv, test.csv, truth.json.
@@ -35,7 +38,7 @@ struct Case {
 
 struct Outcome {
   Case of{};
-  fit::Verdict verdict{};
+  verdict::Verdict verdict{};
   std::vector<std::vector<std::string>> sets{};  ///< of the verdict, without channel or axis
   bool first_is_right =
       false;  ///< lowest error held out among all that was tried alone, or in sets

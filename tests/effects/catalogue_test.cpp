@@ -662,7 +662,7 @@ TEST(Catalogue, IsRecoveredFromItsOwnData) {
     start.free = {"f0", "z"};
     for (const auto& p : d.parameters)
       start.free.push_back(std::string(d.id) + "." + std::string(p.name));
-    const fit::Calibration fit = fit::calibrate(start, data);
+    const verdict::Calibration fit = fit::calibrate(start, data);
     ASSERT_TRUE(fit.converged()) << fit::name(fit.status);
     EXPECT_TRUE(fit.rows_not_predicted.empty());
     for (std::size_t k = 0; k < truth.size(); ++k)
@@ -681,7 +681,7 @@ TEST(Catalogue, ALoadCalibrationIsRecoveredBesideARadialLoad) {
   fit::measure(model_with(d, {0.9}), 0.0, random, data);
   model::Model start = model_with(d, {1.0});
   start.free = {"f0", "z", "load-calibration.share_read"};
-  const fit::Calibration fit = fit::calibrate(start, data);
+  const verdict::Calibration fit = fit::calibrate(start, data);
   ASSERT_TRUE(fit.converged()) << fit::name(fit.status);
   EXPECT_NEAR(fit::model_of(fit).effects.back().values[0], 0.9, 1e-4);
 }

@@ -197,7 +197,7 @@ TEST(Formula, IsFittedLikeTheOthers) {
   model::Model model = truth;
   model.effects[0].values = {0.0};
   model.free = {"f0", "z", "my-windage.c"};
-  const fit::Calibration fit = fit::calibrate(model, data);
+  const verdict::Calibration fit = fit::calibrate(model, data);
   ASSERT_TRUE(fit.converged());
   EXPECT_NEAR(fit::model_of(fit).effects[0].values[0], 0.7, 1e-8);
 }

@@ -10,13 +10,13 @@
 #include "effects/formula.h"
 #include "files/data_file.h"
 #include "files/subject.h"
-#include "fit/check.h"
-#include "fit/compare.h"
+#include "loop/loop.h"
 #include "record/channel.h"
 #include "report/detail/report_document.h"
 #include "report/detail/report_rows.h"
 #include "report/report.h"
 #include "tests/support/synthetic.h"
+#include "verdict/compare.h"
 
 namespace raceway::files {
 namespace {
@@ -51,15 +51,15 @@ TEST_P(InputChannels, AreFoundWhereverInputsAreLookedFor) {
   ASSERT_TRUE(record.has(channel));
   EXPECT_TRUE(record.varies(channel));
 
-  const fit::Check check = fit::check(*subject, record);
+  const loop::Check check = loop::check(*subject, record);
   EXPECT_TRUE(std::any_of(check.columns.begin(), check.columns.end(), [&](const auto& c) {
     return *c.channel == channel && c.levels > 1;
   })) << "not checked";
 
-  const std::vector<fit::Comparison> comparisons = fit::compare(*subject, record);
-  const std::vector<fit::ErrorRange>& where = comparisons.at(0).where;
+  const std::vector<verdict::Comparison> comparisons = verdict::compare(*subject, record);
+  const std::vector<verdict::ErrorRange>& where = comparisons.at(0).where;
   EXPECT_GE(std::count_if(where.begin(), where.end(),
-                          [&](const fit::ErrorRange& r) { return *r.channel == channel; }),
+                          [&](const verdict::ErrorRange& r) { return *r.channel == channel; }),
             2)
       << "no place where the model fails";
 

@@ -1,4 +1,4 @@
-#include "fit/add.h"
+#include "verdict/add.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,8 @@ DataSet measured_with_drag(double lubricant_drag) {
 const std::vector<std::string> lubricant_drag{"lubricant-drag"};
 
 TEST(Add, CalibratesTheEffectTogetherWithTheBase) {
-  const AddResult result = add(synthetic_model(), lubricant_drag, measured_with_drag(40.0));
+  const verdict::AddResult result =
+      add(synthetic_model(), lubricant_drag, measured_with_drag(40.0));
   ASSERT_TRUE(result.calibration.converged());
   EXPECT_FALSE(result.refused) << result.reason;
   const Model& model = model_of(result.calibration);
@@ -46,7 +47,7 @@ TEST(Add, CalibratesTheEffectTogetherWithTheBase) {
 }
 
 TEST(Add, RefusesAnEffectThatIsNotThere) {
-  const AddResult result = add(synthetic_model(), lubricant_drag, measured_with_drag(0.0));
+  const verdict::AddResult result = add(synthetic_model(), lubricant_drag, measured_with_drag(0.0));
   EXPECT_TRUE(result.refused);
   EXPECT_THAT(result.reason, HasSubstr("no better"));
 }
@@ -54,7 +55,7 @@ TEST(Add, RefusesAnEffectThatIsNotThere) {
 TEST(Add, RefusesAnEffectWhereAnotherOneExplainsTheData) {
   // Gyroscopic slip rises with speed as drag does and takes most of the misfit.
   const std::vector<std::string> slip{"gyroscopic-slip"};
-  const AddResult result = add(synthetic_model(), slip, measured_with_drag(40.0));
+  const verdict::AddResult result = add(synthetic_model(), slip, measured_with_drag(40.0));
   EXPECT_TRUE(result.refused);
   EXPECT_LT(result.channels[0].rmse_held_out_after, result.channels[0].rmse_held_out_before);
   EXPECT_THAT(result.reason, HasSubstr("explains these data to the noise"));
@@ -68,7 +69,7 @@ TEST(Add, TakesAnEffectOfTheUsersOwnThatStandsInTheModel) {
        .torque_Nmm = "c * (speed_rpm/10000)^2",
        .parameters = {{.name = "c", .unit = "N mm", .value = 0.0, .lower = 0.0}}}));
   const std::vector<std::string> mine{"my-drag"};
-  const AddResult result = add(model, mine, measured_with_drag(40.0));
+  const verdict::AddResult result = add(model, mine, measured_with_drag(40.0));
   EXPECT_FALSE(result.refused) << result.reason;
   ASSERT_EQ(model_of(result.calibration).effects.size(), 1U);
   EXPECT_NEAR(model_of(result.calibration).effects[0].values[0], 40.0, 3.0);

@@ -1,4 +1,4 @@
-#include "fit/calibrate.h"
+#include "verdict/calibrate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(Calibrate, FindsParametersOfNoiselessDataFromAFarStart) {
   measure(truth, 0.0, random, data);
   Model model = synthetic_model();
   model.free = {"f0", "z", "y"};
-  const Calibration fit = calibrate(model, data);
+  const verdict::Calibration fit = calibrate(model, data);
   ASSERT_TRUE(fit.converged());
   ASSERT_EQ(fit.parameters.size(), 3U);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -52,7 +52,7 @@ TEST(Calibrate, WeighsRowsByTheirStandardDeviation) {
     data.rows[i].measured *= 1.5;  // known to be bad, and declared so
     data.rows[i].std = 1000.0 * N_mm;
   }
-  const Calibration fit = calibrate(truth, data);
+  const verdict::Calibration fit = calibrate(truth, data);
   EXPECT_NEAR(fit.parameters[0].value, 1.5, 0.005);
   EXPECT_NEAR(fit.parameters[1].value, 0.001, 5e-6);
 }
@@ -65,7 +65,7 @@ TEST(Calibrate, SaysThatZAndYCannotBeToldApartAtOneLoad) {
   measure(truth, 0.5 * N_mm, random, data);
   Model model = synthetic_model();
   model.free = {"f0", "z", "y"};
-  const Calibration fit = calibrate(model, data);
+  const verdict::Calibration fit = calibrate(model, data);
   ASSERT_TRUE(fit.converged());
   EXPECT_TRUE(fit.parameters[0].identifiable);
   EXPECT_NEAR(fit.parameters[0].value, 2.0, 4.0 * fit.parameters[0].std);
@@ -85,7 +85,7 @@ TEST(Calibrate, SaysThatZIsWithoutEffectWhereNoLoadIsKnown) {
   std::mt19937 random(7);
   DataSet data = factorial_plan(speeds_of_calibration, {0}, {25, 40, 60});
   measure(synthetic_model(), 0.5 * N_mm, random, data);
-  const Calibration fit = calibrate(synthetic_model(), data);
+  const verdict::Calibration fit = calibrate(synthetic_model(), data);
   ASSERT_TRUE(fit.converged());
   EXPECT_FALSE(fit.parameters[1].identifiable);
   EXPECT_EQ(fit.parameters[1].value, 0.001);
@@ -103,7 +103,7 @@ TEST(Calibrate, SaysThatAParameterIsLooseWhereLoadsHardlyDiffer) {
   model.f1_load = friction::F1Load::F_b;
   measure(model, 5.0 * N_mm, random, data);
   model.free = {"f0", "z", "y"};
-  const Calibration fit = calibrate(model, data);
+  const verdict::Calibration fit = calibrate(model, data);
   EXPECT_TRUE(fit.parameters[0].identifiable);
   EXPECT_TRUE(!fit.parameters[2].identifiable || fit.parameters[2].at_bound != Bound::none);
 }
@@ -116,7 +116,7 @@ TEST(Calibrate, SaysThatAParameterIsAtItsBound) {
   // Less than without any load moment: z would be negative, whatever weighs the rows.
   for (Row& row : data.rows)
     row.measured -= 2.0 * model::predict_friction(truth, row.point, false).load;
-  const Calibration fit = calibrate(truth, data);
+  const verdict::Calibration fit = calibrate(truth, data);
   ASSERT_TRUE(fit.converged());
   EXPECT_EQ(fit.parameters[1].at_bound, Bound::lower);
   EXPECT_EQ(fit.parameters[1].value, fit.parameters[1].lower);
@@ -131,9 +131,9 @@ TEST(Calibrate, WidensStandardErrorsWhereTheModelMissesSomething) {
   DataSet data = full_plan();
   measure(truth, 0.5 * N_mm, random, data);
   declare_noise(0.5 * N_mm, data);
-  const Calibration right = calibrate(truth, data);
+  const verdict::Calibration right = calibrate(truth, data);
   for (Row& row : data.rows) row.measured += 20.0 * N_mm * std::pow(row.point.speed / 1000.0, 2);
-  const Calibration wrong = calibrate(truth, data);
+  const verdict::Calibration wrong = calibrate(truth, data);
   EXPECT_GT(wrong.reduced_chi_square, 10.0);
   EXPECT_NEAR(right.reduced_chi_square, 1.0, 0.3);
   EXPECT_GT(wrong.parameters[0].std, 3.0 * right.parameters[0].std);
@@ -151,7 +151,7 @@ TEST(Calibrate, IsNotBentToTheQuietestRowsWhereTheModelMissesSomething) {
     row.measured += 20.0 * N_mm * std::pow(row.point.speed / 1000.0, 2);
     if (row.point.speed > 14000 * rpm) row.std = 0.01 * N_mm;
   }
-  const Calibration fit = calibrate(truth, data);
+  const verdict::Calibration fit = calibrate(truth, data);
   ASSERT_TRUE(fit.converged());
   for (Row& row : data.rows) row.std = unset;
   EXPECT_NEAR(fit.channels[0].rmse_after, calibrate(truth, data).channels[0].rmse_after,
@@ -169,7 +169,7 @@ TEST(Calibrate, FitsParametersOfAnEffectAndOfARigWithTwoBearings) {
   model.law_values = {1.0, 0.002, 0.33};
   model.effects[0].values = {0.04};
   model.free = {"f0", "z", "spin-friction.friction_coefficient"};
-  const Calibration fit = calibrate(model, data);
+  const verdict::Calibration fit = calibrate(model, data);
   ASSERT_TRUE(fit.converged());
   EXPECT_NEAR(model_of(fit).law_values[0], 1.5, 1e-5);
   EXPECT_NEAR(model_of(fit).law_values[1], 0.001, 1e-8);
@@ -185,7 +185,7 @@ TEST(Calibrate, FitsTheSkfLaw) {
   measure(truth, 0.0, random, data);
   Model model = truth;
   model.law_values = {0.15, 0.05, 6e-8};
-  const Calibration fit = calibrate(model, data);
+  const verdict::Calibration fit = calibrate(model, data);
   ASSERT_TRUE(fit.converged());
   EXPECT_NEAR(model_of(fit).law_values[1], 0.07, 1e-7);
   EXPECT_NEAR(model_of(fit).law_values[2], 3e-8, 1e-12);
@@ -198,7 +198,7 @@ TEST(Calibrate, LeavesOutRowsWithoutBalanceAndListsThem) {
   DataSet data = full_plan();
   measure(model, 0.0, random, data);
   data.rows[4].point.axial_load = 0.0;
-  const Calibration fit = calibrate(model, data);
+  const verdict::Calibration fit = calibrate(model, data);
   EXPECT_TRUE(fit.converged());
   EXPECT_EQ(fit.rows, static_cast<int>(data.rows.size()) - 1);
   EXPECT_EQ(fit.rows_not_predicted, std::vector<std::size_t>{4});
@@ -217,7 +217,7 @@ TEST(Calibrate, HasNoStandardErrorsWithoutARowToSpare) {
   std::mt19937 random(15);
   DataSet data = factorial_plan({5000, 12000}, {600}, {40});
   measure(synthetic_model(), 0.5 * N_mm, random, data);
-  const Calibration fit = calibrate(synthetic_model(), data);
+  const verdict::Calibration fit = calibrate(synthetic_model(), data);
   ASSERT_TRUE(fit.converged());
   EXPECT_EQ(fit.degrees_of_freedom, 0);
   EXPECT_TRUE(std::isnan(fit.parameters[0].std));

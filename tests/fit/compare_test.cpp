@@ -1,4 +1,4 @@
-#include "fit/compare.h"
+#include "verdict/compare.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "fit/calibrate.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
+#include "verdict/calibrate.h"
 
 namespace raceway::fit {
 namespace {
@@ -21,7 +21,7 @@ TEST(Compare, CountsErrorsAsPredictionMinusReading) {
   DataSet data = factorial_plan({1000, 2000, 3000, 4000}, {300}, {40});
   const std::vector<double> readings{1.0, 2.0, 3.0, 4.0}, predicted{1.5, 2.0, 2.0, 4.0};
   for (std::size_t i = 0; i < 4; ++i) data.rows[i].measured = readings[i];
-  const Comparison c = compare(predicted, data);
+  const verdict::Comparison c = compare(predicted, data);
   EXPECT_EQ(c.rows, 4);
   EXPECT_NEAR(c.bias, -0.125, 1e-15);
   EXPECT_NEAR(c.mae, 0.375, 1e-15);
@@ -33,7 +33,7 @@ TEST(Compare, CountsErrorsAsPredictionMinusReading) {
   EXPECT_EQ(c.worst[0].residual, -1.0);
   EXPECT_TRUE(std::isnan(c.worst[0].sigmas));
   EXPECT_TRUE(std::isnan(c.lack_of_fit.p_value));
-  EXPECT_EQ(c.judgement, Judgement::unknown);
+  EXPECT_EQ(c.judgement, verdict::Judgement::unknown);
   EXPECT_THAT(c.statement, HasSubstr("cannot be judged"));
 }
 
@@ -44,10 +44,10 @@ TEST(Compare, TellsStructureFromNoiseByEveryKindOfEvidence) {
   DataSet data = factorial_plan(eight_speeds, {100, 300, 600}, {25, 60}, 3);
   measure(truth, 1.0 * N_mm, random, data);
   for (Row& row : data.rows) row.measured += 15.0 * N_mm * std::pow(row.point.speed / 1000.0, 2);
-  const Calibration fit = calibrate(truth, data);
+  const verdict::Calibration fit = calibrate(truth, data);
 
-  const Comparison repeats = compare(model_of(fit), data, 2);
-  EXPECT_EQ(repeats.judgement, Judgement::structure);
+  const verdict::Comparison repeats = compare(model_of(fit), data, 2);
+  EXPECT_EQ(repeats.judgement, verdict::Judgement::structure);
   EXPECT_LT(repeats.lack_of_fit.p_value, 1e-20);
   EXPECT_EQ(repeats.lack_of_fit.noise_degrees_of_freedom, 96);
   EXPECT_EQ(repeats.lack_of_fit.degrees_of_freedom, 46);
@@ -55,17 +55,17 @@ TEST(Compare, TellsStructureFromNoiseByEveryKindOfEvidence) {
   EXPECT_THAT(repeats.statement, HasSubstr("F = "));
 
   declare_noise(1.0 * N_mm, data);
-  const Comparison declared = compare(model_of(fit), data, 2);
-  EXPECT_EQ(declared.judgement, Judgement::structure);
+  const verdict::Comparison declared = compare(model_of(fit), data, 2);
+  EXPECT_EQ(declared.judgement, verdict::Judgement::structure);
   EXPECT_LT(declared.lack_of_fit.p_value, 1e-100);
   EXPECT_THAT(declared.statement, HasSubstr("chi2/dof = "));
 
   DataSet bare = factorial_plan(eight_speeds, {100, 300, 600}, {25, 60});
   measure(truth, 1.0 * N_mm, random, bare);
   for (Row& row : bare.rows) row.measured += 15.0 * N_mm * std::pow(row.point.speed / 1000.0, 2);
-  const Comparison unknown = compare(model_of(calibrate(truth, bare)), bare, 2);
+  const verdict::Comparison unknown = compare(model_of(calibrate(truth, bare)), bare, 2);
   EXPECT_EQ(unknown.noise.source, NoiseSource::none);
-  EXPECT_EQ(unknown.judgement, Judgement::structure);
+  EXPECT_EQ(unknown.judgement, verdict::Judgement::structure);
   EXPECT_LT(unknown.pattern.p_value, 1e-3);
   EXPECT_THAT(unknown.statement, HasSubstr("neighbours in speed err alike"));
 }
@@ -79,7 +79,7 @@ TEST(Compare, SaysWhereItFailsWorstFirst) {
   measure(truth, 0.1 * N_mm, random, data);
   for (Row& row : data.rows)
     if (row.point.speed > 13000 * rpm) row.measured += 10.0 * N_mm;
-  const Comparison c = compare(truth, data);
+  const verdict::Comparison c = compare(truth, data);
   ASSERT_FALSE(c.where.empty());
   EXPECT_TRUE(*c.where[0].channel == record::speed);
   EXPECT_NEAR(c.where[0].from, 15000 * rpm, 1e-9);
@@ -89,7 +89,7 @@ TEST(Compare, SaysWhereItFailsWorstFirst) {
   EXPECT_TRUE(std::is_sorted(c.where.begin(), c.where.end(),
                              [](const auto& a, const auto& b) { return a.rmse > b.rmse; }));
   int by_speed = 0, by_load = 0, by_temperature = 0, by_run = 0;
-  for (const ErrorRange& range : c.where) {
+  for (const verdict::ErrorRange& range : c.where) {
     if (*range.channel == record::speed) ++by_speed;
     if (*range.channel == record::axial_load) ++by_load;
     if (*range.channel == record::temperature) ++by_temperature;
@@ -113,10 +113,10 @@ TEST(Compare, BinsACoastDownIntoAboutEqualParts) {
     row.line = i + 2;
     data.rows.push_back(row);
   }
-  const Comparison c = compare(std::vector<double>(83, 1.1), data);
+  const verdict::Comparison c = compare(std::vector<double>(83, 1.1), data);
   ASSERT_EQ(c.where.size(), 8U);
   int rows = 0;
-  for (const ErrorRange& range : c.where) {
+  for (const verdict::ErrorRange& range : c.where) {
     EXPECT_TRUE(*range.channel == record::speed);
     EXPECT_GE(range.rows, 10);
     EXPECT_LE(range.rows, 11);
@@ -134,7 +134,7 @@ TEST(Compare, CountsRowsWithoutPrediction) {
   measure(model, 1.0 * N_mm, random, data);
   model.effects.push_back({.description = effects::find("spin-friction"), .values = {0.06}});
   data.rows[3].point.axial_load = 0.0;
-  const Comparison c = compare(model, data);
+  const verdict::Comparison c = compare(model, data);
   EXPECT_EQ(c.rows, 15);
   EXPECT_EQ(c.rows_not_predicted, std::vector<std::size_t>{3});
   for (Row& row : data.rows) row.point.axial_load = 0.0;

@@ -5,9 +5,7 @@
 #include <map>
 #include <random>
 
-#include "fit/add.h"
-#include "fit/calibrate.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 
 // The loop on a simulation that may be asked for but dozens of times: two lags in a row, read at
 // both, and heat that it lacks.
@@ -147,8 +145,8 @@ Record recorded_with(const std::map<std::string, double>& truth) {
 TEST(CostlySubject, NothingIsMissingWithinItsOwnCoarseness) {
   const Record record = recorded_with({{"gain", 2.7}});
   Chain chain;
-  const Diagnosis d = diagnose(chain, record);
-  EXPECT_EQ(d.verdict, Verdict::nothing_missing) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(chain, record);
+  EXPECT_EQ(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
   ASSERT_EQ(d.channels.size(), 2u);
   // What counts is the model's coarseness together with the noise.
   EXPECT_NEAR(d.channels[0].tolerance, std::hypot(0.3, 0.1), 0.01);
@@ -160,8 +158,8 @@ TEST(CostlySubject, NothingIsMissingWithinItsOwnCoarseness) {
 TEST(CostlySubject, TheHiddenHeatIsFoundWithItsSize) {
   const Record record = recorded_with({{"gain", 2.5}, {"sun.W", 0.6}});
   Chain chain;
-  const Diagnosis d = diagnose(chain, record);
-  ASSERT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(chain, record);
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_EQ(d.effects.front().id, "sun");
   EXPECT_NEAR(d.effects.front().parameters.front().value, 0.6, 0.02);
   ASSERT_EQ(d.effects.front().rmse.size(), 2u);
@@ -170,51 +168,52 @@ TEST(CostlySubject, TheHiddenHeatIsFoundWithItsSize) {
 
 TEST(CostlySubject, AFactorFarFromOneIsFoundByTheOtherChannelAlone) {
   const Record record = recorded_with({{"gain", 2.5}, {"loss.factor", 0.15}});
-  const Diagnosis d = diagnose(Chain(), record);
-  ASSERT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(Chain(), record);
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_EQ(d.effects.front().id, "loss");
   EXPECT_NEAR(d.effects.front().parameters.front().value, 0.15, 0.01);
 }
 
 TEST(CostlySubject, HeatThatFollowsNoInputHasNoName) {
   const Record record = recorded_with({{"gain", 2.5}, {"strange", 8.0}});
-  const Diagnosis d = diagnose(Chain(), record);
-  EXPECT_TRUE(d.verdict == Verdict::not_in_catalogue || d.verdict == Verdict::effect_like)
+  const verdict::Diagnosis d = loop::diagnose(Chain(), record);
+  EXPECT_TRUE(d.verdict == verdict::Verdict::not_in_catalogue ||
+              d.verdict == verdict::Verdict::effect_like)
       << d.sentence;
 }
 
 TEST(CostlySubject, AVerdictTakesDozensOfSimulations) {
   const Record record = recorded_with({{"gain", 2.5}, {"sun.W", 0.6}});
   const Chain chain;
-  (void)diagnose(chain, record);
+  (void)loop::diagnose(chain, record);
   EXPECT_LT(*chain.simulations, 100);
 }
 
 TEST(CostlySubject, AddAndCalibrateKeepWhatADiagnosisFound) {
   const Record record = recorded_with({{"gain", 2.5}, {"sun.W", 0.6}});
-  const Diagnosis d = diagnose(Chain(), record);
-  const AddResult added = add(Chain(), std::vector<std::string>{"sun"}, record);
+  const verdict::Diagnosis d = loop::diagnose(Chain(), record);
+  const verdict::AddResult added = loop::add(Chain(), std::vector<std::string>{"sun"}, record);
   ASSERT_FALSE(added.refused) << added.reason;
   ASSERT_EQ(added.channels.size(), 2u);
   EXPECT_LT(added.channels[0].rmse_held_out_after, 0.4 * added.channels[0].rmse_held_out_before);
   const Parameter& size = added.calibration.parameters.at(1);
   EXPECT_NEAR(size.value, d.effects.front().parameters.front().value, 0.2 * size.std);
   EXPECT_NEAR(size.value, 0.6, 4.0 * size.std);
-  const Calibration again = calibrate(*added.calibration.subject, record);
+  const verdict::Calibration again = loop::calibrate(*added.calibration.subject, record);
   EXPECT_NEAR(again.parameters.front().value, added.calibration.parameters.front().value, 0.002);
   EXPECT_EQ(again.channels.size(), 2u);
 }
 
 TEST(CostlySubject, WhatIsWithinItsCoarsenessIsNotAdded) {
   const Record record = recorded_with({{"gain", 2.5}});
-  const AddResult added = add(Chain(), std::vector<std::string>{"sun"}, record);
+  const verdict::AddResult added = loop::add(Chain(), std::vector<std::string>{"sun"}, record);
   EXPECT_TRUE(added.refused);
 }
 
 TEST(CostlySubject, AChannelThatWasNotReadIsLeftOut) {
   Record record = recorded_with({{"gain", 2.5}, {"sun.W", 0.6}});
   for (double& v : record.find(second)->values) v = unset;
-  const Diagnosis d = diagnose(Chain(), record);
+  const verdict::Diagnosis d = loop::diagnose(Chain(), record);
   ASSERT_EQ(d.channels.size(), 1u);
   EXPECT_EQ(d.channels[0].channel(), first);
 }

@@ -1,4 +1,4 @@
-#include "fit/diagnose.h"
+#include "verdict/diagnose.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -102,22 +102,22 @@ void absolute(std::vector<double>& error, const std::vector<double>& torque, std
   for (std::size_t i = 0; i < error.size(); ++i) error[i] *= rms / torque[i];
 }
 
-std::vector<std::string> named(const Diagnosis& d) {
+std::vector<std::string> named(const verdict::Diagnosis& d) {
   std::vector<std::string> ids;
-  for (const RankedEffect& e : d.effects)
+  for (const verdict::RankedEffect& e : d.effects)
     if (e.in_verdict) ids.push_back(e.id);
   return ids;
 }
 
 template <typename Shape>
 double alarm_rate(const Shape& shape, const NoiseOptions& noise = {}, int sets = 40) {
-  DiagnoseOptions options;
+  verdict::DiagnoseOptions options;
   options.noise = noise;
   int alarms = 0;
   for (int s = 0; s < sets; ++s)
     if (diagnose(belief(), measured(synthetic_model(), 100 + static_cast<unsigned>(s), shape),
                  options)
-            .verdict != Verdict::nothing_missing)
+            .verdict != verdict::Verdict::nothing_missing)
       ++alarms;
   return alarms / static_cast<double>(sets);
 }
@@ -136,8 +136,9 @@ TEST(Diagnose, WouldRaiseManyWithoutItsModelOfTheNoise) {
 }
 
 TEST(Diagnose, NamesAnEffectWithItsSizeAndWhatItHadBeenHiding) {
-  const Diagnosis d = diagnose(belief(), measured(with_effect("lubricant-drag", {40.0}), 1));
-  EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d =
+      diagnose(belief(), measured(with_effect("lubricant-drag", {40.0}), 1));
+  EXPECT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   ASSERT_EQ(named(d), std::vector<std::string>{"lubricant-drag"});
   const Parameter& size = d.effects.front().parameters.front();
   EXPECT_NEAR(size.value, 40.0, 4.0 * size.std);
@@ -153,8 +154,8 @@ TEST(Diagnose, NamesAnEffectWithItsSizeAndWhatItHadBeenHiding) {
 TEST(Diagnose, NamesTwoEffectsAtOnce) {
   Model truth = with_effect("lubricant-drag", {30.0});
   truth.effects.push_back(sized("seal-friction", 20.0));
-  const Diagnosis d = diagnose(belief(), measured(truth, 2));
-  EXPECT_EQ(d.verdict, Verdict::several_effects) << d.sentence;
+  const verdict::Diagnosis d = diagnose(belief(), measured(truth, 2));
+  EXPECT_EQ(d.verdict, verdict::Verdict::several_effects) << d.sentence;
   EXPECT_THAT(named(d), testing::Contains("lubricant-drag"));
   EXPECT_THAT(named(d), testing::AnyOf(testing::Contains("seal-friction"),
                                        testing::Contains("torque-offset")));
@@ -164,8 +165,8 @@ TEST(Diagnose, NamesTwoEffectsAtOnce) {
 TEST(Diagnose, PairsWithWrongDataStandBehindTwoEffects) {
   Model truth = with_effect("churning", {40.0});
   truth.effects.push_back(sized("seal-friction", 20.0));
-  const Diagnosis d = diagnose(belief(), measured(truth, 2));
-  EXPECT_EQ(d.verdict, Verdict::several_effects) << d.sentence;
+  const verdict::Diagnosis d = diagnose(belief(), measured(truth, 2));
+  EXPECT_EQ(d.verdict, verdict::Verdict::several_effects) << d.sentence;
   for (const auto& set : d.sets)
     for (const std::string& id : set) EXPECT_TRUE(effects::find(id)->datum.empty()) << id;
   EXPECT_THAT(d.sentence, HasSubstr("seal-friction beside wrong data would do as well: "
@@ -177,8 +178,8 @@ TEST(Diagnose, NamesThreeEffectsAtOnce) {
   Model truth = with_effect("spin-friction", {0.04});
   for (const auto& [id, size] : {std::pair{"windage", 60.0}, {"film-self-heating", 8.0}})
     truth.effects.push_back({.description = effects::find(id), .values = {size}});
-  const Diagnosis d = diagnose(belief(), measured(truth, 5));
-  EXPECT_EQ(d.verdict, Verdict::several_effects) << d.sentence;
+  const verdict::Diagnosis d = diagnose(belief(), measured(truth, 5));
+  EXPECT_EQ(d.verdict, verdict::Verdict::several_effects) << d.sentence;
   EXPECT_THAT(d.sets, testing::Contains(testing::UnorderedElementsAre("spin-friction", "windage",
                                                                       "film-self-heating")));
 }
@@ -194,10 +195,11 @@ TEST(Diagnose, WorksFromEightRowsWithDeclaredDeviations) {
   };
   int alarms = 0;
   for (unsigned seed = 1; seed <= 100; ++seed)
-    if (diagnose(belief(), some(synthetic_model(), 2.0, seed)).verdict != Verdict::nothing_missing)
+    if (diagnose(belief(), some(synthetic_model(), 2.0, seed)).verdict !=
+        verdict::Verdict::nothing_missing)
       ++alarms;
   EXPECT_LE(alarms, 5);  // 1 % is meant: more than 5 of 100 by chance in one of 1700
-  const Diagnosis d = diagnose(belief(), some(with_effect("windage", {60.0}), 2.0, 1));
+  const verdict::Diagnosis d = diagnose(belief(), some(with_effect("windage", {60.0}), 2.0, 1));
   EXPECT_THAT(named(d), testing::Contains("windage")) << d.sentence;
   EXPECT_THAT(d.messages, testing::Contains(HasSubstr("8 rows are too few to tell their noise")));
   // The same without the deviations, or with one row less.
@@ -210,7 +212,7 @@ TEST(Diagnose, WorksFromEightRowsWithDeclaredDeviations) {
 }
 
 TEST(Diagnose, GivesNoNameToWhatNoEntryExplains) {
-  const Diagnosis d = diagnose(
+  const verdict::Diagnosis d = diagnose(
       belief(),
       measured(synthetic_model(), 3,
                [](std::vector<double>& error, const std::vector<double>& torque, std::mt19937&) {
@@ -218,7 +220,8 @@ TEST(Diagnose, GivesNoNameToWhatNoEntryExplains) {
                  for (std::size_t i = 0; i < error.size(); ++i)
                    if (torque[i] > 0.25 && torque[i] < 0.45) error[i] += 0.06;
                }));
-  EXPECT_TRUE(d.verdict == Verdict::not_in_catalogue || d.verdict == Verdict::effect_like)
+  EXPECT_TRUE(d.verdict == verdict::Verdict::not_in_catalogue ||
+              d.verdict == verdict::Verdict::effect_like)
       << d.sentence;
   ASSERT_TRUE(d.shape.has_value());
   EXPECT_THAT(d.shape->formula, HasSubstr("speed_rpm"));
@@ -227,8 +230,9 @@ TEST(Diagnose, GivesNoNameToWhatNoEntryExplains) {
 TEST(Diagnose, AsksForMeasurementsThatSeparateWhatItCannotTellApart) {
   // A zero offset of the torque is what a seal would do whose friction does not fall with
   // temperature.
-  const Diagnosis d = diagnose(belief(), measured(with_effect("torque-offset", {15.0}), 4));
-  ASSERT_EQ(d.verdict, Verdict::ambiguous) << d.sentence;
+  const verdict::Diagnosis d =
+      diagnose(belief(), measured(with_effect("torque-offset", {15.0}), 4));
+  ASSERT_EQ(d.verdict, verdict::Verdict::ambiguous) << d.sentence;
   EXPECT_THAT(named(d), testing::IsSupersetOf({"seal-friction", "torque-offset"}));
   EXPECT_THAT(d.effects[0].indistinguishable_from, testing::Not(testing::IsEmpty()));
   // These two are the same where the seal's friction does not fall with temperature: no point
@@ -239,8 +243,9 @@ TEST(Diagnose, AsksForMeasurementsThatSeparateWhatItCannotTellApart) {
 }
 
 TEST(Diagnose, AsksForMeasurementsWhereTheyWouldTell) {
-  const Diagnosis d = diagnose(belief(), measured(with_effect("cage-friction", {20.0}), 4));
-  ASSERT_EQ(d.verdict, Verdict::ambiguous) << d.sentence;
+  const verdict::Diagnosis d =
+      diagnose(belief(), measured(with_effect("cage-friction", {20.0}), 4));
+  ASSERT_EQ(d.verdict, verdict::Verdict::ambiguous) << d.sentence;
   EXPECT_FALSE(d.suggested_measurements.empty());
   EXPECT_GE(d.predicted_separation, d.separation_by_repetition - 1e-6);
 }
@@ -248,19 +253,19 @@ TEST(Diagnose, AsksForMeasurementsWhereTheyWouldTell) {
 TEST(Diagnose, DoesNotDependOnOrderOrParametrisation) {
   const Model truth = with_effect("spin-friction", {0.06});
   DataSet data = measured(truth, 5);
-  const Diagnosis reference = diagnose(belief(), data);
-  ASSERT_NE(reference.verdict, Verdict::nothing_missing);
+  const verdict::Diagnosis reference = diagnose(belief(), data);
+  ASSERT_NE(reference.verdict, verdict::Verdict::nothing_missing);
 
   DataSet shuffled = data;
   std::mt19937 random(6);
   std::shuffle(shuffled.rows.begin(), shuffled.rows.end(), random);
-  DiagnoseOptions reversed;
+  verdict::DiagnoseOptions reversed;
   for (const effects::Description& d : effects::catalogue()) reversed.candidates.emplace_back(d.id);
   std::reverse(reversed.candidates.begin(), reversed.candidates.end());
   Model far = belief();
   far.law_values = {5.0, 0.003, 0.33};
   far.free = {"z", "f0"};
-  const auto same = [&](const Diagnosis& other, double tolerance) {
+  const auto same = [&](const verdict::Diagnosis& other, double tolerance) {
     EXPECT_EQ(other.verdict, reference.verdict);
     EXPECT_EQ(named(other), named(reference));
     ASSERT_EQ(other.effects.size(), reference.effects.size());
@@ -276,28 +281,29 @@ TEST(Diagnose, DoesNotDependOnOrderOrParametrisation) {
 
 TEST(Diagnose, CountsEverythingThatWasTried) {
   const DataSet data = measured(synthetic_model(), 7);
-  const Diagnosis once = diagnose(belief(), data);
-  DiagnoseOptions options;
+  const verdict::Diagnosis once = diagnose(belief(), data);
+  verdict::DiagnoseOptions options;
   options.tried_before = 60;
-  const Diagnosis more = diagnose(belief(), data, options);
+  const verdict::Diagnosis more = diagnose(belief(), data, options);
   EXPECT_EQ(more.candidates_tried, once.candidates_tried + 60);
   EXPECT_NEAR(once.needed_gain, std::log(120.0) + 2.0 * std::log(once.candidates_tried), 1e-12);
   EXPECT_GT(more.needed_gain, once.needed_gain);
 }
 
 TEST(Diagnose, SaysWhatCouldHaveBeenFoundAndWhatNot) {
-  const Diagnosis d = diagnose(belief(), measured(synthetic_model(), 8));
-  ASSERT_EQ(d.verdict, Verdict::nothing_missing) << d.sentence;
-  const auto found = std::find_if(d.would_have_been_found.begin(), d.would_have_been_found.end(),
-                                  [](const DetectableSize& s) { return s.id == "lubricant-drag"; });
+  const verdict::Diagnosis d = diagnose(belief(), measured(synthetic_model(), 8));
+  ASSERT_EQ(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
+  const auto found =
+      std::find_if(d.would_have_been_found.begin(), d.would_have_been_found.end(),
+                   [](const verdict::DetectableSize& s) { return s.id == "lubricant-drag"; });
   ASSERT_NE(found, d.would_have_been_found.end());
   EXPECT_GT(found->size, 0.0);
   // That size is found indeed.
   EXPECT_NE(
       diagnose(belief(), measured(with_effect("lubricant-drag", {1.3 * found->size}), 9)).verdict,
-      Verdict::nothing_missing);
+      verdict::Verdict::nothing_missing);
   EXPECT_TRUE(std::any_of(d.not_testable.begin(), d.not_testable.end(),
-                          [](const NotTestable& n) { return n.id == "torque-gain"; }));
+                          [](const verdict::NotTestable& n) { return n.id == "torque-gain"; }));
 }
 
 TEST(Diagnose, LeavesOutWhatTheSupplyOfLubricantRulesOut) {
@@ -305,9 +311,9 @@ TEST(Diagnose, LeavesOutWhatTheSupplyOfLubricantRulesOut) {
   ASSERT_EQ(diagnose(belief(), data).sets.front(), std::vector<std::string>{"lubricant-drag"});
   Model oil_air = belief();
   oil_air.supply = friction::Supply::oil_air;
-  const Diagnosis d = diagnose(oil_air, data);
+  const verdict::Diagnosis d = diagnose(oil_air, data);
   std::map<std::string, std::string> ruled_out;
-  for (const NotTestable& n : d.not_testable)
+  for (const verdict::NotTestable& n : d.not_testable)
     if (n.reason.starts_with("the bearing is lubricated by oil-air")) ruled_out[n.id] = n.reason;
   EXPECT_EQ(ruled_out,
             (std::map<std::string, std::string>{
@@ -327,7 +333,7 @@ TEST(Diagnose, LeavesOutWhatTheSupplyOfLubricantRulesOut) {
 TEST(Diagnose, FlagsOutliersAndKeepsThem) {
   DataSet data = measured(with_effect("lubricant-drag", {40.0}), 10);
   data.rows[17].measured *= 1.4;
-  const Diagnosis d = diagnose(belief(), data);
+  const verdict::Diagnosis d = diagnose(belief(), data);
   EXPECT_EQ(d.rows, 120);
   EXPECT_THAT(d.outliers, testing::Contains(17));
   EXPECT_THAT(named(d), testing::Contains("lubricant-drag"));
@@ -348,7 +354,7 @@ TEST(Diagnose, RefusesDataThatCannotCarryAVerdict) {
 
 TEST(Diagnose, CanBeCancelled) {
   std::atomic<bool> cancelled = true;
-  DiagnoseOptions options;
+  verdict::DiagnoseOptions options;
   options.cancelled = &cancelled;
   EXPECT_THROW(
       (void)diagnose(belief(), measured(with_effect("lubricant-drag", {40.0}), 12), options),

@@ -1,4 +1,4 @@
-#include "fit/estimated_noise.h"
+#include "verdict/estimated_noise.h"
 
 #include <gtest/gtest.h>
 
@@ -23,9 +23,9 @@ TEST(EstimatedNoise, IsThatOfTheReadingsHoweverWrongTheModel) {
   DataSet data = plan();
   std::mt19937 random(11);
   measure(truth, 5.0 * N_mm, random, data);
-  const auto channels = estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data);
+  const auto channels = verdict::estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data);
   ASSERT_TRUE(channels);
-  const EstimatedNoise* noise = &channels->front();
+  const verdict::EstimatedNoise* noise = &channels->front();
   // About 40 degrees of freedom remain of 72 rows: 11 % of scatter, three times that.
   EXPECT_NEAR(noise->rms, 5.0 * N_mm, 1.7 * N_mm);
   ASSERT_EQ(noise->std.size(), data.rows.size());
@@ -40,9 +40,9 @@ TEST(EstimatedNoise, IsThereForRowsThatADiagnosisOfManyLeavesOut) {
   std::mt19937 random(5);
   measure(synthetic_model(), 5.0 * N_mm, random, data);
   ASSERT_GT(data.rows.size(), 4000U);
-  const auto channels = estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data);
+  const auto channels = verdict::estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data);
   ASSERT_TRUE(channels);
-  const EstimatedNoise* noise = &channels->front();
+  const verdict::EstimatedNoise* noise = &channels->front();
   // A row beyond 3.5 standard deviations has its own: 2 of 4500 by chance.
   const auto others = std::count_if(noise->std.begin(), noise->std.end(), [](double s) {
     return !(std::abs(s - 5.0 * N_mm) < 1.0 * N_mm);
@@ -55,10 +55,10 @@ TEST(EstimatedNoise, IsNothingWhereTheDataCannotCarryADiagnosis) {
   std::mt19937 random(11);
   measure(synthetic_model(), 5.0 * N_mm, random, data);
   data.rows.resize(6);
-  EXPECT_FALSE(estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data));
+  EXPECT_FALSE(verdict::estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data));
   data = plan();
   data.quantity = Quantity::axial_displacement;
-  EXPECT_FALSE(estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data));
+  EXPECT_FALSE(verdict::estimate_noise_as_diagnosis(*subject_of(synthetic_model()), data));
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "effects/catalogue.h"
-#include "fit/diagnose.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
+#include "verdict/diagnose.h"
 
 namespace raceway::fit {
 namespace {
@@ -16,15 +16,15 @@ struct Case {
   Model belief = synthetic_model();
   DataSet data =
       factorial_plan({600, 1500, 3500, 7000, 11000, 16000}, {250, 600, 1400, 3000}, {25, 40, 55});
-  Diagnosis diagnosis;
-  explicit Case(double drag_size, int most_rows = most_rows_of_a_fit) {
+  verdict::Diagnosis diagnosis;
+  explicit Case(double drag_size, int most_rows = verdict::most_rows_of_a_fit) {
     Model truth = synthetic_model();
     truth.effects.push_back(
         {.description = effects::find("lubricant-drag"), .values = {drag_size}});
     std::mt19937 random(3);
     measure(truth, 1.0 * N_mm, random, data);
     belief.law_values = {2.0, 0.0008, 0.33};
-    DiagnoseOptions options;
+    verdict::DiagnoseOptions options;
     options.pairs = false;
     options.most_rows = most_rows;
     diagnosis = diagnose(belief, data, options);
@@ -32,16 +32,16 @@ struct Case {
 };
 
 /// Readings of the rows as a diagnosis took them.
-double measured(const Diagnosis& d, std::size_t i) {
+double measured(const verdict::Diagnosis& d, std::size_t i) {
   return d.channels[0].baseline.errors[i].measured;
 }
 
 TEST(ExplainedReadings, AreWhatTheVerdictPredictsAndItsParts) {
   const Case c(full_drag);
-  const Diagnosis& d = c.diagnosis;
-  ASSERT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  const verdict::Diagnosis& d = c.diagnosis;
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   ASSERT_TRUE(d.verdict_is_explained);
-  const ExplainedReadings& explained = d.explained.front();
+  const verdict::ExplainedReadings& explained = d.explained.front();
   ASSERT_EQ(explained.effects.size(), 1U);
   EXPECT_EQ(explained.effects[0].id, "lubricant-drag");
   const double size = d.effects[0].parameters[0].value;
@@ -59,12 +59,12 @@ TEST(ExplainedReadings, AreWhatTheVerdictPredictsAndItsParts) {
 
 TEST(ExplainedReadings, AreThereForEveryRankedEffect) {
   const Case c(full_drag);
-  const Diagnosis& d = c.diagnosis;
+  const verdict::Diagnosis& d = c.diagnosis;
   ASSERT_GE(d.effects.size(), 5U);
   ASSERT_EQ(d.explained.size(), d.effects.size());
   for (std::size_t k = 0; k < d.effects.size(); ++k) {
-    const RankedEffect& e = d.effects[k];
-    const ExplainedReadings& with = d.explained[k];
+    const verdict::RankedEffect& e = d.effects[k];
+    const verdict::ExplainedReadings& with = d.explained[k];
     ASSERT_EQ(e.base.size(), 2U) << e.id;
     ASSERT_EQ(with.effects.size(), 1U);
     EXPECT_EQ(with.effects[0].id, e.id);
@@ -90,8 +90,8 @@ TEST(ExplainedReadings, AreThereForEveryRankedEffect) {
 TEST(ExplainedReadings, DoNotNeedLinesOfAFile) {
   Case c(full_drag);
   for (Row& row : c.data.rows) row.line = 0;
-  const Diagnosis d = diagnose(c.belief, c.data);
-  ASSERT_EQ(d.verdict, Verdict::effect);
+  const verdict::Diagnosis d = diagnose(c.belief, c.data);
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect);
   EXPECT_EQ(d.explained.front().effects[0].readings,
             c.diagnosis.explained.front().effects[0].readings);
 }
@@ -99,14 +99,14 @@ TEST(ExplainedReadings, DoNotNeedLinesOfAFile) {
 TEST(Diagnose, HoldsTheNumbersOfSomeRowsAgainstAll) {
   const Case c(full_drag, 40);
   ASSERT_EQ(c.diagnosis.rows, 40);
-  ASSERT_EQ(c.diagnosis.verdict, Verdict::effect) << c.diagnosis.sentence;
+  ASSERT_EQ(c.diagnosis.verdict, verdict::Verdict::effect) << c.diagnosis.sentence;
   ASSERT_FALSE(c.diagnosis.messages.empty());
   EXPECT_NE(c.diagnosis.messages.back().find("over all 72 rows"), std::string::npos);
 }
 
 TEST(ExplainedReadings, AreNotThereWhereNothingIsMissing) {
   const Case c(0.0);
-  ASSERT_EQ(c.diagnosis.verdict, Verdict::nothing_missing) << c.diagnosis.sentence;
+  ASSERT_EQ(c.diagnosis.verdict, verdict::Verdict::nothing_missing) << c.diagnosis.sentence;
   EXPECT_TRUE(c.diagnosis.explained.empty());
 }
 

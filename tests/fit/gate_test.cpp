@@ -1,4 +1,4 @@
-#include "fit/gate.h"
+#include "verdict/gate.h"
 
 #include <gtest/gtest.h>
 
@@ -53,10 +53,12 @@ TEST(Gate, DoesNotSeeWhatBaseParametersCanDo) {
                         scores = gaussian(120, 20, 3);
   const Eigen::VectorXd residual = gaussian(120, 1, 4).col(0);
   const std::vector<bool> one_sided(20, true);
-  const NullDraws draws(20);
-  const Gate plain = open_gate(tangent, residual, surface, scores, one_sided, 80.0, draws);
+  const verdict::NullDraws draws(20);
+  const verdict::Gate plain =
+      verdict::open_gate(tangent, residual, surface, scores, one_sided, 80.0, draws);
   const Eigen::VectorXd moved = residual + tangent * Eigen::Vector3d(7.0, -3.0, 11.0);
-  const Gate shifted = open_gate(tangent, moved, surface, scores, one_sided, 80.0, draws);
+  const verdict::Gate shifted =
+      verdict::open_gate(tangent, moved, surface, scores, one_sided, 80.0, draws);
   EXPECT_NEAR(shifted.p_value(), plain.p_value(), 1e-8);
   EXPECT_LT((shifted.scores - plain.scores).norm(), 1e-8);
   EXPECT_EQ(shifted.largest, plain.largest);
@@ -68,11 +70,12 @@ TEST(Gate, AlarmsOnceInAHundredTimesOnPureNoise) {
   for (Eigen::Index k = 1; k < scores.cols(); ++k) scores.col(k) += 1.5 * scores.col(0);
   std::vector<bool> one_sided(25, false);
   for (std::size_t k = 0; k < 15; ++k) one_sided[k] = true;
-  const NullDraws draws(25);
+  const verdict::NullDraws draws(25);
   const Eigen::MatrixXd noise = gaussian(120, 1000, 8);
   int alarms = 0;
   for (Eigen::Index s = 0; s < noise.cols(); ++s)
-    if (open_gate(tangent, noise.col(s), surface, scores, one_sided, 1e6, draws).alarm()) ++alarms;
+    if (verdict::open_gate(tangent, noise.col(s), surface, scores, one_sided, 1e6, draws).alarm())
+      ++alarms;
   EXPECT_LE(alarms, 20);  // 10 expected at most, as the two tests are not independent
   EXPECT_GE(alarms, 2);
 }
@@ -81,16 +84,17 @@ TEST(Gate, CallsAnAliasOfTheBaseInvisible) {
   const Eigen::MatrixXd tangent = gaussian(60, 2, 9);
   Eigen::MatrixXd scores(60, 1);
   scores.col(0) = tangent * Eigen::Vector2d(1.0, 2.0) + 1e-3 * gaussian(60, 1, 10).col(0);
-  const Gate gate = open_gate(tangent, gaussian(60, 1, 11).col(0), gaussian(60, 15, 12), scores,
-                              {true}, 40.0, NullDraws(1));
-  EXPECT_LT(gate.visibility[0], invisible);
+  const verdict::Gate gate =
+      verdict::open_gate(tangent, gaussian(60, 1, 11).col(0), gaussian(60, 15, 12), scores, {true},
+                         40.0, verdict::NullDraws(1));
+  EXPECT_LT(gate.visibility[0], verdict::invisible);
   EXPECT_EQ(gate.largest, -1);
   EXPECT_EQ(gate.score_p_value, 1.0);
 }
 
 TEST(Gate, FollowsTheUnionOfTheScores) {
   // Independent scores: the largest of m has p = 1 - (1 - tail)^m.
-  const NullDraws draws(10);
+  const verdict::NullDraws draws(10);
   const double p =
       draws.p_value(Eigen::MatrixXd::Identity(10, 10), std::vector<bool>(10, true), 1e9, 2.5);
   EXPECT_NEAR(p, 1.0 - std::pow(1.0 - 0.0062097, 10), 0.006);

@@ -1,4 +1,4 @@
-#include "fit/headline.h"
+#include "verdict/headline.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 namespace raceway::fit {
 namespace {
 
-Diagnosis found(Verdict verdict, std::vector<std::vector<std::string>> sets) {
-  Diagnosis d;
+verdict::Diagnosis found(verdict::Verdict verdict, std::vector<std::vector<std::string>> sets) {
+  verdict::Diagnosis d;
   d.verdict = verdict;
   d.sets = std::move(sets);
   d.channels.resize(1);
@@ -19,9 +19,9 @@ Diagnosis found(Verdict verdict, std::vector<std::vector<std::string>> sets) {
   return d;
 }
 
-RankedEffect effect(const std::string& id, const std::string& parameter, double value,
-                    const std::string& unit) {
-  RankedEffect e;
+verdict::RankedEffect effect(const std::string& id, const std::string& parameter, double value,
+                             const std::string& unit) {
+  verdict::RankedEffect e;
   e.id = id;
   e.in_verdict = true;
   e.parameters.resize(1);
@@ -32,81 +32,83 @@ RankedEffect effect(const std::string& id, const std::string& parameter, double 
 }
 
 TEST(Headline, NamesTheEffectItsSizeAndTheError) {
-  Diagnosis d = found(Verdict::effect, {{"lubricant-drag"}});
+  verdict::Diagnosis d = found(verdict::Verdict::effect, {{"lubricant-drag"}});
   d.effects = {effect("lubricant-drag", "torque_at_10000_rpm_Nmm", 65.1, "N mm")};
-  EXPECT_EQ(headline(d),
+  EXPECT_EQ(verdict::headline(d),
             "Lubricant drag is missing: 65 N mm at 10 000 rpm; error 44.9 -> 10.7 N mm");
   d.effects = {effect("spin-friction", "friction_coefficient", 0.0831, "1")};
   d.sets = {{"spin-friction"}};
-  EXPECT_EQ(headline(d),
+  EXPECT_EQ(verdict::headline(d),
             "Spin friction is missing: friction coefficient 0.083; error 44.9 -> 10.7 N mm");
 }
 
 TEST(Headline, NamesAllOfSeveral) {
-  Diagnosis d = found(Verdict::several_effects, {{"churning", "windage"}});
+  verdict::Diagnosis d = found(verdict::Verdict::several_effects, {{"churning", "windage"}});
   d.effects = {effect("churning", "torque_at_10000_rpm_Nmm", 20.0, "N mm"),
                effect("windage", "torque_at_10000_rpm_Nmm", 8500.0, "N mm")};
-  EXPECT_EQ(headline(d),
+  EXPECT_EQ(verdict::headline(d),
             "Churning and windage are missing: 20 N mm at 10 000 rpm and 8500 N mm at 10 000 rpm; "
             "error 44.9 -> 10.7 N mm");
 }
 
 TEST(Headline, NamesTheBaseLawThatExplainsTheData) {
-  Diagnosis d = found(Verdict::not_in_catalogue, {});
+  verdict::Diagnosis d = found(verdict::Verdict::not_in_catalogue, {});
   d.other_bases.push_back({.id = "law:skf", .words = "law = skf", .rmse = {11.5 * N_mm}});
-  EXPECT_EQ(headline(d).find("law = skf"), std::string::npos);
+  EXPECT_EQ(verdict::headline(d).find("law = skf"), std::string::npos);
   d.other_bases.front().explains = true;
-  EXPECT_EQ(headline(d),
+  EXPECT_EQ(verdict::headline(d),
             "law = skf explains these data, and no effect does: error 44.9 -> 11.5 N mm");
 }
 
 TEST(Headline, DoesNotCallWrongDataAnEffect) {
-  Diagnosis d = found(Verdict::effect, {{"lubricant-viscosity"}});
+  verdict::Diagnosis d = found(verdict::Verdict::effect, {{"lubricant-viscosity"}});
   d.effects = {effect("lubricant-viscosity", "factor", 1.4, "1")};
   d.effects[0].datum = "the oil card";
   d.effects[0].correction = "31 mm2/s at 40 C where 22 is entered";
   EXPECT_EQ(
-      headline(d),
+      verdict::headline(d),
       "Wrong data rather than missing physics: check the oil card, 31 mm2/s at 40 C where 22 is "
       "entered; error 44.9 -> 10.7 N mm");
 }
 
 TEST(Headline, SaysWhereItIsNotSure) {
-  Diagnosis d = found(Verdict::ambiguous, {{"churning"}, {"windage", "seal-friction"}});
+  verdict::Diagnosis d =
+      found(verdict::Verdict::ambiguous, {{"churning"}, {"windage", "seal-friction"}});
   EXPECT_EQ(
-      headline(d),
+      verdict::headline(d),
       "Churning or windage with seal friction explains the misfit, and these data do not tell "
       "which; error 44.9 -> 10.7 N mm");
-  d = found(Verdict::effect_like, {});
+  d = found(verdict::Verdict::effect_like, {});
   d.effects = {effect("churning", "torque_at_10000_rpm_Nmm", 20.0, "N mm")};
   EXPECT_EQ(
-      headline(d),
+      verdict::headline(d),
       "Something is missing that acts like churning, and it is not sure that it is: error 44.9 "
       "N mm, noise 10.2 N mm");
-  EXPECT_EQ(headline(found(Verdict::not_in_catalogue, {})),
+  EXPECT_EQ(verdict::headline(found(verdict::Verdict::not_in_catalogue, {})),
             "Something is missing that no effect of the catalogue explains: error 44.9 N mm, noise "
             "10.2 N mm");
   EXPECT_EQ(
-      headline(d, Inputs::miss_what_changes),
+      verdict::headline(d, verdict::Inputs::miss_what_changes),
       "Something is missing that no input of the model describes: error 44.9 N mm, noise 10.2 "
       "N mm");
 }
 
 TEST(Headline, DoubtsWhereEqualPointsReadDifferently) {
-  Diagnosis d = found(Verdict::effect, {{"churning"}});
+  verdict::Diagnosis d = found(verdict::Verdict::effect, {{"churning"}});
   d.effects = {effect("churning", "torque_at_10000_rpm_Nmm", 20.0, "N mm")};
   EXPECT_EQ(
-      headline(d, Inputs::may_miss_something),
+      verdict::headline(d, verdict::Inputs::may_miss_something),
       "Churning is missing: 20 N mm at 10 000 rpm; error 44.9 -> 10.7 N mm; but rows at nearly "
       "the same point do not read alike");
 }
 
 TEST(Headline, ClaimsNoMoreThanTheDataShow) {
-  Diagnosis d = found(Verdict::nothing_missing, {});
-  EXPECT_EQ(headline(d),
+  verdict::Diagnosis d = found(verdict::Verdict::nothing_missing, {});
+  EXPECT_EQ(verdict::headline(d),
             "Nothing is missing that these data can show: error 44.9 N mm, noise 10.2 N mm");
   d.within_tolerance = true;
-  EXPECT_EQ(headline(d), "Nothing is missing that matters: error 44.9 N mm, noise 10.2 N mm");
+  EXPECT_EQ(verdict::headline(d),
+            "Nothing is missing that matters: error 44.9 N mm, noise 10.2 N mm");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "fit/hidden_input.h"
+#include "verdict/hidden_input.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
-#include "fit/diagnose.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
+#include "verdict/diagnose.h"
 
 namespace raceway::fit {
 namespace {
@@ -34,8 +34,8 @@ DataSet runs_with(const std::vector<double>& factors, unsigned seed = 1) {
   return data;
 }
 
-std::optional<HiddenInput> hidden_in(const DataSet& data) {
-  return find_hidden_input(data, subject_of(synthetic_model())->measured().front());
+std::optional<verdict::HiddenInput> hidden_in(const DataSet& data) {
+  return verdict::find_hidden_input(data, subject_of(synthetic_model())->measured().front());
 }
 
 TEST(HiddenInput, IsSeenInRunsThatReadDifferentlyAtEqualPoints) {
@@ -81,16 +81,16 @@ TEST(HiddenInput, IsAVerdictOfItsOwnWhereItFollowsTheRuns) {
   Model model = synthetic_model();
   model.free = {"f0", "z"};
   DataSet data = runs_with({1.0, 1.2, 1.4, 1.6});
-  const Diagnosis told = diagnose(model, data);
-  EXPECT_EQ(told.verdict, Verdict::not_in_catalogue);
+  const verdict::Diagnosis told = diagnose(model, data);
+  EXPECT_EQ(told.verdict, verdict::Verdict::not_in_catalogue);
   EXPECT_THAT(told.sentence, HasSubstr("in no input of the model"));
   EXPECT_EQ(told.channels[0].rmse_after, told.channels[0].rmse_before);
 
   // Without run_id it may be scatter: a warning beside the verdict.
   for (Row& row : data.rows) row.run = -1;
   data.runs.clear();
-  const Diagnosis warned = diagnose(model, data);
-  EXPECT_EQ(warned.verdict, Verdict::nothing_missing);
+  const verdict::Diagnosis warned = diagnose(model, data);
+  EXPECT_EQ(warned.verdict, verdict::Verdict::nothing_missing);
   EXPECT_THAT(warned.sentence, HasSubstr("But readings at nearly equal operating points differ"));
 }
 

@@ -38,7 +38,7 @@ DataSet few_rows() {
   return data;
 }
 
-std::vector<double> errors_of(const Calibration& fit, const DataSet& data) {
+std::vector<double> errors_of(const verdict::Calibration& fit, const DataSet& data) {
   std::vector<double> errors;
   const std::vector<FrictionPrediction> predictions = predict_rows(model_of(fit), data);
   for (std::size_t i = 0; i < data.rows.size(); ++i)
@@ -76,7 +76,7 @@ TEST(Likelihood, IsThatOfTheNormalDistributionWithTheWholeCovariance) {
 TEST(Likelihood, OfDeclaredDeviationsIsASumOverTheRows) {
   DataSet data = few_rows();
   declare_noise(4.0 * N_mm, data);
-  const Calibration fit = calibrate(synthetic_model(), data);
+  const verdict::Calibration fit = calibrate(synthetic_model(), data);
   ASSERT_TRUE(fit.converged());
   double chi_square = 0.0;
   for (const double e : errors_of(fit, data)) chi_square += std::pow(e / (4.0 * N_mm), 2);
@@ -91,7 +91,7 @@ TEST(Likelihood, OfDeclaredDeviationsIsASumOverTheRows) {
 TEST(Likelihood, OfScatterThatWasAddedForTheMisfitIsNotTold) {
   DataSet data = few_rows();
   declare_noise(0.1 * N_mm, data);  // twenty times too little
-  const Calibration fit = calibrate(synthetic_model(), data);
+  const verdict::Calibration fit = calibrate(synthetic_model(), data);
   ASSERT_TRUE(fit.converged());
   EXPECT_TRUE(std::isnan(fit.likelihood.deviance));
   EXPECT_TRUE(std::isfinite(fit.likelihood.chi_square));
@@ -99,7 +99,7 @@ TEST(Likelihood, OfScatterThatWasAddedForTheMisfitIsNotTold) {
 
 TEST(Likelihood, OfUnknownNoiseHasTheSizeThatMakesItLargest) {
   const DataSet data = few_rows();
-  const Calibration fit = calibrate(synthetic_model(), data);
+  const verdict::Calibration fit = calibrate(synthetic_model(), data);
   ASSERT_TRUE(fit.converged());
   const std::vector<double> errors = errors_of(fit, data);
   const auto deviance = [&](double size) {
@@ -116,9 +116,9 @@ TEST(Likelihood, OfUnknownNoiseHasTheSizeThatMakesItLargest) {
 TEST(Likelihood, CalibrateAddAndDiagnoseHaveOne) {
   const DataSet data = measured_plan(5.0 * N_mm, true);
   const std::vector<std::string> ids{"lubricant-drag"};
-  const Calibration before = calibrate(synthetic_model(), data);
-  const AddResult added = add(synthetic_model(), ids, data);
-  const Diagnosis diagnosis = diagnose(synthetic_model(), data);
+  const verdict::Calibration before = calibrate(synthetic_model(), data);
+  const verdict::AddResult added = add(synthetic_model(), ids, data);
+  const verdict::Diagnosis diagnosis = diagnose(synthetic_model(), data);
   ASSERT_EQ(diagnosis.effects.at(0).id, "lubricant-drag");
   const Likelihood& with = added.calibration.likelihood;
   for (const Likelihood* same : {&added.before, &diagnosis.likelihood}) {
@@ -141,9 +141,9 @@ TEST(Likelihood, CalibrateAddAndDiagnoseHaveOne) {
 
 TEST(Likelihood, AModelThatLacksNothingKeepsItsParametersInADiagnosis) {
   const DataSet data = measured_plan(5.0 * N_mm);
-  const Calibration fit = calibrate(synthetic_model(), data);
-  const Diagnosis diagnosis = diagnose(synthetic_model(), data);
-  ASSERT_EQ(diagnosis.verdict, Verdict::nothing_missing) << diagnosis.sentence;
+  const verdict::Calibration fit = calibrate(synthetic_model(), data);
+  const verdict::Diagnosis diagnosis = diagnose(synthetic_model(), data);
+  ASSERT_EQ(diagnosis.verdict, verdict::Verdict::nothing_missing) << diagnosis.sentence;
   ASSERT_EQ(diagnosis.base.size(), fit.parameters.size());
   for (std::size_t k = 0; k < fit.parameters.size(); ++k) {
     EXPECT_NEAR(diagnosis.base[k].value, fit.parameters[k].value, 1e-6 * fit.parameters[k].value);
@@ -155,7 +155,7 @@ TEST(Likelihood, ProfilesOfACalibrationAreAsWideAsItsErrors) {
   // Palmgren's law is linear in f0 and z; a model that lacks a drag has widened errors.
   for (const bool lacking : {false, true}) {
     const DataSet data = measured_plan(5.0 * N_mm, lacking);
-    const Calibration fit = calibrate(synthetic_model(), data, {.profile = true});
+    const verdict::Calibration fit = calibrate(synthetic_model(), data, {.profile = true});
     ASSERT_EQ(fit.profile.size(), 2U);
     EXPECT_EQ(fit.error_factor > 1.0, lacking);
     for (std::size_t k = 0; k < 2; ++k) {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/calibrate.h"
-#include "fit/compare.h"
 #include "tests/support/loop.h"
 #include "tests/support/synthetic.h"
+#include "verdict/calibrate.h"
+#include "verdict/compare.h"
 
 namespace raceway::fit {
 namespace {
@@ -36,7 +36,7 @@ TEST(Compare, FindsNoStructureInPureNoiseMoreOftenThanItSays) {
       DataSet data = factorial_plan(speeds, {100, 300, 600}, {25, 60}, declared ? 1 : 3);
       measure(truth, 2.0 * N_mm, random, data);
       if (declared) declare_noise(2.0 * N_mm, data);
-      const Comparison c = compare(truth, data);
+      const verdict::Comparison c = compare(truth, data);
       EXPECT_EQ(c.noise.source, source);
       p.push_back(c.lack_of_fit.p_value);
       fitted.push_back(compare(model_of(calibrate(truth, data)), data, 2).lack_of_fit.p_value);
@@ -54,10 +54,10 @@ TEST(Compare, FindsAPatternInPureNoiseNoMoreOftenThanItSays) {
   for (int set = 0; set < 1000; ++set) {
     DataSet data = factorial_plan(speeds, {100, 300, 600}, {25, 60});
     measure(truth, 2.0 * N_mm, random, data);
-    const Comparison c = compare(model_of(calibrate(truth, data)), data, 2);
+    const verdict::Comparison c = compare(model_of(calibrate(truth, data)), data, 2);
     EXPECT_EQ(c.pattern.pairs, 42);
     if (c.pattern.p_value < 0.05) ++alarms;
-    if (c.judgement == Judgement::unknown) ++unknown;
+    if (c.judgement == verdict::Judgement::unknown) ++unknown;
   }
   EXPECT_LT(alarms, 75);  // 50 +- 7 expected
   EXPECT_GT(unknown, 970);
@@ -77,7 +77,7 @@ TEST(Calibrate, StatesAnUncertaintyThatCoversTheTruth) {
       DataSet data = factorial_plan(speeds, {100, 300, 600, 1200}, {25, 40, 60});
       measure(truth, 3.0 * N_mm, random, data);
       if (declared) declare_noise(3.0 * N_mm, data);
-      const Calibration fit = calibrate(model, data);
+      const verdict::Calibration fit = calibrate(model, data);
       ASSERT_TRUE(fit.converged());
       EXPECT_TRUE(std::isfinite(fit.reduced_chi_square));
       for (std::size_t k = 0; k < 3; ++k) {

@@ -5,8 +5,7 @@
 #include <map>
 #include <random>
 
-#include "fit/add.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 
 // Other base models of a subject: a height that goes with a power of the place.
 namespace raceway::fit {
@@ -103,58 +102,59 @@ Record hill(double power, double height) {
 }
 
 TEST(OtherBases, OneThatExplainsTheDataIsOfferedBesideTheVerdict) {
-  const Diagnosis d = diagnose(*Hill::of(1.0), hill(2.0, 0.0));
-  EXPECT_EQ(d.verdict, Verdict::not_in_catalogue) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(*Hill::of(1.0), hill(2.0, 0.0));
+  EXPECT_EQ(d.verdict, verdict::Verdict::not_in_catalogue) << d.sentence;
   EXPECT_THAT(d.headline, HasSubstr("law = square explains these data"));
   EXPECT_THAT(d.sentence, HasSubstr("law = square explains these data"));
   EXPECT_THAT(d.sentence, HasSubstr("raceway add MODEL law:square takes it"));
   ASSERT_THAT(d.other_bases, SizeIs(2));
-  const OtherBaseTried& best = d.other_bases.front();
+  const verdict::OtherBaseTried& best = d.other_bases.front();
   EXPECT_EQ(best.id, "law:square");
   EXPECT_TRUE(best.explains);
   EXPECT_NEAR(best.parameters.at(1).value, 2.0, 0.1);
   EXPECT_NEAR(best.rmse.at(0), 0.1, 0.02);
   EXPECT_LT(best.rmse_held_out.at(0), 0.13);
   ASSERT_NE(d.given_other_base, nullptr);
-  EXPECT_EQ(d.given_other_base->verdict, Verdict::nothing_missing);
+  EXPECT_EQ(d.given_other_base->verdict, verdict::Verdict::nothing_missing);
   // Both count, and what could not be tried is told with the datum.
   EXPECT_EQ(d.candidates_tried, 1 + 2);
   EXPECT_NEAR(d.needed_gain, std::log(60.0) + 2.0 * std::log(3.0), 1e-12);
   EXPECT_THAT(d.not_testable,
-              Contains(Field(&NotTestable::reason, HasSubstr("the slope of the ground"))));
+              Contains(Field(&verdict::NotTestable::reason, HasSubstr("the slope of the ground"))));
 }
 
 TEST(OtherBases, GivenTheBetterOneTheVerdictNamesWhatIsMissingBesideIt) {
-  const Diagnosis d = diagnose(*Hill::of(1.0), hill(2.0, 1.0));
+  const verdict::Diagnosis d = loop::diagnose(*Hill::of(1.0), hill(2.0, 1.0));
   ASSERT_NE(d.given_other_base, nullptr) << d.sentence;
   EXPECT_EQ(d.other_bases.front().id, "law:square");
   EXPECT_FALSE(d.other_bases.front().explains);
-  EXPECT_EQ(d.given_other_base->verdict, Verdict::effect) << d.given_other_base->sentence;
+  EXPECT_EQ(d.given_other_base->verdict, verdict::Verdict::effect) << d.given_other_base->sentence;
   EXPECT_THAT(d.sentence, HasSubstr("Given law = square the verdict is effect"));
 }
 
 TEST(OtherBases, AreNotTriedWhereAnEffectExplainsTheDataOrNothingIsMissing) {
-  const Diagnosis effect = diagnose(*Hill::of(2.0), hill(2.0, 1.0));
-  EXPECT_EQ(effect.verdict, Verdict::effect) << effect.sentence;
+  const verdict::Diagnosis effect = loop::diagnose(*Hill::of(2.0), hill(2.0, 1.0));
+  EXPECT_EQ(effect.verdict, verdict::Verdict::effect) << effect.sentence;
   EXPECT_THAT(effect.other_bases, IsEmpty());
   EXPECT_EQ(effect.candidates_tried, 1);
-  EXPECT_THAT(diagnose(*Hill::of(2.0), hill(2.0, 0.0)).other_bases, IsEmpty());
+  EXPECT_THAT(loop::diagnose(*Hill::of(2.0), hill(2.0, 0.0)).other_bases, IsEmpty());
 }
 
 TEST(OtherBases, AreTakenByAddByTheRulesOfEffects) {
   const std::vector<std::string> square{"law:square"}, cube{"law:cube"}, steep{"law:steep"};
-  const AddResult taken = add(*Hill::of(1.0), square, hill(2.0, 0.0));
+  const verdict::AddResult taken = loop::add(*Hill::of(1.0), square, hill(2.0, 0.0));
   EXPECT_FALSE(taken.refused) << taken.reason;
   EXPECT_NEAR(taken.channels.at(0).after.rmse, 0.1, 0.02);
   ASSERT_THAT(taken.calibration.parameters, SizeIs(2));
   EXPECT_NEAR(taken.calibration.parameters.at(1).value, 2.0, 0.1);
-  EXPECT_NEAR(taken.gain, diagnose(*Hill::of(1.0), hill(2.0, 0.0)).other_bases.at(0).gain, 1e-6);
+  EXPECT_NEAR(taken.gain, loop::diagnose(*Hill::of(1.0), hill(2.0, 0.0)).other_bases.at(0).gain,
+              1e-6);
   // The one that the data are made with is no better by another.
-  EXPECT_TRUE(add(*Hill::of(2.0), cube, hill(2.0, 0.0)).refused);
-  EXPECT_THROW((void)add(*Hill::of(1.0), steep, hill(2.0, 0.0)), std::invalid_argument);
-  EXPECT_THROW(
-      (void)add(*Hill::of(1.0), std::vector<std::string>{"law:square", "ripple"}, hill(2.0, 0.0)),
-      std::invalid_argument);
+  EXPECT_TRUE(loop::add(*Hill::of(2.0), cube, hill(2.0, 0.0)).refused);
+  EXPECT_THROW((void)loop::add(*Hill::of(1.0), steep, hill(2.0, 0.0)), std::invalid_argument);
+  EXPECT_THROW((void)loop::add(*Hill::of(1.0), std::vector<std::string>{"law:square", "ripple"},
+                               hill(2.0, 0.0)),
+               std::invalid_argument);
 }
 
 }  // namespace

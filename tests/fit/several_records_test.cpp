@@ -81,7 +81,7 @@ Record two_days(double windage = 60.0) {
 
 TEST(SeveralRecords, GiveEachRecordItsOwnAndOneValueOfWhatIsShared) {
   const Record record = two_days(0.0);
-  const Calibration fit = calibrate(several(record, {"f0"}), record);
+  const verdict::Calibration fit = calibrate(several(record, {"f0"}), record);
   ASSERT_TRUE(fit.converged());
   ASSERT_EQ(fit.parameters.size(), 3U);
   for (const auto& [name, truth] :
@@ -98,13 +98,14 @@ TEST(SeveralRecords, GiveEachRecordItsOwnAndOneValueOfWhatIsShared) {
 
 TEST(SeveralRecords, FindAHiddenEffectTheyShareWithinItsError) {
   const Record record = two_days();
-  const Diagnosis d = diagnose(several(record, {"f0"}), record);
-  ASSERT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d = diagnose(several(record, {"f0"}), record);
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_EQ(d.effects.front().id, "windage");
   const Parameter& size = d.effects.front().parameters.front();
   EXPECT_NEAR(size.value, 60.0, 3.5 * size.std);
   EXPECT_LT(size.std, 3.0);
-  const AddResult added = add(several(record, {"f0"}), std::vector<std::string>{"windage"}, record);
+  const verdict::AddResult added =
+      add(several(record, {"f0"}), std::vector<std::string>{"windage"}, record);
   EXPECT_FALSE(added.refused) << added.reason;
   const std::vector<Parameter>& found = added.calibration.parameters;
   EXPECT_NEAR(find(found, "windage.torque_at_10000_rpm_Nmm").value, size.value, 1e-9 * size.value);
@@ -114,18 +115,18 @@ TEST(SeveralRecords, FindAHiddenEffectTheyShareWithinItsError) {
 
 TEST(SeveralRecords, ShowAMisfitWhereAllIsShared) {
   const Record record = two_days(0.0);
-  EXPECT_EQ(diagnose(several(record, {"f0"}), record).verdict, Verdict::nothing_missing);
-  const Diagnosis d = diagnose(several(record, {}), record);
-  EXPECT_NE(d.verdict, Verdict::nothing_missing);
+  EXPECT_EQ(diagnose(several(record, {"f0"}), record).verdict, verdict::Verdict::nothing_missing);
+  const verdict::Diagnosis d = diagnose(several(record, {}), record);
+  EXPECT_NE(d.verdict, verdict::Verdict::nothing_missing);
   EXPECT_LT(d.p_value, 1e-6);
-  const Calibration fit = calibrate(several(record, {}), record);
-  const Comparison c = compare(*fit.subject, record).at(0);
+  const verdict::Calibration fit = calibrate(several(record, {}), record);
+  const verdict::Comparison c = compare(*fit.subject, record).at(0);
   ASSERT_EQ(c.records.size(), 2U);
   EXPECT_EQ(c.records[0].run, "friday");
   EXPECT_EQ(c.records[0].rows + c.records[1].rows, c.rows);
   EXPECT_LT(c.records[0].bias, -20.0 * N_mm);  // more friction than the model has
   EXPECT_GT(c.records[1].bias, 20.0 * N_mm);
-  EXPECT_EQ(c.judgement, Judgement::structure);  // against repeats within each record
+  EXPECT_EQ(c.judgement, verdict::Judgement::structure);  // against repeats within each record
 }
 
 // Days and sensors differ: with one size of noise for both the quiet record would look like a
@@ -136,8 +137,8 @@ TEST(SeveralRecords, MayScatterDifferently) {
     const Record record =
         record::joined({record_of({.name = "quiet"}, three_loads, 100 + seed, 2, 0.5),
                         record_of({.name = "rough", .f0 = 2.1}, three_loads, 200 + seed, 2, 5.0)});
-    const Diagnosis d = diagnose(several(record, {"f0", "z"}), record);
-    if (d.verdict != Verdict::nothing_missing) ++alarms;
+    const verdict::Diagnosis d = diagnose(several(record, {"f0", "z"}), record);
+    if (d.verdict != verdict::Verdict::nothing_missing) ++alarms;
     ASSERT_EQ(d.channels[0].noise.records.size(), 2U);
     EXPECT_NEAR(d.channels[0].noise.records[1] / d.channels[0].noise.records[0], 10.0, 5.0);
   }
@@ -150,12 +151,12 @@ TEST(SeveralRecords, AreTakenByNameWhateverTheirOrder) {
   const Record monday = record_of({.name = "monday", .windage_Nmm = 60}, three_loads, 1);
   const Record friday = record_of({.name = "friday", .f0 = 2.1, .windage_Nmm = 60}, three_loads, 2);
   const Record one = record::joined({monday, friday}), other = record::joined({friday, monday});
-  const Diagnosis a = diagnose(several(one, {"f0", "z"}), one);
-  const Diagnosis b = diagnose(several(other, {"f0", "z"}), other);
+  const verdict::Diagnosis a = diagnose(several(one, {"f0", "z"}), one);
+  const verdict::Diagnosis b = diagnose(several(other, {"f0", "z"}), other);
   EXPECT_EQ(a.sentence, b.sentence);
   EXPECT_EQ(a.p_value, b.p_value);
-  const Calibration x = calibrate(several(one, {"f0"}), one);
-  const Calibration y = calibrate(several(other, {"f0"}), other);
+  const verdict::Calibration x = calibrate(several(one, {"f0"}), one);
+  const verdict::Calibration y = calibrate(several(other, {"f0"}), other);
   for (std::size_t k = 0; k < x.parameters.size(); ++k) {
     EXPECT_EQ(x.parameters[k].name, y.parameters[k].name);
     EXPECT_EQ(x.parameters[k].value, y.parameters[k].value);
@@ -171,18 +172,18 @@ TEST(SeveralRecords, TellTogetherWhatNoneOfThemTellsAlone) {
   Model model = synthetic_model();
   for (const Record* alone : {&a, &b}) {
     const auto subject = subject_of(model);
-    EXPECT_EQ(diagnose(*subject, *alone).verdict, Verdict::nothing_missing);
+    EXPECT_EQ(diagnose(*subject, *alone).verdict, verdict::Verdict::nothing_missing);
     EXPECT_THROW((void)add(*subject, std::vector<std::string>{"load-offset"}, *alone),
                  std::invalid_argument);
   }
   const Record record = record::joined({a, b});
-  const Diagnosis d = diagnose(several(record, {"f0"}), record);
-  EXPECT_NE(d.verdict, Verdict::nothing_missing) << d.sentence;
+  const verdict::Diagnosis d = diagnose(several(record, {"f0"}), record);
+  EXPECT_NE(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
   EXPECT_LT(d.p_value, 1e-6);
   EXPECT_TRUE(std::any_of(d.sets.begin(), d.sets.end(), [](const auto& set) {
     return set == std::vector<std::string>{"load-offset"};
   })) << d.sentence;
-  const AddResult added =
+  const verdict::AddResult added =
       add(several(record, {"f0"}), std::vector<std::string>{"load-offset"}, record);
   const Parameter& size = find(added.calibration.parameters, "load-offset.force_N");
   EXPECT_NEAR(size.value, 150.0, 3.5 * size.std);
@@ -267,7 +268,7 @@ TEST(SeveralRecords, StartAnewWhereRowsRememberThoseBefore) {
   };
   const Record record = record::joined({filled("a", 2.0), filled("b", 3.0)});
   const SeveralRecords subject(std::make_shared<Tank>(), record, {"gain"});
-  const Calibration fit = calibrate(subject, record);
+  const verdict::Calibration fit = calibrate(subject, record);
   ASSERT_TRUE(fit.converged());
   EXPECT_NEAR(find(fit.parameters, "gain@a").value, 2.0, 0.01);
   EXPECT_NEAR(find(fit.parameters, "gain@b").value, 3.0, 0.01);

@@ -35,18 +35,18 @@ Model content_with(double tolerance) {
 
 TEST(Tolerance, LeavesOutOfTheVerdictWhatIsCertainButDoesNotMatter) {
   const DataSet data = with_drag(10.0);
-  ASSERT_EQ(diagnose(synthetic_model(), data).verdict, Verdict::effect);
-  const Diagnosis d = diagnose(content_with(20.0 * N_mm), data);
-  EXPECT_EQ(d.verdict, Verdict::nothing_missing);
+  ASSERT_EQ(diagnose(synthetic_model(), data).verdict, verdict::Verdict::effect);
+  const verdict::Diagnosis d = diagnose(content_with(20.0 * N_mm), data);
+  EXPECT_EQ(d.verdict, verdict::Verdict::nothing_missing);
   EXPECT_TRUE(d.within_tolerance);
   EXPECT_THAT(d.significant_but_immaterial, Contains("lubricant-drag"));
   EXPECT_THAT(d.sentence, HasSubstr("Nothing missing that matters"));
 }
 
 TEST(Tolerance, IsMetByTheEffectThatIsNamed) {
-  const Diagnosis d = diagnose(content_with(2.0 * N_mm), with_drag(60.0));
+  const verdict::Diagnosis d = diagnose(content_with(2.0 * N_mm), with_drag(60.0));
   EXPECT_FALSE(d.within_tolerance);
-  ASSERT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_EQ(d.effects.front().id, "lubricant-drag");
   EXPECT_LE(d.channels[0].rmse_held_out_after, 2.0 * N_mm);
   EXPECT_GT(d.channels[0].rmse_held_out_before, 2.0 * N_mm);
@@ -54,23 +54,24 @@ TEST(Tolerance, IsMetByTheEffectThatIsNamed) {
 
 // Nothing can be held against what is below the noise of the data.
 TEST(Tolerance, BelowTheNoiseAsksNoMoreThanTheNoise) {
-  const Diagnosis d = diagnose(content_with(0.5 * N_mm), with_drag(60.0));
-  ASSERT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d = diagnose(content_with(0.5 * N_mm), with_drag(60.0));
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_EQ(d.effects.front().id, "lubricant-drag");
-  EXPECT_EQ(diagnose(content_with(0.1 * N_mm), with_drag(0.0)).verdict, Verdict::nothing_missing);
+  EXPECT_EQ(diagnose(content_with(0.1 * N_mm), with_drag(0.0)).verdict,
+            verdict::Verdict::nothing_missing);
 }
 
 TEST(Tolerance, LeavesTheLikelihoodToTellWhatItCan) {
   // Windage comes as near to a wide tolerance, and the data know better.
-  const Diagnosis d = diagnose(content_with(10.0 * N_mm), with_drag(60.0));
-  ASSERT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d = diagnose(content_with(10.0 * N_mm), with_drag(60.0));
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_EQ(d.effects.front().id, "lubricant-drag");
 }
 
 TEST(Tolerance, RefusesToAddWhatWasNotNeeded) {
   const DataSet data = with_drag(10.0);
   EXPECT_FALSE(add(synthetic_model(), drag_alone, data).refused);
-  const AddResult result = add(content_with(20.0 * N_mm), drag_alone, data);
+  const verdict::AddResult result = add(content_with(20.0 * N_mm), drag_alone, data);
   EXPECT_TRUE(result.refused);
   EXPECT_THAT(result.reason, HasSubstr("within the tolerance without it"));
 }

@@ -4,8 +4,7 @@
 #include <map>
 #include <random>
 
-#include "fit/add.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 
 // The loop, linked with record/ alone, on a lag read at two places with an input that it lacks.
 namespace raceway::fit {
@@ -67,13 +66,13 @@ TEST(ToySubject, GoesThroughTheWholeLoop) {
   std::vector<double> y = predict(*Lag().with_values(truth), record);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] = i % 3 || i < 240 ? y[i] + noise(random) : unset;
   record.set(near, {y.begin(), y.begin() + 240}), record.set(far, {y.begin() + 240, y.end()});
-  EXPECT_EQ(compare(Lag(), record).at(1).rows, 160);  // an empty cell: not read then
-  EXPECT_TRUE(calibrate(Lag(), record).converged());
-  const Diagnosis diagnosis = diagnose(Lag(), record);
-  ASSERT_EQ(diagnosis.verdict, Verdict::effect) << diagnosis.sentence;
+  EXPECT_EQ(verdict::compare(Lag(), record).at(1).rows, 160);  // an empty cell: not read then
+  EXPECT_TRUE(loop::calibrate(Lag(), record).converged());
+  const verdict::Diagnosis diagnosis = loop::diagnose(Lag(), record);
+  ASSERT_EQ(diagnosis.verdict, verdict::Verdict::effect) << diagnosis.sentence;
   const double size = diagnosis.effects.at(0).parameters.at(0).value;
   EXPECT_NEAR(size, 0.3, 0.01);
-  const AddResult added = add(Lag(), std::vector<std::string>{"leak"}, record);
+  const verdict::AddResult added = loop::add(Lag(), std::vector<std::string>{"leak"}, record);
   EXPECT_TRUE(!added.refused && added.calibration.parameters.at(2).value == size) << added.reason;
 }
 

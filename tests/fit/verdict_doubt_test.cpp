@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 
 // What makes a verdict weaker than its fit: on a straight line that may lack a curve.
 namespace raceway::fit {
@@ -97,26 +97,26 @@ Record readings(const std::function<double(double)>& y, double noise) {
 }
 
 TEST(VerdictDoubt, NoneWhereTheCurveIsThere) {
-  const Diagnosis d =
-      diagnose(Line(), readings([](double x) { return 1.0 + x + 0.2 * x * x; }, 0.02));
-  EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d =
+      loop::diagnose(Line(), readings([](double x) { return 1.0 + x + 0.2 * x * x; }, 0.02));
+  EXPECT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_NEAR(d.effects[0].parameters[0].value, 0.2, 0.02);
 }
 
 TEST(VerdictDoubt, AShapeWithoutALawIsOnlyActedLike) {
   Line line;
   line.empirical = true;
-  const Diagnosis d =
-      diagnose(line, readings([](double x) { return 1.0 + x + 0.2 * x * x; }, 0.02));
-  EXPECT_EQ(d.verdict, Verdict::effect_like) << d.sentence;
+  const verdict::Diagnosis d =
+      loop::diagnose(line, readings([](double x) { return 1.0 + x + 0.2 * x * x; }, 0.02));
+  EXPECT_EQ(d.verdict, verdict::Verdict::effect_like) << d.sentence;
   EXPECT_TRUE(d.effects.at(0).in_verdict);
   EXPECT_THAT(d.sentence, HasSubstr("acts like curve, a shape without a law of physics"));
 }
 
 TEST(VerdictDoubt, ABaseParameterAtItsBoundIsNamed) {
-  const Diagnosis d =
-      diagnose(Line(), readings([](double x) { return 1.0 - 0.02 * x + 0.2 * x * x; }, 0.02));
-  EXPECT_EQ(d.verdict, Verdict::effect_like) << d.sentence;
+  const verdict::Diagnosis d =
+      loop::diagnose(Line(), readings([](double x) { return 1.0 - 0.02 * x + 0.2 * x * x; }, 0.02));
+  EXPECT_EQ(d.verdict, verdict::Verdict::effect_like) << d.sentence;
   EXPECT_THAT(d.sentence, HasSubstr("acts like curve, but only with slope at 0, the end of the"));
 }
 
@@ -124,9 +124,9 @@ TEST(VerdictDoubt, ABaseParameterAtItsBoundIsNamed) {
 TEST(VerdictDoubt, ASizeThatRunsAwayIsNoFit) {
   Line line;
   line.bend = [](double c) { return 0.2 * c / (1.0 + c); };
-  const Diagnosis d =
-      diagnose(line, readings([](double x) { return 1.0 + x + 0.201 * x * x; }, 0.02));
-  EXPECT_EQ(d.verdict, Verdict::not_in_catalogue) << d.sentence;
+  const verdict::Diagnosis d =
+      loop::diagnose(line, readings([](double x) { return 1.0 + x + 0.201 * x * x; }, 0.02));
+  EXPECT_EQ(d.verdict, verdict::Verdict::not_in_catalogue) << d.sentence;
   EXPECT_THAT(d.messages, Contains(HasSubstr("the fit with curve runs away to c = ")));
 }
 
@@ -142,8 +142,8 @@ TEST(VerdictDoubt, WhatRaisesTheErrorDoesNotLead) {
     std.push_back(20.0);
   }
   record = measured(x, y, std);
-  const Diagnosis d = diagnose(Line(), record);
-  EXPECT_EQ(d.verdict, Verdict::effect_like) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(Line(), record);
+  EXPECT_EQ(d.verdict, verdict::Verdict::effect_like) << d.sentence;
   EXPECT_GT(d.channels[0].rmse_after, d.channels[0].rmse_before);
   EXPECT_THAT(d.sentence, HasSubstr("acts like curve, but the error rises from "));
 }

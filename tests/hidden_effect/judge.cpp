@@ -12,9 +12,8 @@
 #include "files/doubts.h"
 #include "files/model_file.h"
 #include "files/subject.h"
-#include "fit/calibrate.h"
-#include "fit/diagnose.h"
 #include "fit/dwells.h"
+#include "loop/loop.h"
 
 namespace hidden_effect {
 namespace {
@@ -64,7 +63,7 @@ record::Record read(const std::string& csv, const model::ModelSubject& subject) 
 }
 
 /// A suggested point in the generator's units.
-Point point_of(const fit::SuggestedMeasurement& m) {
+Point point_of(const verdict::SuggestedMeasurement& m) {
   const auto value = [&](const record::Channel& channel) {
     for (const fit::Setting& s : m.point)
       if (*s.channel == channel) return channel.in_unit(s.value);
@@ -73,26 +72,28 @@ Point point_of(const fit::SuggestedMeasurement& m) {
   return {value(record::speed), value(record::axial_load), value(record::temperature), 0.0};
 }
 
-void fill(Answer& answer, const fit::Diagnosis& d) {
-  answer.verdict = fit::name(d.verdict);
+void fill(Answer& answer, const verdict::Diagnosis& d) {
+  answer.verdict = verdict::name(d.verdict);
   answer.sentence = d.sentence;
-  for (const fit::RankedEffect& e : d.effects)
+  for (const verdict::RankedEffect& e : d.effects)
     if (e.in_verdict) answer.names.push_back(e.id);
   // By rank: a verdict lists the base law's own exponents first whatever their gain.
-  const auto best = std::max_element(
-      d.effects.begin(), d.effects.end(),
-      [](const fit::RankedEffect& a, const fit::RankedEffect& b) { return a.gain < b.gain; });
+  const auto best =
+      std::max_element(d.effects.begin(), d.effects.end(),
+                       [](const verdict::RankedEffect& a, const verdict::RankedEffect& b) {
+                         return a.gain < b.gain;
+                       });
   if (best != d.effects.end()) answer.first = best->id;
-  for (const fit::SuggestedMeasurement& m : d.suggested_measurements)
+  for (const verdict::SuggestedMeasurement& m : d.suggested_measurements)
     answer.suggested.insert(answer.suggested.end(), static_cast<std::size_t>(m.repeats),
                             point_of(m));
-  for (const fit::DetectableSize& s : d.would_have_been_found)
+  for (const verdict::DetectableSize& s : d.would_have_been_found)
     answer.stated.emplace_back(s.id, s.share_of_reading);
-  for (const fit::OtherBaseTried& base : d.other_bases) answer.tried_laws.push_back(base.id);
+  for (const verdict::OtherBaseTried& base : d.other_bases) answer.tried_laws.push_back(base.id);
   if (!d.other_bases.empty() && d.other_bases.front().explains)
     answer.other_law = d.other_bases.front().id.substr(std::string_view("law:").size());
   if (d.given_other_base)
-    for (const fit::RankedEffect& e : d.given_other_base->effects)
+    for (const verdict::RankedEffect& e : d.given_other_base->effects)
       if (e.in_verdict) answer.names_given_it.push_back(e.id);
   if (d.shape) {
     answer.shape = d.shape->formula;
@@ -126,12 +127,12 @@ Answer ask(const std::string& model_text, const std::string& train_text,
     const record::Record data =
         read(presentation.reversed_rows ? reversed_rows(train_text) : train_text, *subject);
     answer.questions = files::doubts(*subject, data);
-    fit::DiagnoseOptions options;
+    verdict::DiagnoseOptions options;
     if (presentation.reversed_catalogue)
       for (const fit::Candidate& c : subject->candidates())
         options.candidates.insert(options.candidates.begin(), c.id);
     const std::clock_t start = std::clock();
-    const fit::Diagnosis d = fit::diagnose(*subject, data, options);
+    const verdict::Diagnosis d = loop::diagnose(*subject, data, options);
     answer.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     fill(answer, d);
   } catch (const std::exception& e) {
@@ -160,7 +161,7 @@ Improvement improve(const Rig& rig, std::span<const std::string> names) {
   std::vector<double> sigma;
   for (const Reading& r : rig.train) sigma.push_back(r.sigma * N_mm);
   data.set(record::torque_deviation, std::move(sigma)).known = true;
-  const fit::Calibration fitted = fit::calibrate(*subject, data);
+  const verdict::Calibration fitted = loop::calibrate(*subject, data);
   out.converged = fitted.converged();
   // Those of the law stand before those of the effects.
   const std::size_t count = free_values(rig.setup.law).size();

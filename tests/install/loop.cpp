@@ -25,11 +25,11 @@ int main(int count, char** arguments) try {
   OnStderr said;
   const std::string model = arguments[1], train = arguments[2], test = arguments[3];
   const session::LoopQuestion asked = session::ask(said, model, {train}, {});
-  const fit::Diagnosis found = session::diagnose(asked);
+  const verdict::Diagnosis found = session::diagnose(asked);
   std::printf("%s\n", found.headline.c_str());
-  if (found.verdict != fit::Verdict::effect) return 1;
+  if (found.verdict != verdict::Verdict::effect) return 1;
 
-  const fit::AddResult added = session::add(asked, found.sets.front());
+  const verdict::AddResult added = session::add(asked, found.sets.front());
   if (added.refused) return 1;
   const session::FittedTexts better = session::fitted_texts(asked, added.calibration);
   for (const record::Parameter& p : added.calibration.parameters)

@@ -70,7 +70,8 @@ TEST(ReportRows, OfAComparisonStandAtTheirPlace) {
   const record::Record record = measured(record::friction_torque);
   std::vector<double> predicted(12, 0.001);
   predicted[5] = unset;
-  const fit::Comparison c = fit::compare(predicted, record, {.channel = &record::friction_torque});
+  const verdict::Comparison c =
+      verdict::compare(predicted, record, {.channel = &record::friction_torque});
   ReportRows rows(record, record::friction_torque, rows_compared(c));
   rows.add_std(std::vector<double>(rows.rows().size(), 0.002));
   rows.add_model("mine", c);

@@ -84,9 +84,9 @@ TEST(Report, OfSeveralChannelsThePageDrawsTheFirstAndNamesTheOthers) {
   record.set(record::axial_displacement, rising(20));
   record.find(record::friction_torque)->values[3] = unset;
   const std::vector<double> predicted(20, 1.0);
-  std::vector<fit::Comparison> channels;
+  std::vector<verdict::Comparison> channels;
   for (const record::Channel* c : {&record::friction_torque, &record::axial_displacement})
-    channels.push_back(fit::compare(predicted, record, {.channel = c}));
+    channels.push_back(verdict::compare(predicted, record, {.channel = c}));
   const std::string page = comparison_report({"m.toml"}, {}, {channels}, record);
   const std::string open = "id=\"document\">";
   const std::size_t begin = page.find(open) + open.size();

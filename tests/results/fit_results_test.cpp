@@ -39,11 +39,11 @@ record::Record two_sensors() {
   return r;
 }
 
-fit::Comparison compared(const record::Channel& channel, double tolerance = unset) {
+verdict::Comparison compared(const record::Channel& channel, double tolerance = unset) {
   const record::Record record = two_sensors();
   std::vector<double> predicted(record.rows(), 0.0);
   predicted[1] = unset;
-  return fit::compare(predicted, record, {.channel = &channel, .tolerance = tolerance});
+  return verdict::compare(predicted, record, {.channel = &channel, .tolerance = tolerance});
 }
 
 std::set<std::string> keys(const Json& object) {
@@ -88,7 +88,7 @@ TEST(Results, SeveralChannelsAreListedBelowTheFirst) {
 }
 
 TEST(Results, NoiseThatWasEstimatedIsStated) {
-  fit::Comparison c = compared(record::friction_torque);
+  verdict::Comparison c = compared(record::friction_torque);
   c.noise = {};
   c.estimated_noise = 0.00125;
   const Json d = Json::parse(comparison_json({"m.toml"}, {{c}}, two_sensors()));
@@ -98,7 +98,7 @@ TEST(Results, NoiseThatWasEstimatedIsStated) {
 }
 
 TEST(Results, ACalibrationHas15Digits) {
-  fit::Calibration c;
+  verdict::Calibration c;
   c.parameters = {{.name = "f0", .unit = "1", .start = 1.5, .value = 2.0 / 3.0}};
   c.channels = {{&record::friction_torque, 0.0657, 0.0123}};
   c.rows_not_predicted = {0, 2};
@@ -112,7 +112,7 @@ TEST(Results, ACalibrationHas15Digits) {
 }
 
 TEST(Results, ALikelihoodIsOfReadingsInTheUnitsOfTheDocument) {
-  fit::Calibration c;
+  verdict::Calibration c;
   c.channels = {{&record::friction_torque, 0.0657, 0.0123, 20},
                 {&record::axial_displacement, 2e-6, 1e-6, 19}};
   c.likelihood = {.readings = 39, .parameters = 2, .chi_square = 40.0, .log_determinant = -500.0};
@@ -136,7 +136,7 @@ TEST(Results, ALikelihoodIsOfReadingsInTheUnitsOfTheDocument) {
 }
 
 TEST(Results, AnIntervalSaysAtWhichSideItIsOpen) {
-  fit::Calibration c;
+  verdict::Calibration c;
   c.parameters = {{.name = "f0", .unit = "1", .start = 1.5, .value = 0.5},
                   {.name = "z", .unit = "1", .start = 1.5, .value = 1.5, .held = true}};
   c.channels = {{&record::friction_torque, 0.0657, 0.0123}};
@@ -155,14 +155,14 @@ TEST(Results, AnIntervalSaysAtWhichSideItIsOpen) {
   EXPECT_NEAR(d["profile"]["rise"].get<double>(), 4.0 * 3.841459, 1e-5);
 }
 
-fit::Diagnosis diagnosis() {
-  fit::Diagnosis d;
-  fit::ChannelDiagnosis channel{.baseline = compared(record::friction_torque)};
+verdict::Diagnosis diagnosis() {
+  verdict::Diagnosis d;
+  verdict::ChannelDiagnosis channel{.baseline = compared(record::friction_torque)};
   channel.rmse_before = 0.01;
   channel.rmse_after = 0.002;
   channel.rmse_held_out_before = 0.011;
   d.channels = {channel};
-  fit::RankedEffect effect{.id = "lubricant-drag"};
+  verdict::RankedEffect effect{.id = "lubricant-drag"};
   effect.rmse = {0.002};
   effect.rmse_held_out = {0.0025};
   effect.parameters = {{.name = "size", .unit = "N mm", .value = 40.0}};
@@ -205,7 +205,7 @@ TEST(Results, ADiagnosisNamesPointsByTheirChannels) {
 }
 
 TEST(Results, ADiagnosisWithAToleranceSaysWhatDecides) {
-  fit::Diagnosis d = diagnosis();
+  verdict::Diagnosis d = diagnosis();
   d.channels[0].tolerance = 0.02;
   d.within_tolerance = true;
   d.significant_but_immaterial = {"lubricant-drag"};
@@ -218,7 +218,7 @@ TEST(Results, ADiagnosisWithAToleranceSaysWhatDecides) {
 }
 
 TEST(Results, WhatAddBoughtHoldsItsCalibration) {
-  fit::AddResult r;
+  verdict::AddResult r;
   r.channels = {
       {.before = compared(record::friction_torque), .after = compared(record::friction_torque)}};
   r.channels[0].rmse_held_out_after = 0.003;
@@ -234,7 +234,7 @@ TEST(Results, WhatAddBoughtHoldsItsCalibration) {
 }
 
 TEST(Results, ACheckListsColumnsInTheirUnits) {
-  fit::Check check;
+  loop::Check check;
   check.rows = 20;
   check.measured = {{.channel = &record::friction_torque, .rows = 20, .noise = {}}};
   check.columns = {{.channel = &record::temperature,

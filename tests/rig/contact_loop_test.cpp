@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "effects/catalogue.h"
-#include "fit/calibrate.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 #include "rig/rig_subject.h"
 #include "tests/support/synthetic.h"
 
@@ -39,20 +38,23 @@ DataSet rows(const std::vector<double>& speeds, const Model& truth) {
 
 TEST(ContactLoop, FrictionOfAsperitiesAsksForThinFilms) {
   const Model model = contacts({"mu_boundary"});
-  const Calibration fast = calibrate(RigSubject(model), rows({6000, 9000, 12000}, model));
+  const verdict::Calibration fast =
+      loop::calibrate(RigSubject(model), rows({6000, 9000, 12000}, model));
   EXPECT_FALSE(fast.parameters[0].identifiable);
   EXPECT_EQ(fast.parameters[0].value, 0.10);
   EXPECT_THAT(fast.messages,
               Contains(HasSubstr("it needs rows with lambda < 2; the smallest lambda of these rows "
                                  "is ")));
-  const Calibration slow = calibrate(RigSubject(model), rows({5, 10, 20, 50}, model));
+  const verdict::Calibration slow =
+      loop::calibrate(RigSubject(model), rows({5, 10, 20, 50}, model));
   EXPECT_TRUE(slow.parameters[0].identifiable);
   EXPECT_THAT(slow.messages, testing::Not(Contains(HasSubstr("lambda"))));
 }
 
 TEST(ContactLoop, TheLimitOfTheFilmAsksForHighPressure) {
   const Model model = contacts({"limiting_traction"});
-  const Calibration c = calibrate(RigSubject(model), rows({6000, 9000, 12000}, model));
+  const verdict::Calibration c =
+      loop::calibrate(RigSubject(model), rows({6000, 9000, 12000}, model));
   EXPECT_EQ(c.status, FitStatus::nothing_to_fit);
   EXPECT_THAT(c.messages,
               Contains(testing::AllOf(
@@ -65,10 +67,10 @@ TEST(ContactLoop, TheLimitOfTheFilmAsksForHighPressure) {
 TEST(ContactLoop, WhatWouldHaveBeenFoundLiesWithinTheRangeOfItsParameter) {
   Model model = contacts({"rolling_factor"});
   const DataSet data = rows({600, 2000, 6000, 9000, 12000}, model);
-  const Diagnosis d = diagnose(RigSubject(model), data);
-  ASSERT_EQ(d.verdict, Verdict::nothing_missing) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(RigSubject(model), data);
+  ASSERT_EQ(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
   double tilt = 0.0;
-  for (const DetectableSize& s : d.would_have_been_found) {
+  for (const verdict::DetectableSize& s : d.would_have_been_found) {
     const effects::Description* const e = effects::find(s.id);
     ASSERT_NE(e, nullptr) << s.id;
     for (const effects::Parameter& p : e->parameters)
@@ -81,10 +83,10 @@ TEST(ContactLoop, WhatWouldHaveBeenFoundLiesWithinTheRangeOfItsParameter) {
   ASSERT_GT(tilt, 0.0);
   model.effects.push_back(
       {.description = effects::find("misalignment"), .values = {std::min(1.3 * tilt, 3.0)}});
-  EXPECT_NE(diagnose(RigSubject(contacts({"rolling_factor"})),
-                     rows({600, 2000, 6000, 9000, 12000}, model))
+  EXPECT_NE(loop::diagnose(RigSubject(contacts({"rolling_factor"})),
+                           rows({600, 2000, 6000, 9000, 12000}, model))
                 .verdict,
-            Verdict::nothing_missing);
+            verdict::Verdict::nothing_missing);
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ Model with_ring_growth(double um_at_10000) {
   return with_effect(two_against_one(), "centrifugal-ring-growth", {um_at_10000});
 }
 
-std::vector<std::string> in_verdict(const Diagnosis& d) {
+std::vector<std::string> in_verdict(const verdict::Diagnosis& d) {
   std::vector<std::string> ids;
-  for (const RankedEffect& e : d.effects)
+  for (const verdict::RankedEffect& e : d.effects)
     if (e.in_verdict) ids.push_back(e.id);
   return ids;
 }
@@ -46,9 +46,9 @@ TEST(DiagnoseDisplacement, NamesWhatIsHiddenAtTwoPreloads) {
       {"ball-material", two_against_one_with(bearing::silicon_nitride()), 1.0, 0.03}};
   for (const Hidden& hidden : all)
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      const Diagnosis d = diagnose(two_against_one(),
-                                   undeclared_records(hidden.truth, ShaftPlan::two_preloads, seed));
-      EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
+      const verdict::Diagnosis d = diagnose(
+          two_against_one(), undeclared_records(hidden.truth, ShaftPlan::two_preloads, seed));
+      EXPECT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
       EXPECT_THAT(in_verdict(d), ElementsAre(hidden.id)) << d.sentence;
       ASSERT_FALSE(d.effects.empty());
       EXPECT_NEAR(d.effects[0].parameters[0].value, hidden.size, hidden.tolerance) << hidden.id;
@@ -78,10 +78,10 @@ TEST(DiagnoseDisplacement, FindsWhatWasEnteredWrong) {
     int found = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const DataSet data = undeclared_records(truth, ShaftPlan::two_preloads, seed);
-      const Diagnosis d = diagnose(two_against_one(), data);
-      EXPECT_NE(d.verdict, Verdict::nothing_missing) << d.sentence;
+      const verdict::Diagnosis d = diagnose(two_against_one(), data);
+      EXPECT_NE(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
       EXPECT_THAT(in_verdict(d), Contains(wrong.id)) << d.sentence;
-      if (d.verdict != Verdict::effect) continue;
+      if (d.verdict != verdict::Verdict::effect) continue;
       ++found;
       EXPECT_THAT(d.sentence, testing::StartsWith("Check the bearing card: ")) << d.sentence;
       EXPECT_NEAR(d.effects[0].parameters[0].value, wrong.truth, 0.03 * wrong.truth);
@@ -89,7 +89,7 @@ TEST(DiagnoseDisplacement, FindsWhatWasEnteredWrong) {
     EXPECT_GE(found, wrong.alone);
     const DataSet data = undeclared_records(truth, ShaftPlan::two_preloads, 1);
     const std::vector<std::string> id{wrong.id};
-    const AddResult added = add(two_against_one(), id, data);
+    const verdict::AddResult added = add(two_against_one(), id, data);
     EXPECT_FALSE(added.refused) << added.reason;
     EXPECT_NEAR(model::get(model_of(added.calibration), *number), wrong.truth, 0.03 * wrong.truth);
     EXPECT_TRUE(model_of(added.calibration).effects.empty());
@@ -110,9 +110,9 @@ TEST(DiagnoseDisplacement, FindsNothingWhereNothingIsHidden) {
   int alarms = 0;
   for (const ShaftPlan plan : {ShaftPlan::sweep, ShaftPlan::two_preloads, ShaftPlan::up_and_down})
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-      const Diagnosis d =
+      const verdict::Diagnosis d =
           diagnose(two_against_one(), undeclared_records(two_against_one(), plan, seed));
-      if (d.verdict == Verdict::nothing_missing) {
+      if (d.verdict == verdict::Verdict::nothing_missing) {
         EXPECT_THAT(d.effects, IsEmpty());
         EXPECT_FALSE(d.would_have_been_found.empty());
       } else {
@@ -131,12 +131,12 @@ TEST(DiagnoseDisplacement, SaysWhatToMeasureAfterAPlainSweep) {
   Model belief = two_against_one();
   belief.f1_load = friction::F1Load::F_b;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    const Diagnosis d = diagnose(
+    const verdict::Diagnosis d = diagnose(
         belief, undeclared_records(with_ring_growth(3.0), ShaftPlan::sweep, seed, 0.1 * um));
-    EXPECT_EQ(d.verdict, Verdict::ambiguous) << d.sentence;
+    EXPECT_EQ(d.verdict, verdict::Verdict::ambiguous) << d.sentence;
     EXPECT_THAT(in_verdict(d), Contains("centrifugal-ring-growth"));
     ASSERT_FALSE(d.suggested_measurements.empty());
-    const auto other_preload = [](const SuggestedMeasurement& m) {
+    const auto other_preload = [](const verdict::SuggestedMeasurement& m) {
       return std::any_of(m.point.begin(), m.point.end(), [](const Setting& s) {
         return *s.channel == record::preload && (s.value == 300.0 || s.value == 1200.0);
       });
@@ -158,29 +158,29 @@ TEST(DiagnoseDisplacement, TellsHeatFromSpeedByRunsUpAndDown) {
   // docs/shaft.md: found in 97 of 100, and nothing named in the others.
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Diagnosis d =
+    const verdict::Diagnosis d =
         diagnose(two_against_one(), undeclared_records(truth, ShaftPlan::up_and_down, seed));
-    if (d.verdict == Verdict::nothing_missing) continue;
+    if (d.verdict == verdict::Verdict::nothing_missing) continue;
     ++found;
-    EXPECT_EQ(d.verdict, Verdict::effect) << d.sentence;
+    EXPECT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
     EXPECT_THAT(in_verdict(d), ElementsAre("thermal-ring-growth"));
   }
   EXPECT_GE(found, 18);
 }
 
 TEST(DiagnoseDisplacement, TriesOnlyWhatMovesAShaft) {
-  const Diagnosis d =
+  const verdict::Diagnosis d =
       diagnose(two_against_one(), undeclared_records(two_against_one(), ShaftPlan::sweep, 1));
   std::vector<std::string> ids;
-  for (const NotTestable& n : d.not_testable) ids.push_back(n.id);
-  for (const DetectableSize& s : d.would_have_been_found) ids.push_back(s.id);
+  for (const verdict::NotTestable& n : d.not_testable) ids.push_back(n.id);
+  for (const verdict::DetectableSize& s : d.would_have_been_found) ids.push_back(s.id);
   EXPECT_EQ(ids.size(), ShaftSubject(two_against_one()).candidates().size());
   EXPECT_THAT(ids, AllOf(Contains("mounting"), Contains("displacement-offset")));
   EXPECT_THAT(ids, Not(Contains("seal-friction")));
 }
 
 TEST(DiagnoseDisplacement, LeavesAPreloadAloneThatEveryRowHas) {
-  const Diagnosis d = diagnose(
+  const verdict::Diagnosis d = diagnose(
       two_against_one(), undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1));
   EXPECT_THAT(d.messages, Contains(HasSubstr("do not depend on preload_N")));
   EXPECT_THAT(d.base, IsEmpty());
@@ -211,15 +211,16 @@ TEST(DiagnoseDisplacement, BendsALawOnlyByInputsThatVary) {
   DataSet data = undeclared_records(two_against_one(), ShaftPlan::two_preloads, 1);
   for (Row& row : data.rows)
     row.measured -= 8.0 * um * std::pow(row.point.speed / (10000.0 * rpm), 2.15);
-  const Diagnosis d = diagnose(two_against_one(), data);
-  EXPECT_EQ(d.verdict, Verdict::effect_like) << d.sentence;
+  const verdict::Diagnosis d = diagnose(two_against_one(), data);
+  EXPECT_EQ(d.verdict, verdict::Verdict::effect_like) << d.sentence;
   EXPECT_THAT(d.sentence, HasSubstr("viscosity +0.00"));
 }
 
 TEST(AddToAShaft, RefusesAMemberThatAddsNothing) {
   const std::vector<std::string> ids{"centrifugal-ring-growth", "thermal-preload"};
-  const AddResult r = add(two_against_one(), ids,
-                          undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1));
+  const verdict::AddResult r =
+      add(two_against_one(), ids,
+          undeclared_records(with_ring_growth(3.0), ShaftPlan::two_preloads, 1));
   EXPECT_TRUE(r.refused);
   EXPECT_THAT(r.reason, HasSubstr("thermal-preload adds nothing"));
 }
@@ -227,7 +228,7 @@ TEST(AddToAShaft, RefusesAMemberThatAddsNothing) {
 TEST(AddToAShaft, FitsTheEffectAndLowersTheErrorOnOtherRecords) {
   const Model truth = with_ring_growth(3.0);
   const std::vector<std::string> id{"centrifugal-ring-growth"};
-  const AddResult added =
+  const verdict::AddResult added =
       add(two_against_one(), id, undeclared_records(truth, ShaftPlan::two_preloads, 1));
   EXPECT_FALSE(added.refused) << added.reason;
   const Model& found = model_of(added.calibration);
@@ -240,7 +241,7 @@ TEST(AddToAShaft, FitsTheEffectAndLowersTheErrorOnOtherRecords) {
 TEST(AddToAShaft, RefusesWhatDoesNotHelpAndWhatMovesNothing) {
   const DataSet data = undeclared_records(two_against_one_on_springs(), ShaftPlan::two_preloads, 1);
   const std::vector<std::string> wrong{"shaft-contraction"}, friction{"seal-friction"};
-  const AddResult refused = add(two_against_one(), wrong, data);
+  const verdict::AddResult refused = add(two_against_one(), wrong, data);
   EXPECT_TRUE(refused.refused);
   EXPECT_THAT(refused.reason, Not(HasSubstr("N mm")));
   try {

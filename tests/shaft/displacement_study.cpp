@@ -17,6 +17,7 @@ namespace {
 
 using namespace raceway;
 using namespace raceway::fit;
+using namespace raceway::verdict;
 
 struct Hidden {
   std::string id;  ///< empty: none

@@ -361,7 +361,7 @@ TEST(ShaftSubject, FindsEveryEffectInItsOwnRecords) {
     const std::string name = std::string(d->id) + "." + std::string(d->parameters[0].name);
     start.free = {"contact_angle_deg", name};
     start.effects.back().values[0] = 0.5 * (truth[0] + effects::initial_values(*d)[0]);
-    const Calibration c = calibrate(start, data);
+    const verdict::Calibration c = calibrate(start, data);
     ASSERT_TRUE(c.converged()) << fit::name(c.status);
     EXPECT_TRUE(c.rows_not_predicted.empty());
     EXPECT_NEAR(c.parameters[1].value, truth[0], 1e-3 * std::abs(truth[0]));

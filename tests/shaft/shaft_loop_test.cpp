@@ -128,7 +128,7 @@ TEST(ShaftLoop, ThePublishedCurveIsComparedAndCalibratedTo) {
     const double n = row.point.speed / rpm;
     row.measured = 1.28e-3 * std::pow(n, 1.0 - 0.697 * std::exp(-5.3e-4 * n)) * um;
   }
-  const Comparison before = compare(model, data);
+  const verdict::Comparison before = compare(model, data);
   EXPECT_EQ(*before.channel, record::axial_displacement);
   EXPECT_EQ(before.rows, 40);
   EXPECT_NEAR(before.mae, 0.133 * um, 0.005 * um);
@@ -136,7 +136,7 @@ TEST(ShaftLoop, ThePublishedCurveIsComparedAndCalibratedTo) {
   EXPECT_EQ(before.statement.find("N mm"), std::string::npos);
 
   model.free = {"preload_N", "contact_angle_deg"};
-  const Calibration c = calibrate(model, data);
+  const verdict::Calibration c = calibrate(model, data);
   ASSERT_TRUE(c.converged());
   const auto& [channel, rmse_before, rmse_after, readings] = c.channels.at(0);
   EXPECT_EQ(readings, 40);
@@ -149,7 +149,8 @@ TEST(ShaftLoop, ThePublishedCurveIsComparedAndCalibratedTo) {
 TEST(ShaftLoop, AHiddenPreloadIsFound) {
   DataSet data = sweeps({unset});
   measure_shaft(shaft_model(430), 0.0, 1, data);
-  const Calibration c = calibrate(shaft_model(600), data);  // preload_N is what is free by itself
+  const verdict::Calibration c =
+      calibrate(shaft_model(600), data);  // preload_N is what is free by itself
   ASSERT_TRUE(c.converged());
   ASSERT_EQ(c.parameters.size(), 1u);
   EXPECT_EQ(c.parameters[0].name, "preload_N");
@@ -167,7 +168,7 @@ TEST(ShaftLoop, SweepsAtKnownPreloadsFixAngleAndConformityWithinTheirErrors) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     DataSet data = sweeps({200, 600, 1500}, 10);
     measure_shaft(truth, 0.02 * um, seed, data);
-    const Calibration c = calibrate(model, data);
+    const verdict::Calibration c = calibrate(model, data);
     ASSERT_TRUE(c.converged());
     const std::vector<double> hidden{22.0, 0.53};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -188,13 +189,15 @@ TEST(ShaftLoop, AWrongBearingShowsAsStructureAndACalibratedOneAsNoise) {
   DataSet data = sweeps({200, 600, 1500}, 10);
   measure_shaft(truth, 0.02 * um, 7, data);
   Model model = shaft_model();
-  const Comparison wrong = compare(model, data);
-  EXPECT_EQ(wrong.judgement, Judgement::structure);
-  const auto of_preload = [](const ErrorRange& r) { return *r.channel == record::preload; };
+  const verdict::Comparison wrong = compare(model, data);
+  EXPECT_EQ(wrong.judgement, verdict::Judgement::structure);
+  const auto of_preload = [](const verdict::ErrorRange& r) {
+    return *r.channel == record::preload;
+  };
   EXPECT_EQ(std::count_if(wrong.where.begin(), wrong.where.end(), of_preload), 3);
   model.free = {"contact_angle_deg"};
-  const Calibration c = calibrate(model, data);
-  EXPECT_EQ(compare(model_of(c), data, 1).judgement, Judgement::noise);
+  const verdict::Calibration c = calibrate(model, data);
+  EXPECT_EQ(compare(model_of(c), data, 1).judgement, verdict::Judgement::noise);
 }
 
 TEST(ShaftLoop, WhatTheDataDoNotDependOnIsHeldAndSaid) {
@@ -202,7 +205,7 @@ TEST(ShaftLoop, WhatTheDataDoNotDependOnIsHeldAndSaid) {
   measure_shaft(shaft_model(), 0.02 * um, 3, data);
   Model model = shaft_model();
   model.free = {"preload_N", "contact_angle_deg", "f0"};
-  const Calibration c = calibrate(model, data);
+  const verdict::Calibration c = calibrate(model, data);
   ASSERT_TRUE(c.converged());
   EXPECT_TRUE(c.parameters[0].held) << "the preload was measured";
   EXPECT_EQ(c.parameters[0].value, 600);
@@ -226,10 +229,10 @@ TEST(ShaftLoop, RowsWithoutBalanceAreListedAndLeftOut) {
   measure_shaft(tandem(500), 0.0, 1, data);
   data.rows[4].point.axial_load = 700;  // more than the spring holds
   data.rows[7].point.axial_load = 700;
-  const Comparison compared = compare(tandem(600), data);
+  const verdict::Comparison compared = compare(tandem(600), data);
   EXPECT_THAT(compared.rows_not_predicted, ElementsAre(4, 7));
   EXPECT_EQ(compared.rows, 8);
-  const Calibration c = calibrate(tandem(600), data);
+  const verdict::Calibration c = calibrate(tandem(600), data);
   EXPECT_THAT(c.rows_not_predicted, ElementsAre(4, 7));
   EXPECT_THAT(c.messages, Contains(HasSubstr("2 of 10 rows have no prediction")));
   EXPECT_NEAR(c.parameters[0].value, 500, 1e-3);
@@ -240,9 +243,9 @@ TEST(ShaftLoop, TheOrderOfRowsChangesNothing) {
   measure_shaft(shaft_model(), 0.05 * um, 5, data);
   Model model = shaft_model();
   model.free = {"contact_angle_deg"};
-  const Calibration straight = calibrate(model, data);
+  const verdict::Calibration straight = calibrate(model, data);
   std::shuffle(data.rows.begin(), data.rows.end(), std::mt19937(2));
-  const Calibration shuffled = calibrate(model, data);
+  const verdict::Calibration shuffled = calibrate(model, data);
   EXPECT_NEAR(shuffled.parameters[0].value, straight.parameters[0].value, 1e-6);
   EXPECT_NEAR(compare(model, data).rmse, straight.channels.at(0).rmse_before, 1e-12);
 }

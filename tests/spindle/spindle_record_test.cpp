@@ -7,9 +7,7 @@
 
 #include "files/model_file.h"
 #include "files/subject.h"
-#include "fit/add.h"
-#include "fit/calibrate.h"
-#include "fit/diagnose.h"
+#include "loop/loop.h"
 #include "tests/places.h"
 
 // Records of a spindle with a known hidden effect, made by a detailed model of another kind
@@ -41,7 +39,7 @@ struct Errors {
 Errors errors_on(const fit::Subject& subject, const record::Record& record) {
   Errors left;
   int thermometers = 0;
-  for (const fit::Comparison& c : fit::compare(subject, record)) {
+  for (const verdict::Comparison& c : verdict::compare(subject, record)) {
     if (*c.channel == record::axial_displacement) {
       left.um = c.rmse / raceway::um;
       continue;
@@ -62,10 +60,10 @@ constexpr double worst_K = 0.4;
 
 TEST(SpindleRecord, NothingIsMissingWhereNothingIsHidden) {
   const Case c = read_case("clean");
-  const fit::Diagnosis d = fit::diagnose(*c.subject, c.train, {});
-  EXPECT_EQ(d.verdict, fit::Verdict::nothing_missing) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(*c.subject, c.train, {});
+  EXPECT_EQ(d.verdict, verdict::Verdict::nothing_missing) << d.sentence;
   EXPECT_EQ(d.channels.size(), 6u);
-  const fit::Calibration fitted = fit::calibrate(*c.subject, c.train);
+  const verdict::Calibration fitted = loop::calibrate(*c.subject, c.train);
   EXPECT_NEAR(fitted.parameters.at(0).value, true_f0, 0.03);
   const Errors e = errors_on(*fitted.subject, c.test);
   EXPECT_LE(e.kelvin, bar_K);
@@ -75,12 +73,12 @@ TEST(SpindleRecord, NothingIsMissingWhereNothingIsHidden) {
 
 TEST(SpindleRecord, SeatsThatHoldHeatBackAreFound) {
   const Case c = read_case("seats");
-  const fit::Diagnosis d = fit::diagnose(*c.subject, c.train, {});
-  ASSERT_EQ(d.verdict, fit::Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(*c.subject, c.train, {});
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_EQ(d.effects.front().id, "seat-conductance");
   EXPECT_NEAR(d.effects.front().parameters.front().value, 0.15, 0.03);
-  const fit::AddResult added =
-      fit::add(*c.subject, std::vector<std::string>{"seat-conductance"}, c.train);
+  const verdict::AddResult added =
+      loop::add(*c.subject, std::vector<std::string>{"seat-conductance"}, c.train);
   ASSERT_FALSE(added.refused) << added.reason;
   const Errors e = errors_on(*added.calibration.subject, c.test);
   EXPECT_LE(e.kelvin, bar_K);
@@ -90,12 +88,12 @@ TEST(SpindleRecord, SeatsThatHoldHeatBackAreFound) {
 
 TEST(SpindleRecord, HeatOfTheDriveIsFound) {
   const Case c = read_case("drive");
-  const fit::Diagnosis d = fit::diagnose(*c.subject, c.train, {});
-  ASSERT_EQ(d.verdict, fit::Verdict::effect) << d.sentence;
+  const verdict::Diagnosis d = loop::diagnose(*c.subject, c.train, {});
+  ASSERT_EQ(d.verdict, verdict::Verdict::effect) << d.sentence;
   EXPECT_EQ(d.effects.front().id, "drive-heat");
   EXPECT_NEAR(d.effects.front().parameters.front().value, 150.0, 10.0);
-  const fit::AddResult added =
-      fit::add(*c.subject, std::vector<std::string>{"drive-heat"}, c.train);
+  const verdict::AddResult added =
+      loop::add(*c.subject, std::vector<std::string>{"drive-heat"}, c.train);
   ASSERT_FALSE(added.refused) << added.reason;
   const Errors e = errors_on(*added.calibration.subject, c.test);
   EXPECT_LE(e.kelvin, bar_K);

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fit/refit.h"
+#include "fit/separable.h"
+#include "fit/subject.h"
+
+/// Fits of subjects that only approximate (Subject::approximates()).
+namespace raceway::tolerance {
+
+/// A record as such subjects are fitted to it.
+struct Recorded {
+  std::shared_ptr<const record::Record> record{};
+  std::shared_ptr<const void> prepared{};  ///< of the subject, see Subject::prepare()
+  fit::Means means{};
+  double duration = unset;  ///< [s]
+};
+
+/// Means of a minute or of a 1500th of the record, whichever is longer, but of no more than `most`
+/// rows; single rows with `width` 0.
+[[nodiscard]] double usual_width(const record::Record& record);
+[[nodiscard]] Recorded recorded(const fit::Subject& subject,
+                                std::shared_ptr<const record::Record> record, double width);
+
+/// A subject with some of its parameters fitted.
+struct Approximation {
+  std::shared_ptr<const fit::Subject> subject{};  ///< as it was before the fit
+  std::vector<std::string> names{};               ///< of the parameters that were fitted
+  std::vector<record::Parameter> parameters{};    ///< the same
+  fit::SeparableFit fit{};
+  std::vector<double> held_out{};  ///< error of each mean that its fit did not see [SI]; NaN: none
+  double rms = unset;              ///< weighted as the means are
+  double rms_held_out = unset;     ///< NaN where nothing can be held out
+  /// The same of each channel of Subject::measured(), in its tolerances; NaN of one that has no
+  /// mean.
+  std::vector<double> channel_rms{}, channel_held_out{};
+  /// Derivatives of the means by the values; kept of what is costly alone.
+  Eigen::MatrixXd slope{};
+};
+
+struct ApproximationOptions {
+  std::vector<Eigen::VectorXd> starts{};  ///< beside that of the subject
+  int random_starts = 24;
+  int polished = 3;  ///< of the starts, the best
+  std::function<bool()> cancelled{};
+};
+
+/// Fits the parameters of these names from several starts.
+[[nodiscard]] Approximation approximate(std::shared_ptr<const fit::Subject> subject,
+                                        const Recorded& recorded,
+                                        const std::vector<std::string>& names,
+                                        const ApproximationOptions& options = {});
+
+/// Throws std::invalid_argument where no start has a prediction for every reading.
+void require_fit(const Approximation& approximation);
+
+/// The same with candidates switched on, begun where the fit without them ended.
+[[nodiscard]] Approximation approximate_with(const Approximation& base, const Recorded& recorded,
+                                             const std::vector<const fit::Candidate*>& candidates,
+                                             const ApproximationOptions& options = {});
+
+/// Fills in the errors on each block from a fit to all the others. The simulation runs through
+/// them.
+void hold_out(Approximation& approximation, const Recorded& recorded);
+
+/// The same fitted to single rows (means, of very long records) without a ridge, begun where it
+/// ended. `rows` gets what it was fitted to.
+[[nodiscard]] Approximation refined(const Approximation& approximation, const Recorded& recorded,
+                                    Recorded& rows);
+
+/// Standard errors of all parameters, widened for what is left following the rows before it, and by
+/// what the model declares as its own error.
+struct ApproximationErrors {
+  Eigen::MatrixXd covariance{};
+  double condition = unset;         ///< of the columns, each of unit length
+  double correlation_time = unset;  ///< of what is left [s]
+  double effective = unset;         ///< number of means that count as independent
+};
+[[nodiscard]] ApproximationErrors errors_of(const Approximation& approximation,
+                                            const Recorded& recorded);
+
+/// The subject with its fitted values.
+[[nodiscard]] std::shared_ptr<const fit::Subject> fitted(const Approximation& approximation);
+
+/// The same with the errors on parts held out.
+[[nodiscard]] fit::Refit refit_of(const Approximation& approximation, const Recorded& recorded);
+
+}  // namespace raceway::tolerance

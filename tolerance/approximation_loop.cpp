@@ -1,0 +1,702 @@
+#include "tolerance/approximation_loop.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include "algebra/detail/decompositions.h"
+#include "tolerance/residual_course.h"
+#include "tolerance/thinned_record.h"
+#include "verdict/effect_sizes.h"
+#include "verdict/headline.h"
+#include "verdict/verdict_text.h"
+
+namespace raceway::tolerance {
+namespace {
+
+constexpr double comes_near = 1.2;       // of the error of the best
+constexpr double half_an_hour = 1800.0;  // in which what is left forgets itself [s]
+constexpr double decided = 20.0;         // lambda from which two are told apart
+constexpr double much_of_it = 0.5;       // of a mean square
+constexpr double one_way =
+    1.3;  // length of the way over its span: below it the record warms up once
+constexpr double surely_better = 0.95;  // of the held-out error
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+constexpr std::size_t costly_members = 4;  // of pairs: the best singles
+
+/// "second-time-constant" of "second-time-constant:ambient".
+std::string plain(const std::string& id) { return id.substr(0, id.find(':')); }
+
+/// The channel that errs most, in its tolerances; 0 where nothing was held out.
+std::size_t worst_channel(const std::vector<double>& errors) {
+  std::size_t worst = 0;
+  for (std::size_t c = 0; c < errors.size(); ++c)
+    if (errors[c] > errors[worst] || std::isnan(errors[worst])) worst = c;
+  return worst;
+}
+
+/// An error of which the worst channel is within its tolerance is within.
+double worst_held_out(const Approximation& a) {
+  return a.channel_held_out.empty() ? unset : a.channel_held_out[worst_channel(a.channel_held_out)];
+}
+
+/// A fit with one or two candidates.
+struct Tried {
+  std::vector<const fit::Candidate*> on{};
+  const fit::Fault* shown = nullptr;  ///< instead: by the record itself
+  Approximation fit{};
+  [[nodiscard]] double error() const { return fit.rms_held_out; }
+  [[nodiscard]] double worst() const { return worst_held_out(fit); }
+  /// No number of a candidate has gone as far as it may.
+  [[nodiscard]] bool is_within_bounds(std::size_t base) const {
+    for (std::size_t k = base; k < fit.parameters.size(); ++k)
+      if (fit.parameters[k].at_bound != record::Bound::none) return false;
+    return true;
+  }
+  [[nodiscard]] std::vector<std::string> ids() const {
+    std::vector<std::string> list;
+    if (shown) list.push_back(shown->id);
+    for (const fit::Candidate* c : on) list.push_back(c->id);
+    return list;
+  }
+};
+
+class Inquiry {
+ public:
+  Inquiry(const fit::Subject& subject, const record::Record& record,
+          const verdict::DiagnoseOptions& options)
+      : options_(options), record_(record) {
+    subject.require(record);
+    std::unique_ptr<fit::Subject> informed = subject.informed_by(record);
+    subject_ = informed ? std::shared_ptr<const fit::Subject>(std::move(informed))
+                        : std::shared_ptr<const fit::Subject>(subject.with_values({}));
+    channels_ = subject_->measured();
+    for (fit::Measured& m : channels_) m.tolerance = fit::tolerance_of(m, record);
+    for (const fit::Measured& m : channels_)
+      if (!std::isfinite(m.tolerance))
+        throw std::invalid_argument(fmt::format(
+            "a model of {} only comes near: whether something is missing depends on what "
+            "matters; say it by tolerance_{} (or --tolerance)",
+            m.channel->words, m.channel->key_unit()));
+    recorded_ = recorded(*subject_, for_search(std::make_shared<const record::Record>(record)),
+                         usual_width(record));
+    require_readings();
+    candidates_ = subject_->candidates();
+    if (!options.candidates.empty())
+      std::erase_if(candidates_, [&](const fit::Candidate& c) {
+        return std::find(options.candidates.begin(), options.candidates.end(), c.id) ==
+               options.candidates.end();
+      });
+  }
+
+  verdict::Diagnosis run() {
+    step(0.05, "refitting the model");
+    base_ = approximate(subject_, recorded_, subject_->free(), search());
+    require_fit(base_);
+    hold_out(base_, recorded_);
+    if (std::isnan(base_.rms_held_out))
+      throw std::invalid_argument(
+          "these readings have no parts that could be held out: nothing can be judged by them");
+    describe();
+    step(0.15, "refitting with each effect");
+    try_singles();
+    decide();
+    return conclude();
+  }
+
+ private:
+  [[nodiscard]] const fit::Measured& channel() const { return channels_.front(); }
+  /// Errors of a channel are in its tolerances.
+  [[nodiscard]] double in_SI(double error, std::size_t of) const {
+    return error * channels_[of].tolerance;
+  }
+  /// By channel of the results.
+  [[nodiscard]] std::vector<double> in_SI(const std::vector<double>& errors) const {
+    std::vector<double> list;
+    for (const std::size_t c : told_)
+      list.push_back(c < errors.size() ? in_SI(errors[c], c) : unset);
+    return list;
+  }
+  [[nodiscard]] ApproximationOptions search() const {
+    return {.cancelled = [this] { return options_.cancelled && options_.cancelled->load(); }};
+  }
+
+  void step(double share, std::string_view what) const {
+    if (options_.cancelled && options_.cancelled->load()) throw fit::Cancelled();
+    if (options_.progress) options_.progress(share, what);
+  }
+
+  void require_readings() const {
+    const auto count = static_cast<std::size_t>(recorded_.means.size());
+    constexpr std::size_t least = 40;
+    if (count < least)
+      throw std::invalid_argument(
+          fmt::format("{} readings of {} at {} different minutes: a verdict needs {} or more",
+                      count, channel().channel->words, count, least));
+    bool all_go_one_way = true;
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      all_go_one_way = all_go_one_way && goes_one_way(c);
+    if (all_go_one_way)
+      throw std::invalid_argument(
+          "this record cannot validate a model: it goes from one state to another once, so that no "
+          "part of it can be held out and told from the rest; record a cool-down with it, or a "
+          "second profile");
+  }
+
+  /// Means of one channel.
+  [[nodiscard]] fit::Means means_of_channel(std::size_t channel) const {
+    fit::Means means;
+    for (const fit::Means::Mean& mean : recorded_.means.list)
+      if (mean.channel == channel) means.list.push_back(mean);
+    return means;
+  }
+
+  /// The way that the readings of a channel go is hardly longer than their span.
+  [[nodiscard]] bool goes_one_way(std::size_t channel) const {
+    constexpr std::size_t stretches = 60;
+    const std::vector<fit::Means::Mean> list = means_of_channel(channel).list;
+    if (list.empty()) return true;
+    std::vector<double> smooth;
+    for (std::size_t k = 0; k < stretches; ++k) {
+      const std::size_t begin = k * list.size() / stretches,
+                        end = (k + 1) * list.size() / stretches;
+      double sum = 0.0;
+      for (std::size_t i = begin; i < end; ++i) sum += list[i].measured;
+      if (end > begin) smooth.push_back(sum / static_cast<double>(end - begin));
+    }
+    double way = 0.0;
+    for (std::size_t k = 1; k < smooth.size(); ++k) way += std::abs(smooth[k] - smooth[k - 1]);
+    const auto [low, high] = std::minmax_element(smooth.begin(), smooth.end());
+    return way < one_way * (*high - *low);
+  }
+
+  void describe() {
+    const std::vector<double> predicted = fit::predict(*fitted(base_), record_);
+    const std::size_t rows = record_.rows();
+    bool noise_is_known = true;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const fit::Measured& of = channels_[c];
+      if (c >= base_.channel_held_out.size() || std::isnan(base_.channel_held_out[c]))
+        continue;  // not read
+      told_.push_back(c);
+      verdict::ChannelDiagnosis& d = result_.channels.emplace_back();
+      d.baseline = verdict::compare(std::span(predicted).subspan(c * rows, rows), record_, of,
+                                    static_cast<int>(base_.names.size()));
+      d.tolerance = of.tolerance;
+      d.rmse_before = d.rmse_after = in_SI(base_.channel_rms[c], c);
+      d.rmse_held_out_before = in_SI(base_.channel_held_out[c], c);
+      d.noise.rms = std::isfinite(of.std) ? of.std : fit::noise_of_neighbours(record_, *of.channel);
+      noise_is_known = noise_is_known && std::isfinite(d.noise.rms);
+      result_.rows = std::max(result_.rows, d.baseline.rows);
+    }
+    result_.refits.push_back(refit_of(base_, recorded_));
+    result_.rows_not_predicted = result_.channels.front().baseline.rows_not_predicted;
+    if (!noise_is_known)
+      result_.messages.emplace_back(
+          "readings stand too far apart to tell the noise of the sensor from what the machine does "
+          "between them");
+    for (std::size_t k = 0; k < base_.names.size(); ++k)
+      if (base_.fit.at_bound[k])
+        result_.messages.push_back(
+            fmt::format("{} = {} ends at a bound: the record cannot tell it, or something is "
+                        "missing",
+                        base_.parameters[k].name,
+                        verdict::with_unit(base_.parameters[k].value, base_.parameters[k].unit)));
+    for (const std::string& id : subject_->catalogue())
+      if (std::string why = subject_->lacks(id, record_); !why.empty())
+        result_.not_testable.push_back({id, "needs " + why});
+  }
+
+  /// Fits with each of some sets of candidates, side by side where a fit is costly; in their order.
+  /// `most`: error in sample up to which parts are held out. `from`, `to`: share of the whole.
+  std::vector<Tried> fits_with(const std::vector<std::vector<const fit::Candidate*>>& sets,
+                               const ApproximationOptions& with, double most, double from,
+                               double to) const {
+    std::vector<Tried> list(sets.size());
+    std::mutex telling;
+    std::size_t done = 0;
+    const auto try_one = [&](std::size_t k) {
+      {
+        const std::scoped_lock lock(telling);
+        step(from + (to - from) * static_cast<double>(done++) / static_cast<double>(sets.size()),
+             sets[k].size() > 1 ? "refitting with pairs of effects" : sets[k].front()->id);
+      }
+      list[k].on = sets[k];
+      list[k].fit = approximate_with(base_, recorded_, sets[k], with);
+      if (list[k].fit.fit.values.size() > 0 && list[k].fit.rms <= most)
+        hold_out(list[k].fit, recorded_);
+    };
+    if (subject_->is_costly())
+      tbb::parallel_for(std::size_t{0}, sets.size(), try_one, tbb::simple_partitioner());
+    else
+      for (std::size_t k = 0; k < sets.size(); ++k) try_one(k);
+    return list;
+  }
+
+  void try_singles() {
+    std::vector<std::vector<const fit::Candidate*>> sets;
+    for (const fit::Candidate& c : candidates_)
+      if (is_testable(c.id)) sets.push_back({&c});
+    singles_ = fits_with(sets, search(), no_limit, 0.15, 0.5);
+    leave_out_what_is_not_felt();
+    look_at_record();
+    sort(singles_);
+    result_.candidates_tried = static_cast<int>(singles_.size()) + options_.tried_before;
+  }
+
+  /// It takes nothing, and over all its range moves no channel by a share of its tolerance.
+  [[nodiscard]] bool is_felt(const Tried& t) const {
+    constexpr double least = 0.1, nothing = 1e-4;
+    const Approximation& fit = t.fit;
+    if (fit.slope.size() == 0 || fit.rms < (1.0 - nothing) * base_.rms) return true;
+    const std::size_t size = base_.names.size() + t.on.front()->size;
+    const record::Parameter& p = fit.parameters[size];
+    const auto column = fit.slope.col(static_cast<Eigen::Index>(size));
+    double square = 0.0;
+    for (Eigen::Index i = 0; i < column.size(); ++i)
+      square += std::pow(column[i] * recorded_.means.list[static_cast<std::size_t>(i)].weight, 2);
+    const double moved = std::sqrt(square / static_cast<double>(column.size()));
+    return !(moved * (p.upper - p.lower) < least);
+  }
+
+  void leave_out_what_is_not_felt() {
+    for (const Tried& t : singles_)
+      if (!is_felt(t))
+        result_.not_testable.push_back(
+            {t.on.front()->id, "whatever its size, nothing that was read would tell"});
+    std::erase_if(singles_, [&](const Tried& t) { return !is_felt(t); });
+  }
+
+  /// What the record cannot feel is not looked for where looking costs much.
+  [[nodiscard]] bool is_testable(const std::string& id) const {
+    return !subject_->is_costly() ||
+           std::none_of(result_.not_testable.begin(), result_.not_testable.end(),
+                        [&](const verdict::NotTestable& n) { return n.id == id; });
+  }
+
+  /// Faults that the record shows of itself: the model alone, on what it would be without.
+  void look_at_record() {
+    const auto asked = [&](const std::string& id) {
+      const std::vector<std::string>& only = options_.candidates;
+      return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
+    };
+    faults_ = fitted(base_)->faults(record_);
+    for (const fit::Fault& e : faults_) {
+      if (!asked(e.id)) continue;
+      const Recorded without = recorded(*subject_, for_search(e.without), usual_width(record_));
+      Tried t{.shown = &e};
+      t.fit = approximate(subject_, without, subject_->free(), search());
+      if (t.fit.fit.values.size() == 0) continue;
+      hold_out(t.fit, without);
+      singles_.push_back(std::move(t));
+    }
+  }
+
+  static void sort(std::vector<Tried>& list) {
+    std::erase_if(list, [](const Tried& t) { return !std::isfinite(t.error()); });
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Tried& a, const Tried& b) { return a.error() < b.error(); });
+  }
+
+  /// Whether another explanation comes so near the best that the record does not tell them apart.
+  [[nodiscard]] bool rivals(const Tried& other, const Tried& best) const {
+    const double ratio = other.error() / best.error(), base = base_.rms_held_out;
+    const double lambda = recorded_.duration / half_an_hour * (ratio * ratio - 1.0);
+    const double taken = base * base - other.error() * other.error();
+    return (ratio <= comes_near || lambda < decided) &&
+           taken >= much_of_it * (base * base - best.error() * best.error());
+  }
+
+  /// The best and all that come near it, without other forms of the same.
+  [[nodiscard]] std::vector<const Tried*> near_best(const std::vector<Tried>& list) const {
+    std::vector<const Tried*> set{&list.front()};
+    for (const Tried& t : list) {
+      const auto same = [&](const Tried* s) {
+        std::vector<std::string> a = t.ids(), b = s->ids();
+        for (auto* ids : {&a, &b}) {
+          for (std::string& id : *ids) id = plain(id);
+          std::sort(ids->begin(), ids->end());
+        }
+        return a == b;
+      };
+      if (std::none_of(set.begin(), set.end(), same) && rivals(t, list.front())) set.push_back(&t);
+    }
+    return set;
+  }
+
+  /// Of pairs that are not told apart those of the machine come before those of its readings: three
+  /// jumps fit much that they have nothing to do with.
+  [[nodiscard]] static std::vector<const Tried*> causes_first(std::vector<const Tried*> set) {
+    std::stable_partition(set.begin(), set.end(), [](const Tried* t) {
+      return std::none_of(t->on.begin(), t->on.end(),
+                          [](const fit::Candidate* c) { return c->of_reading; });
+    });
+    return set;
+  }
+
+  /// An error that is not told from the tolerance: so large does one of the tolerance turn out, by
+  /// the few half hours of a record, once in twenty times.
+  [[nodiscard]] double as_good_as_within() const {
+    constexpr double one_sided = 1.645;
+    return 1.0 + one_sided / std::sqrt(2.0 * recorded_.duration / half_an_hour);
+  }
+
+  void decide() {
+    result_.within_tolerance = worst_held_out(base_) <= 1.0;
+    if (result_.within_tolerance) {
+      for (const Tried& t : singles_)
+        if (t.error() < surely_better * base_.rms_held_out)
+          result_.significant_but_immaterial.push_back(t.ids().front());
+      return;
+    }
+    if (!singles_.empty()) {
+      std::vector<const Tried*> near = near_best(singles_);
+      // What is beyond the tolerance by chance has at least taken as much of the misfit.
+      const double slack = as_good_as_within(), base = worst_held_out(base_);
+      const auto is_within = [&](const Tried* t) {
+        return t->worst() <= 1.0 || (t->worst() <= slack && slack * t->worst() <= base);
+      };
+      if (std::any_of(near.begin(), near.end(), is_within) && is_believable(singles_.front())) {
+        found_ = std::move(near);
+        result_.verdict =
+            found_.size() == 1 ? verdict::Verdict::effect : verdict::Verdict::ambiguous;
+        return;
+      }
+    }
+    const auto shown = std::find_if(singles_.begin(), singles_.end(),
+                                    [](const Tried& t) { return t.shown != nullptr; });
+    if (shown != singles_.end()) {
+      found_ = {&*shown};
+      result_.verdict = verdict::Verdict::effect_like;
+      result_.course = course_of_worst(base_);
+      return;
+    }
+    if (options_.pairs) try_pairs();
+    if (!pairs_.empty() && pairs_.front().worst() <= 1.0 && is_believable(pairs_.front()) &&
+        comes_near * pairs_.front().error() <= singles_.front().error()) {
+      found_ = causes_first(near_best(pairs_));
+      result_.verdict = verdict::Verdict::several_effects;
+      return;
+    }
+    const double base = base_.rms_held_out;
+    const bool like = !singles_.empty() && singles_.front().error() * singles_.front().error() <=
+                                               much_of_it * base * base;
+    if (like) found_ = {&singles_.front()};
+    result_.verdict = like ? verdict::Verdict::effect_like : verdict::Verdict::not_in_catalogue;
+    result_.course = course_of_worst(like ? singles_.front().fit : base_);
+  }
+
+  /// A size that a fit drives to its bound explains nothing, where all that is known of an effect
+  /// is a factor or a heat.
+  [[nodiscard]] bool is_believable(const Tried& t) const {
+    return !subject_->is_costly() || t.is_within_bounds(base_.names.size());
+  }
+
+  /// Of the channel that errs most.
+  [[nodiscard]] verdict::Course course_of_worst(const Approximation& a) const {
+    const std::size_t worst = worst_channel(a.channel_held_out);
+    const std::vector<fit::Means::Mean>& all = recorded_.means.list;
+    std::vector<double> left;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].channel == worst) left.push_back(a.fit.residual[static_cast<Eigen::Index>(i)]);
+    return course_of(means_of_channel(worst),
+                     Eigen::Map<const Eigen::VectorXd>(left.data(), std::ssize(left)));
+  }
+
+  [[nodiscard]] std::vector<std::vector<const fit::Candidate*>> all_pairs() const {
+    std::vector<std::vector<const fit::Candidate*>> sets;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      for (std::size_t j = i + 1; j < candidates_.size(); ++j)
+        sets.push_back({&candidates_[i], &candidates_[j]});
+    return sets;
+  }
+
+  /// Those of the best few, and the best with what takes most of what it leaves, by derivatives.
+  [[nodiscard]] std::vector<std::vector<const fit::Candidate*>> promising_pairs() const {
+    if (singles_.front().on.empty()) return {};
+    std::vector<const fit::Candidate*> members;
+    for (const Tried& t : singles_)
+      if (!t.on.empty() && members.size() < costly_members) members.push_back(t.on.front());
+    std::vector<std::vector<const fit::Candidate*>> sets;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      for (std::size_t j = i + 1; j < members.size(); ++j) sets.push_back({members[i], members[j]});
+    for (const fit::Candidate* partner : partners_of(singles_.front())) {
+      const bool is_new = std::find(members.begin(), members.end(), partner) == members.end();
+      if (is_new) sets.push_back({members.front(), partner});
+    }
+    return sets;
+  }
+
+  /// Candidates by how far the misfit of `best` would fall with them, the most first; a few.
+  [[nodiscard]] std::vector<const fit::Candidate*> partners_of(const Tried& best) const {
+    const std::vector<fit::Means::Mean>& means = recorded_.means.list;
+    Eigen::VectorXd weight(recorded_.means.size());
+    for (Eigen::Index i = 0; i < weight.size(); ++i)
+      weight[i] = means[static_cast<std::size_t>(i)].weight;
+    const Eigen::MatrixXd own = weight.asDiagonal() * best.fit.slope;
+    const algebra::PivotedQr qr(own);
+    const auto without_own = [&](const Eigen::VectorXd& v) -> Eigen::VectorXd {
+      return v - own * qr.solve(v);
+    };
+    const Eigen::VectorXd left = without_own(weight.cwiseProduct(best.fit.fit.residual));
+    std::vector<std::pair<double, const fit::Candidate*>> falls;
+    for (const Tried& t : singles_) {
+      if (t.on.empty() || t.on.front() == best.on.front()) continue;
+      const auto size = static_cast<Eigen::Index>(base_.names.size() + t.on.front()->size);
+      const Eigen::VectorXd column =
+          without_own(weight.cwiseProduct(Eigen::VectorXd(t.fit.slope.col(size))));
+      const double square = column.squaredNorm();
+      if (square > 0.0) falls.emplace_back(std::pow(column.dot(left), 2) / square, t.on.front());
+    }
+    std::stable_sort(falls.begin(), falls.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<const fit::Candidate*> list;
+    for (std::size_t k = 0; k < std::min(costly_members, falls.size()); ++k)
+      list.push_back(falls[k].second);
+    return list;
+  }
+
+  /// Pairs that meet the tolerance on the rows that they were fitted to: others cannot on those
+  /// that they did not see.
+  void try_pairs() {
+    if (singles_.empty()) return;
+    const double most = std::min(1.0, singles_.front().error() / comes_near);
+    const std::vector<std::vector<const fit::Candidate*>> sets =
+        subject_->is_costly() ? promising_pairs() : all_pairs();
+    ApproximationOptions from = search();
+    from.random_starts = 8;
+    from.polished = 2;
+    pairs_ = fits_with(sets, from, most, 0.5, 0.9);
+    sort(pairs_);
+  }
+
+  [[nodiscard]] verdict::RankedEffect ranked(const Tried& t, std::size_t member) const {
+    verdict::RankedEffect effect{.id = t.ids()[member]};
+    if (t.shown) {
+      effect.datum = t.shown->datum;
+      effect.correction = t.shown->correction;
+    }
+    for (const fit::Candidate* c : t.on)
+      if (c->id == effect.id) {
+        effect.acts_on = c->acts_on;
+        effect.size = c->size;
+      }
+    effect.rmse = in_SI(t.fit.channel_rms);
+    effect.rmse_held_out = in_SI(t.fit.channel_held_out);
+    const ApproximationErrors errors = errors_of(t.fit, recorded_);
+    for (std::size_t k = 0; k < t.fit.parameters.size(); ++k) {
+      record::Parameter p = t.fit.parameters[k];
+      const auto at = static_cast<Eigen::Index>(k);
+      p.std = std::sqrt(errors.covariance(at, at));
+      if (k < base_.names.size()) {
+        p.start = base_.parameters[k].value;
+        effect.base.push_back(std::move(p));
+      } else if (p.name.starts_with(effect.id + ".")) {
+        p.name.erase(0, effect.id.size() + 1);
+        if (subject_->is_costly())
+          p.plausible = !(p.value < p.plausible_lower || p.value > p.plausible_upper);
+        effect.parameters.push_back(std::move(p));
+      }
+    }
+    return effect;
+  }
+
+  [[nodiscard]] bool is_told(const std::string& id) const {
+    return std::any_of(result_.effects.begin(), result_.effects.end(),
+                       [&](const verdict::RankedEffect& e) { return e.id == id; });
+  }
+
+  void fill() {
+    for (const Tried* t : found_) {
+      result_.sets.push_back(t->ids());
+      const std::vector<std::string> ids = t->ids();
+      for (std::size_t m = 0; m < ids.size(); ++m) {
+        if (is_told(ids[m])) continue;
+        verdict::RankedEffect effect = ranked(*t, m);
+        effect.in_verdict = true;
+        for (const Tried* other : found_)
+          for (const std::string& id : other->ids())
+            if (std::find(ids.begin(), ids.end(), id) == ids.end())
+              effect.indistinguishable_from.push_back(id);
+        result_.effects.push_back(std::move(effect));
+      }
+    }
+    for (const Tried& t : singles_)
+      if (!is_told(t.ids().front())) result_.effects.push_back(ranked(t, 0));
+    if (found_.empty()) {
+      result_.base = base_.parameters;
+      const ApproximationErrors errors = errors_of(base_, recorded_);
+      result_.correlation = verdict::correlation_of(base_.parameters, errors.covariance);
+      for (std::size_t k = 0; k < result_.base.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        result_.base[k].start = result_.base[k].value;
+        result_.base[k].std = std::sqrt(errors.covariance(at, at));
+      }
+      return;
+    }
+    const Tried& best = *found_.front();
+    result_.base = ranked(best, 0).base;
+    result_.correlation =
+        verdict::correlation_of(best.fit.parameters, errors_of(best.fit, recorded_).covariance);
+    const std::vector<double> after = in_SI(best.fit.channel_rms),
+                              held_out_after = in_SI(best.fit.channel_held_out);
+    for (std::size_t c = 0; c < told_.size(); ++c) {
+      result_.channels[c].rmse_after = after[c];
+      result_.channels[c].rmse_held_out_after = held_out_after[c];
+    }
+    if (best.shown)
+      result_.messages.push_back(best.shown->datum + ": " + best.shown->correction);
+    else
+      explain(best);
+    for (const fit::Candidate* c : best.on)
+      if (c->of_reading)
+        result_.messages.push_back(fmt::format(
+            "{} cleans this record: it is carried neither to another one nor to a control", c->id));
+  }
+
+  /// What the readings are made of, with the best.
+  void explain(const Tried& best) {
+    const auto at_rows = [&](const fit::Subject& subject) {
+      const std::vector<double> all = fit::predict(subject, record_);
+      std::vector<double> list;
+      for (std::size_t c = 0; c < told_.size(); ++c)
+        for (const verdict::RowError& e : result_.channels[c].baseline.errors)
+          list.push_back(all[told_[c] * record_.rows() + e.row]);
+      return list;
+    };
+    const std::shared_ptr<const fit::Subject> with = fitted(best.fit);
+    verdict::ExplainedReadings readings{.total = at_rows(*with)};
+    const auto without = [&](const fit::Candidate* only) {
+      std::vector<record::NamedValue> off;
+      for (const fit::Candidate* c : best.on)
+        if (!only || c == only)
+          off.push_back({c->parameters[c->size].name, c->parameters[c->size].neutral});
+      return at_rows(*with->with_values(off));
+    };
+    readings.base = without(nullptr);
+    for (const fit::Candidate* c : best.on) {
+      verdict::EffectShare share{.id = c->id, .readings = readings.total};
+      const std::vector<double> rest = without(c);
+      for (std::size_t i = 0; i < rest.size(); ++i) share.readings[i] -= rest[i];
+      readings.effects.push_back(std::move(share));
+    }
+    result_.explained.push_back(std::move(readings));
+    result_.refits.push_back(refit_of(best.fit, recorded_));
+    result_.verdict_is_explained = true;
+  }
+
+  /// On parts held out; of several channels the worst.
+  [[nodiscard]] std::string error(const Approximation& a) const {
+    const std::size_t worst = worst_channel(a.channel_held_out);
+    const record::Channel& of = *channels_[worst].channel;
+    return verdict::reading_text(of, in_SI(a.channel_held_out[worst], worst)) +
+           (told_.size() > 1 ? fmt::format(" of {}", of.words) : "");
+  }
+  [[nodiscard]] std::string error(const Tried& t) const { return error(t.fit); }
+
+  [[nodiscard]] std::string found_text() const {
+    std::vector<std::string> names;
+    for (const Tried* t : found_) names.push_back(verdict::joined(t->ids(), "and"));
+    return verdict::joined(names, "or");
+  }
+
+  [[nodiscard]] std::string sentence() const {
+    const fit::Measured& worst = channels_[worst_channel(base_.channel_held_out)];
+    const std::string tolerance = verdict::reading_text(*worst.channel, worst.tolerance);
+    const std::string base =
+        fmt::format("on parts held out the refitted model errs by {}, of {} tolerated",
+                    error(base_), tolerance);
+    switch (result_.verdict) {
+      case verdict::Verdict::nothing_missing:
+        return fmt::format("Nothing is missing that matters: {}.{}", base,
+                           result_.significant_but_immaterial.empty()
+                               ? ""
+                               : " Better, but within the tolerance: " +
+                                     verdict::joined(result_.significant_but_immaterial, "and") +
+                                     ".");
+      case verdict::Verdict::effect: {
+        const Tried& best = *found_.front();
+        const Tried* next = nullptr;
+        for (const Tried& t : singles_)
+          if (!next && plain(t.ids().front()) != plain(best.ids().front())) next = &t;
+        return fmt::format(
+            "Consistent with {}: {}; with it {}{}.", found_text(), base, error(best),
+            next ? fmt::format(", next best {} {}", next->ids().front(), error(*next)) : "");
+      }
+      case verdict::Verdict::ambiguous:
+        return fmt::format(
+            "{}: {}; the first leaves {}, and the others come so near that this record "
+            "cannot tell which of them it is.",
+            found_text(), base, error(*found_.front()));
+      case verdict::Verdict::several_effects:
+        return fmt::format(
+            "Consistent with {}: {}; no single effect brings it within (best {} {}), "
+            "together {}.",
+            found_text(), base, singles_.front().ids().front(), error(singles_.front()),
+            error(*found_.front()));
+      case verdict::Verdict::effect_like:
+        return fmt::format(
+            "Something is missing that matters: {}; {} takes most of it, and leaves {}: "
+            "more than one thing is missing, or another law.{}",
+            base, found_text(), error(*found_.front()), course_text());
+      case verdict::Verdict::not_in_catalogue:
+        break;
+    }
+    return fmt::format("Something is missing that nothing in the catalogue explains: {}{}.{}", base,
+                       singles_.empty()
+                           ? ""
+                           : fmt::format("; the nearest, {}, leaves {}",
+                                         singles_.front().ids().front(), error(singles_.front())),
+                       course_text());
+  }
+
+  [[nodiscard]] std::string course_text() const {
+    if (!result_.course) return "";
+    std::string text;
+    if (!result_.course->when.empty()) {
+      std::vector<std::string> parts;
+      for (const auto& [from, to] : result_.course->when)
+        parts.push_back(fmt::format("{:.2f} to {:.2f} h", from / 3600, to / 3600));
+      text += " It errs most from " + verdict::joined(parts, "and") + ".";
+    }
+    if (std::isfinite(result_.course->period))
+      text += fmt::format(" It comes back every {:.3g} min.", result_.course->period / 60);
+    return text;
+  }
+
+  verdict::Diagnosis conclude() {
+    fill();
+    result_.sentence = sentence();
+    result_.headline = verdict::headline(result_);
+    return std::move(result_);
+  }
+
+  const verdict::DiagnoseOptions& options_;
+  const record::Record& record_;
+  std::shared_ptr<const fit::Subject> subject_;
+  std::vector<fit::Measured> channels_;  // with their tolerances
+  std::vector<std::size_t> told_;        // of these, in the results
+  Recorded recorded_;
+  std::vector<fit::Candidate> candidates_;
+  std::vector<fit::Fault> faults_;
+  Approximation base_;
+  std::vector<Tried> singles_, pairs_;
+  std::vector<const Tried*> found_;
+  verdict::Diagnosis result_;
+};
+
+}  // namespace
+
+verdict::Diagnosis diagnose_approximation(const fit::Subject& subject, const record::Record& record,
+                                          const verdict::DiagnoseOptions& options) {
+  return Inquiry(subject, record, options).run();
+}
+
+}  // namespace raceway::tolerance
