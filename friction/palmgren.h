@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "friction/state.h"
+#include "friction/viscous_drag.h"
 
 namespace raceway::friction {
 
@@ -110,16 +111,10 @@ struct PalmgrenLoad {
   }
 };
 
-/// Friction moment of a bearing that turns in its lubricant, without load [N m].
+/// Viscous moment of a ball bearing by palmgren_viscous_moment() [N m].
 ///
-///   M0 = 1e-7 f0 (ν n)^(2/3) d_m³      ν n >= 2000
-///   M0 = 160e-7 f0 d_m³                ν n <  2000
-///
-/// Dimensional as published: M0 [N mm], ν [mm²/s], n [rpm], d_m [mm]; converted here, nowhere else.
-/// Source:   [Palmgren1959; CaseStudy, eq. 22]; f0 about 1.3 (grease) to 6.6 (oil jet) for angular
-///           contact, by maker [KRW2006, p. 116-118].
-/// Domain:   speed >= 0, viscosity > 0. At ν n = 2000 the two lines differ by 0.8 %, as printed;
-///           the lower one holds down to standstill, so it is a moment also at zero speed.
+/// Source:   f0 about 1.3 (grease) to 6.6 (oil jet) for angular contact, by maker [KRW2006, p.
+///           116-118].
 /// Accuracy: the formula to rounding. Against tests the formula itself scatters; f0 is what
 ///           calibration adjusts.
 struct PalmgrenViscous {
@@ -130,12 +125,8 @@ struct PalmgrenViscous {
 
   template <typename T>
   static T moment(const BearingState<T>& s, const T& f0) {
-    using std::pow;
-    const T nu_n = (s.kinematic_viscosity / mm2_per_s) * (s.speed / rpm);
-    const double d_m = s.bearing->geometry().pitch_diameter / mm;
-    // Branched before the power, which has no derivative at standstill.
-    const T drag = nu_n < 2000.0 ? T(160.0) : T(pow(nu_n, 2.0 / 3.0));
-    return 1e-7 * f0 * drag * (d_m * d_m * d_m * N_mm);
+    return palmgren_viscous_moment(f0, s.kinematic_viscosity, s.speed,
+                                   s.bearing->geometry().pitch_diameter);
   }
 };
 
