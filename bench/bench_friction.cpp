@@ -210,7 +210,7 @@ void contacts_in_batch(benchmark::State& state, double radial_load, bearing::Ins
   while (states.size() < 256)
     for (const ContactPoint& p : points) {
       const double temperature = p.temperature;
-      states.push_back({.bearing = &model.bearing,
+      states.push_back({.bearing = model.bearing.ball_bearing(),
                         .equilibrium = &p.equilibrium,
                         .lubricant = &model.lubricant,
                         .contact = &data,

@@ -72,9 +72,8 @@ void print_friction(const model::Model& model, const model::FrictionPrediction& 
 
 void print_life(const model::Model& model, const bearing::OperatingPoint& point,
                 const model::FrictionPrediction& friction) {
-  const bearing::Bearing& bearing = friction.bearing ? *friction.bearing : model.bearing;
-  const model::BearingLife life = bearing_life(model.life, bearing, point, *friction.equilibrium,
-                                               friction.film.kinematic_viscosity);
+  const bearing::Bearing& bearing = bearing_of(model, friction);
+  const model::BearingLife life = bearing_life(model, point, friction);
   const bearing::BearingFrequencies turns =
       running_frequencies(bearing, *friction.equilibrium, model.solver.race_control);
   constexpr double hour = 3600.0;
@@ -123,18 +122,17 @@ void print_state(const model::Model& model, const bearing::OperatingPoint& p,
     fmt::print("{} of {} balls have lost the inner race\n", e.lost_balls(), e.balls.size());
   if (model.balanced_balls)
     fmt::print("traction turns the balls about axes at {} deg to the bearing's\n",
-               pitch_angles(friction.bearing ? *friction.bearing : model.bearing, e, model.solver));
+               pitch_angles(bearing_of(model, friction), e, model.solver));
   const auto& u = e.displacement;
   fmt::print("\naxial displacement  {:>10} um      axial stiffness   {:>8} N/um\n",
              number(u[0] / um), number(e.stiffness(0, 0) / N_per_um));
   fmt::print("displacement in y   {:>10} um      radial stiffness  {:>8} N/um\n", number(u[1] / um),
              number(e.stiffness(1, 1) / N_per_um));
   fmt::print("displacement in z   {:>10} um\n", number(u[2] / um));
-  const bearing::ContactPressure pressure =
-      largest_pressure(friction.bearing ? *friction.bearing : model.bearing, e);
+  const bearing::ContactPressure pressure = largest_pressure(bearing_of(model, friction), e);
   fmt::print("inner pressure      {:>10} MPa     outer pressure    {:>8} MPa\n",
              number(pressure.inner / MPa), number(pressure.outer / MPa));
-  print_shoulders(friction.bearing ? *friction.bearing : model.bearing, e);
+  print_shoulders(bearing_of(model, friction), e);
   if (model.solver.tilt == bearing::Tilt::free)
     fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[3] / mrad), number(u[4] / mrad));
   print_friction(model, friction, answer.heat);

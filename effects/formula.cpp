@@ -12,6 +12,13 @@ namespace {
 using Variable = Formula::Variable;
 using In = MomentInputs;
 
+/// A number of a ball bearing; none where the bearing has cylindrical rollers.
+template <typename Number>
+double of_balls(const In& i, const Number& number) {
+  return i.state.bearing ? static_cast<double>(number(i.state.bearing->geometry())) : unset;
+}
+using Geometry = bearing::BearingGeometry;
+
 constexpr std::array known_variables{
     Variable{"speed_rpm", "shaft speed", [](const In& i) { return i.state.speed / rpm; }},
     Variable{"axial_load_N", "axial load of one bearing",
@@ -32,16 +39,21 @@ constexpr std::array known_variables{
     Variable{"viscous_torque_Nmm", "viscous moment of the base law",
              [](const In& i) { return i.base.viscous / N_mm; }},
     Variable{"pitch_diameter_mm", "of the bearing",
-             [](const In& i) { return i.state.bearing->geometry().pitch_diameter / mm; }},
+             [](const In& i) { return i.state.pitch_diameter() / mm; }},
     Variable{"ball_diameter_mm", "of the bearing",
-             [](const In& i) { return i.state.bearing->geometry().ball_diameter / mm; }},
+             [](const In& i) {
+               return of_balls(i, [](const Geometry& g) { return g.ball_diameter / mm; });
+             }},
     Variable{
         "ball_count", "of the bearing",
-        [](const In& i) { return static_cast<double>(i.state.bearing->geometry().ball_count); }},
+        [](const In& i) { return of_balls(i, [](const Geometry& g) { return g.ball_count; }); }},
     Variable{"contact_angle_deg", "of the bearing",
-             [](const In& i) { return i.state.bearing->geometry().contact_angle / degree; }},
-    Variable{"static_load_rating_N", "of the bearing",
-             [](const In& i) { return i.state.bearing->geometry().static_load_rating; }}};
+             [](const In& i) {
+               return of_balls(i, [](const Geometry& g) { return g.contact_angle / degree; });
+             }},
+    Variable{"static_load_rating_N", "of the bearing", [](const In& i) {
+               return of_balls(i, [](const Geometry& g) { return g.static_load_rating; });
+             }}};
 
 /// What variables tell of the bearing, as Description::bearing_data names it.
 struct BearingVariable {

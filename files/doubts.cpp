@@ -108,7 +108,7 @@ bool is_of_temperature(const Channel& channel) { return channel.offset != 0.0; }
 
 /// Temperatures that cannot be, or loads far above what the bearing carries.
 bool has_impossible_input(const model::ModelSubject& subject, const Record& data) {
-  const double rating = subject.model().bearing.geometry().static_load_rating;
+  const double rating = subject.model().bearing.static_load_rating();
   for (const record::Column& column : data.columns) {
     const auto [lower, upper] = range_of_values(column.values);
     if (is_of_temperature(*column.channel) && (lower < coldest || upper > hottest)) return true;
@@ -255,7 +255,7 @@ std::optional<std::string> unit_of_temperature(const model::ModelSubject& subjec
 /// where there are no readings, so then it is in their factor.
 std::optional<std::string> unit_of_speed(const model::ModelSubject& subject, const Record& data,
                                          const Ratio& ratio) {
-  const double pitch = subject.model().bearing.geometry().pitch_diameter;
+  const double pitch = subject.model().bearing.pitch_diameter();
   const auto speed_factor = [&](double speed) { return speed / rpm * pitch / mm; };  // n d_m
   const double fastest = range_of_values(data.values(record::speed)).second;
   constexpr double never = 6e6, usual = 3e6;
@@ -280,7 +280,7 @@ std::optional<std::string> unit_of_speed(const model::ModelSubject& subject, con
 
 /// Loads that no bearing of this size is run with.
 std::optional<std::string> unit_of_load(const model::ModelSubject& subject, const Record& data) {
-  const double rating = subject.model().bearing.geometry().static_load_rating;
+  const double rating = subject.model().bearing.static_load_rating();
   if (!(rating > 0) || subject.model().shaft) return std::nullopt;
   const double most = range_of_values(data.values(record::axial_load)).second;
   const auto usual = [&](double load) { return load > 2e-3 * rating && load < 0.5 * rating; };

@@ -46,7 +46,9 @@ std::size_t index_of(std::string_view step) {
   return index;
 }
 
-bool is_count(std::string_view key) { return key == "ball_count" || key == "bearings"; }
+bool is_count(std::string_view key) {
+  return key == "ball_count" || key == "roller_count" || key == "bearings";
+}
 
 /// How many bearings a set has.
 bool is_choice(const Path& path) {
@@ -188,7 +190,7 @@ ModelData::ModelData(const ModelFile& file) {
     // Of ceramic balls it is another one.
     geometry.static_load_rating = file.model.shaft && file.model.shaft->own_bearings
                                       ? geometry.static_load_rating
-                                      : file.model.bearing.geometry().static_load_rating;
+                                      : file.model.bearing.static_load_rating();
     const bool other_sizes =
         is_known({"bearing", "ball_diameter_mm"}) || is_known({"bearing", "pitch_diameter_mm"});
     for (const auto& [key, value] : keys_of(geometry)) {

@@ -352,9 +352,10 @@ std::string with_law(std::string text, const model::Model& before, const model::
     if (!friction::of_the_lubricant(p) && !stays)
       text = without_key(std::move(text), "friction", std::string(p.name));
   }
-  for (const std::string_view key :
-       {"f1_load", "inlet_over_b", "asperity_factor", "asperity_exponent"})
-    text = without_key(text, "friction", std::string(key));
+  if (!friction::of_rollers(fitted.law))
+    for (const std::string_view key :
+         {"f1_load", "inlet_over_b", "asperity_factor", "asperity_exponent"})
+      text = without_key(text, "friction", std::string(key));
   if (before.balanced_balls && !fitted.balanced_balls)
     text = with_text_value(std::move(text), "solver", "race_control", "\"outer\"");
   std::vector<std::string> names;

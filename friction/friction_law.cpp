@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "friction/contact/contact_law.h"
+#include "friction/roller_friction.h"
 
 namespace raceway::friction {
 namespace {
@@ -17,10 +18,32 @@ constexpr std::array skf_parameters{SkfSliding::parameters[0], SkfSliding::param
 }  // namespace
 
 std::string_view name(FrictionLaw law) {
-  return law == FrictionLaw::palmgren ? "palmgren" : law == FrictionLaw::skf ? "skf" : "contact";
+  switch (law) {
+    case FrictionLaw::palmgren:
+    case FrictionLaw::roller_palmgren:
+      return "palmgren";
+    case FrictionLaw::skf:
+    case FrictionLaw::roller_skf:
+      return "skf";
+    case FrictionLaw::contact:
+      break;
+  }
+  return "contact";
 }
 
-std::string_view name(F1Load load) { return load == F1Load::P0 ? "P0" : "F_b"; }
+std::string_view name(F1Load load) {
+  switch (load) {
+    case F1Load::P0:
+      return "P0";
+    case F1Load::F_b:
+      return "F_b";
+    case F1Load::F_r:
+      return "F_r";
+    case F1Load::rollers:
+      break;
+  }
+  return "rollers";
+}
 
 std::optional<FrictionLaw> find_friction_law(std::string_view text) {
   for (const FrictionLaw law : all_friction_laws)
@@ -31,6 +54,7 @@ std::optional<FrictionLaw> find_friction_law(std::string_view text) {
 std::span<const Parameter> parameters(FrictionLaw law) {
   if (law == FrictionLaw::palmgren) return palmgren_parameters;
   if (law == FrictionLaw::skf) return skf_parameters;
+  if (of_rollers(law)) return roller_parameters(law);
   return contact::contact_parameters;
 }
 
@@ -39,7 +63,7 @@ bool of_the_lubricant(const Parameter& number) { return number.name == "limiting
 std::span<const std::string_view> bearing_data(FrictionLaw law) {
   // The load moments take in all that the other moment does (tests).
   if (law == FrictionLaw::palmgren) return PalmgrenLoad::bearing_data;
-  if (law == FrictionLaw::contact) return {};
+  if (law == FrictionLaw::contact || of_rollers(law)) return {};
   return SkfSliding::bearing_data;
 }
 

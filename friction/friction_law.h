@@ -13,20 +13,35 @@
 namespace raceway::friction {
 
 /// The base law of a model. `contact` sums friction over the balls in balance
-/// (friction/contact/contact_law.h); the others are formulas for the bearing as a whole.
-enum class FrictionLaw { palmgren, skf, contact };
+/// (friction/contact/contact_law.h); the others are formulas for the bearing as a whole. Laws of
+/// cylindrical rollers have other numbers and stand in friction/roller_friction.h; in files they
+/// have the names of those of balls, and the type of the bearing says which is meant.
+enum class FrictionLaw { palmgren, skf, contact, roller_palmgren, roller_skf };
+/// Those of ball bearings.
 inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw::skf,
                                               FrictionLaw::contact};
+/// Those of cylindrical roller bearings.
+inline constexpr std::array roller_friction_laws{FrictionLaw::roller_palmgren,
+                                                 FrictionLaw::roller_skf};
+[[nodiscard]] constexpr bool of_rollers(FrictionLaw law) {
+  return law == FrictionLaw::roller_palmgren || law == FrictionLaw::roller_skf;
+}
+/// Laws for the kind of bearing that a law is for.
+[[nodiscard]] constexpr std::span<const FrictionLaw> laws_of_same_bearing(FrictionLaw law) {
+  if (of_rollers(law)) return roller_friction_laws;
+  return all_friction_laws;
+}
 
 [[nodiscard]] std::string_view name(FrictionLaw law);
-/// The law of that name, as files write it.
+/// The law of ball bearings of that name, as files write it.
 [[nodiscard]] std::optional<FrictionLaw> find_friction_law(std::string_view name);
 
-/// "P0" or "F_b".
+/// "P0", "F_b", "F_r" or "rollers".
 [[nodiscard]] std::string_view name(F1Load load);
 
 /// Parameters of the law, in the order in which base_moments() takes their values.
 ///   palmgren: f0, z, y        skf: mu_bl, mu_EHL, K_rs        contact: contact_parameters
+///   roller_palmgren: f0, f1   roller_skf: mu_bl, mu_EHL, K_rs
 [[nodiscard]] std::span<const Parameter> parameters(FrictionLaw law);
 
 /// Whether a number of a law is of the lubricant, and stands with it in a file.
@@ -37,7 +52,7 @@ inline constexpr std::array all_friction_laws{FrictionLaw::palmgren, FrictionLaw
 /// the load at speed.
 ///   palmgren: contact_angle, pitch_diameter, static_load_rating
 ///   skf:      ball_material (its density), bore, outer_diameter
-///   contact:  everything; the list is empty
+///   contact and laws of rollers: everything; the list is empty
 [[nodiscard]] std::span<const std::string_view> bearing_data(FrictionLaw law);
 
 /// Looks at the balls, and has no moments without their balance.
@@ -57,6 +72,11 @@ struct BaseMoments {
   T viscous;
 };
 
+/// The laws of rollers for base_moments(); NaN where they count what the rollers carry and these
+/// have no balance.
+[[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const BearingState<double>& state,
+                                                 std::span<const double> values);
+
 namespace contact {
 /// The law `contact` for base_moments(); NaN without a converged equilibrium.
 [[nodiscard]] BaseMoments<double> contact_moments(const BearingState<double>& state,
@@ -66,8 +86,10 @@ namespace contact {
 template <typename T>
 BaseMoments<T> base_moments(FrictionLaw law, const BearingState<T>& state,
                             std::span<const T> values) {
-  if constexpr (std::is_same_v<T, double>)
+  if constexpr (std::is_same_v<T, double>) {
     if (law == FrictionLaw::contact) return contact::contact_moments(state, values);
+    if (of_rollers(law)) return roller_moments(law, state, values);
+  }
   if (law == FrictionLaw::palmgren)
     return {PalmgrenLoad::moment(state, values[1], values[2]),
             PalmgrenViscous::moment(state, values[0])};

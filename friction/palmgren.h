@@ -125,8 +125,7 @@ struct PalmgrenViscous {
 
   template <typename T>
   static T moment(const BearingState<T>& s, const T& f0) {
-    return palmgren_viscous_moment(f0, s.kinematic_viscosity, s.speed,
-                                   s.bearing->geometry().pitch_diameter);
+    return palmgren_viscous_moment(f0, s.kinematic_viscosity, s.speed, s.pitch_diameter());
   }
 };
 

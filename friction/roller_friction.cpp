@@ -1,6 +1,5 @@
 #include "friction/roller_friction.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -19,19 +18,17 @@ RingSize ring_size(const RollerState& s) {
 
 }  // namespace
 
-std::string_view name(RollerLoad load) { return load == RollerLoad::F_r ? "F_r" : "rollers"; }
-
-std::string_view name(RollerLaw law) { return law == RollerLaw::palmgren ? "palmgren" : "skf"; }
-
-std::optional<RollerLaw> find_roller_law(std::string_view text) {
-  for (const RollerLaw law : {RollerLaw::palmgren, RollerLaw::skf})
+std::optional<FrictionLaw> find_roller_law(std::string_view text) {
+  for (const FrictionLaw law : roller_friction_laws)
     if (text == name(law)) return law;
   return std::nullopt;
 }
 
 double counted_load(const RollerState& s) {
-  if (s.counted == RollerLoad::F_r) return s.radial_load;
-  return std::max(s.radial_load, (s.inner_sum + s.outer_sum) / (2.0 * roller_sum_ratio));
+  if (s.counted == F1Load::F_r) return s.radial_load;
+  const double carried = (s.inner_sum + s.outer_sum) / (2.0 * roller_sum_ratio);
+  // In this order a load that is not a number stays one.
+  return carried < s.radial_load ? s.radial_load : carried;
 }
 
 double RollerPalmgrenLoad::moment(const RollerState& s, double f1) {
@@ -72,27 +69,47 @@ double RollerSkf::rolling(const RollerState& s, double K_rs) {
          N_mm;
 }
 
-std::span<const Parameter> parameters(RollerLaw law) {
-  if (law == RollerLaw::palmgren) return roller_palmgren_parameters;
+std::span<const Parameter> roller_parameters(FrictionLaw law) {
+  if (law == FrictionLaw::roller_palmgren) return roller_palmgren_parameters;
   return RollerSkf::parameters;
 }
 
-void require_data(RollerLaw law, const bearing::RollerBearing& bearing) {
+void require_data(FrictionLaw law, const bearing::RollerBearing& bearing) {
   const bearing::RollerGeometry& g = bearing.geometry();
-  if (law != RollerLaw::skf) return;
+  if (law != FrictionLaw::roller_skf) return;
   if (std::isnan(g.bore))
     throw std::invalid_argument("bore is missing: the skf law needs it, above 0 mm");
   if (std::isnan(g.outer_diameter))
     throw std::invalid_argument("outer_diameter is missing: the skf law needs it, above 0 mm");
 }
 
-BaseMoments<double> base_moments(RollerLaw law, const RollerState& s,
-                                 std::span<const double> values) {
-  if (law == RollerLaw::palmgren)
+BaseMoments<double> roller_moments(FrictionLaw law, const RollerState& s,
+                                   std::span<const double> values) {
+  if (law == FrictionLaw::roller_palmgren)
     return {RollerPalmgrenLoad::moment(s, values[1]),
             palmgren_viscous_moment(values[0], s.kinematic_viscosity, s.speed,
                                     s.bearing->geometry().pitch_diameter)};
   return {RollerSkf::sliding(s, values[0], values[1]), RollerSkf::rolling(s, values[2])};
+}
+
+RollerState roller_state(const BearingState<double>& s) {
+  RollerState state{.bearing = s.rollers,
+                    .counted = s.f1_load,
+                    .speed = s.speed,
+                    .radial_load = s.radial_load,
+                    .inner_sum = unset,
+                    .outer_sum = unset,
+                    .kinematic_viscosity = s.kinematic_viscosity};
+  if (s.roller_equilibrium && s.roller_equilibrium->report.converged()) {
+    state.inner_sum = s.roller_equilibrium->inner_sum();
+    state.outer_sum = s.roller_equilibrium->outer_sum();
+  }
+  return state;
+}
+
+BaseMoments<double> roller_moments(FrictionLaw law, const BearingState<double>& state,
+                                   std::span<const double> values) {
+  return roller_moments(law, roller_state(state), values);
 }
 
 HeatSplit split_heat(const RollerState& s, const BaseMoments<double>& moments) {

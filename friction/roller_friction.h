@@ -14,24 +14,10 @@
 
 namespace raceway::friction {
 
-/// Load that the laws of a cylindrical roller bearing count.
-enum class RollerLoad {
-  F_r,     ///< the external radial load, as the laws are printed
-  rollers  ///< what the rollers carry, so that preload and centrifugal force count too
-};
-/// "F_r" or "rollers".
-[[nodiscard]] std::string_view name(RollerLoad load);
-
-/// Laws of a cylindrical roller bearing. There is no `contact`.
-enum class RollerLaw { palmgren, skf };
-/// "palmgren" or "skf".
-[[nodiscard]] std::string_view name(RollerLaw law);
-[[nodiscard]] std::optional<RollerLaw> find_roller_law(std::string_view name);
-
 /// Everything a law of a cylindrical roller bearing looks at.
 struct RollerState {
   const bearing::RollerBearing* bearing = nullptr;
-  RollerLoad counted = RollerLoad::rollers;
+  F1Load counted = F1Load::rollers;    ///< F_r or rollers
   double speed = 0.0;                  ///< [rad/s]
   double radial_load = 0.0;            ///< F_r [N], magnitude
   double inner_sum = 0.0;              ///< Σ Qi [N]
@@ -97,17 +83,20 @@ struct RollerSkf {
   static double rolling(const RollerState& s, double K_rs);
 };
 
-/// Parameters of the law, in the order in which base_moments() takes their values.
-///   palmgren: f0, f1        skf: mu_bl, mu_EHL, K_rs
-[[nodiscard]] std::span<const Parameter> parameters(RollerLaw law);
+/// parameters() of a law of rollers.
+[[nodiscard]] std::span<const Parameter> roller_parameters(FrictionLaw law);
+/// The law of rollers of that name, as files write it.
+[[nodiscard]] std::optional<FrictionLaw> find_roller_law(std::string_view name);
 
 /// Throws std::invalid_argument if the law needs data that the bearing does not have: bore and
 /// outer diameter for SKF. Called once per model.
-void require_data(RollerLaw law, const bearing::RollerBearing& bearing);
+void require_data(FrictionLaw law, const bearing::RollerBearing& bearing);
 
-/// Friction moments of the law [N m], as BaseMoments has them for balls.
-[[nodiscard]] BaseMoments<double> base_moments(RollerLaw law, const RollerState& state,
-                                               std::span<const double> values);
+/// Friction moments of a law of rollers [N m], as BaseMoments has them for balls.
+[[nodiscard]] BaseMoments<double> roller_moments(FrictionLaw law, const RollerState& state,
+                                                 std::span<const double> values);
+/// What these laws look at of a bearing in a model. Without a balance the sums have no number.
+[[nodiscard]] RollerState roller_state(const BearingState<double>& state);
 
 /// Splits the friction power of a cylindrical roller bearing between its rings [W].
 ///

@@ -2,6 +2,7 @@
 
 #include "bearing/bearing.h"
 #include "bearing/bearing_equilibrium.h"
+#include "bearing/roller_equilibrium.h"
 #include "record/parameter.h"
 
 namespace raceway::friction {
@@ -12,14 +13,15 @@ struct ContactData;
 }
 
 /// The load that the factor f1 of Palmgren's load moment counts: the static equivalent load P0, as
-/// its source has it, or F_b, as in files made for that form.
-enum class F1Load { P0, F_b };
+/// its source has it, or F_b, as in files made for that form. Of cylindrical rollers the external
+/// radial load F_r, or what the rollers carry, see counted_load().
+enum class F1Load { P0, F_b, F_r, rollers };
 
 /// Everything a friction law may use of one bearing at one operating point. T is double or an
 /// automatic derivative; what no parameter can move stays double.
 template <typename T = double>
 struct BearingState {
-  const bearing::Bearing* bearing = nullptr;
+  const bearing::Bearing* bearing = nullptr;  ///< null where the bearing has cylindrical rollers
   /// Balls in balance at this point; null where nobody solved it. A law that needs it says so
   /// (`needs_equilibrium`), and only then it is solved for.
   const bearing::BearingEquilibrium* equilibrium = nullptr;
@@ -33,6 +35,14 @@ struct BearingState {
   T radial_load = T(0.0);            ///< F_r [N], magnitude
   T temperature = T(kelvin(40));     ///< of the lubricant [K]
   T kinematic_viscosity = T(unset);  ///< at that temperature [m²/s]
+  /// In place of `bearing` and `equilibrium` where it has cylindrical rollers.
+  const bearing::RollerBearing* rollers = nullptr;
+  const bearing::RollerEquilibrium* roller_equilibrium = nullptr;
+
+  /// d_m of either kind of bearing [m].
+  [[nodiscard]] double pitch_diameter() const {
+    return rollers ? rollers->geometry().pitch_diameter : bearing->geometry().pitch_diameter;
+  }
 };
 
 /// A number of a law that may be given, fitted and bounded.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "friction/roller_friction.h"
 #include "model/needs.h"
 #include "model/parameters.h"
 
@@ -17,7 +18,9 @@ std::vector<double> usual_values(const Model& model, FrictionLaw law) {
   const friction::contact::ContactData& data = model.contact;
   std::vector<double> values;
   for (const friction::Parameter& p : friction::parameters(law))
-    values.push_back(!friction::of_the_lubricant(p) ? p.initial
+    values.push_back(law == FrictionLaw::roller_palmgren && p.name == "f0"
+                         ? friction::usual_roller_f0(model.supply)
+                     : !friction::of_the_lubricant(p) ? p.initial
                      : std::isnan(data.limiting_traction)
                          ? oil_defaults(data.oil.type).limiting_traction
                          : data.limiting_traction);
@@ -25,19 +28,33 @@ std::vector<double> usual_values(const Model& model, FrictionLaw law) {
 }
 
 bool contains(FrictionLaw law, const effects::Description& effect) {
-  return law == FrictionLaw::skf && std::find(effect.needs.begin(), effect.needs.end(),
-                                              effects::Need::palmgren_law) != effect.needs.end();
+  const bool skf = law == FrictionLaw::skf || law == FrictionLaw::roller_skf;
+  return skf && std::find(effect.needs.begin(), effect.needs.end(), effects::Need::palmgren_law) !=
+                    effect.needs.end();
 }
 
-}  // namespace
-
-std::string lacks_for_law(const Model& model, FrictionLaw law) {
-  const bearing::BearingGeometry& g = model.bearing.geometry();
+/// The datum of the bearing that a law needs and does not find, in words.
+std::string lacking_datum(const ModelBearing& bearing, FrictionLaw law) {
+  if (const bearing::RollerBearing* const rollers = bearing.rollers()) {
+    const bearing::RollerGeometry& g = rollers->geometry();
+    const bool rings = !std::isnan(g.bore) && !std::isnan(g.outer_diameter);
+    return law == FrictionLaw::roller_skf && !rings
+               ? "bore_mm and outer_diameter_mm under [bearing]"
+               : "";
+  }
+  const bearing::BearingGeometry& g = bearing.geometry();
   if (law == FrictionLaw::palmgren && std::isnan(g.static_load_rating))
     return "static_load_rating_N under [bearing]";
   if (law == FrictionLaw::skf && !(g.contact_angle > 0.0))
     return "a contact angle above 0: the constants of the skf law are those of angular contact "
            "ball bearings";
+  return {};
+}
+
+}  // namespace
+
+std::string lacks_for_law(const Model& model, FrictionLaw law) {
+  if (std::string datum = lacking_datum(model.bearing, law); !datum.empty()) return datum;
   const Model changed = with_law(model, law);
   for (const effects::Effect& e : model.effects) {
     const effects::Description& d = *e.description;
@@ -51,7 +68,8 @@ std::string lacks_for_law(const Model& model, FrictionLaw law) {
 Model with_law(Model model, FrictionLaw law) {
   model.law_values = usual_values(model, law);
   model.law = law;
-  model.f1_load = friction::F1Load::P0;
+  // The laws of rollers all count the load that the model says.
+  if (!friction::of_rollers(law)) model.f1_load = friction::F1Load::P0;
   std::vector<std::string> free = default_free(law);
   for (std::string& name : model.free)
     if (name.find('.') != name.npos) free.push_back(std::move(name));

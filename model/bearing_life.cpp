@@ -9,6 +9,7 @@
 #include "life/load_rating.h"
 #include "life/modified_life.h"
 #include "life/reference_life.h"
+#include "life/roller_life.h"
 
 namespace raceway::model {
 namespace {
@@ -21,18 +22,48 @@ double seconds(double million_revolutions, double speed) {
   return life::life_hours(million_revolutions, speed) * seconds_per_hour;
 }
 
-}  // namespace
-
-BearingLife bearing_life(const LifeData& data, const bearing::Bearing& bearing,
-                         const bearing::OperatingPoint& point,
-                         const bearing::BearingEquilibrium& equilibrium, double viscosity) {
-  const bearing::BearingGeometry& g = bearing.geometry();
+BearingLife rated(const LifeData& data, double load_rating, double fatigue_load, double viscosity,
+                  double speed, double pitch_diameter) {
   BearingLife r;
-  r.load_rating = given_or(data.dynamic_load_rating, life::dynamic_load_rating(g));
-  r.fatigue_load = given_or(data.fatigue_load, life::fatigue_load(g));
-  r.viscosity_ratio = life::viscosity_ratio(viscosity, point.speed, g.pitch_diameter);
-  r.hybrid = bearing.balls().density != bearing.rings().density ||
-             bearing.balls().elastic_modulus != bearing.rings().elastic_modulus;
+  r.load_rating = given_or(data.dynamic_load_rating, load_rating);
+  r.fatigue_load = given_or(data.fatigue_load, fatigue_load);
+  r.viscosity_ratio = life::viscosity_ratio(viscosity, speed, pitch_diameter);
+  return r;
+}
+
+bool hybrid(const bearing::Material& elements, const bearing::Material& rings) {
+  return elements.density != rings.density || elements.elastic_modulus != rings.elastic_modulus;
+}
+
+BearingLife life_of_rollers(const LifeData& data, const bearing::RollerBearing& bearing,
+                            const bearing::OperatingPoint& point,
+                            const bearing::RollerEquilibrium& equilibrium, double viscosity) {
+  const bearing::RollerGeometry& g = bearing.geometry();
+  BearingLife r = rated(data, life::dynamic_load_rating(g), life::fatigue_load(g), viscosity,
+                        point.speed, g.pitch_diameter);
+  r.hybrid = hybrid(bearing.rollers(), bearing.rings());
+  const double a1 = life::reliability_factor(data.reliability);
+  const double radial = std::hypot(point.radial_load, point.radial_load_z);
+  r.basic = seconds(a1 * life::roller_rating_life(r.load_rating, radial), point.speed);
+  if (!equilibrium.report.converged()) return r;
+  const double L10r = life::reference_life(life::race_ratings(g, r.load_rating), equilibrium);
+  r.equivalent_load = life::roller_reference_load(r.load_rating, L10r);
+  r.reference = seconds(a1 * L10r, point.speed);
+  r.modification = life::roller_life_modification(
+      r.viscosity_ratio, data.contamination * r.fatigue_load / r.equivalent_load);
+  if (!r.hybrid) r.modified = seconds(a1 * r.modification * L10r, point.speed);
+  const bearing::ContactPressure pressure = largest_pressure(bearing, equilibrium);
+  r.static_safety = life::roller_static_safety(std::fmax(pressure.inner, pressure.outer));
+  return r;
+}
+
+BearingLife life_of_balls(const LifeData& data, const bearing::Bearing& bearing,
+                          const bearing::OperatingPoint& point,
+                          const bearing::BearingEquilibrium& equilibrium, double viscosity) {
+  const bearing::BearingGeometry& g = bearing.geometry();
+  BearingLife r = rated(data, life::dynamic_load_rating(g), life::fatigue_load(g), viscosity,
+                        point.speed, g.pitch_diameter);
+  r.hybrid = hybrid(bearing.balls(), bearing.rings());
   const double radial = std::hypot(point.radial_load, point.radial_load_z);
   const double axial = std::abs(point.axial_load);
   r.equivalent_load = life::equivalent_load(life::load_factors(g, axial), radial, axial);
@@ -49,6 +80,16 @@ BearingLife bearing_life(const LifeData& data, const bearing::Bearing& bearing,
       seconds(a1 * life::reference_life(life::race_ratings(g, r.load_rating), equilibrium.balls),
               point.speed);
   return r;
+}
+
+}  // namespace
+
+BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,
+                         const FrictionPrediction& p) {
+  const double viscosity = p.film.kinematic_viscosity;
+  if (p.rollers)
+    return life_of_rollers(model.life, *model.bearing.rollers(), point, *p.rollers, viscosity);
+  return life_of_balls(model.life, bearing_of(model, p), point, *p.equilibrium, viscosity);
 }
 
 }  // namespace raceway::model

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "bearing/bearing_equilibrium.h"
 #include "bearing/operating_point.h"
-#include "model/model.h"
+#include "model/prediction.h"
 
 namespace raceway::model {
 
@@ -24,11 +23,11 @@ struct BearingLife {
   bool hybrid = false;
 };
 
-/// `bearing`: the one whose balls are in that balance. `viscosity` of the film [m²/s]. Loads that
-/// the bearing carries, `point`, are those of P; the balance has what speed and rings add.
-[[nodiscard]] BearingLife bearing_life(const LifeData& data, const bearing::Bearing& bearing,
-                                       const bearing::OperatingPoint& point,
-                                       const bearing::BearingEquilibrium& equilibrium,
-                                       double viscosity);
+/// Life of a bearing whose prediction has its balls or rollers in balance. Loads that the bearing
+/// carries, `point`, are those of P; the balance has what speed and rings add. Of a cylindrical
+/// roller bearing the equivalent load is P_ref of ISO/TS 16281, by which a_ISO goes, and the
+/// modified life is a1 a_ISO L10r.
+[[nodiscard]] BearingLife bearing_life(const Model& model, const bearing::OperatingPoint& point,
+                                       const FrictionPrediction& prediction);
 
 }  // namespace raceway::model

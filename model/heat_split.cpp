@@ -1,8 +1,24 @@
 #include "model/heat_split.h"
 
+#include "friction/roller_friction.h"
 #include "model/steps.h"
 
 namespace raceway::model {
+
+namespace {
+
+friction::HeatSplit heat_of_rollers(const Model& model, const bearing::OperatingPoint& point,
+                                    const FrictionPrediction& prediction) {
+  friction::BaseMoments<double> moments{prediction.load, prediction.viscous};
+  // The place of an added moment is not known.
+  for (const double moment : prediction.effects) moments.viscous += moment;
+  friction::BearingState<double> state = bearing_state(model, point, nullptr);
+  state.roller_equilibrium = prediction.rollers.get();
+  return friction::split_heat(roller_state(state), moments);
+}
+
+}  // namespace
+
 friction::HeatSplit heat_split(const Model& model, const bearing::OperatingPoint& point,
                                const bearing::BearingEquilibrium& equilibrium,
                                const FrictionPrediction& prediction) {
@@ -27,6 +43,12 @@ friction::HeatSplit heat_split(const Model& model, const bearing::OperatingPoint
     heat.outer += contacts.outer;
   }
   return heat;
+}
+
+friction::HeatSplit heat_split(const Model& model, const bearing::OperatingPoint& point,
+                               const FrictionPrediction& prediction) {
+  if (prediction.rollers) return heat_of_rollers(model, point, prediction);
+  return heat_split(model, point, *prediction.equilibrium, prediction);
 }
 
 }  // namespace raceway::model

@@ -13,6 +13,7 @@
 #include "friction/friction_law.h"
 #include "friction/lubricant.h"
 #include "model/life_data.h"
+#include "model/model_bearing.h"
 #include "model/spindle.h"
 #include "record/parameter.h"
 
@@ -49,11 +50,11 @@ struct Model {
   std::string name;
   /// Of the rows of the record that it is held against [K]; NaN where there is none.
   double coldest = unset, hottest = unset;
-  bearing::Bearing bearing;
+  ModelBearing bearing;
   friction::Lubricant lubricant;
   std::optional<friction::Supply> supply = {};  ///< rules out effects; none where nobody named it
   friction::FrictionLaw law = friction::FrictionLaw::palmgren;
-  friction::F1Load f1_load = friction::F1Load::P0;  ///< of the palmgren law
+  friction::F1Load f1_load = friction::F1Load::P0;  ///< of the palmgren law; of rollers of all
   std::vector<double> law_values;                   ///< in the order of friction::parameters(law)
   friction::contact::ContactData contact = {};      ///< of the contact law
   std::vector<effects::Effect> effects;             ///< what has been added so far, in order

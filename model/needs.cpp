@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "effects/lubricant_drag.h"
 #include "model/steps.h"
@@ -67,7 +69,8 @@ bool is_met(Need need, const Model& model, const record::Record& record) {
     case Need::opposed_sets:
       return model.shaft && !model.shaft->arrangement.design().rear.empty();
     case Need::palmgren_law:
-      return model.law != friction::FrictionLaw::skf;
+      return model.law != friction::FrictionLaw::skf &&
+             model.law != friction::FrictionLaw::roller_skf;
     case Need::cold_friction:
       return model.spindle && !model.spindle->preload_feedback;
     case Need::torque_standard:
@@ -92,7 +95,38 @@ std::string ruled_out(const effects::Description& effect, const Model& model) {
                      friction::words(*model.supply), effects::text(effect.supplies));
 }
 
+namespace {
+
+/// Why cylindrical rollers have no such effect, in words; empty if they do.
+std::string refused_by_rollers(const effects::Description& effect) {
+  constexpr std::array reasons{
+      std::pair{"spin-friction", "cylindrical rollers do not spin in their contacts"},
+      std::pair{
+          "gyroscopic-slip",
+          "the axes of cylindrical rollers are parallel to the shaft, without gyroscopic moment"},
+      std::pair{"differential-slip",
+                "a line contact has one rolling radius, without sliding zones"},
+      std::pair{"elastic-hysteresis", "its formula is that of point contacts"},
+      std::pair{"mixed-lubrication", "its constants are those of ball bearings"},
+      std::pair{"replenishment-starvation", "its constants are those of ball bearings"},
+      std::pair{"inlet-shear-heating", "its constants are those of ball bearings"},
+      std::pair{"load-exponent", "the load moment of rollers is in proportion to the load"},
+      std::pair{"load-offset", "it is an axial force, which the bearing does not carry"},
+      std::pair{"load-calibration", "it is about an axial load, which the bearing does not carry"},
+      std::pair{"thermal-preload", "it goes by the contact angle"},
+      std::pair{"ball-material", "there are no balls"}};
+  for (const auto& [id, why] : reasons)
+    if (effect.id == id) return fmt::format("a ball bearing: {}", why);
+  if (effect.condition)
+    return "a ball bearing: it moves rings against balls in grooves; of cylindrical rollers "
+           "radial_clearance_um says the clearance in operation";
+  return effect.needs_equilibrium ? "a ball bearing: its formula is that of balls" : "";
+}
+
+}  // namespace
+
 std::string refused_by_law(const effects::Description& effect, const Model& model) {
+  if (model.bearing.rollers()) return refused_by_rollers(effect);
   if (model.law != friction::FrictionLaw::contact) return {};
   if (!effect.within_contacts.empty())
     return fmt::format("another base law: the contact law has it itself, as {}",

@@ -12,8 +12,8 @@ namespace raceway::model {
 /// lubricant. Empty if it can.
 [[nodiscard]] std::string ruled_out(const effects::Description& effect, const Model& model);
 
-/// Why the base law of a model takes no such effect, in words: it has that effect itself. Empty if
-/// it does.
+/// Why the base law of a model takes no such effect, in words: it has that effect itself, or
+/// cylindrical rollers have none. Empty if it does.
 [[nodiscard]] std::string refused_by_law(const effects::Description& effect, const Model& model);
 
 /// What an effect cannot be felt without and the model or the record do not have, in words; empty

@@ -204,8 +204,8 @@ std::pair<double, double> plausible_range(const effects::Description& effect,
     return {number.plausible_lower, number.upper};
   if (effect.size_power == 0.0 || std::isnan(number.neutral))
     return {number.plausible_lower, number.plausible_upper};
-  const double larger = std::pow(model.bearing.geometry().pitch_diameter / effects::size_of_ranges,
-                                 effect.size_power);
+  const double larger =
+      std::pow(model.bearing.pitch_diameter() / effects::size_of_ranges, effect.size_power);
   return {std::clamp(larger * number.plausible_lower, number.lower, number.upper),
           std::clamp(larger * number.plausible_upper, number.lower, number.upper)};
 }
@@ -232,7 +232,8 @@ void ParameterPlace::resolve(const Model& model, const std::string& address) {
     index_ = index_of(friction::parameters(model.law), name, address);
   } else if (table == "arrangement" && name == "preload_N" && has_preload_force(model)) {
     kind_ = Kind::preload;
-  } else if (table == "bearing" && !(model.shaft && !one_bearing(*model.shaft))) {
+  } else if (table == "bearing" && model.bearing.ball_bearing() &&
+             !(model.shaft && !one_bearing(*model.shaft))) {
     kind_ = Kind::bearing;
     const BearingNumber& number = bearing_numbers[index_of(bearing_numbers, name, address)];
     members_.push_back(number.member);
@@ -305,6 +306,7 @@ void set(Model& model, const Parameter& parameter, double value) {
 std::vector<std::string> default_free(friction::FrictionLaw law) {
   if (law == friction::FrictionLaw::palmgren) return {"f0", "z"};
   if (law == friction::FrictionLaw::contact) return {"rolling_factor"};
+  if (law == friction::FrictionLaw::roller_palmgren) return {"f0", "f1"};
   return {"mu_EHL", "K_rs"};
 }
 

@@ -72,7 +72,7 @@ class ParameterPlace {
 [[nodiscard]] double get(const Model& model, const record::Parameter& parameter);
 void set(Model& model, const record::Parameter& parameter, double value);
 
-/// palmgren: f0, z (y is rarely told apart from z)      skf: mu_EHL, K_rs
+/// palmgren: f0, z (y is rarely told apart from z); of rollers f0, f1      skf: mu_EHL, K_rs
 /// contact: rolling_factor
 [[nodiscard]] std::vector<std::string> default_free(friction::FrictionLaw law);
 

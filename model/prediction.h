@@ -35,6 +35,8 @@ struct FrictionPrediction {
   /// Balls in balance; null where there is none, and where nobody asked for it and nothing needed
   /// it.
   std::shared_ptr<const bearing::BearingEquilibrium> equilibrium;
+  /// In its place where the bearing has cylindrical rollers.
+  std::shared_ptr<const bearing::RollerEquilibrium> rollers;
   bearing::SolveReport report;  ///< not_run where no equilibrium was needed
 
   [[nodiscard]] bool predicted() const;  ///< torque is a number
@@ -42,6 +44,12 @@ struct FrictionPrediction {
   /// `converged` only where the torque, its parts and the loss are finite; else `not_finite`.
   [[nodiscard]] bearing::SolveStatus status() const;
 };
+
+/// The ball bearing of a prediction: as the condition makes it, else as entered.
+[[nodiscard]] inline const bearing::Bearing& bearing_of(const Model& model,
+                                                        const FrictionPrediction& prediction) {
+  return prediction.bearing ? *prediction.bearing : *model.bearing;
+}
 
 /// What the torque of a model is made of, by name: parts of the base law, then the effects.
 ///   palmgren, skf: load, viscous        contact: rolling, sliding, hysteresis, drag

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "friction/contact/many_contacts.h"
@@ -42,14 +43,16 @@ bool known_report(const bearing::SolveReport& report) {
 RowPredictor::RowPredictor(const Model& model, const Steps& steps,
                            const bearing::OperatingPoint& point, const effects::Record& record,
                            Balance known, const Condition& given,
-                           std::shared_ptr<const bearing::Bearing> bearing)
+                           std::shared_ptr<const bearing::Bearing> bearing, Rollers rollers)
     : point_(point),
       record_(record),
       given_(given),
       radial_load_(std::hypot(point.radial_load, point.radial_load_z)),
       temperature_(point.temperature),
-      viscosity_(model.lubricant.kinematic_viscosity(point.temperature)) {
+      viscosity_(model.lubricant.kinematic_viscosity(point.temperature)),
+      rollers_(std::move(rollers)) {
   units_.assign(steps.moment.size(), unset);
+  if (rollers_) report_ = rollers_->report;
   if (!known) return;
   condition_ = given;
   correct(model, steps);
@@ -75,7 +78,7 @@ void RowPredictor::correct(const Model& model, const Steps& steps) {
 }
 
 friction::BearingState<double> RowPredictor::state(const Model& model) const {
-  return {.bearing = &model.bearing,
+  return {.bearing = model.bearing.ball_bearing(),
           .equilibrium = equilibrium_.get(),
           .race_control = model.solver.race_control,
           .f1_load = model.f1_load,
@@ -85,7 +88,9 @@ friction::BearingState<double> RowPredictor::state(const Model& model) const {
           .axial_load = with_extra(point_.axial_load, condition_.extra_axial_load),
           .radial_load = radial_load_,
           .temperature = temperature_,
-          .kinematic_viscosity = film_.kinematic_viscosity};
+          .kinematic_viscosity = film_.kinematic_viscosity,
+          .rollers = model.bearing.rollers(),
+          .roller_equilibrium = rollers_.get()};
 }
 
 /// Power of the base law at the entered load, where an effect looks at it [W]; a law of the
@@ -131,7 +136,7 @@ std::optional<bearing::BearingCase> RowPredictor::question(const Model& model) {
       return {};
     }
   }
-  bearing::BearingCase asked{bearing_ ? bearing_.get() : &model.bearing, point_};
+  bearing::BearingCase asked{bearing_ ? bearing_.get() : model.bearing.ball_bearing(), point_};
   asked.point.axial_load = with_extra(point_.axial_load, condition_.extra_axial_load);
   asked.point.temperature = temperature_;
   return asked;
@@ -152,6 +157,14 @@ void RowPredictor::solve(const Model& model) {
           : solve_balls(model, *asked->bearing, asked->point, model.solver, oil(model), start));
   report_ = equilibrium_->report;
   remember();
+}
+
+/// The rollers at the load as entered, on which no effect acts.
+void RowPredictor::solve_rollers(const Model& model) {
+  if (rollers_) return;
+  rollers_ = std::make_shared<const bearing::RollerEquilibrium>(
+      solve_roller_bearing(*model.bearing.rollers(), point_, {.tilt = model.solver.tilt}));
+  report_ = rollers_->report;
 }
 
 /// Takes up what was solved under that condition, if it is known.
@@ -203,6 +216,10 @@ bool RowPredictor::find_balance(const Model& model, const Steps& steps) {
   if (!find_condition(model, steps, condition)) {
     report_.status = bearing::SolveStatus::not_finite;
     return false;
+  }
+  if (model.bearing.rollers()) {
+    if (steps.equilibrium) solve_rollers(model);
+    return true;
   }
   if (!recall(model, condition) && steps.equilibrium) solve(model);
   return true;
@@ -325,6 +342,7 @@ FrictionPrediction RowPredictor::prediction(const Model& model) const {
   p.condition = condition_;
   p.bearing = bearing_;
   if (report_.converged()) p.equilibrium = equilibrium_;
+  p.rollers = rollers_;
   p.report = report_;
   p.effects.assign(model.effects.size(), unset);
   // With base moments it is an effect that has no number.
@@ -351,7 +369,7 @@ FrictionPrediction RowPredictor::prediction(const Model& model) const {
 
 void solve_balances(const Model& model, const Steps& steps, std::span<RowPredictor> rows) {
   if (!steps.equilibrium) return;
-  if (model.balanced_balls)
+  if (model.balanced_balls || model.bearing.rollers())
     return tbb::parallel_for(std::size_t{0}, rows.size(),
                              [&](std::size_t i) { rows[i].balance(model, steps); });
   std::vector<bearing::BearingCase> asked;
@@ -393,8 +411,11 @@ void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor>
   tbb::parallel_for(std::size_t{0}, (rows.size() + chunk - 1) / chunk, predict);
 }
 
-std::vector<Balance> entered_balances(const Model& model,
-                                      std::span<const bearing::OperatingPoint> points) {
+namespace {
+
+/// What `of` says of a row for each of the points, in balance as entered.
+template <typename Of>
+auto entered(const Model& model, std::span<const bearing::OperatingPoint> points, const Of& of) {
   Model plain = model;
   plain.effects.clear();
   const Steps steps(plain, true);
@@ -403,10 +424,22 @@ std::vector<Balance> entered_balances(const Model& model,
   for (const bearing::OperatingPoint& point : points)
     rows.emplace_back(plain, steps, point, effects::Record{});
   solve_balances(plain, steps, rows);
-  std::vector<Balance> balances;
+  std::vector<std::decay_t<decltype(of(rows.front()))>> balances;
   balances.reserve(rows.size());
-  for (const RowPredictor& row : rows) balances.push_back(row.equilibrium());
+  for (const RowPredictor& row : rows) balances.push_back(of(row));
   return balances;
+}
+
+}  // namespace
+
+std::vector<Balance> entered_balances(const Model& model,
+                                      std::span<const bearing::OperatingPoint> points) {
+  return entered(model, points, [](const RowPredictor& row) { return row.equilibrium(); });
+}
+
+std::vector<RowPredictor::Rollers> entered_rollers(
+    const Model& model, std::span<const bearing::OperatingPoint> points) {
+  return entered(model, points, [](const RowPredictor& row) { return row.rollers(); });
 }
 
 }  // namespace raceway::model

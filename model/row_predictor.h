@@ -19,13 +19,18 @@ namespace raceway::model {
 /// alone. See predict_friction() for the steps on the way.
 class RowPredictor {
  public:
+  using Rollers = std::shared_ptr<const bearing::RollerEquilibrium>;
+
   /// `known`: the balance under the condition `given`, where somebody has it: as entered, or that
   /// of a bearing in its set on a shaft. `given` is a condition beside what the effects in `steps`
   /// make of it. `bearing`: whose balls are in that balance, where it is not the model's.
+  /// `rollers`: the balance as entered of a bearing with cylindrical rollers, where somebody has
+  /// it.
   RowPredictor(const Model& model, const Steps& steps, const bearing::OperatingPoint& point,
                const effects::Record& record, Balance known = nullptr,
                const effects::Condition& given = {},
-               std::shared_ptr<const bearing::Bearing> bearing = nullptr);
+               std::shared_ptr<const bearing::Bearing> bearing = nullptr,
+               Rollers rollers = nullptr);
 
   /// Reading of the rig [N m], NaN without a prediction. What is computed is remembered; values of
   /// the model that act before `from` must be those of the last call.
@@ -49,6 +54,7 @@ class RowPredictor {
   /// All that the last predict() found.
   [[nodiscard]] FrictionPrediction prediction(const Model& model) const;
   [[nodiscard]] const Balance& equilibrium() const { return equilibrium_; }
+  [[nodiscard]] const Rollers& rollers() const { return rollers_; }
 
  private:
   [[nodiscard]] bool find_condition(const Model& model, const Steps& steps,
@@ -60,6 +66,7 @@ class RowPredictor {
   [[nodiscard]] friction::BearingState<double> state(const Model& model) const;
   std::optional<bearing::BearingCase> question(const Model& model);
   void solve(const Model& model);
+  void solve_rollers(const Model& model);
   [[nodiscard]] const friction::Lubricant& oil(const Model& model) const {
     return oil_ ? *oil_ : model.lubricant;
   }
@@ -98,6 +105,7 @@ class RowPredictor {
   effects::Condition condition_;
   std::shared_ptr<const bearing::Bearing> bearing_;  // null: as entered
   Balance equilibrium_;
+  Rollers rollers_;      // no number of a model moves it
   BallTurning turning_;  // of that balance
   bearing::SolveReport report_;
   HoldingMoments held_;  // of a tilt that is imposed; no numbers without
@@ -124,6 +132,9 @@ void predict_all(const Model& model, const Steps& steps, std::span<RowPredictor>
 
 /// Balances of points as entered, without any effect.
 [[nodiscard]] std::vector<Balance> entered_balances(
+    const Model& model, std::span<const bearing::OperatingPoint> points);
+/// The same of a bearing with cylindrical rollers.
+[[nodiscard]] std::vector<RowPredictor::Rollers> entered_rollers(
     const Model& model, std::span<const bearing::OperatingPoint> points);
 
 }  // namespace raceway::model

@@ -18,6 +18,9 @@ bool needs_equilibrium(const Model& model) {
 Steps::Steps(const Model& model, bool with_equilibrium, const record::Channel& read)
     : equilibrium(with_equilibrium || needs_equilibrium(model)),
       needs_balls(needs_equilibrium(model)) {
+  // What rollers carry is asked for, or counted by the law.
+  if (model.bearing.rollers() && model.f1_load == friction::F1Load::rollers)
+    equilibrium = needs_balls = true;
   for (std::size_t k = 0; k < model.effects.size(); ++k) {
     const effects::Description& d = *model.effects[k].description;
     if (d.entry) entry.push_back(k);
@@ -51,7 +54,8 @@ friction::BearingState<double> bearing_state(const Model& model,
                                              const bearing::OperatingPoint& point,
                                              const bearing::BearingEquilibrium* equilibrium) {
   friction::BearingState<double> state;
-  state.bearing = &model.bearing;
+  state.bearing = model.bearing.ball_bearing();
+  state.rollers = model.bearing.rollers();
   state.equilibrium = equilibrium;
   state.race_control = model.solver.race_control;
   state.f1_load = model.f1_load;

@@ -16,7 +16,7 @@ namespace raceway::model {
 struct Steps {
   /// Indices into Model::effects; `reading` is that of the channel that is read.
   std::vector<std::size_t> entry, condition, lubricant, moment, reading;
-  bool equilibrium = false;  ///< to be solved
+  bool equilibrium = false;  ///< of balls or rollers, to be solved
   bool needs_balls = false;  ///< without it there is no prediction
   explicit Steps(const Model& model, bool with_equilibrium = false,
                  const record::Channel& read = record::friction_torque);

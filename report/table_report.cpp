@@ -11,6 +11,7 @@
 #include "report/report.h"
 #include "report/report_columns.h"
 #include "results/shaft_results.h"
+#include "text/error.h"
 #include "text/units.h"
 
 namespace raceway::report {
@@ -23,7 +24,7 @@ double short_number(double value) {
 
 text::json state_json(const model::Model& model, const bearing::OperatingPoint& point,
                       const model::FrictionPrediction& prediction) {
-  const bearing::Bearing& bearing = prediction.bearing ? *prediction.bearing : model.bearing;
+  const bearing::Bearing& bearing = bearing_of(model, prediction);
   text::json azimuth = text::json::array(), inner_angle = text::json::array(),
              outer_angle = text::json::array(), inner_load = text::json::array(),
              outer_load = text::json::array(), inner_pressure = text::json::array(),
@@ -104,6 +105,11 @@ void add_measured(Document& document, record::Record record, const model::Rig& r
 std::string table_report(const std::string& model_file, const model::Model& model,
                          const friction::StribeckTable& table, const BearingStates& states,
                          const record::Record* measured, const std::vector<ModelOfPage>& facts) {
+  if (model.bearing.rollers())
+    throw text::InputError(
+        model_file +
+        ": the page of a table draws the balls of a bearing; of cylindrical rollers "
+        "there are --output, --json and --plot");
   Document document("table");
   document.add("assumed", model_facts(facts));
   document.add("results", {{"model", model_file},

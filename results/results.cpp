@@ -92,9 +92,8 @@ std::string_view race_control(const model::Model& model) {
 void add_life(text::json& document, const model::Model& model, const bearing::OperatingPoint& point,
               const model::FrictionPrediction& f) {
   constexpr double hour = 3600.0;
-  const bearing::Bearing& bearing = f.bearing ? *f.bearing : model.bearing;
-  const model::BearingLife life =
-      bearing_life(model.life, bearing, point, *f.equilibrium, f.film.kinematic_viscosity);
+  const bearing::Bearing& bearing = bearing_of(model, f);
+  const model::BearingLife life = bearing_life(model, point, f);
   document["kappa"] = life.viscosity_ratio;
   document["life"] = {{"L10_h", life.basic / hour},
                       {"a_ISO", life.modification},
@@ -158,7 +157,7 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
                        const model::FrictionPrediction& friction, const friction::HeatSplit& heat,
                        const BandOfResult* band) {
   text::json balls = text::json::array();
-  const bearing::Bearing& bearing = friction.bearing ? *friction.bearing : model.bearing;
+  const bearing::Bearing& bearing = bearing_of(model, friction);
   std::vector<friction::contact::BallFriction> contacts;
   if (friction.contacts) contacts = ball_contacts(model, point, friction);
   for (std::size_t k = 0; k < e.balls.size(); ++k) {

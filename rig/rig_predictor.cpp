@@ -26,17 +26,34 @@ EnteredBalances::EnteredBalances(const model::Model& model, const record::Record
   for (const model::Row& row : model::rows_of(record)) points_.push_back(row.point);
 }
 
-std::span<const model::Balance> EnteredBalances::of(std::span<const model::Row> rows) const {
+/// False where the points are others.
+bool EnteredBalances::solve_for(std::span<const model::Row> rows) const {
   if (!std::equal(rows.begin(), rows.end(), points_.begin(), points_.end(),
                   [](const model::Row& row, const bearing::OperatingPoint& point) {
                     return same_point(row.point, point);
                   }))
-    return {};
+    return false;
   std::call_once(solved_, [this] {
     // A thread that waits here for its helpers must not take up a task that asks the same.
-    tbb::this_task_arena::isolate([this] { balances_ = entered_balances(model_, points_); });
+    tbb::this_task_arena::isolate([this] {
+      if (model_.bearing.rollers())
+        rollers_ = entered_rollers(model_, points_);
+      else
+        balances_ = entered_balances(model_, points_);
+    });
   });
+  return true;
+}
+
+std::span<const model::Balance> EnteredBalances::of(std::span<const model::Row> rows) const {
+  if (!solve_for(rows)) return {};
   return balances_;
+}
+
+std::span<const model::RowPredictor::Rollers> EnteredBalances::rollers_of(
+    std::span<const model::Row> rows) const {
+  if (!solve_for(rows)) return {};
+  return rollers_;
 }
 
 RigPredictor::RigPredictor(const model::Model& model, const record::Record& record,
@@ -45,11 +62,16 @@ RigPredictor::RigPredictor(const model::Model& model, const record::Record& reco
     : model_(model), steps_(model_), places_(std::move(places)) {
   const std::vector<model::Row> rows = model::rows_of(record);
   std::span<const model::Balance> balances;
-  if (entered && steps_.equilibrium) balances = entered->of(rows);
+  std::span<const model::RowPredictor::Rollers> rollers;
+  if (entered && steps_.equilibrium) {
+    balances = entered->of(rows);
+    rollers = entered->rollers_of(rows);
+  }
   rows_.reserve(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     rows_.emplace_back(model_, steps_, rows[i].point, rows[i].record,
-                       balances.empty() ? nullptr : balances[i]);
+                       balances.empty() ? nullptr : balances[i], effects::Condition{}, nullptr,
+                       rollers.empty() ? nullptr : rollers[i]);
   for (const model::ParameterPlace& place : places_)
     stages_.push_back(first_stage(model_, steps_, place.effect()));
 }

@@ -18,12 +18,18 @@ class EnteredBalances {
   EnteredBalances(const model::Model& model, const record::Record& record);
   /// By row; nothing where the points are others. May be asked by several threads at once.
   [[nodiscard]] std::span<const model::Balance> of(std::span<const model::Row> rows) const;
+  /// The same of a bearing with cylindrical rollers.
+  [[nodiscard]] std::span<const model::RowPredictor::Rollers> rollers_of(
+      std::span<const model::Row> rows) const;
 
  private:
+  [[nodiscard]] bool solve_for(std::span<const model::Row> rows) const;
+
   model::Model model_;
   std::vector<bearing::OperatingPoint> points_;
   mutable std::once_flag solved_;
   mutable std::vector<model::Balance> balances_;
+  mutable std::vector<model::RowPredictor::Rollers> rollers_;
 };
 
 /// Friction torque that a rig reads at every row of a record [N m]. Rows remember what a number

@@ -33,6 +33,26 @@ std::vector<double> by_row(const fit::Record& record, const Value& value) {
   return list;
 }
 
+/// The load that the bearing is made for.
+const record::Channel& main_load(const model::Model& model) {
+  return model.bearing.rollers() ? record::radial_load : record::axial_load;
+}
+std::vector<double> main_loads(const fit::Record& record, const model::Model& model) {
+  const bool radial = model.bearing.rollers() != nullptr;
+  return by_row(record, [&](const auto& p) { return radial ? p.radial_load : p.axial_load; });
+}
+
+/// Cylindrical rollers carry no axial load.
+void require_no_axial_load(const fit::Record& record) {
+  const std::span<const double> loads = record.values(record::axial_load);
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    if (loads[i] != 0.0)
+      throw std::invalid_argument(
+          fmt::format("{}: axial_load_N = {:.6g}: must be 0, a cylindrical roller bearing of type "
+                      "N carries none",
+                      record.place(i), loads[i]));
+}
+
 /// Logarithm with a floor, as an unloaded or resting bearing has none.
 std::vector<double> logarithm(std::vector<double> values) {
   double largest = 0.0;
@@ -75,6 +95,7 @@ std::vector<fit::Measured> RigSubject::measured() const {
 }
 
 void RigSubject::require(const fit::Record& record) const {
+  if (model().bearing.rollers()) require_no_axial_load(record);
   if (record.has(record::friction_torque)) return;
   if (record.has(record::axial_displacement))
     throw std::invalid_argument(record.source +
@@ -98,13 +119,13 @@ std::unique_ptr<fit::Predictor> RigSubject::predictor(
 fit::Saturation RigSubject::saturation(const fit::Record& record) const {
   fit::Saturation s{.levels_before_candidates = true, .proportional = true};
   s.surface.inputs = {{logarithm(by_row(record, [](const auto& p) { return p.speed; })), 1e-3},
-                      {logarithm(by_row(record, [](const auto& p) { return p.axial_load; })), 1e-3},
+                      {logarithm(main_loads(record, model())), 1e-3},
                       {by_row(record, [](const auto& p) { return p.temperature; }), 0.5}};
-  // Exponents of speed, axial load and temperature.
+  // Exponents of speed, the main load and temperature.
   std::vector<std::vector<int>> terms{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 0},
                                       {0, 2, 0}, {0, 0, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1},
                                       {3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {2, 1, 0}, {2, 0, 1}};
-  s.levels = {&record::speed, &record::axial_load};
+  s.levels = {&record::speed, &main_load(model())};
   // Whatever else varies may be what the torque depends on.
   const auto add = [&](const fit::Channel& channel, std::vector<double> values, double least) {
     s.surface.inputs.push_back({std::move(values), least});
@@ -118,7 +139,7 @@ fit::Saturation RigSubject::saturation(const fit::Record& record) const {
     }
     if (channel.role == record::Role::setting) s.levels.push_back(&channel);
   };
-  if (record.varies(record::radial_load))
+  if (!model().bearing.rollers() && record.varies(record::radial_load))
     add(record::radial_load, logarithm(by_row(record, [](const auto& p) { return p.radial_load; })),
         1e-3);
   for (const fit::Channel* channel :
@@ -151,11 +172,11 @@ std::vector<fit::Factor> RigSubject::factors(const fit::Record& record) const {
 std::optional<fit::Formula> RigSubject::formula(const fit::Record& record) const {
   fit::Formula f{.key = "torque_Nmm", .unit = "N mm", .factor = rig_torque(model().rig, N_mm)};
   f.inputs = {{"speed_rpm", "a", by_row(record, [](const auto& p) { return p.speed / rpm; })},
-              {"axial_load_N", "b", by_row(record, [](const auto& p) { return p.axial_load; })},
+              {std::string(main_load(model()).name), "b", main_loads(record, model())},
               {"viscosity_mm2_s", "d", by_row(record, [&](const auto& p) {
                  return model().lubricant.kinematic_viscosity(p.temperature) / mm2_per_s;
                })}};
-  if (record.varies(record::radial_load))
+  if (!model().bearing.rollers() && record.varies(record::radial_load))
     f.inputs.push_back(
         {"radial_load_N", "e", by_row(record, [](const auto& p) { return p.radial_load; })});
   return f;
@@ -168,8 +189,8 @@ std::vector<fit::Axis> RigSubject::axes(const fit::Record& record) const {
     if (!axis.levels.empty()) list.push_back(std::move(axis));
   };
   add(record::speed, 7, true);
-  add(record::axial_load, 5, true);
-  add(record::radial_load, 3, record.varies(record::radial_load));
+  add(main_load(model()), 5, true);
+  if (!model().bearing.rollers()) add(record::radial_load, 3, record.varies(record::radial_load));
   add(record::temperature, 4, true);
   return list;
 }
@@ -210,7 +231,7 @@ std::vector<std::string> RigSubject::records_needed(
 
 std::vector<fit::OtherBase> RigSubject::other_bases() const {
   std::vector<fit::OtherBase> list;
-  for (const friction::FrictionLaw law : friction::all_friction_laws) {
+  for (const friction::FrictionLaw law : friction::laws_of_same_bearing(model().law)) {
     if (law == model().law) continue;
     const std::string name(friction::name(law));
     fit::OtherBase base{
@@ -232,7 +253,7 @@ std::string RigSubject::lacks(const std::string& id, const fit::Record& record) 
     if (!p.contacts || !p.equilibrium) continue;
     film_ratio = std::fmin(film_ratio, p.contacts->friction.smallest_film_ratio);
     const bearing::ContactPressure largest =
-        largest_pressure(p.bearing ? *p.bearing : model().bearing, *p.equilibrium);
+        largest_pressure(bearing_of(model(), p), *p.equilibrium);
     pressure = std::fmax(pressure, std::fmax(largest.inner, largest.outer));
   }
   if (id == "mu_boundary" && film_ratio >= thick_film)
@@ -249,10 +270,11 @@ std::string RigSubject::lacks(const std::string& id, const fit::Record& record) 
 model::Expected RigSubject::expected() const {
   const model::Rig& rig = model().rig;
   model::Expected e;
-  e.defaults = {{&record::speed, unset, ""},
-                {&record::axial_load, rig.axial_load, "[rig]"},
-                {&record::radial_load, rig.radial_load, "[rig]"},
-                {&record::temperature, rig.temperature, "[rig]"}};
+  e.defaults = {
+      {&record::speed, unset, ""},
+      {&record::axial_load, rig.axial_load, model().bearing.rollers() ? "[bearing] type" : "[rig]"},
+      {&record::radial_load, rig.radial_load, "[rig]"},
+      {&record::temperature, rig.temperature, "[rig]"}};
   e.measured = {&record::friction_torque, &record::axial_displacement};
   e.coast_down = rig.coasts_down();
   e.minimum_speed = rig.minimum_speed;

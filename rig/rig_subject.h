@@ -19,7 +19,8 @@ class RigSubject : public model::ModelSubject {
       const std::shared_ptr<const void>& prepared) const override;
 
   /// A torque times a cubic in ln speed, ln axial load and temperature with interactions; where the
-  /// radial load varies with its logarithm as well.
+  /// radial load varies with its logarithm as well. Of cylindrical rollers the radial load stands
+  /// in place of the axial one.
   [[nodiscard]] fit::Saturation saturation(const fit::Record& record) const override;
   /// The temperature.
   [[nodiscard]] std::vector<const record::Channel*> scattering(

@@ -72,7 +72,7 @@ results::BandOfResult point_band(const model::Band& band, const bearing::Operati
   result.half_widths = band([&](const model::Model& m) {
     const model::FrictionPrediction f = model::predict_friction(m, point, true);
     if (!f.report.converged()) return std::vector<double>(4, unset);
-    const friction::HeatSplit heat = model::heat_split(m, point, *f.equilibrium, f);
+    const friction::HeatSplit heat = model::heat_split(m, point, f);
     return std::vector<double>{f.torque, f.power_loss, heat.inner, heat.outer};
   });
   return result;

@@ -87,8 +87,7 @@ std::vector<std::string> notes_on_state(const model::Model& model, const bearing
         "film and asperities hold: the balls turn, and contact angles and displacement are those "
         "of race_control = \"balanced\" (docs/race-control.md)",
         c->holding_coefficient, c->holding_over_traction));
-  const model::BearingLife life = bearing_life(model.life, bearing, point, *prediction.equilibrium,
-                                               prediction.film.kinematic_viscosity);
+  const model::BearingLife life = bearing_life(model, point, prediction);
   if (life.hybrid)
     notes.push_back(fmt::format(
         "ISO 281 defines no a_ISO for {} balls: no modified life; L10r is by the formula of steel "

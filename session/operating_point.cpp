@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "files/plausible.h"
@@ -78,6 +79,11 @@ void require_loads(Messages& messages, const files::ModelFile& file, const Given
     throw text::InputError(
         fmt::format("{} is missing, and {} has no axial_load_N under [rig]", axial, file.source),
         {.file = file.source, .key = axial});
+  if (model.bearing.rollers() && given.acting_axial_load)
+    throw text::InputError(
+        fmt::format("{}: must be 0 for {}, a cylindrical roller bearing of type N carries none",
+                    axial, file.source),
+        {.file = file.source, .key = axial});
   if (given.moments && model.solver.tilt == bearing::Tilt::locked)
     messages.warn(fmt::format(
         "{}: {} change nothing where the shaft holds the tilt; [solver] tilt = \"free\" lets the "
@@ -95,6 +101,7 @@ bearing::OperatingPoint operating_point(Messages& messages, const files::ModelFi
   };
   require_loads(messages, file,
                 {.axial_load = given(asked.axial_load_N),
+                 .acting_axial_load = acts(asked.axial_load_N),
                  .radial_load = acts(asked.radial_load_N),
                  .moments = acts(asked.moment_y_Nmm) || acts(asked.moment_z_Nmm)},
                 wording);
@@ -112,11 +119,14 @@ friction::TableAxes table_axes(Messages& messages, const files::ModelFile& file,
                                const AskedAxes& asked, Wording wording) {
   const std::string speed = named(wording, "--speed", "speed_rpm");
   if (asked.speed_rpm.empty()) throw text::InputError(speed + " is missing", {.key = speed});
-  require_loads(messages, file,
-                {.axial_load = !asked.axial_load_N.empty(),
-                 .radial_load = !asked.radial_load_N.empty(),
-                 .moments = false},
-                wording);
+  require_loads(
+      messages, file,
+      {.axial_load = !asked.axial_load_N.empty(),
+       .acting_axial_load = std::any_of(asked.axial_load_N.begin(), asked.axial_load_N.end(),
+                                        [](double load) { return load != 0.0; }),
+       .radial_load = !asked.radial_load_N.empty(),
+       .moments = false},
+      wording);
   const bearing::OperatingPoint otherwise = point_of(file.model);
   const std::string temperature = named(wording, "--temperature", "temperature_C");
   tell_of_kelvin(messages, asked.temperature_C, temperature);

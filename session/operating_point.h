@@ -29,7 +29,9 @@ struct AskedPoint {
 
 /// What of a point stands in a question.
 struct GivenLoads {
-  bool axial_load = false, radial_load = false, moments = false;
+  bool axial_load = false;
+  bool acting_axial_load = false;  ///< one that is not 0
+  bool radial_load = false, moments = false;
 };
 
 /// Throws text::InputError for an axial load that neither the question nor the model has, and for

@@ -9,15 +9,10 @@
 #include "model/heat_split.h"
 #include "session/contact_statement.h"
 #include "session/load_notes.h"
+#include "session/roller_notes.h"
 
 namespace raceway::session {
-namespace {
-
-const bearing::Bearing& bearing_of(const model::Model& model, const PointAnswer& answer) {
-  return answer.friction.bearing ? *answer.friction.bearing : model.bearing;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 PointAnswer solve_point(const model::Model& model, const bearing::OperatingPoint& point) {
   PointAnswer answer;
@@ -25,14 +20,15 @@ PointAnswer solve_point(const model::Model& model, const bearing::OperatingPoint
   answer.status = answer.friction.status();
   answer.why = why_not_converged(model, answer.friction);
   if (answer.converged()) {
-    answer.equilibrium = *answer.friction.equilibrium;
-    answer.heat = model::heat_split(model, point, answer.equilibrium, answer.friction);
+    if (answer.friction.equilibrium) answer.equilibrium = *answer.friction.equilibrium;
+    answer.heat = model::heat_split(model, point, answer.friction);
     return answer;
   }
   answer.equilibrium.report = answer.friction.report;
   answer.equilibrium.report.status = answer.status;
   const std::size_t effects = answer.friction.effects.size();
   answer.friction = {};
+  answer.friction.report = answer.equilibrium.report;
   answer.friction.effects.assign(effects, unset);
   return answer;
 }
@@ -40,7 +36,8 @@ PointAnswer solve_point(const model::Model& model, const bearing::OperatingPoint
 std::vector<std::string> notes_on_point(const model::Model& model,
                                         const bearing::OperatingPoint& point,
                                         const PointAnswer& answer) {
-  const bearing::Bearing& bearing = bearing_of(model, answer);
+  if (model.bearing.rollers()) return notes_on_rollers(model, point, answer.friction);
+  const bearing::Bearing& bearing = bearing_of(model, answer.friction);
   const bearing::ContactPressure pressure = largest_pressure(bearing, answer.equilibrium);
   double least = unset, largest = unset;
   for (const bearing::BallEquilibrium& b : answer.equilibrium.balls.distinct()) {
@@ -63,8 +60,9 @@ std::vector<std::string> notes_on_point(const model::Model& model,
 }
 
 std::vector<std::string> warnings_on_point(const model::Model& model, const PointAnswer& answer) {
+  if (model.bearing.rollers()) return {};
   const bearing::ShoulderMargins left =
-      shoulder_margins(bearing_of(model, answer), answer.equilibrium);
+      shoulder_margins(bearing_of(model, answer.friction), answer.equilibrium);
   std::vector<std::string> lines;
   const auto look = [&](const char* race, double margin, double cut) {
     if (margin < 0.0)

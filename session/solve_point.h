@@ -14,7 +14,8 @@ struct PointAnswer {
   bearing::SolveStatus status = bearing::SolveStatus::not_run;
   /// All unset where the point has no balance, as the rest.
   model::FrictionPrediction friction{};
-  bearing::BearingEquilibrium equilibrium{};  ///< its report says how the search ended
+  /// Its report says how the search ended. Cylindrical rollers in balance are in `friction`.
+  bearing::BearingEquilibrium equilibrium{};
   friction::HeatSplit heat{};
   std::string why{};  ///< not converged, in words
 

@@ -39,9 +39,66 @@ std::array<double, columns_of_a_state.size()> state_values(const bearing::Bearin
   return {e.displacement[2], e.stiffness(0, 0), e.stiffness(1, 1), inner, outer};
 }
 
+/// Of cylindrical rollers, behind the parts of the torque.
+constexpr std::array<std::string_view, 18> roller_columns{"power_loss_W",
+                                                          "inner_ring_heat_W",
+                                                          "outer_ring_heat_W",
+                                                          inner_pressure,
+                                                          outer_pressure,
+                                                          "loaded_rollers",
+                                                          "radial_displacement_y_um",
+                                                          "radial_displacement_z_um",
+                                                          "radial_stiffness_N_um",
+                                                          "radial_stiffness_z_N_um",
+                                                          "inner_load_max_N",
+                                                          "outer_load_max_N",
+                                                          "inner_load_sum_N",
+                                                          "outer_load_sum_N",
+                                                          "clearance_um",
+                                                          "kappa",
+                                                          "life_h",
+                                                          "static_safety"};
+
+std::array<double, roller_columns.size()> roller_values(const model::Model& model,
+                                                        const bearing::OperatingPoint& point,
+                                                        const model::FrictionPrediction& p) {
+  const bearing::RollerBearing& b = *model.bearing.rollers();
+  const bearing::RollerEquilibrium& e = *p.rollers;
+  double inner = 0.0, outer = 0.0;
+  for (const bearing::LoadedRoller& r : e.rollers) {
+    inner = std::fmax(inner, r.inner_load);
+    outer = std::fmax(outer, r.outer_load);
+  }
+  const bearing::ContactPressure pressure = largest_pressure(b, e);
+  const friction::HeatSplit heat = heat_split(model, point, p);
+  const model::BearingLife life = bearing_life(model, point, p);
+  return {p.power_loss,
+          heat.inner,
+          heat.outer,
+          pressure.inner,
+          pressure.outer,
+          static_cast<double>(e.loaded_rollers()),
+          e.displacement[0],
+          e.displacement[1],
+          e.stiffness(0, 0),
+          e.stiffness(1, 1),
+          inner,
+          outer,
+          e.inner_sum(),
+          e.outer_sum(),
+          e.clearance,
+          life.viscosity_ratio,
+          life.reference,
+          life.static_safety};
+}
+
 std::vector<std::string> bearing_columns(const model::Model& model, Columns which) {
   std::vector<std::string> names;
   for (const std::string& part : torque_parts(model)) names.push_back(part + "_Nmm");
+  if (model.bearing.rollers()) {
+    names.insert(names.end(), roller_columns.begin(), roller_columns.end());
+    return names;
+  }
   for (const std::string_view name :
        {std::string_view("power_loss_W"), std::string_view("inner_contact_angle_min_deg"),
         std::string_view("inner_contact_angle_max_deg"),
@@ -60,11 +117,10 @@ std::vector<std::string> bearing_columns(const model::Model& model, Columns whic
 std::array<double, contact_columns.size()> contact_values(const model::Model& model,
                                                           const bearing::OperatingPoint& point,
                                                           const model::FrictionPrediction& p) {
-  const bearing::Bearing& bearing = p.bearing ? *p.bearing : model.bearing;
-  const model::BearingLife life =
-      bearing_life(model.life, bearing, point, *p.equilibrium, p.film.kinematic_viscosity);
+  const bearing::Bearing& bearing = bearing_of(model, p);
+  const model::BearingLife life = bearing_life(model, point, p);
   const bearing::ContactPressure pressure = largest_pressure(bearing, *p.equilibrium);
-  const friction::HeatSplit heat = heat_split(model, point, *p.equilibrium, p);
+  const friction::HeatSplit heat = heat_split(model, point, p);
   return {p.contacts->friction.smallest_film,
           p.contacts->friction.smallest_film_ratio,
           life.viscosity_ratio,
@@ -116,6 +172,11 @@ void fill_bearing_point(const model::Model& model, const bearing::OperatingPoint
   out.friction_moment = p.torque;
   std::size_t c = 0;
   for (const double moment : moments_of_parts(model, p)) out.columns[c++] = moment;
+  if (model.bearing.rollers()) {
+    if (p.rollers && p.rollers->report.converged())
+      for (const double v : roller_values(model, point, p)) out.columns[c++] = v;
+    return;
+  }
   out.columns[c++] = p.power_loss;
   if (!p.equilibrium || !p.equilibrium->report.converged()) return;
   // NaN of lost balls must not spread: fmin and fmax pass over it.
@@ -126,8 +187,7 @@ void fill_bearing_point(const model::Model& model, const bearing::OperatingPoint
     outer_min = std::fmin(outer_min, b.outer_contact_angle);
     outer_max = std::fmax(outer_max, b.outer_contact_angle);
   }
-  const bearing::ContactPressure pressure =
-      largest_pressure(p.bearing ? *p.bearing : model.bearing, *p.equilibrium);
+  const bearing::ContactPressure pressure = largest_pressure(bearing_of(model, p), *p.equilibrium);
   for (const double v : {inner_min, inner_max, outer_min, outer_max, pressure.inner, pressure.outer,
                          static_cast<double>(p.equilibrium->lost_balls()),
                          p.equilibrium->displacement[0], p.equilibrium->displacement[1]})
@@ -169,6 +229,7 @@ void fill_shaft_state(const model::Model& model, const shaft::ShaftPrediction& p
 
 std::vector<std::string> table_notes(const model::Model& model,
                                      const friction::StribeckTable& table) {
+  if (model.bearing.rollers()) return {};
   LoadNotes notes;
   const auto column_of = [&](std::size_t i, std::string_view name) {
     const std::string place =
@@ -185,7 +246,7 @@ std::vector<std::string> table_notes(const model::Model& model,
                       largest = column_of(i, "inner_contact_angle_max_deg"),
                       load = model.shaft ? column_of(i, "axial_load_N") : 0;
     const bearing::Bearing& bearing =
-        model.shaft ? *model.shaft->arrangement.bearings()[i].bearing : model.bearing;
+        model.shaft ? *model.shaft->arrangement.bearings()[i].bearing : *model.bearing;
     const std::string place =
         model.shaft ? results::bearing_place(model.shaft->arrangement, i) : std::string();
     for (std::size_t k = 0; k < table.points(); ++k) {

@@ -32,12 +32,8 @@ bearing::OperatingPoint point_of_state(const State& state, const model::Model& m
 
 double life_of(const model::Model& model, const bearing::OperatingPoint& point) {
   const model::FrictionPrediction p = model::predict_friction(model, point, true);
-  if (!p.equilibrium || !p.equilibrium->report.converged()) return unset;
   constexpr double hour = 3600.0;
-  return bearing_life(model.life, p.bearing ? *p.bearing : model.bearing, point, *p.equilibrium,
-                      p.film.kinematic_viscosity)
-             .reference /
-         hour;
+  return p.report.converged() ? bearing_life(model, point, p).reference / hour : unset;
 }
 
 double stiffness_of(const model::Model& model, const bearing::OperatingPoint& point) {

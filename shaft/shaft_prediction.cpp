@@ -95,8 +95,7 @@ class ShaftModels {
                                                             : tilted(i, alone));
     const model::FrictionPrediction& friction = p.friction.back();
     const bool balanced = friction.equilibrium && friction.report.converged();
-    p.heat.push_back(balanced ? heat_split(models_[i], alone, *friction.equilibrium, friction)
-                              : friction::HeatSplit());
+    p.heat.push_back(balanced ? heat_split(models_[i], alone, friction) : friction::HeatSplit());
   }
 
   /// Friction of the balls as they stand in the set.

@@ -85,11 +85,13 @@ class PythonMoment final : public effects::OwnMoment {
     py::dict given;
     const std::size_t rows = columns.front().second.size();
     for (auto& [name, values] : columns) given[py::str(name)] = owned(std::move(values), {rows});
-    const bearing::BearingGeometry& g = inputs.state.bearing->geometry();
-    given["pitch_diameter_mm"] = g.pitch_diameter / mm;
-    given["ball_diameter_mm"] = g.ball_diameter / mm;
-    given["ball_count"] = g.ball_count;
-    given["contact_angle_deg"] = g.contact_angle / degree;
+    given["pitch_diameter_mm"] = inputs.state.pitch_diameter() / mm;
+    if (const bearing::Bearing* const balls = inputs.state.bearing) {
+      const bearing::BearingGeometry& g = balls->geometry();
+      given["ball_diameter_mm"] = g.ball_diameter / mm;
+      given["ball_count"] = g.ball_count;
+      given["contact_angle_deg"] = g.contact_angle / degree;
+    }
     return (*function_)(given, numbers, rows).cast<std::vector<double>>();
   }
 

@@ -6,8 +6,8 @@
 namespace raceway::roller {
 namespace {
 
-using friction::RollerLaw;
-using friction::RollerLoad;
+using friction::F1Load;
+using friction::FrictionLaw;
 using nlohmann::json;
 
 TEST(RollerReference, FrictionFormulas) {
@@ -18,15 +18,16 @@ TEST(RollerReference, FrictionFormulas) {
   const double d_m = ring.mean_diameter();
   for (const json& row : c.outputs().at("rows")) {
     const friction::RollerState s{.bearing = &b,
-                                  .counted = RollerLoad::F_r,
+                                  .counted = F1Load::F_r,
                                   .speed = row.at("speed_rpm").get<double>() * rpm,
                                   .radial_load = row.at("radial_load_N"),
                                   .kinematic_viscosity = viscosity};
-    const auto palmgren = base_moments(RollerLaw::palmgren, s, std::array{c.in("f0"), c.in("f1")});
+    const auto palmgren =
+        roller_moments(FrictionLaw::roller_palmgren, s, std::array{c.in("f0"), c.in("f1")});
     c.holds(row, "palmgren_viscous_Nmm", palmgren.viscous / N_mm);
     c.holds(row, "palmgren_load_Nmm", palmgren.load / N_mm);
-    const auto skf =
-        base_moments(RollerLaw::skf, s, std::array{c.in("mu_bl"), c.in("mu_EHL"), c.in("K_rs")});
+    const auto skf = roller_moments(FrictionLaw::roller_skf, s,
+                                    std::array{c.in("mu_bl"), c.in("mu_EHL"), c.in("K_rs")});
     c.holds(row, "skf_rolling_Nmm", skf.viscous / N_mm);
     c.holds(row, "skf_sliding_Nmm", skf.load / N_mm);
     c.holds(row, "skf_inlet_shear", friction::inlet_shear_factor(s.speed, viscosity, d_m));
@@ -51,13 +52,13 @@ Heated heated(const bearing::RollerBearing& b, double load, double speed, double
   Heated h;
   h.equilibrium = solve_roller_bearing(b, {.speed = speed, .radial_load = load});
   h.state = {.bearing = &b,
-             .counted = RollerLoad::rollers,
+             .counted = F1Load::rollers,
              .speed = speed,
              .radial_load = load,
              .inner_sum = h.equilibrium.inner_sum(),
              .outer_sum = h.equilibrium.outer_sum(),
              .kinematic_viscosity = viscosity};
-  h.moments = base_moments(RollerLaw::palmgren, h.state, f);
+  h.moments = roller_moments(FrictionLaw::roller_palmgren, h.state, f);
   h.heat = split_heat(h.state, h.moments);
   return h;
 }
@@ -84,7 +85,7 @@ TEST(RollerReference, HeatAndConductionFollowTheRollers) {
     } else {
       h.state.inner_sum = row.at("sum_inner_N");
       h.state.outer_sum = row.at("sum_outer_N");
-      h.moments = base_moments(RollerLaw::palmgren, h.state, f);
+      h.moments = roller_moments(FrictionLaw::roller_palmgren, h.state, f);
       h.heat = split_heat(h.state, h.moments);
     }
     c.holds(row, "torque_load_N", counted_load(h.state));
@@ -105,15 +106,16 @@ TEST(RollerFriction, PreloadHasTorqueWithoutLoad) {
   const Heated h = heated(b, 0.0, 1000 * rpm, 20 * mm2_per_s, {1.5, 0.0003});
   EXPECT_GT(h.moments.load, 10 * N_mm);
   friction::RollerState printed = h.state;
-  printed.counted = RollerLoad::F_r;
-  EXPECT_EQ(base_moments(RollerLaw::palmgren, printed, std::array{1.5, 0.0003}).load, 0.0);
+  printed.counted = F1Load::F_r;
+  EXPECT_EQ(roller_moments(FrictionLaw::roller_palmgren, printed, std::array{1.5, 0.0003}).load,
+            0.0);
 }
 
 TEST(RollerFriction, SkfAsksForTheRings) {
   bearing::RollerGeometry g = n1012();
   g.outer_diameter = unset;
-  EXPECT_THROW(require_data(RollerLaw::skf, steel_bearing(g)), std::invalid_argument);
-  EXPECT_NO_THROW(require_data(RollerLaw::palmgren, steel_bearing(g)));
+  EXPECT_THROW(require_data(FrictionLaw::roller_skf, steel_bearing(g)), std::invalid_argument);
+  EXPECT_NO_THROW(require_data(FrictionLaw::roller_palmgren, steel_bearing(g)));
 }
 
 }  // namespace

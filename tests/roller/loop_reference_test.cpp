@@ -42,8 +42,8 @@ TEST(RollerReference, FrictionHeatClearanceAndLoadsAgreeInASteadyBearing) {
              .inner_sum = e.inner_sum(),
              .outer_sum = e.outer_sum(),
              .kinematic_viscosity = viscosity};
-    moments =
-        base_moments(friction::RollerLaw::palmgren, state, std::array{c.in("f0"), c.in("f1")});
+    moments = roller_moments(friction::FrictionLaw::roller_palmgren, state,
+                             std::array{c.in("f0"), c.in("f1")});
     heat = split_heat(state, moments);
     conductance = friction::roller_conductance(b, e, 45.0, 45.0);
     const double across = conductance + c.in("lubricant_conductance_W_K");

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "bearing/bearing.h"
+#include "bearing/roller_bearing.h"
+#include "life/roller_life.h"
+
+namespace raceway::model {
+
+/// The bearing of a model: one with balls, or one with cylindrical rollers.
+///
+/// What is of balls takes it as the bearing::Bearing that it is; for one with rollers that throws
+/// std::invalid_argument, so that no number of balls is ever given for rollers.
+class ModelBearing {
+ public:
+  // Either kind is the bearing of a model.
+  ModelBearing(bearing::Bearing balls) : kind_(std::move(balls)) {}            // NOLINT
+  ModelBearing(bearing::RollerBearing rollers) : kind_(std::move(rollers)) {}  // NOLINT
+
+  /// Null where it has balls.
+  [[nodiscard]] const bearing::RollerBearing* rollers() const {
+    return std::get_if<bearing::RollerBearing>(&kind_);
+  }
+  /// Null where it has rollers.
+  [[nodiscard]] const bearing::Bearing* ball_bearing() const {
+    return std::get_if<bearing::Bearing>(&kind_);
+  }
+
+  operator const bearing::Bearing&() const { return with_balls(); }  // NOLINT
+  [[nodiscard]] const bearing::Bearing& operator*() const { return with_balls(); }
+  [[nodiscard]] const bearing::BearingGeometry& geometry() const { return with_balls().geometry(); }
+  [[nodiscard]] const bearing::Material& balls() const { return with_balls().balls(); }
+  [[nodiscard]] const bearing::Material& rings() const {
+    return rollers() ? rollers()->rings() : with_balls().rings();
+  }
+
+  // Of either kind.
+  [[nodiscard]] double pitch_diameter() const {
+    return rollers() ? rollers()->geometry().pitch_diameter : geometry().pitch_diameter;
+  }
+  /// C0 [N]; NaN where that of balls is not given.
+  [[nodiscard]] double static_load_rating() const {
+    return rollers() ? life::static_load_rating(rollers()->geometry())
+                     : geometry().static_load_rating;
+  }
+
+ private:
+  [[nodiscard]] const bearing::Bearing& with_balls() const {
+    if (const bearing::Bearing* const balls = ball_bearing()) return *balls;
+    throw std::invalid_argument(
+        "the model has a cylindrical roller bearing; this is computed for ball bearings alone");
+  }
+
+  std::variant<bearing::Bearing, bearing::RollerBearing> kind_;
+};
+
+}  // namespace raceway::model

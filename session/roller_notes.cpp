@@ -1,0 +1,52 @@
+#include "session/roller_notes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bearing/roller_equilibrium.h"
+#include "life/roller_life.h"
+
+namespace raceway::session {
+namespace {
+
+/// Radial load over C below which unloaded rollers may skid [1]. From memory.
+constexpr double least_load_share = 0.02;
+
+}  // namespace
+
+std::vector<std::string> notes_on_rollers(const model::Model& model,
+                                          const bearing::OperatingPoint& point,
+                                          const model::FrictionPrediction& prediction) {
+  std::vector<std::string> notes;
+  const bearing::RollerBearing& b = *model.bearing.rollers();
+  const bearing::RollerEquilibrium& e = *prediction.rollers;
+  if (e.loose)
+    notes.emplace_back(
+        "no load and a clearance: the bearing is loose, nothing touches the inner ring");
+  else if (e.loaded_rollers() == 0)
+    notes.emplace_back("no roller touches the inner ring");
+  const double tilt = std::hypot(e.displacement[2], e.displacement[3]);
+  if (tilt > bearing::usual_tilt_limit)
+    notes.push_back(
+        fmt::format("the inner ring is tilted by {:.3g} mrad; cylindrical rollers stand "
+                    "about {:g} mrad before their ends are overloaded",
+                    tilt / mrad, bearing::usual_tilt_limit / mrad));
+  const double C = std::isnan(model.life.dynamic_load_rating)
+                       ? life::dynamic_load_rating(b.geometry())
+                       : model.life.dynamic_load_rating;
+  const double radial = std::hypot(point.radial_load, point.radial_load_z);
+  if (point.speed > 0.0 && !e.loose && e.clearance >= 0.0 && radial < least_load_share * C)
+    notes.push_back(fmt::format(
+        "the radial load of {:.4g} N is below {:.4g} N = {:g} C, and there is no preload: rollers "
+        "may skid",
+        radial, least_load_share * C, least_load_share));
+  const bearing::ContactPressure pressure = largest_pressure(b, e);
+  const double most = std::fmax(pressure.inner, pressure.outer);
+  if (most > bearing::static_limit_pressure_of_lines)
+    notes.push_back(fmt::format(
+        "the contact pressure is above 4 GPa, which leaves dents: {:.3g} GPa", most / GPa));
+  return notes;
+}
+
+}  // namespace raceway::session
