@@ -6,9 +6,11 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
+#include "cli/roller_text.h"
 #include "cli/shaft.h"
 #include "cli/state_text.h"
 #include "results/results.h"
+#include "results/roller_results.h"
 #include "session/bands.h"
 #include "session/open_input.h"
 #include "session/operating_point.h"
@@ -38,11 +40,17 @@ int run(const SolveFlags& flags) {
   const bearing::BearingEquilibrium& e = answer.equilibrium;
   std::optional<results::BandOfResult> half_widths;
   if (band) half_widths = session::point_band(*band, point);
-  if (flags.json) {
+  if (flags.json && file.model.bearing.rollers()) {
+    put_document(results::roller_solve_json(file.model, point, answer.friction, answer.heat,
+                                            half_widths ? &*half_widths : nullptr));
+  } else if (flags.json) {
     put_document(results::solve_json(file.model, point, e, answer.friction, answer.heat,
                                      half_widths ? &*half_widths : nullptr));
   } else if (answer.converged()) {
-    print_state(file.model, point, answer);
+    if (file.model.bearing.rollers())
+      print_roller_state(file.model, point, answer);
+    else
+      print_state(file.model, point, answer);
     if (band) print_band(*band, half_widths->half_widths);
   }
   if (answer.converged()) {

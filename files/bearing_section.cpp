@@ -10,6 +10,7 @@
 
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
+#include "files/detail/roller_section.h"
 
 namespace raceway::files {
 namespace {
@@ -114,6 +115,7 @@ std::vector<std::pair<std::string, double>> keys_of(const BearingGeometry& geome
 }
 
 Names missing_keys_of_bearing(const ModelTables& tables) {
+  if (has_rollers(tables)) return missing_keys_of_rollers(tables);
   const Section s = tables.part("bearing", {keys_of_bearing});
   if (s.find("catalogue")) return {};
   return s.lacking({"ball_count", "ball_diameter_mm", "pitch_diameter_mm", "contact_angle_deg",
@@ -169,7 +171,9 @@ const Material* BearingReader::find_material(std::string_view name) const {
 }
 
 NamedBearing BearingReader::read(const Section& table, const NamedBearing* base, Keys further) {
-  further.insert(further.begin(), keys_of_bearing);
+  refuse_keys_of_rollers(table);
+  for (const std::span<const Key> keys : {std::span<const Key>(keys_of_bearing), keys_of_type()})
+    further.insert(further.begin(), keys);
   const Section s = table.with(std::move(further));
   Draft draft;
   if (base) {

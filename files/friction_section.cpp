@@ -4,11 +4,13 @@
 #include <stdexcept>
 
 #include "files/catalogue_defaults.h"
+#include "friction/roller_friction.h"
 #include "record/units.h"
 
 // Last: see text/detail/toml_text.h.
 #include "files/detail/contact_section.h"
 #include "files/detail/friction_section.h"
+#include "files/detail/roller_section.h"
 
 namespace raceway::files {
 namespace {
@@ -35,10 +37,11 @@ Key number_of(FrictionLaw law, std::string_view name, std::string_view meaning) 
   const auto numbers = friction::parameters(law);
   const friction::Parameter& card = *std::find_if(
       numbers.begin(), numbers.end(), [&](const friction::Parameter& p) { return p.name == name; });
-  const double usual = name == "f0"  ? catalogue_f0
-                       : name == "z" ? catalogue_z
-                       : name == "y" ? catalogue_y
-                                     : card.initial;
+  const double usual = friction::of_rollers(law) ? card.initial
+                       : name == "f0"            ? catalogue_f0
+                       : name == "z"             ? catalogue_z
+                       : name == "y"             ? catalogue_y
+                                                 : card.initial;
   return {card.name, between(card), usual, meaning};
 }
 
@@ -73,11 +76,45 @@ const Key contact_law_keys[]{
               "oil in the free space that the balls plough through; 0 is no drag"),
 };
 
+const std::string words_of_roller_law = names_as_words(friction::roller_friction_laws);
+const std::string words_of_roller_load = names_as_words(std::array{F1Load::F_r, F1Load::rollers});
+const Key roller_law_keys[]{
+    {"law", one_of(words_of_roller_law), "palmgren", "base law of friction"},
+    {"f1_load", one_of(words_of_roller_load), "rollers",
+     "the load that the law counts: the radial load, as the laws are printed, or what the rollers "
+     "carry, so that a preload has torque"},
+};
+const Key roller_f0 = [] {
+  Key key = number_of(FrictionLaw::roller_palmgren, "f0", "factor of the viscous moment");
+  key.fallback = "grease 0.8, oil-air 1.5, bath 3, jet 6, else 1.5";
+  return key;
+}();
+const Key roller_palmgren_keys[]{
+    roller_f0,
+    number_of(FrictionLaw::roller_palmgren, "f1",
+              "factor of the load moment f1 F d_m, usually 0.0002 to 0.0004"),
+};
+const Key roller_skf_keys[]{
+    number_of(FrictionLaw::roller_skf, "mu_bl", "friction coefficient of boundary lubrication"),
+    number_of(FrictionLaw::roller_skf, "mu_EHL", "friction coefficient of a full film"),
+    number_of(FrictionLaw::roller_skf, "K_rs", replenishment),
+};
+
 /// Those that stand with a law alone.
 Keys keys_of_law(FrictionLaw law) {
-  if (law == FrictionLaw::palmgren) return {palmgren_keys};
-  if (law == FrictionLaw::skf) return {skf_keys};
-  return {contact_law_keys, contact_keys("friction")};
+  switch (law) {
+    case FrictionLaw::palmgren:
+      return {palmgren_keys};
+    case FrictionLaw::skf:
+      return {skf_keys};
+    case FrictionLaw::contact:
+      return {contact_law_keys, contact_keys("friction")};
+    case FrictionLaw::roller_palmgren:
+      return {roller_palmgren_keys};
+    case FrictionLaw::roller_skf:
+      break;
+  }
+  return {roller_skf_keys};
 }
 
 bool has(FrictionLaw law, std::string_view name) {
@@ -93,12 +130,27 @@ std::string belongs_to_other(std::string_view key, const toml::node& value, Fric
                      text::shown(value), friction::name(other), friction::name(law));
 }
 
-void refuse_values_of_other_law(const Section& s, FrictionLaw law) {
+/// `others`: laws of the same kind of bearing.
+void refuse_values_of_other_law(const Section& s, FrictionLaw law,
+                                std::span<const FrictionLaw> others) {
   if (!s.given()) return;
   for (const auto& [key, node] : *s.table())
-    for (const FrictionLaw other : friction::all_friction_laws)
+    for (const FrictionLaw other : others)
       if (!has(law, key.str()) && has(other, key.str()))
         s.fail(key.str(), belongs_to_other(key.str(), node, other, law));
+}
+
+/// A law of ball bearings, and the numbers that rollers have another one for.
+void refuse_friction_of_balls(const Section& s) {
+  if (s.text_or_empty("law") == friction::name(FrictionLaw::contact))
+    s.fail("law",
+           "law = \"contact\": sums friction over the balls of a bearing; cylindrical rollers have "
+           "\"palmgren\" and \"skf\"");
+  for (const char* const key : {"z", "y"})
+    if (const toml::node* const node = s.find(key))
+      s.fail(key, fmt::format("{} = {}: belongs to a ball bearing; the load moment of cylindrical "
+                              "rollers is f1 F d_m with a constant f1",
+                              key, text::shown(*node)));
 }
 
 }  // namespace
@@ -112,6 +164,9 @@ std::vector<KeyTable> friction_tables() {
         std::pair(FrictionLaw::contact, "law contact")})
     for (const std::span<const Key> keys : keys_of_law(law))
       tables.push_back({"friction", keys, only});
+  tables.push_back({"friction", roller_law_keys, "of cylindrical rollers"});
+  tables.push_back({"friction", roller_palmgren_keys, "of cylindrical rollers, law palmgren"});
+  tables.push_back({"friction", roller_skf_keys, "of cylindrical rollers, law skf"});
   return tables;
 }
 
@@ -137,7 +192,7 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Keys& fu
   LawOfFile result{
       .law = *friction::find_friction_law(tables.choice(table.part({law_keys}), "law")),
       .values = {}};
-  refuse_values_of_other_law(table, result.law);
+  refuse_values_of_other_law(table, result.law, friction::all_friction_laws);
   Keys known{law_keys};
   for (const Keys& keys : {keys_of_law(result.law), further})
     known.insert(known.end(), keys.begin(), keys.end());
@@ -155,9 +210,28 @@ LawOfFile read_friction(ModelTables& tables, bool from_catalogue, const Keys& fu
   return result;
 }
 
+LawOfFile read_friction_of_rollers(ModelTables& tables, std::optional<friction::Supply> supply) {
+  const Section table = tables.section("friction");
+  refuse_friction_of_balls(table);
+  LawOfFile result{
+      .law = *friction::find_roller_law(tables.choice(table.part({roller_law_keys}), "law")),
+      .values = {}};
+  refuse_values_of_other_law(table, result.law, friction::roller_friction_laws);
+  Keys known{roller_law_keys};
+  for (const std::span<const Key> keys : keys_of_law(result.law)) known.push_back(keys);
+  const Section s = table.with(known);
+  result.f1_load =
+      tables.choice(s, "f1_load") == friction::name(F1Load::F_r) ? F1Load::F_r : F1Load::rollers;
+  for (const friction::Parameter& p : friction::parameters(result.law))
+    result.values.push_back(
+        tables.number(s, p.name, p.name == "f0" ? friction::usual_roller_f0(supply) : p.initial));
+  return result;
+}
+
 Names missing_keys_of_friction(const ModelTables& tables) {
   Names missing = tables.part("lubricant", {lubricant_keys})
                       .lacking({"viscosity_40C_mm2_s", "viscosity_100C_mm2_s"});
+  if (has_rollers(tables)) return missing;
   const Section s = tables.part("friction", {law_keys, palmgren_keys});
   const Section bearing = tables.part("bearing", {bearing_keys()});
   if (bearing.find("catalogue") ||

@@ -15,6 +15,7 @@
 #include "files/detail/friction_section.h"
 #include "files/detail/loop_section.h"
 #include "files/detail/rig_section.h"
+#include "files/detail/roller_section.h"
 #include "files/detail/sensor_section.h"
 #include "files/detail/shaft_section.h"
 #include "files/detail/spindle_parts.h"
@@ -40,7 +41,7 @@ std::vector<ListedKey> model_keys() {
        {bearing_tables(), contact_tables(), friction_tables(), effect_tables(), formula_tables(),
         rig_tables(), loop_tables(), column_tables(), torque_sensor_tables(), arrangement_tables(),
         spindle_tables(), body_tables(), surroundings_tables(), network_tables(),
-        correction_tables(), trust_tables(), export_tables()})
+        correction_tables(), trust_tables(), export_tables(), roller_tables()})
     tables.insert(tables.end(), of_reader.begin(), of_reader.end());
   std::vector<ListedKey> list;
   for (auto first = tables.begin(); first != tables.end();) {

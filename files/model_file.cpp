@@ -19,6 +19,7 @@
 #include "files/detail/loop_section.h"
 #include "files/detail/model_reader.h"
 #include "files/detail/rig_section.h"
+#include "files/detail/roller_section.h"
 #include "files/detail/sensor_section.h"
 #include "files/detail/shaft_section.h"
 #include "files/detail/spindle_parts.h"
@@ -125,7 +126,8 @@ void note_the_implausible(const model::Model& model, std::vector<std::string>& n
     if (!text.empty() && std::find(notes.begin(), notes.end(), text) == notes.end())
       notes.push_back(std::move(text));
   };
-  note(looks_like_inches(model.bearing.geometry()));
+  if (const bearing::Bearing* const balls = model.bearing.ball_bearing())
+    note(looks_like_inches(balls->geometry()));
   if (model.shaft)
     for (const bearing::MountedBearing& m : model.shaft->arrangement.bearings())
       note(looks_like_inches(m.bearing->geometry()));
@@ -133,11 +135,14 @@ void note_the_implausible(const model::Model& model, std::vector<std::string>& n
   note(looks_like_kelvin("room_temperature_C", celsius(model.rig.room_temperature)));
 }
 
-}  // namespace
+/// A model of its own tables, with what stands beside in the file.
+struct ReadModel {
+  model::Model model;
+  std::string catalogue = {};
+  Names written = {}, notes = {};
+};
 
-ModelFile model_of_tables(ModelTables& tables, std::string text) {
-  const std::string& source = tables.source();
-  check_tables(tables);
+ReadModel read_ball_model(ModelTables& tables) {
   const bool of_spindle = is_spindle(tables);
   BearingReader bearings(tables);
   NamedBearing bearing = bearings.read(
@@ -163,6 +168,7 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
     written.emplace_back("race_control");
   if (solver.options.tilt != bearing::Tilt::locked) written.emplace_back("tilt");
   const model::Rig rig = read_rig(tables, spindle_keys("rig", of_spindle));
+  std::string catalogue = bearing.row ? bearing.row->full_name() : std::string();
   model::Model model{
       .name = bearing.name,
       .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing : std::move(bearing.bearing),
@@ -180,6 +186,19 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
       .free = {},
       .shaft = std::move(shaft),
       .spindle = std::move(spindle)};
+  return {std::move(model), std::move(catalogue), std::move(written), std::move(notes_on_spindle)};
+}
+
+}  // namespace
+
+ModelFile model_of_tables(ModelTables& tables, std::string text) {
+  const std::string& source = tables.source();
+  check_tables(tables);
+  ReadModel read = has_rollers(tables) ? ReadModel{.model = read_roller_model(tables),
+                                                   .written = written_contact_keys(tables)}
+                                       : read_ball_model(tables);
+  model::Model& model = read.model;
+  const model::Rig& rig = model.rig;
   refuse_effects_of_law(tables, model);
   if (std::isnan(rig.room_temperature))
     for (const effects::Effect& e : model.effects)
@@ -195,7 +214,7 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
   ColumnMap columns = read_columns(tables);
   std::optional<rig::TorqueSensor> sensor = read_torque_sensor(tables);
   std::vector<std::string> notes = notes_on_effects(model);
-  notes.insert(notes.end(), notes_on_spindle.begin(), notes_on_spindle.end());
+  notes.insert(notes.end(), read.notes.begin(), read.notes.end());
   note_the_implausible(model, notes);
   model.covariance = read_covariance(tables, model);
   if (model.covariance)
@@ -203,11 +222,11 @@ ModelFile model_of_tables(ModelTables& tables, std::string text) {
       notes.push_back(other + ": there is no band until raceway calibrate has found it anew");
       model.covariance.reset();
     }
-  return {.model = std::move(model),
+  return {.model = std::move(read.model),
           .source = source,
           .text = std::move(text),
-          .catalogue = bearing.row ? bearing.row->full_name() : std::string(),
-          .written = std::move(written),
+          .catalogue = std::move(read.catalogue),
+          .written = std::move(read.written),
           .defaults = tables.defaults(),
           .notes = std::move(notes),
           .columns = std::move(columns),

@@ -23,10 +23,12 @@ constexpr Key rig_keys[]{
      "slower rows of a coast-down are left out and counted"},
 };
 
-constexpr Key solver_keys[]{
+constexpr Key race_control_keys[]{
     {"race_control", one_of("outer|inner|balanced"), "outer",
      "what turns the balls: no spin at the outer race, none at the inner, or with the law contact "
      "the balance of tractions"},
+};
+constexpr Key tilt_keys[]{
     {"tilt", one_of("locked|free"), "locked",
      "whether the inner ring may tilt; free, the moment is carried, by default zero"},
 };
@@ -44,9 +46,15 @@ void read_inertia(const Section& s, model::Rig& rig) {
   rig.inertia = s.number(name).value_or(unset);
 }
 
+bearing::Tilt tilt_of(ModelTables& tables, const Section& s) {
+  return tables.choice(s, "tilt") == "locked" ? bearing::Tilt::locked : bearing::Tilt::free;
+}
+
 }  // namespace
 
-std::vector<KeyTable> rig_tables() { return {{"rig", rig_keys}, {"solver", solver_keys}}; }
+std::vector<KeyTable> rig_tables() {
+  return {{"rig", rig_keys}, {"solver", race_control_keys}, {"solver", tilt_keys}};
+}
 
 model::Rig read_rig(ModelTables& tables, Keys further) {
   further.insert(further.begin(), rig_keys);
@@ -65,8 +73,18 @@ model::Rig read_rig(ModelTables& tables, Keys further) {
   return rig;
 }
 
+bearing::Tilt read_tilt(ModelTables& tables) {
+  const Section table = tables.section("solver");
+  if (const toml::node* const node = table.find("race_control"))
+    table.fail("race_control",
+               fmt::format("race_control = {}: says what turns the balls of a bearing; cylindrical "
+                           "rollers have one axis",
+                           text::shown(*node)));
+  return tilt_of(tables, table.with({tilt_keys}));
+}
+
 SolverOfFile read_solver(ModelTables& tables, friction::FrictionLaw law, Keys further) {
-  further.insert(further.begin(), solver_keys);
+  further.insert(further.begin(), {race_control_keys, tilt_keys});
   const Section s = tables.section("solver", std::move(further));
   SolverOfFile solver;
   const std::string control = tables.choice(s, "race_control");
@@ -77,7 +95,7 @@ SolverOfFile read_solver(ModelTables& tables, friction::FrictionLaw law, Keys fu
            "[friction] law = \"contact\" alone knows");
   bearing::EquilibriumOptions& options = solver.options;
   if (control == "inner") options.race_control = bearing::RaceControl::inner;
-  options.tilt = tables.choice(s, "tilt") == "locked" ? bearing::Tilt::locked : bearing::Tilt::free;
+  options.tilt = tilt_of(tables, s);
   return solver;
 }
 

@@ -50,6 +50,10 @@ class BearingReader {
   /// new_model_text() writes them.
   [[nodiscard]] const Names& written() const { return written_; }
 
+  /// The material that a key of a bearing names, steel where it names none.
+  [[nodiscard]] bearing::Material material(const Section& s, const char* key,
+                                           const bearing::Material* inherited = nullptr);
+
  private:
   struct Draft;
   void read_material(const toml::key& key, const toml::node& node);
@@ -58,8 +62,6 @@ class BearingReader {
   void read_geometry(const Section& s, Draft& draft);
   void note_written(const Section& s, const Draft& draft);
   void read_envelope(const Section& s, bearing::BearingGeometry& g);
-  [[nodiscard]] bearing::Material material(const Section& s, const char* key,
-                                           const bearing::Material* inherited);
 
   ModelTables& tables_;
   std::vector<bearing::Material> materials_;

@@ -36,6 +36,10 @@ struct LubricantOfFile {
 [[nodiscard]] LawOfFile read_friction(ModelTables& tables, bool from_catalogue,
                                       const Keys& further = {});
 
+/// [friction] of a bearing with cylindrical rollers, which may be left out; f0 follows the supply.
+[[nodiscard]] LawOfFile read_friction_of_rollers(ModelTables& tables,
+                                                 std::optional<friction::Supply> supply);
+
 /// Refuses a bearing, read from `table`, that lacks what the law needs.
 void require_data(friction::FrictionLaw law, const bearing::Bearing& bearing, const Section& table);
 

@@ -16,6 +16,9 @@ namespace raceway::files {
 
 [[nodiscard]] model::Rig read_rig(ModelTables& tables, Keys further);
 
+/// `tilt` of [solver], which alone a bearing with cylindrical rollers has.
+[[nodiscard]] bearing::Tilt read_tilt(ModelTables& tables);
+
 /// [solver], and whether a race holds the balls or, under the contact law alone, none.
 struct SolverOfFile {
   bearing::EquilibriumOptions options;

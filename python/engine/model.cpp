@@ -12,6 +12,7 @@
 #include "python/engine/answer.h"
 #include "python/engine/interruptible.h"
 #include "results/results.h"
+#include "results/roller_results.h"
 #include "results/shaft_results.h"
 #include "session/bands.h"
 #include "session/new_model.h"
@@ -121,6 +122,8 @@ std::string solve_document(const EngineModel& model, const py::dict& given, bool
   if (!m.shaft) {
     if (band) half_widths = session::point_band(*band, point);
     const session::PointAnswer answer = session::solve_point(m, point);
+    if (m.bearing.rollers())
+      return results::roller_solve_json(m, point, answer.friction, answer.heat, of_band());
     return results::solve_json(m, point, answer.equilibrium, answer.friction, answer.heat,
                                of_band());
   }

@@ -121,7 +121,7 @@ TEST(KeyTables, ANumberOfTwoLawsHasTheDefaultOfEach) {
   std::vector<std::string> defaults;
   for (const ListedKey& one : model_keys())
     if (one.key.name == "K_rs") defaults.push_back(one.meaning().substr(0, 6) + one.fallback());
-  EXPECT_THAT(defaults, testing::ElementsAre("law sk6e-08", "law co0"));
+  EXPECT_THAT(defaults, testing::ElementsAre("law sk6e-08", "law co0", "of cyl6e-08"));
 }
 
 // What a reader takes and what the table of keys says is the same default.

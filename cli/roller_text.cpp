@@ -1,0 +1,86 @@
+#include "cli/roller_text.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bearing/frequencies.h"
+#include "bearing/roller_equilibrium.h"
+#include "cli/text_table.h"
+#include "model/bearing_life.h"
+
+namespace raceway::cli {
+namespace {
+
+void print_rollers(const bearing::RollerEquilibrium& e) {
+  const bool alike = std::all_of(e.rollers.begin(), e.rollers.end(), [&](const auto& r) {
+    return r.inner_load == e.rollers[0].inner_load;
+  });
+  TextTable table({alike ? TextTable::Column{"rollers", ""} : TextTable::Column{"roller at", "deg"},
+                   {"inner load", "N"},
+                   {"outer load", "N"},
+                   {"tilt", "mrad"}});
+  for (std::size_t k = 0; k < (alike ? 1 : e.rollers.size()); ++k) {
+    const bearing::LoadedRoller& r = e.rollers[k];
+    table.add({alike ? fmt::format("all {}", e.rollers.size())
+                     : fmt::format("{:.1f}", r.azimuth / degree),
+               number(r.inner_load), number(r.outer_load), number(r.tilt / mrad)});
+  }
+  fmt::print("{}", table.text(terminal_width()));
+}
+
+void print_roller_life(const model::Model& model, const bearing::OperatingPoint& point,
+                       const model::FrictionPrediction& friction) {
+  const bearing::RollerBearing& b = *model.bearing.rollers();
+  const model::BearingLife life = bearing_life(model, point, friction);
+  const bearing::BearingFrequencies turns = bearing::rolling_frequencies(b.geometry());
+  constexpr double hour = 3600.0;
+  fmt::print("\nbasic life L10      {:>10} h       reference L10r    {:>8} h\n",
+             number(life.basic / hour), number(life.reference / hour));
+  fmt::print("modified life       {:>10} {:<10}a_ISO             {:>8}\n",
+             life.hybrid ? "none" : number(life.modified / hour), life.hybrid ? "" : "h",
+             number(life.modification));
+  fmt::print("kappa               {:>10}         static safety     {:>8}\n",
+             number(life.viscosity_ratio), number(life.static_safety));
+  fmt::print("cage speed          {:>10} rpm     roller over outer {:>8} Hz\n",
+             number(turns.cage * point.speed / rpm),
+             number(turns.outer_race * point.speed / (2.0 * pi)));
+}
+
+}  // namespace
+
+void print_roller_state(const model::Model& model, const bearing::OperatingPoint& p,
+                        const session::PointAnswer& answer) {
+  const model::FrictionPrediction& friction = answer.friction;
+  const bearing::RollerEquilibrium& e = *friction.rollers;
+  fmt::print("{} at {:.6g} rpm, radial load {:.6g} N, clearance {:.4g} um, {:.4g} C\n", model.name,
+             p.speed / rpm, p.radial_load, e.clearance / um, celsius(p.temperature));
+  fmt::print("{} in {} Newton steps\n\n", e.status(), e.report.iterations);
+  print_rollers(e);
+  fmt::print("{} of {} rollers touch the inner ring\n", e.loaded_rollers(), e.rollers.size());
+  const auto& u = e.displacement;
+  fmt::print("\ndisplacement in y   {:>10} um      stiffness in y    {:>8} N/um\n",
+             number(u[0] / um), number(e.stiffness(0, 0) / N_per_um));
+  fmt::print("displacement in z   {:>10} um      stiffness in z    {:>8} N/um\n", number(u[1] / um),
+             number(e.stiffness(1, 1) / N_per_um));
+  const bearing::ContactPressure pressure = largest_pressure(*model.bearing.rollers(), e);
+  fmt::print("inner pressure      {:>10} MPa     outer pressure    {:>8} MPa\n",
+             number(pressure.inner / MPa), number(pressure.outer / MPa));
+  if (model.solver.tilt == bearing::Tilt::free)
+    fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[2] / mrad), number(u[3] / mrad));
+  fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
+             number(friction.torque / N_mm), number(friction.power_loss));
+  const std::vector<std::string> names = torque_parts(model);
+  const std::vector<double> moments = moments_of_parts(model, friction);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    fmt::print("  {:<17} {:>10} N mm", names[i], number(moments[i] / N_mm));
+    if (i < 2)
+      fmt::print("      {} ring      {:>8} W", i == 0 ? "inner" : "outer",
+                 number(i == 0 ? answer.heat.inner : answer.heat.outer));
+    fmt::print("\n");
+  }
+  print_roller_life(model, p, friction);
+}
+
+}  // namespace raceway::cli

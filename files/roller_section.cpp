@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+
+#include "friction/roller_friction.h"
+#include "record/units.h"
+
+// Last: see text/detail/toml_text.h.
+#include "files/detail/contact_section.h"
+#include "files/detail/effect_section.h"
+#include "files/detail/friction_section.h"
+#include "files/detail/rig_section.h"
+#include "files/detail/roller_section.h"
+#include "files/detail/spindle_section.h"
+
+namespace raceway::files {
+namespace {
+
+using bearing::RollerGeometry;
+
+constexpr std::string_view roller_type = "cylindrical-roller";
+
+constexpr Key type_keys[]{
+    {"type", one_of("ball|cylindrical-roller"), "ball",
+     "rolling elements of the bearing; cylindrical rollers have keys of their own"},
+};
+
+// Wherever the libraries check as well, these are their ranges.
+constexpr Key keys_of_rollers[]{
+    {"name", a_text, "that of the file", "for results"},
+    {"roller_count", whole(4, 200), is_required, "no more than fit on 98 % of the pitch circle"},
+    {"roller_diameter_mm", between(0.5, 300, "mm"), is_required, "diameter of a roller"},
+    {"roller_length_mm", between(0.5, 3000, "mm"), is_required,
+     "effective length of a roller, without its chamfers; at most 10 diameters and the width"},
+    {"pitch_diameter_mm", between(1, 5000, "mm"), is_required,
+     "diameter of the circle through the axes of the rollers, above 2 roller diameters"},
+    {"bore_mm", between(0, 5000, "mm"), unset,
+     "of the inner ring, below its raceway; needed by the law skf"},
+    {"outer_diameter_mm", between(1, 10000, "mm"), unset,
+     "of the outer ring, above its raceway, at most twice that; needed by the law skf"},
+    {"width_mm", between(0.5, 5000, "mm"), unset, "width of the rings, at least the roller length"},
+    {"radial_clearance_um", between(-100, 1000, "um"), 0.0,
+     "diametral; below zero a preload. On a rig that of operation"},
+    {"radial_clearance_of", one_of("mounted|free"), "mounted",
+     "state in which the clearance is given: on its seats, cold and at standstill, or before "
+     "mounting; a rig has no seats and takes it as it is"},
+    {"taper", between(0, 100), 0.0,
+     "of the bore, 12 for 1:12, 5 at least; 0 is a cylindrical bore. Without effect on a rig"},
+    {"profile", one_of("iso|none"), "iso",
+     "crowning of the rollers: logarithmic as in ISO/TS 16281, or straight"},
+    {"roller_material", one_of("steel|silicon-nitride"), "steel",
+     "built in, or the NAME of a [material.NAME]"},
+    {"ring_material", one_of("steel|silicon-nitride"), "steel",
+     "built in, or the NAME of a [material.NAME]"},
+    {"static_load_rating_N", between(1, 1e9, "N"), "44 (1 - D/d_m) Z L D", "C0"},
+};
+
+bool has(std::span<const Key> keys, std::string_view name) {
+  return std::any_of(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
+}
+
+/// Of a bearing with either kind of elements.
+constexpr std::string_view width_key = "width_mm";
+
+void refuse_keys_of_balls(const Section& s) {
+  for (const std::span<const Key> keys : {bearing_keys(), contact_keys("bearing")})
+    for (const Key& key : keys) {
+      const toml::node* const node = s.find(key.name);
+      if (!node || has(keys_of_rollers, key.name)) continue;
+      const std::string of_rollers =
+          key.name.starts_with("ball") ? "roller" + std::string(key.name.substr(4)) : "";
+      s.fail(key.name, fmt::format("{} = {}: belongs to a ball bearing; the type is \"{}\"{}",
+                                   key.name, text::shown(*node), roller_type,
+                                   has(keys_of_rollers, of_rollers)
+                                       ? fmt::format(", which has {}", of_rollers)
+                                       : std::string()));
+    }
+}
+
+RollerGeometry read_roller_geometry(ModelTables& tables, const Section& s) {
+  RollerGeometry g;
+  g.roller_count = *s.whole_number("roller_count");
+  g.roller_diameter = s.required("roller_diameter_mm") * mm;
+  g.roller_length = s.required("roller_length_mm") * mm;
+  g.pitch_diameter = s.required("pitch_diameter_mm") * mm;
+  // Unset where not given.
+  g.bore = s.value("bore_mm") * mm;
+  g.outer_diameter = s.value("outer_diameter_mm") * mm;
+  g.width = s.value(width_key) * mm;
+  g.radial_clearance = tables.number(s, "radial_clearance_um") * um;
+  if (tables.choice(s, "radial_clearance_of") == "free")
+    g.clearance_state = bearing::ClearanceState::free;
+  g.taper = tables.number(s, "taper");
+  if (tables.choice(s, "profile") == "none") g.profile = bearing::RollerProfile::none;
+  if (const auto given = s.number("static_load_rating_N")) g.static_load_rating = *given;
+  try {
+    return bearing::validated(g);
+  } catch (const std::invalid_argument& error) {
+    s.fail(error);
+  }
+}
+
+struct RollersOfFile {
+  bearing::RollerBearing bearing;
+  std::string name;
+};
+
+RollersOfFile read_rollers(ModelTables& tables) {
+  const Section table = tables.section("bearing");
+  refuse_keys_of_balls(table);
+  const Section s = table.with({type_keys, keys_of_rollers});
+  const RollerGeometry geometry = read_roller_geometry(tables, s);
+  std::string name = s.text("name").value_or("");
+  if (name.empty()) {
+    name = std::filesystem::path(tables.source()).stem().string();
+    tables.note_default("bearing", "name", fmt::format("\"{}\"", name));
+  }
+  BearingReader materials(tables);
+  return {bearing::RollerBearing(geometry, materials.material(s, "roller_material"),
+                                 materials.material(s, "ring_material")),
+          std::move(name)};
+}
+
+void refuse_sets_and_spindles(const ModelTables& tables) {
+  Names others = tables_of_spindle();
+  others.emplace_back("arrangement");
+  for (const std::string& table : others)
+    if (const toml::node* const node = tables.root().get(table))
+      throw text::InputError(
+          fmt::format("{}:{}: [{}]: a bearing of type \"{}\" stands on a rig by itself; sets and "
+                      "spindles have ball bearings",
+                      tables.source(), node->source().begin.line, table, roller_type),
+          {.file = tables.source(),
+           .line = static_cast<int>(node->source().begin.line),
+           .key = table});
+}
+
+model::Rig read_roller_rig(ModelTables& tables) {
+  model::Rig rig = read_rig(tables, {});
+  if (rig.axial_load > 0.0)
+    tables.section("rig").fail(
+        "axial_load_N",
+        fmt::format("axial_load_N = {:g}: must be 0, a cylindrical roller bearing of type N "
+                    "carries none",
+                    rig.axial_load));
+  rig.axial_load = 0.0;
+  return rig;
+}
+
+}  // namespace
+
+std::span<const Key> keys_of_type() { return type_keys; }
+
+std::vector<KeyTable> roller_tables() {
+  return {{"bearing", type_keys}, {"bearing", keys_of_rollers, "of cylindrical rollers"}};
+}
+
+bool has_rollers(const ModelTables& tables) {
+  return tables.section("bearing").text_or_empty("type") == roller_type;
+}
+
+void refuse_keys_of_rollers(const Section& bearing) {
+  const auto type = bearing.part({type_keys}).choice("type");
+  if (type == roller_type)
+    bearing.fail("type",
+                 fmt::format("type = \"{}\": sets and spindles have ball bearings; such a bearing "
+                             "stands on a rig by itself",
+                             roller_type));
+  for (const Key& key : keys_of_rollers) {
+    const toml::node* const node = bearing.find(key.name);
+    if (node && !has(bearing_keys(), key.name) && key.name != width_key)
+      bearing.fail(key.name,
+                   fmt::format("{} = {}: belongs to type = \"{}\"; this is a ball bearing",
+                               key.name, text::shown(*node), roller_type));
+  }
+}
+
+Names missing_keys_of_rollers(const ModelTables& tables) {
+  return tables.part("bearing", {keys_of_rollers})
+      .lacking({"roller_count", "roller_diameter_mm", "roller_length_mm", "pitch_diameter_mm"});
+}
+
+model::Model read_roller_model(ModelTables& tables) {
+  refuse_sets_and_spindles(tables);
+  RollersOfFile rollers = read_rollers(tables);
+  const LubricantOfFile lubricant = read_lubricant(tables);
+  LawOfFile law = read_friction_of_rollers(tables, lubricant.supply);
+  try {
+    friction::require_data(law.law, rollers.bearing);
+  } catch (const std::invalid_argument& error) {
+    tables.part("bearing", {keys_of_rollers}).fail(error);
+  }
+  std::vector<effects::Effect> effects = read_effects(tables, nullptr);
+  bearing::EquilibriumOptions solver;
+  solver.tilt = read_tilt(tables);
+  const model::Rig rig = read_roller_rig(tables);
+  return {.name = std::move(rollers.name),
+          .bearing = std::move(rollers.bearing),
+          .lubricant = lubricant.lubricant,
+          .supply = lubricant.supply,
+          .law = law.law,
+          .f1_load = law.f1_load,
+          .law_values = std::move(law.values),
+          .contact = read_contact(tables, false, lubricant.supply),
+          .effects = std::move(effects),
+          .solver = solver,
+          .life = read_life(tables),
+          .rig = rig,
+          .free = {}};
+}
+
+}  // namespace raceway::files

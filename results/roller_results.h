@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "bearing/operating_point.h"
+#include "friction/heat.h"
+#include "model/prediction.h"
+#include "results/band_of_result.h"
+
+namespace raceway::results {
+
+/// A cylindrical roller bearing at one operating point, as `raceway solve --json` writes it.
+/// Numbers are null where the point has no balance.
+[[nodiscard]] std::string roller_solve_json(const model::Model& model,
+                                            const bearing::OperatingPoint& point,
+                                            const model::FrictionPrediction& friction,
+                                            const friction::HeatSplit& heat,
+                                            const BandOfResult* band = nullptr);
+
+}  // namespace raceway::results
