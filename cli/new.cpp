@@ -50,12 +50,13 @@ Run setup_new(CLI::App& command) {
              "[deg]; default: by the end of the designation (C, E, AC), else 15");
   command
       .add_option("--ball-material", flags->wanted.outline.ball_material,
-                  "steel or silicon-nitride (a hybrid bearing)")
+                  "steel or silicon-nitride (a hybrid bearing), of cylindrical rollers too")
       ->check(CLI::IsMember({"steel", "silicon-nitride"}))
       ->type_name("NAME");
   command
       .add_option("--law", flags->wanted.law,
-                  "palmgren, skf or contact (default), which takes in balls and rings")
+                  "palmgren, skf or contact (default), which takes in balls and rings; cylindrical "
+                  "rollers have palmgren (default) and skf")
       ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
   command.add_option("-o,--output", flags->output, "model file to write; stdout without it")
@@ -64,6 +65,7 @@ Run setup_new(CLI::App& command) {
   command.footer(
       "Example:\n  raceway new \"S 6014 C\" -o my.toml\n"
       "  raceway new \"7014 C\" --balls 20 --ball-material silicon-nitride -o my.toml\n"
+      "  raceway new \"N1012 KTN/SP\" -o rollers.toml\n"
       "  raceway new mine --bore 70 --outer-diameter 110 -o my.toml");
   return [flags] { return run(*flags); };
 }

@@ -67,7 +67,7 @@ std::string friction_lines(friction::FrictionLaw law) {
       break;
     case friction::FrictionLaw::roller_palmgren:
     case friction::FrictionLaw::roller_skf:
-      break;  // io/roller_estimate.h writes models of rollers
+      break;  // files/roller_estimate.h writes models of rollers
   }
   return text;
 }

@@ -7,6 +7,8 @@
 
 #include "files/catalogue_file.h"
 #include "files/model_file.h"
+#include "files/roller_estimate.h"
+#include "friction/roller_friction.h"
 #include "text/error.h"
 
 namespace raceway::session {
@@ -14,9 +16,29 @@ namespace {
 
 friction::FrictionLaw wanted_law(const NewModel& wanted) {
   using friction::FrictionLaw;
-  for (const FrictionLaw law : {FrictionLaw::palmgren, FrictionLaw::skf})
-    if (wanted.law == friction::name(law)) return law;
-  return FrictionLaw::contact;
+  return friction::find_friction_law(wanted.law).value_or(FrictionLaw::contact);
+}
+
+/// The model of a cylindrical roller bearing by its designation.
+std::string new_roller_model(Messages& messages, const NewModel& wanted, bool described,
+                             const std::vector<files::CatalogueBearing>& rows) {
+  const auto refuse = [&](const std::string& why) {
+    throw text::InputError(
+        fmt::format("raceway new: {} is a cylindrical roller bearing; {}", wanted.bearing, why),
+        {.key = "BEARING"});
+  };
+  if (described)
+    refuse("--bore, --outer-diameter, --balls and --contact-angle describe ball bearings");
+  if (wanted.law == friction::name(friction::FrictionLaw::contact))
+    refuse("its laws are palmgren and skf");
+  const files::EstimatedRollers rollers = files::estimated_rollers(wanted.bearing, rows);
+  messages.note(wanted.bearing +
+                " is a cylindrical roller bearing: its rollers are estimated and marked in the "
+                "model");
+  return files::estimated_model_text(
+      rollers,
+      friction::find_roller_law(wanted.law).value_or(friction::FrictionLaw::roller_palmgren),
+      wanted.outline.ball_material);
 }
 
 /// What the flags say of a bearing; of one in the catalogue they must say nothing.
@@ -59,6 +81,8 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
                               .of_key = {},
                               .law = wanted_law(wanted)});
   }
+  if (files::names_rollers(wanted.bearing))
+    return new_roller_model(messages, wanted, described, rows);
   const files::BearingOutline known = outline(wanted, rows);
   // A misspelt name of the catalogue is answered with the nearest ones.
   if (!described && std::isnan(known.bore)) {

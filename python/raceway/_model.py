@@ -69,7 +69,7 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         cls,
         bearing: str,
         *,
-        law: str = "contact",
+        law: str | None = None,
         ball_material: str = "steel",
         bore_mm: float | None = None,
         outer_diameter_mm: float | None = None,
@@ -83,8 +83,11 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         bearing : str
             Of the catalogue, such as ``"S 6014 C"``. Of one whose size the designation says, as
             ``"7014 C"``, or that the next four describe, the inner geometry is estimated; `notes` says so.
-        law : {"contact", "palmgren", "skf"}
+            ``"N1012 KTN/SP"`` is a cylindrical roller bearing, whose rollers are estimated.
+        law : {"contact", "palmgren", "skf"}, optional
+            By default ``"contact"``, of cylindrical rollers ``"palmgren"``; they have ``"skf"`` too.
         ball_material : {"steel", "silicon-nitride"}
+            Of cylindrical rollers the material of the rollers.
         bore_mm, outer_diameter_mm, contact_angle_deg, ball_count
             Of a bearing that is not in the catalogue.
 
@@ -99,14 +102,14 @@ class Model(LoopModel, SpindleQuestions, SensitivityQuestion):
         'mine is not in the catalogue: 70 x 110 mm, 1'
         """
         text_of("bearing", bearing)
-        if law not in ("contact", "palmgren", "skf"):
+        if law not in (None, "contact", "palmgren", "skf"):
             raise ValueError(f"law = {law!r}: must be contact, palmgren or skf")
         if ball_material not in ("steel", "silicon-nitride"):
             raise ValueError(f"ball_material = {ball_material!r}: must be steel or silicon-nitride")
         if ball_count is not None and operator.index(ball_count) < 3:
             raise ValueError(f"ball_count = {ball_count}: must be 3 or more")
         bore, outer, angle = (float("nan") if size is None else float(size) for size in (bore_mm, outer_diameter_mm, contact_angle_deg))
-        text, notes = _engine.new_model(bearing, law, ball_material, bore, outer, angle, ball_count or 0)
+        text, notes = _engine.new_model(bearing, law or "", ball_material, bore, outer, angle, ball_count or 0)
         model = cls(bearing, text)
         model._said = notes
         return model

@@ -48,6 +48,34 @@ viscosity_100C_mm2_s = 4.049896
 f1_load = "F_r"
 )";
 
+TEST(RollerCommand, NewWritesAModelThatSolveTakes) {
+  const ScratchFolder scratch;
+  const std::string model = scratch.file("n1012.toml");
+  const Result made = run("new \"N1012 KTN/SP\" -o " + model);
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("is a cylindrical roller bearing: its rollers are estimated"));
+  EXPECT_THAT(file_text(model), HasSubstr("printed are 44300 N and 55200 N"));
+  const Result solved = run("solve " + model + " --speed 4000 --radial-load 2000 --json");
+  ASSERT_EQ(solved.status, 0) << solved.err;
+  const json document = json::parse(solved.out);
+  EXPECT_EQ(document["type"], "cylindrical-roller");
+  EXPECT_EQ(document["rollers"].size(), 22u);
+  EXPECT_NEAR(
+      document["inner_ring_heat_W"].get<double>() + document["outer_ring_heat_W"].get<double>(),
+      document["power_loss_W"].get<double>(), 1e-6);
+  const Result text = run("solve " + model + " --speed 4000 --radial-load 2000");
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("rollers touch the inner ring"));
+  EXPECT_THAT(text.out, HasSubstr("reference L10r"));
+}
+
+TEST(RollerCommand, NewRefusesWhatItDoesNotKnow) {
+  EXPECT_THAT(run("new \"NU 210 ECP\"").err, HasSubstr("only series N10 is known"));
+  EXPECT_THAT(run("new N1012 --balls 20").err, HasSubstr("describe ball bearings"));
+  EXPECT_THAT(run("new N1012 --law contact").err, HasSubstr("its laws are palmgren and skf"));
+  EXPECT_THAT(run("new N1099").err, HasSubstr("no boundary dimensions of this size"));
+}
+
 TEST(RollerCommand, ATableHasTheRadialLoadAcross) {
   const ScratchFolder scratch;
   const std::string model = scratch.write("n1012.toml", n1012_text);
