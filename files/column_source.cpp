@@ -18,11 +18,6 @@ namespace {
 
 using record::Channel;
 
-/// Texts in the place of a unit that state none.
-bool states_no_unit(std::string_view text) {
-  return text.empty() || text == "-" || text == "[-]" || text == "(-)";
-}
-
 /// The unit that a file states for a column of a channel. Throws InputError where it is not known,
 /// or measures something else.
 const text::Unit& stated_unit(std::string_view text, const Channel& channel,
@@ -42,7 +37,7 @@ const text::Unit& stated_unit(std::string_view text, const Channel& channel,
 /// The unit in the row of units, null where it states none.
 const text::Unit* in_unit_row(const text::CsvTable& table, std::size_t column,
                               const Channel& channel) {
-  if (column >= table.units.size() || states_no_unit(table.units[column])) return nullptr;
+  if (column >= table.units.size() || text::states_no_unit(table.units[column])) return nullptr;
   return &stated_unit(table.units[column], channel, table, column);
 }
 
@@ -51,7 +46,7 @@ const text::Unit* in_unit_row(const text::CsvTable& table, std::size_t column,
 const text::Unit* in_header(const text::CsvTable& table, std::size_t column,
                             const Channel& channel) {
   const std::string_view header = table.header[column];
-  if (const std::string_view stated = text::in_brackets(header); !states_no_unit(stated))
+  if (const std::string_view stated = text::in_brackets(header); !text::states_no_unit(stated))
     return &stated_unit(stated, channel, table, column);
   const text::Dimension own = unit_of(channel)->dimension;
   const std::string_view ending = text::header_parts(header).unit;
@@ -144,7 +139,7 @@ std::optional<NamedChannel> named_column(std::string_view name, bool over_time, 
 
 /// The channel of a name that ends in a unit in brackets which is not known: "axial load [lbz]".
 const Channel* channel_without_unit(std::string_view header, bool over_time, bool of_spindle) {
-  if (states_no_unit(text::in_brackets(header))) return nullptr;
+  if (text::states_no_unit(text::in_brackets(header))) return nullptr;
   const std::string_view name = text::header_parts(header).name;
   for (const text::Unit& unit : text::units())
     if (const auto named =

@@ -7,60 +7,17 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
-#include "text/csv_form.h"
-#include "text/detail/csv_text.h"
+#include "text/csv_parser.h"
 #include "text/detail/decimal_marks.h"
 #include "text/error.h"
 #include "text/input_file.h"
-#include "text/missing_cell.h"
-#include "text/names.h"
 #include "text/printable.h"
 #include "text/text_encoding.h"
 
 namespace raceway::text {
 namespace {
-
-constexpr char separators[] = {'\t', ';', ','};
-
-std::string_view separator_name(char separator) {
-  switch (separator) {
-    case ';':
-      return "semicolons";
-    case '\t':
-      return "tabs";
-    default:
-      return "commas";
-  }
-}
-
-bool blank(char c) { return c == ' ' || c == '\t'; }
-
-/// Separators outside quotes.
-std::size_t count_separators(std::string_view line, char separator) {
-  bool inside = false;
-  std::size_t count = 0;
-  for (const char c : line) {
-    if (c == '"') inside = !inside;
-    if (c == separator && !inside) ++count;
-  }
-  return count;
-}
-
-char separator_of_header(std::string_view header, const std::string& place, const Place& where) {
-  char found = '\0';
-  for (const char separator : separators) {
-    if (count_separators(header, separator) == 0) continue;
-    if (found != '\0')
-      throw InputError(fmt::format("{}: the header is separated by {} and by {}; use one of them",
-                                   place, separator_name(found), separator_name(separator)),
-                       where);
-    found = separator;
-  }
-  return found == '\0' ? ',' : found;
-}
 
 /// Signs and separators as texts have them and programs do not.
 bool is_typeset(std::string_view number) {
@@ -80,22 +37,6 @@ std::string without_typesetting(std::string_view number) {
     text.erase(1, text.find_first_not_of(' ', 1) - 1);
   if (is_grouped(text, '\'', '.') || is_grouped(text, '\'', ',')) std::erase(text, '\'');
   return text;
-}
-
-/// A line below the header that begins with `#`: a row where its cells fit and say something, or
-/// where the first one is an error of a spreadsheet; else a comment. A model stands behind "#|".
-bool is_row(std::string_view line, char separator, std::size_t columns, std::size_t empty_ends) {
-  if (line.starts_with("#|")) return false;
-  const std::size_t end = line.find(separator);
-  std::string_view first = trimmed(line.substr(0, end));
-  if (first.size() > 1 && first.front() == '"' && first.back() == '"')
-    first = first.substr(1, first.size() - 2);
-  if (is_missing(first)) return true;
-  if (end == line.npos) return false;
-  const std::size_t cells = count_separators(line, separator) + 1;
-  const auto says_something = [&](char c) { return c != separator && !blank(c); };
-  return cells >= columns && cells <= columns + empty_ends &&
-         std::any_of(line.begin() + static_cast<std::ptrdiff_t>(end), line.end(), says_something);
 }
 
 }  // namespace
@@ -163,7 +104,7 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
   const ParsedNumber number = parsed(row, column);
   if (!number.problem.empty())
     throw InputError(fmt::format("{}:{}: {} = {}: {}", source, line(row), header[column],
-                                 quoted(shown(row, column)), number.problem),
+                                 text::quoted(shown(row, column)), number.problem),
                      {source, line(row), header[column]});
   return number.value;
 }
@@ -272,210 +213,12 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
   std::string& all = table.text_;
   if (all.find_first_not_of(" \t\r\n") == all.npos)
     throw InputError(source + ": the file is empty", {.file = source});
-  const CsvForm form = find_form ? find_form(all) : CsvForm{};
-
-  std::vector<CsvTable::Cell> cells;  // of the current line
-  int line = 0;
-  const auto split = [&](std::size_t begin, std::size_t end, const std::string& place) {
-    cells.clear();
-    const char separator = table.separator;
-    for (std::size_t at = begin;;) {
-      const auto skippable = [&](char c) { return c != separator && blank(c); };
-      while (at < end && skippable(all[at])) ++at;
-      std::size_t first = at, last;
-      if (at < end && all[at] == '"') {
-        // Doubled quotes are undone in place; the text can only shrink.
-        first = ++at;
-        last = first;
-        for (;; ++at) {
-          if (at >= end)
-            throw InputError(place + ": a quoted cell is not closed on its line",
-                             {.file = source, .line = line});
-          if (all[at] == '"') {
-            if (at + 1 < end && all[at + 1] == '"')
-              ++at;
-            else
-              break;
-          }
-          all[last++] = all[at];
-        }
-        ++at;
-        while (at < end && skippable(all[at])) ++at;
-        if (at < end && all[at] != separator)
-          throw InputError(place + ": text follows the closing quote of a cell",
-                           {.file = source, .line = line});
-      } else {
-        at = std::min(all.find(separator, at), end);
-        last = at;
-        while (last > first && blank(all[last - 1])) --last;
-      }
-      const std::size_t size =
-          without_guard(std::string_view(all).substr(first, last - first)).size();
-      cells.push_back({last - size, size});
-      if (at >= end) return;
-      ++at;
-    }
-  };
-
-  std::size_t empty_ends = 0;  // separators behind the last name
-  std::size_t empty_rows = 0, headers_again = 0;
-  int footer = 0;  // line of the first one
-  int titles = 0;
-  struct {
-    int line = 0;
-    std::size_t begin = 0;
-  } comment;  // the last one
-  const auto read_header = [&](int at_line, std::size_t first, std::size_t last) {
-    table.header_line = at_line;
-    const std::string place = fmt::format("{}:{}", source, at_line);
-    split(first, last, place);
-    while (cells.size() > 1 && cells.back().size == 0) cells.pop_back(), ++empty_ends;
-    constexpr std::size_t most = 10000;
-    if (cells.size() > most)
-      throw InputError(
-          fmt::format("{}: {} columns: at most {} are read", place, cells.size(), most),
-          {.file = source, .line = at_line});
-    std::unordered_map<std::string, std::size_t> seen;
-    bool all_numbers = true;
-    for (const auto& cell : cells) {
-      std::string name = all.substr(cell.begin, cell.size);
-      const std::size_t position = table.header.size() + 1;
-      // Row numbers, as pandas writes them.
-      if (name.empty() && position == 1 && cells.size() > 1) name = "column 1";
-      if (name.empty())
-        throw InputError(fmt::format("{}: column {} has no name", place, position),
-                         {.file = source, .line = at_line});
-      // Equal numbers side by side are rows without a header, told below.
-      const auto [twin, is_new] = seen.emplace(name, position);
-      if (!is_new && !parse_number(name, true).problem.empty())
-        throw InputError(fmt::format("{}: column {} stands twice, as columns {} and {}", place,
-                                     name, twin->second, position),
-                         {source, at_line, name});
-      all_numbers = all_numbers && parse_number(name, true).problem.empty();
-      table.header.push_back(name);
-    }
-    if (all_numbers)
-      throw InputError(place + ": a header with the names of the columns is missing",
-                       {.file = source, .line = at_line});
-  };
-  for (std::size_t begin = 0, next = 0; begin < all.size(); begin = next) {
-    ++line;
-    std::size_t end = std::min(all.find_first_of("\r\n", begin), all.size());
-    next = end + 1;
-    if (end < all.size() && all[end] == '\r') {
-      table.carriage_returns = true;
-      if (next < all.size() && all[next] == '\n') ++next;
-    }
-    const std::string_view whole = std::string_view(all).substr(begin, end - begin);
-    const std::size_t start = whole.find_first_not_of(" \t");
-    if (start == whole.npos) continue;
-    if (const auto code = control_character(whole))
-      throw InputError(
-          fmt::format("{}:{}: holds the control character {}, so it is not a text file", source,
-                      line, *code),
-          {.file = source, .line = line});
-    if ((whole[start] == '#' || whole.substr(start).starts_with("\"#")) &&
-        (table.header.empty() ||
-         !is_row(whole.substr(start), table.separator, table.header.size(), empty_ends))) {
-      table.comments.emplace_back(whole.substr(start));
-      comment = {line, begin + start};
-      continue;
-    }
-    if (line < form.header_line) {
-      ++titles;
-      continue;
-    }
-    const std::string place = table.header.empty() ? fmt::format("{}:{}", source, line) : "";
-
-    if (table.header.empty()) {
-      const auto commented =
-          table.comments.empty()
-              ? std::nullopt
-              : separator_of_commented_header(table.comments.back(), whole.substr(start));
-      if (commented) {
-        table.separator = *commented;
-        const std::string_view names = behind_hash(table.comments.back());
-        const std::size_t first =
-            comment.begin + static_cast<std::size_t>(names.data() - table.comments.back().data());
-        read_header(comment.line, first, first + names.size());
-        table.comments.pop_back();
-      } else {
-        table.separator = form.separator != '\0'
-                              ? form.separator
-                              : separator_of_header(whole, place, {.file = source, .line = line});
-        read_header(line, begin, end);
-        continue;
-      }
-    }
-
-    const std::size_t columns = table.header.size();
-    // The place is only put into words where something is wrong.
-    if (std::find(whole.begin(), whole.end(), '"') != whole.end())
-      split(begin, end, fmt::format("{}:{}", source, line));
-    else
-      split(begin, end, {});
-    for (std::size_t k = 0; k < empty_ends && cells.size() > columns && cells.back().size == 0; ++k)
-      cells.pop_back();
-    if (line == form.unit_line) {
-      for (const auto& cell : cells) table.units.push_back(all.substr(cell.begin, cell.size));
-      continue;
-    }
-    if (std::all_of(cells.begin(), cells.end(), [](const auto& c) { return c.size == 0; })) {
-      ++empty_rows;
-      continue;
-    }
-    const auto text_of = [&](const auto& c) {
-      return std::string_view(all).substr(c.begin, c.size);
-    };
-    if (std::equal(cells.begin(), cells.end(), table.header.begin(), table.header.end(),
-                   [&](const auto& c, const std::string& name) { return text_of(c) == name; })) {
-      ++headers_again;
-      continue;
-    }
-    if (cells.size() != columns) {
-      const std::string here = fmt::format("{}:{}", source, line);
-      for (const char other : separators) {
-        if (other == table.separator) continue;
-        const std::size_t count = count_separators(whole, other);
-        if (count == 0 || count + 1 != columns) continue;
-        throw InputError(
-            fmt::format(
-                "{}: the header (line {}) is separated by {}, but this row by {}; use one for both",
-                here, table.header_line, separator_name(table.separator), separator_name(other)),
-            {.file = source, .line = line});
-      }
-      const auto is_number = [&](const auto& c) {
-        return parse_number(text_of(c), false).problem.empty();
-      };
-      const bool all_numbers = std::all_of(cells.begin(), cells.end(), is_number);
-      // Words behind the rows are a footer, if no row comes behind them.
-      if (!table.lines_.empty() && cells.size() < columns &&
-          std::none_of(cells.begin(), cells.end(), is_number)) {
-        if (footer == 0) footer = line;
-        continue;
-      }
-      throw InputError(
-          fmt::format(
-              "{}: {} cell{}, but the header (line {}) has {} column{}{}", here, cells.size(),
-              cells.size() == 1 ? "" : "s", table.header_line, columns, columns == 1 ? "" : "s",
-              all_numbers && table.separator == ',' && cells.size() > columns
-                  ? " (numbers with decimal commas need semicolons or tabs between the columns)"
-                  : ""),
-          {.file = source, .line = line});
-    }
-    if (footer > 0)
-      throw InputError(fmt::format("{}:{}: fewer cells than the header (line {}) has columns",
-                                   source, footer, table.header_line),
-                       {.file = source, .line = footer});
-    table.cells_.insert(table.cells_.end(), cells.begin(), cells.end());
-    table.lines_.push_back(line);
-  }
-  if (table.header.empty())
-    throw InputError(source + ": no header and no rows, only comments", {.file = source});
-  if (table.lines_.empty())
-    throw InputError(
-        fmt::format("{}: no data rows below the header (line {})", source, table.header_line),
-        {.file = source, .line = table.header_line});
+  CsvParser parser(table, all, find_form ? find_form(all) : CsvForm{},
+                   [&](std::span<const CellSpan> cells, int line) {
+                     for (const CellSpan& c : cells) table.cells_.push_back({c.begin, c.size});
+                     table.lines_.push_back(line);
+                   });
+  parser.run();
   const std::size_t behind = table.cells_.front().begin;
   table.marks_ = find_decimal_marks(
       table.separator, all.find('.', behind) != all.npos,
@@ -485,21 +228,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
   if (table.marks_.thousands != '\0')
     table.notes.push_back(
         fmt::format("{} separate thousands", table.marks_.thousands == '.' ? "points" : "commas"));
-  if (titles > 0)
-    table.notes.push_back(fmt::format("{} line{} above the header (line {}) skipped", titles,
-                                      titles == 1 ? "" : "s", table.header_line));
-  if (form.unit_line > 0)
-    table.notes.push_back(fmt::format("line {} is a row of units", form.unit_line));
-  if (headers_again > 0)
-    table.notes.push_back(
-        fmt::format("the header stands {} more and is skipped there",
-                    headers_again == 1 ? "once" : fmt::format("{} times", headers_again)));
-  if (footer > 0)
-    table.notes.push_back(
-        fmt::format("the text behind the rows, from line {} on, is skipped", footer));
-  if (empty_rows > 0)
-    table.notes.push_back(fmt::format("{} row{} of empty cells only skipped", empty_rows,
-                                      empty_rows == 1 ? "" : "s"));
+  parser.add_notes();
   return table;
 }
 

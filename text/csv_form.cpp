@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "text/detail/csv_cells.h"
 #include "text/missing_cell.h"
 #include "text/names.h"
 #include "text/timestamp.h"
@@ -14,7 +15,7 @@ namespace raceway::text {
 namespace {
 
 constexpr std::size_t searched = 100;  // lines that are no comment
-constexpr char tried[] = {'\t', ';', ','};
+constexpr char tried[] = {'\t', ';', ',', blanks};
 
 struct Line {
   int number;  ///< counted from 1
@@ -41,10 +42,15 @@ std::vector<Line> first_lines(std::string_view text) {
 /// Cells without their quotes; doubled quotes stay, which no name of a column has.
 std::vector<std::string_view> cells_of(std::string_view line, char separator) {
   std::vector<std::string_view> cells;
+  if (separator == blanks) line = trimmed(line);
   bool inside = false;
   for (std::size_t begin = 0, at = 0; at <= line.size(); ++at) {
     if (at < line.size() && line[at] == '"') inside = !inside;
     if (at < line.size() && (inside || line[at] != separator)) continue;
+    if (separator == blanks && at == begin) {
+      ++begin;
+      continue;
+    }
     std::string_view cell = trimmed(line.substr(begin, at - begin));
     if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
       cell = cell.substr(1, cell.size() - 2);
@@ -109,16 +115,34 @@ std::string_view behind_hash(std::string_view comment) {
   return comment.substr(begin);
 }
 
+namespace {
+
+/// Whether blanks may separate the cells of a row: "600, 200" has commas.
+bool may_have_blanks(std::string_view row) {
+  return row.find_first_of(";\t") == row.npos && row.find(", ") == row.npos;
+}
+
+/// Whether a line has a word for each number of the line below, all between blanks.
+bool is_header_between_blanks(const std::vector<Line>& lines, std::size_t k) {
+  if (k + 1 >= lines.size() || !may_have_blanks(lines[k + 1].text)) return false;
+  const auto names = cells_of(lines[k].text, blanks), cells = cells_of(lines[k + 1].text, blanks);
+  return names.size() == cells.size() && is_row_of_readings(cells);
+}
+
+}  // namespace
+
 std::optional<char> separator_of_commented_header(std::string_view comment, std::string_view row) {
   const std::string_view names_of = behind_hash(comment);
   const auto separators = [](std::string_view line, char separator) {
-    return std::count(line.begin(), line.end(), separator);
+    if (separator == blanks) return count_separators(line, blanks);
+    return static_cast<std::size_t>(std::count(line.begin(), line.end(), separator));
   };
   const bool single = std::none_of(std::begin(tried), std::end(tried),
                                    [&](char c) { return separators(row, c) > 0; });
   for (const char separator : tried) {
     if (separators(row, separator) != separators(names_of, separator)) continue;
     if (separators(row, separator) == 0 && !(single && separator == ',')) continue;
+    if (separator == blanks && !may_have_blanks(row)) continue;
     const auto names = cells_of(names_of, separator), cells = cells_of(row, separator);
     const auto readings = std::count_if(cells.begin(), cells.end(), is_reading);
     if (readings > 0 && 2 * static_cast<std::size_t>(readings) >= cells.size() && !names.empty() &&
@@ -138,9 +162,10 @@ CsvForm find_form(std::string_view text, const std::function<bool(std::string_vi
     for (const char separator : tried) {
       const auto cells = cells_of(lines[k].text, separator);
       if (std::none_of(cells.begin(), cells.end(), known)) continue;
+      if (separator == blanks && !is_header_between_blanks(lines, k)) continue;
       CsvForm form = form_at(lines, k, separator);
-      // What is wrong with the separators of a first line is told by whoever reads it.
-      if (k == 0 || cells.size() == 1) form.separator = '\0';
+      // The reader says what is wrong with the separators of a first line.
+      if (separator != blanks && (k == 0 || cells.size() == 1)) form.separator = '\0';
       return form;
     }
   for (std::size_t k = 1; k < lines.size(); ++k)
@@ -149,9 +174,10 @@ CsvForm find_form(std::string_view text, const std::function<bool(std::string_vi
       if (!is_row_of_readings(cells)) continue;
       const bool units = k > 1 && is_unit_row(cells_of(lines[k - 1].text, separator));
       const std::size_t header = k - (units ? 2 : 1);
+      if (separator == blanks && (units || !is_header_between_blanks(lines, header))) continue;
       if (!may_be_header(cells_of(lines[header].text, separator), cells.size())) return {};
       CsvForm form = form_at(lines, header, separator);
-      if (header == 0) form.separator = '\0';
+      if (header == 0 && separator != blanks) form.separator = '\0';
       return form;
     }
   return {};

@@ -176,6 +176,10 @@ const Unit* find_unit(std::string_view spelling, std::optional<Dimension> dimens
   return nullptr;
 }
 
+bool states_no_unit(std::string_view text) {
+  return text.empty() || text == "-" || text == "[-]" || text == "(-)";
+}
+
 std::string listed_units(Dimension dimension) {
   std::vector<std::string> known;
   for (const Unit& unit : all_units)

@@ -48,6 +48,9 @@ struct Unit {
 [[nodiscard]] const Unit* find_unit(std::string_view spelling,
                                     std::optional<Dimension> dimension = std::nullopt);
 
+/// Texts in the place of a unit that state none: "-".
+[[nodiscard]] bool states_no_unit(std::string_view text);
+
 /// Units of a dimension, for messages: "rpm, 1_s, rad_s or krpm".
 [[nodiscard]] std::string listed_units(Dimension dimension);
 

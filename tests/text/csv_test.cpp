@@ -141,6 +141,54 @@ TEST(Csv, ShapesOfOtherProgramsAreRead) {
   EXPECT_EQ(parse_csv("a,b\r1,2\r3,4\r", "d.csv").rows(), 2u);
 }
 
+TEST(Csv, AColumnOfUnitsBehindEachValueIsItsUnit) {
+  for (const char* header : {"t,unit,n,unit", "t,,n,", "t,Einheit,n,Einheit"}) {
+    const CsvTable table =
+        parse_csv(std::string(header) + "\n1,s,600,rpm\n2,s,-,1/min\n3,s,700,\n", "d.csv");
+    EXPECT_EQ(table.header, (std::vector<std::string>{"t", "n"})) << header;
+  }
+  const CsvTable table = parse_csv("t,unit,n,unit\n1,s,600,rpm\n2,s,700,rpm\n", "d.csv");
+  EXPECT_EQ(table.units, (std::vector<std::string>{"s", "rpm"}));
+  EXPECT_EQ(table.number(1, 1), 700);
+  EXPECT_THAT(tests::message_of([] { (void)parse_csv("t,unit\n1,s\n2,min\n", "d.csv"); }),
+              HasSubstr("d.csv:3: t is in min here, and in s above"));
+  EXPECT_THAT(tests::message_of([] { (void)parse_csv("t,unit,n,unit\n1,a,600,b\n", "d.csv"); }),
+              HasSubstr("column unit stands twice"));
+}
+
+TEST(Csv, BlanksSeparateBelowACommentThatNamesTheColumns) {
+  // numpy.savetxt(file, data, header="time_s speed_rpm")
+  const CsvTable table =
+      parse_csv("# time_s speed_rpm\n0.0e+00 1.0e+03\n6.0e+01  -2.0e+03\n", "d.csv");
+  EXPECT_EQ(table.header, (std::vector<std::string>{"time_s", "speed_rpm"}));
+  EXPECT_EQ(table.number(1, 1), -2000);
+}
+
+TEST(Csv, EmptyCellsAtTheEndOfRowsAlone) {
+  EXPECT_EQ(parse_csv("a,b\n1,2,\n3,4,,\n", "d.csv").number(1, 1), 4);
+}
+
+TEST(Csv, RowsOfStatisticsBehindTheRowsAreNoRows) {
+  const CsvTable table = parse_csv("t,n\n1,600\n2,700\nMean,650\nMax,700\n", "d.csv");
+  EXPECT_EQ(table.rows(), 2u);
+  EXPECT_THAT(table.notes,
+              testing::Contains("the text behind the rows, from line 4 on, is skipped"));
+  // Between rows it is a row, of which the reader says what is wrong.
+  EXPECT_EQ(parse_csv("t,n\n1,600\nMean,650\n2,700\n", "d.csv").rows(), 3u);
+}
+
+TEST(Csv, ALabviewFileWithoutTimesHasThemFromItsHead) {
+  const std::string top =
+      "LabVIEW Measurement\t\nDecimal_Separator\t.\nX_Columns\tNo\nX0\t0.5\nDelta_X\t60.0\n"
+      "***End_of_Header***\t\n";
+  const CsvTable table =
+      parse_csv(top + "X_Value\tspeed_rpm\tComment\n\t100\n\t200\n", "d.lvm", false,
+                [](std::string_view) { return CsvForm{.header_line = 7, .separator = '\t'}; });
+  EXPECT_EQ(table.number(0, 0), 0.5);
+  EXPECT_EQ(table.number(1, 0), 60.5);
+  EXPECT_EQ(table.number(1, 1), 200);
+}
+
 TEST(Csv, TypesetNumbersAreRead) {
   const CsvTable t = parse_csv(
       "a\n\u22125.5\n- 7\n+ 3\n1'200.5\n1\u2019200'000\n2e\u22123\n1 000\n1'20\n", "d.csv");

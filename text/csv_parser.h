@@ -1,0 +1,89 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "text/csv.h"
+#include "text/detail/csv_cells.h"
+#include "text/labview_head.h"
+
+namespace raceway::text {
+
+/// Reads a delimited text line by line: header, units and notes into a table, rows to a function.
+/// Not for other code.
+class CsvParser {
+ public:
+  using TakeRow = std::function<void(std::span<const CellSpan> cells, int line)>;
+
+  /// `text` is changed in place, and may be appended to.
+  CsvParser(CsvTable& table, std::string& text, const CsvForm& form, TakeRow take_row)
+      : table_(table),
+        text_(text),
+        end_(text.size()),
+        form_(form),
+        give_row_(std::move(take_row)) {}
+
+  /// Throws InputError as read_csv().
+  void run();
+  /// What was skipped above, between and behind the rows goes to the notes.
+  void add_notes();
+
+ private:
+  struct Line {
+    int number = 0;
+    std::size_t begin = 0, end = 0;  ///< without its ending
+  };
+  struct Row {
+    std::vector<CellSpan> cells;
+    int line;
+  };
+
+  bool next(Line& line);
+  void take(const Line& line);
+  [[nodiscard]] bool is_comment(const Line& line) const;
+  void take_comment(const Line& line);
+  bool take_header(const Line& line);
+  void read_header(const Line& line);
+  void check_names(int line);
+  void find_unit_columns(std::vector<CellSpan>& names, const Line& header);
+  void take_units(std::vector<CellSpan>& cells, int line);
+  void take_row(const Line& line);
+  void fit_to_header(std::vector<CellSpan>& cells);
+  [[nodiscard]] bool is_header(const std::vector<CellSpan>& cells) const;
+  [[nodiscard]] bool is_footer(const std::vector<CellSpan>& cells) const;
+  [[nodiscard]] bool may_be_statistics(const std::vector<CellSpan>& cells) const;
+  void give(const std::vector<CellSpan>& cells, int line);
+  void give_held();
+  [[noreturn]] void refuse(const std::vector<CellSpan>& cells, const Line& line) const;
+
+  [[nodiscard]] std::string_view text_of(const CellSpan& c) const {
+    return std::string_view(text_).substr(c.begin, c.size);
+  }
+  [[nodiscard]] std::string_view content(const Line& line) const {
+    return std::string_view(text_).substr(line.begin, line.end - line.begin);
+  }
+  [[nodiscard]] Place place(int line) const { return {.file = table_.source, .line = line}; }
+
+  CsvTable& table_;
+  std::string& text_;
+  const std::size_t end_;  ///< of what the file has
+  const CsvForm form_;
+  TakeRow give_row_;
+
+  std::size_t at_ = 0;         ///< where the next line begins
+  int line_ = 0;               ///< number of the last one
+  Line comment_;               ///< the last one, behind its blanks
+  std::vector<bool> is_unit_;  ///< by column of the file: the unit of the column before it
+  std::vector<Row> held_;      ///< rows that are a footer where no other row comes behind them
+  LabviewHead labview_;
+  std::size_t empty_ends_ = 0;  ///< separators behind the last name
+  std::size_t titles_ = 0, empty_rows_ = 0, headers_again_ = 0, rows_ = 0;
+  int footer_ = 0;                    ///< line of the first one
+  std::vector<CellSpan> cells_;       ///< of the current line
+  bool begins_with_reading_ = false;  ///< the first row does
+};
+
+}  // namespace raceway::text
