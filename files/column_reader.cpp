@@ -66,33 +66,44 @@ bool ColumnReader::is_missing(std::size_t row, std::size_t column) const {
 
 bool ColumnReader::is_stamped(const ColumnSource& source) const {
   return *source.channel == record::time &&
-         (source.excel_date ||
+         (source.excel_date || source.dates ||
           (!table_.is_numeric(source.column) && text::is_time(table_.cell(0, source.column))));
+}
+
+std::string ColumnReader::stamp(const ColumnSource& source, std::size_t row) const {
+  std::string text = table_.shown(row, source.column);
+  return source.dates ? table_.shown(row, *source.dates) + " " + text : text;
 }
 
 std::vector<double> ColumnReader::times(const ColumnSource& source,
                                         std::optional<text::DateOrder> order) {
-  const bool texts = !table_.is_numeric(source.column);
-  const bool elapsed =
-      texts && !source.excel_date && text::parse_elapsed(table_.cell(0, source.column)).has_value();
-  if (!order) order = texts && !source.excel_date ? order_of(source) : text::DateOrder::day_first;
+  const bool texts = !table_.is_numeric(source.column), excel = source.excel_date;
+  const std::string begin = stamp(source, 0);
+  // A time of day is one that has passed since midnight.
+  const auto parse_passed = [](std::string_view cell) {
+    const auto passed = text::parse_elapsed(cell);
+    return passed ? passed : text::parse_clock(cell);
+  };
+  const bool elapsed = texts && !excel && parse_passed(begin).has_value();
+  if (!order) order = texts && !excel && !elapsed ? order_of(source) : text::DateOrder::day_first;
   std::vector<double> list;
   for (std::size_t row = 0; row < table_.rows(); ++row) {
     std::optional<double> time;
-    if (texts)
-      time = elapsed ? text::parse_elapsed(table_.cell(row, source.column))
-                     : text::parse_timestamp(table_.cell(row, source.column), *order);
-    if (!time && source.excel_date) {
+    if (texts) {
+      const std::string cell = stamp(source, row);
+      time = elapsed ? parse_passed(cell) : text::parse_timestamp(cell, *order);
+    }
+    if (!time && excel) {
       const text::ParsedNumber days = table_.parsed(row, source.column);
       if (days.problem.empty()) time = text::seconds_of_excel(days.value);
     }
     if (!time)
-      bad.add(table_.line(row), source.name, table_.shown(row, source.column),
+      bad.add(table_.line(row), source.name, stamp(source, row),
               elapsed ? "is no time such as 1:30:05"
                       : "is no time such as 2024-03-12T08:15:00 or 12.03.2024 08:15:00");
     list.push_back(time.value_or(unset));
   }
-  if (texts && !elapsed) undo_changes_of_clocks(source, list);
+  if (texts) elapsed ? undo_midnights(source, list) : undo_changes_of_clocks(source, list);
   const double first = list.front();
   for (double& time : list) time -= first;
   if (!std::isnan(first) && !elapsed)
@@ -100,9 +111,31 @@ std::vector<double> ColumnReader::times(const ColumnSource& source,
                                  source.excel_date ? "dates of Excel" : "dates",
                                  text::timestamp_text(first)));
   if (elapsed && first > 0.0)
-    notes_.push_back(fmt::format("column {} has elapsed times: time_s counts from {}", source.name,
-                                 table_.cell(0, source.column)));
+    notes_.push_back(fmt::format("column {} has {}: time_s counts from {}", source.name,
+                                 text::parse_elapsed(begin) ? "elapsed times" : "times of day",
+                                 begin));
   return list;
+}
+
+/// Times of day begin anew at midnight.
+void ColumnReader::undo_midnights(const ColumnSource& source, std::vector<double>& list) {
+  constexpr double day = 86400.0, longest_step = 7200.0;
+  if (std::any_of(list.begin(), list.end(), [](double t) { return t >= day; })) return;
+  double shift = 0.0, before = list.front();
+  std::size_t count = 0, first = 0;
+  for (std::size_t row = 1; row < list.size(); ++row) {
+    const double now = list[row];
+    if (now < before && now + day - before < longest_step) {
+      shift += day;
+      if (count++ == 0) first = row;
+    }
+    before = now;
+    list[row] += shift;
+  }
+  if (count > 0)
+    notes_.push_back(fmt::format(
+        "column {} passes midnight {}, first before line {}: time_s goes on", source.name,
+        count == 1 ? "once" : fmt::format("{} times", count), table_.line(first)));
 }
 
 text::DateOrder ColumnReader::order_of(const ColumnSource& source) const {
@@ -111,8 +144,9 @@ text::DateOrder ColumnReader::order_of(const ColumnSource& source) const {
   bool possible[2] = {true, true};
   std::optional<std::size_t> apart;  // the first row where it matters
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    const std::string_view cell = table_.cell(row, source.column);
-    if (cell.find('/') != 2 && cell.find('/') != 1) return text::DateOrder::day_first;
+    const std::string cell = stamp(source, row);
+    const std::size_t mark = std::min(cell.find_first_of("/-"), cell.size());
+    if (mark != 1 && mark != 2) return text::DateOrder::day_first;
     double time[2];
     for (int k = 0; k < 2; ++k) {
       const auto parsed = text::parse_timestamp(cell, orders[k]);
@@ -125,7 +159,7 @@ text::DateOrder ColumnReader::order_of(const ColumnSource& source) const {
   if (possible[0] != possible[1]) return possible[0] ? orders[0] : orders[1];
   if (!possible[0] || !apart) return orders[0];
   const text::Place place{table_.source, table_.line(*apart), source.name};
-  const std::string cell(table_.cell(*apart, source.column));
+  const std::string cell = stamp(source, *apart);
   throw text::InputError(
       fmt::format(
           "{}: {} = {}: is it {} or {}? Say date_order = \"day first\" or \"month first\" in "
@@ -150,7 +184,7 @@ void ColumnReader::undo_changes_of_clocks(const ColumnSource& source, std::vecto
     const bool back = std::abs(step + hour - usual) <= usual && step <= 0.0,
                forward = std::abs(step - hour - usual) <= usual && step > 2.0 * usual;
     if ((back || forward) && text::clocks_may_change(before, forward) &&
-        !text::has_zone(table_.cell(row, source.column))) {
+        !text::has_zone(stamp(source, row))) {
       shift += back ? hour : -hour;
       notes_.push_back(fmt::format(
           "line {}: the clock goes {} by one hour, {} of summer time: time_s goes on",

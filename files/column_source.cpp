@@ -157,6 +157,40 @@ text::FormFinder finder(const ReadOptions& options) {
   };
 }
 
+bool names_dates(std::string_view header) {
+  const std::string name = text::lower_case(header);
+  return name.find("date") != name.npos || name.find("datum") != name.npos || name == "day" ||
+         name == "tag";
+}
+
+/// A date and a time of day in two columns are one time. Either may be the one that is named.
+void join_dates(const text::CsvTable& table, Recognised& result) {
+  const auto found = std::find_if(result.columns.begin(), result.columns.end(),
+                                  [](const auto& c) { return *c.channel == record::time; });
+  if (found == result.columns.end() || found->excel_date) return;
+  const auto first_is = [&](std::size_t column, const auto& parse) {
+    return !table.is_numeric(column) && parse(table.cell(0, column)).has_value();
+  };
+  const auto date = [](std::string_view cell) {
+    const auto day_first = text::parse_date(cell);
+    return day_first ? day_first : text::parse_date(cell, text::DateOrder::month_first);
+  };
+  const bool names_clock = first_is(found->column, parse_clock);
+  if (!names_clock && !first_is(found->column, date)) return;
+  for (std::size_t k = 0; k < result.others.size(); ++k) {
+    const std::size_t other = *table.column(result.others[k]);
+    if (names_clock ? !names_dates(result.others[k]) || !first_is(other, date)
+                    : !first_is(other, parse_clock))
+      continue;
+    result.notes.push_back(fmt::format("columns {} and {} together are {}", found->name,
+                                       result.others[k], found->channel->name));
+    found->dates = names_clock ? other : found->column;
+    if (!names_clock) found->column = other;
+    result.others.erase(result.others.begin() + static_cast<std::ptrdiff_t>(k));
+    return;
+  }
+}
+
 /// A file that has our own name in the place of theirs needs no rule.
 void require_columns(const text::CsvTable& table, const ColumnMap& map, const Recognised& found) {
   for (const ColumnRule& rule : map.rules)
@@ -192,7 +226,8 @@ Recognised recognise(const text::CsvTable& table, const ColumnMap& map, bool ove
            c,
            name,
            {unit_by_rule(*rule, table, c), rule->factor},
-           rule->excel_date},
+           rule->excel_date,
+           {}},
           table, result);
       continue;
     }
@@ -213,6 +248,7 @@ Recognised recognise(const text::CsvTable& table, const ColumnMap& map, bool ove
     if (meant && !result.find(*meant)) (void)stated_unit(text::in_brackets(name), *meant, table, c);
   }
   require_columns(table, map, result);
+  join_dates(table, result);
   for (const ColumnSource& source : result.columns) note_unit(source, result);
   for (const ColumnRule& rule : map.rules)
     if (rule.constant && !result.find(*rule.channel))

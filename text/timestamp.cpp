@@ -34,6 +34,13 @@ class Scan {
     rest_.remove_prefix(count);
     return value;
   }
+  /// Of four digits, or of two from 1969 to 2068.
+  int year() {
+    const std::size_t count = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
+    const int value = digits(count == 2 ? 2 : 4, 4);
+    return count != 2 ? value : value < 69 ? 2000 + value : 1900 + value;
+  }
+  void skip(std::size_t count) { rest_.remove_prefix(std::min(count, rest_.size())); }
   /// Any one of these.
   bool maybe(std::string_view marks) {
     if (rest_.empty() || marks.find(rest_.front()) == marks.npos) return false;
@@ -78,6 +85,7 @@ class Scan {
     failed_ = true;
     return 0;
   }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] char next() const { return rest_.empty() ? '\0' : rest_.front(); }
   [[nodiscard]] bool done() const { return !failed_ && rest_.empty(); }
 
@@ -102,10 +110,26 @@ struct Date {
   bool compact = false;  ///< without marks, as the time behind it
 };
 
+/// "Wed, " and "Wed ".
+void skip_weekday(Scan& scan, std::string_view cell) {
+  constexpr std::array<std::string_view, 14> names{"mon", "tue", "wed", "thu", "fri", "sat", "sun",
+                                                   "mo",  "di",  "mi",  "do",  "fr",  "sa",  "so"};
+  const std::string word = lower_case(cell.substr(0, cell.find_first_of(" ,.")));
+  if (std::find(names.begin(), names.end(), word) == names.end()) return;
+  scan.skip(word.size());
+  scan.maybe(".");
+  scan.maybe(",");
+  scan.need(" ");
+}
+
 Date scan_date(Scan& scan, std::string_view cell, DateOrder order) {
   Date date;
+  skip_weekday(scan, cell);
+  cell = scan.rest();
   const std::size_t digits = std::min(cell.find_first_not_of("0123456789"), cell.size());
   const char mark = digits < cell.size() ? cell[digits] : '\0';
+  const bool is_number_behind =
+      digits + 1 < cell.size() && cell[digits + 1] >= '0' && cell[digits + 1] <= '9';
   if (digits == 8) {
     date.compact = true;
     date.year = scan.digits(4, 4);
@@ -113,36 +137,48 @@ Date scan_date(Scan& scan, std::string_view cell, DateOrder order) {
     date.day = scan.digits(2, 2);
   } else if (digits == 4) {
     const bool iso = mark == '-';
+    const std::string_view same = mark == '.' ? "." : mark == '/' ? "/" : "-";
     date.year = scan.digits(4, 4);
-    scan.need("-/");
+    scan.need(same);
     date.month = scan.digits(iso ? 2 : 1, 2);
-    scan.need(iso ? "-" : "/");
+    scan.need(same);
     date.day = scan.digits(iso ? 2 : 1, 2);
-  } else if (mark == '.' || mark == '/') {
-    const std::string_view same = mark == '.' ? "." : "/";
+  } else if (digits == 0) {  // Mar 12, 2024
+    date.month = scan.month();
+    scan.need(" ");
+    date.day = scan.digits(1, 2);
+    scan.maybe(",");
+    scan.need(" ");
+    date.year = scan.year();
+  } else if (mark == '.' || mark == '/' || (mark == '-' && is_number_behind)) {
+    const std::string_view same = mark == '.' ? "." : mark == '/' ? "/" : "-";
     date.day = scan.digits(1, 2);
     scan.need(same);
     date.month = scan.digits(1, 2);
     scan.need(same);
-    date.year = scan.digits(4, 4);
-    if (mark == '/' && order == DateOrder::month_first) std::swap(date.day, date.month);
+    date.year = scan.year();
+    if (mark != '.' && order == DateOrder::month_first) std::swap(date.day, date.month);
   } else {
     date.day = scan.digits(1, 2);
     scan.need("- ");
     date.month = scan.month();
     scan.need("- ");
-    date.year = scan.digits(4, 4);
+    date.year = scan.year();
   }
   return date;
 }
 
-}  // namespace
+/// [s]; nothing where there is no such day.
+std::optional<double> seconds_of(const Date& date) {
+  const chrono::year_month_day day_of{chrono::year(date.year),
+                                      chrono::month(static_cast<unsigned>(date.month)),
+                                      chrono::day(static_cast<unsigned>(date.day))};
+  if (!day_of.ok()) return std::nullopt;
+  return day * static_cast<double>(chrono::sys_days(day_of).time_since_epoch().count());
+}
 
-std::optional<double> parse_timestamp(std::string_view cell, DateOrder order) {
-  Scan scan(cell);
-  const Date date = scan_date(scan, cell, order);
-  const bool compact = date.compact;
-  scan.need("T ");
+/// A time of day up to its zone [s].
+std::optional<double> scan_clock(Scan& scan, bool compact) {
   int hour = scan.digits(compact ? 2 : 1, 2);
   if (!compact) scan.need(":");
   const int minute = scan.digits(2, 2);
@@ -155,14 +191,36 @@ std::optional<double> parse_timestamp(std::string_view cell, DateOrder order) {
     if (hour < 1 || hour > 12) return std::nullopt;
     hour = hour % 12 + (*half == 'P' ? 12 : 0);
   }
+  if (hour > 24 || minute > 59 || second >= 61.0) return std::nullopt;
+  return 3600.0 * hour + 60.0 * minute + second;
+}
+
+}  // namespace
+
+std::optional<double> parse_timestamp(std::string_view cell, DateOrder order) {
+  Scan scan(cell);
+  const Date date = scan_date(scan, cell, order);
+  if (scan.maybe(","))
+    scan.need(" ");
+  else
+    scan.need("T ");
+  const auto clock = scan_clock(scan, date.compact);
   const double offset = zone(scan);
-  if (!scan.done() || hour > 24 || minute > 59 || second >= 61.0) return std::nullopt;
-  const chrono::year_month_day day_of{chrono::year(date.year),
-                                      chrono::month(static_cast<unsigned>(date.month)),
-                                      chrono::day(static_cast<unsigned>(date.day))};
-  if (!day_of.ok()) return std::nullopt;
-  const auto days = chrono::sys_days(day_of).time_since_epoch().count();
-  return day * static_cast<double>(days) + 3600.0 * hour + 60.0 * minute + second - offset;
+  const auto days = seconds_of(date);
+  if (!scan.done() || !clock || !days) return std::nullopt;
+  return *days + *clock - offset;
+}
+
+std::optional<double> parse_date(std::string_view cell, DateOrder order) {
+  Scan scan(cell);
+  const Date date = scan_date(scan, cell, order);
+  return scan.done() ? seconds_of(date) : std::nullopt;
+}
+
+std::optional<double> parse_clock(std::string_view cell) {
+  Scan scan(cell);
+  const auto clock = scan_clock(scan, false);
+  return scan.done() && clock && *clock < day ? clock : std::nullopt;
 }
 
 bool has_zone(std::string_view cell) {
@@ -172,25 +230,39 @@ bool has_zone(std::string_view cell) {
 
 std::optional<double> parse_elapsed(std::string_view cell) {
   Scan scan(cell);
-  int days = 0;
-  const std::size_t blank = cell.find(' ');
-  if (blank != cell.npos && blank < cell.find(':')) {
+  int days = 0, hours = 0;
+  const std::size_t colon = cell.find(':');
+  if (cell.find_first_of(" .") < colon) {
     days = scan.digits(1, 4);
-    scan.need(" ");
+    if (!scan.maybe(".")) {
+      scan.need(" ");
+      for (const std::string_view word : {"days ", "day "})
+        if (scan.rest().starts_with(word)) {
+          scan.skip(word.size());
+          break;
+        }
+    }
   }
-  const int hours = scan.digits(1, 6);
-  scan.need(":");
-  const int minutes = scan.digits(2, 2);
+  const bool has_hours = colon != cell.npos && cell.find(':', colon + 1) != cell.npos;
+  if (has_hours) {
+    hours = scan.digits(1, 6);
+    scan.need(":");
+  }
+  const int minutes = scan.digits(has_hours ? 2 : 1, has_hours ? 2 : 6);
   scan.need(":");
   double seconds = scan.digits(2, 2);
-  if (scan.maybe(".,")) seconds += scan.fraction();
-  if (!scan.done() || minutes > 59 || seconds >= 60.0) return std::nullopt;
+  // 12:05 may be minutes or hours, 12:05.0 is minutes.
+  if (scan.maybe(".,"))
+    seconds += scan.fraction();
+  else if (!has_hours)
+    return std::nullopt;
+  if (!scan.done() || (has_hours && minutes > 59) || seconds >= 60.0) return std::nullopt;
   return day * days + 3600.0 * hours + 60.0 * minutes + seconds;
 }
 
 bool is_time(std::string_view cell) {
   return parse_timestamp(cell) || parse_timestamp(cell, DateOrder::month_first) ||
-         parse_elapsed(cell);
+         parse_elapsed(cell) || (lower_case(cell).ends_with('m') && parse_clock(cell));
 }
 
 bool clocks_may_change(double before, bool forward) {

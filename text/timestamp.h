@@ -6,24 +6,33 @@
 
 namespace raceway::text {
 
-/// Order of a date with slashes: 12/03/2024 is in March or in December.
+/// Order of a date with slashes or dashes: 12/03/2024 is in March or in December.
 enum class DateOrder { day_first, month_first };
 
 /// A date with a time as seconds since 1970, leap seconds left out: "2024-03-12T08:15:00.5+01:00"
 /// (ISO 8601; a blank for the T, Z, no seconds), "20240312T081500", "2024/03/12 08:15",
-/// "12.03.2024 08:15:00,5", "12-Mar-2024 08:15:00", "03/12/2024 08:15:00.5 AM". Names of months are
-/// English or German, of three letters or more. Nothing for all else.
+/// "12.03.2024 08:15:00,5", "12-03-24 08:15", "12-Mar-2024 08:15:00", "Mar 12, 2024 8:15 AM",
+/// "03/12/2024 08:15:00.5 AM". Names of months are English or German, of three letters or more.
+/// Years of two digits are 1969 to 2068. Nothing for all else.
 [[nodiscard]] std::optional<double> parse_timestamp(std::string_view cell,
                                                     DateOrder order = DateOrder::day_first);
 
 /// Whether a date states its zone, as "2024-03-12T08:15:00Z" and "...+01:00" do.
 [[nodiscard]] bool has_zone(std::string_view cell);
 
-/// A time that has passed [s]: "1:30:05.5", "100:00:00", with days in front "2 01:30:05". Nothing
-/// for all else.
+/// A date without a time, in the forms of parse_timestamp(), as seconds since 1970.
+[[nodiscard]] std::optional<double> parse_date(std::string_view cell,
+                                               DateOrder order = DateOrder::day_first);
+
+/// A time of day without a date [s]: "20:15", "20:15:00.5", "8:15:00 PM".
+[[nodiscard]] std::optional<double> parse_clock(std::string_view cell);
+
+/// A time that has passed [s]: "1:30:05.5", "100:00:00", "12:05.0" of minutes, with days in front
+/// "2 01:30:05", "2 days 01:30:05", "2.01:30:05". Nothing for all else.
 [[nodiscard]] std::optional<double> parse_elapsed(std::string_view cell);
 
-/// Whether a cell is a date with a time, in either order, or an elapsed time.
+/// Whether a cell is a date with a time, in either order, an elapsed time, or a time of day with AM
+/// or PM.
 [[nodiscard]] bool is_time(std::string_view cell);
 
 /// Whether clocks may have been changed between two local times: on the last Sunday of March and of

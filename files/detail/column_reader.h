@@ -47,7 +47,10 @@ class ColumnReader {
     std::string cell;
   };
   [[nodiscard]] bool is_missing(std::size_t row, std::size_t column) const;
+  /// The cells of a row that are its time, as one text.
+  [[nodiscard]] std::string stamp(const ColumnSource& source, std::size_t row) const;
   [[nodiscard]] text::DateOrder order_of(const ColumnSource& source) const;
+  void undo_midnights(const ColumnSource& source, std::vector<double>& list);
   void undo_changes_of_clocks(const ColumnSource& source, std::vector<double>& list);
   void keep_mark(char mark, std::size_t row, std::string_view text);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct ColumnSource {
   std::size_t column;  ///< of the file
   std::string name;    ///< as its header has it, for messages
   CellUnit cells{};
-  bool excel_date = false;  ///< days since 1900 rather than a time
+  bool excel_date = false;             ///< days since 1900 rather than a time
+  std::optional<std::size_t> dates{};  ///< column of the date, where `column` is the time of day
 };
 
 struct Recognised {

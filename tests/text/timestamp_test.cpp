@@ -10,13 +10,32 @@ namespace {
 TEST(Timestamp, IsoAndGermanDatesAreOneTime) {
   // date -u -d "2024-03-12 08:15:00" +%s
   constexpr double expected = 1710231300.0;
-  for (const char* text :
-       {"2024-03-12T08:15:00", "2024-03-12 08:15", "2024-03-12T08:15:00Z",
-        "2024-03-12T09:15:00+01:00", "2024-03-12T08:15:00.000", "12.03.2024 08:15:00",
-        "12.3.2024 8:15", "20240312T081500", "20240312T0815Z", "2024/03/12 08:15:00",
-        "2024/3/12 8:15", "12-Mar-2024 08:15:00", "12 MARCH 2024 08:15", "12-Mrz-2024 8:15:00",
-        "12-M\u00e4r-2024 8:15", "12/03/2024 08:15:00", "12/03/2024 08:15:00 AM",
-        "12.03.2024 8:15am"}) {
+  for (const char* text : {"2024-03-12T08:15:00",
+                           "2024-03-12 08:15",
+                           "2024-03-12T08:15:00Z",
+                           "2024-03-12T09:15:00+01:00",
+                           "2024-03-12T08:15:00.000",
+                           "12.03.2024 08:15:00",
+                           "12.3.2024 8:15",
+                           "20240312T081500",
+                           "20240312T0815Z",
+                           "2024/03/12 08:15:00",
+                           "2024/3/12 8:15",
+                           "12-Mar-2024 08:15:00",
+                           "12 MARCH 2024 08:15",
+                           "12-Mrz-2024 8:15:00",
+                           "12-M\u00e4r-2024 8:15",
+                           "12/03/2024 08:15:00",
+                           "12.03.24 08:15:00",
+                           "12/03/24 08:15",
+                           "12-Mar-24 08:15",
+                           "12-03-2024 08:15:00",
+                           "2024.03.12 08:15",
+                           "Mar 12, 2024 08:15:00 AM",
+                           "Tue, 12 Mar 2024 08:15:00",
+                           "2024-03-12, 08:15:00",
+                           "12/03/2024 08:15:00 AM",
+                           "12.03.2024 8:15am"}) {
     const auto time = parse_timestamp(text);
     ASSERT_TRUE(time) << text;
     EXPECT_DOUBLE_EQ(*time, expected) << text;
@@ -42,8 +61,28 @@ TEST(Timestamp, ElapsedTimesAreHoursMinutesAndSeconds) {
   EXPECT_DOUBLE_EQ(parse_elapsed("1:30:05.5").value(), 5405.5);
   EXPECT_DOUBLE_EQ(parse_elapsed("100:00:00").value(), 360000.0);
   EXPECT_DOUBLE_EQ(parse_elapsed("2 01:30:05").value(), 2 * 86400.0 + 5405.0);
+  EXPECT_DOUBLE_EQ(parse_elapsed("2 days 01:30:05").value(), 2 * 86400.0 + 5405.0);
+  EXPECT_DOUBLE_EQ(parse_elapsed("1 day 01:30:05.5").value(), 86400.0 + 5405.5);
+  EXPECT_DOUBLE_EQ(parse_elapsed("2.01:30:05").value(), 2 * 86400.0 + 5405.0);
+  EXPECT_DOUBLE_EQ(parse_elapsed("90:05.5").value(), 5405.5);
   for (const char* text : {"", "1:30", "1:60:00", "1:00:60", "-1:00:00", "1:00:00x", "2  1:00:00"})
     EXPECT_FALSE(parse_elapsed(text)) << text;
+}
+
+TEST(Timestamp, YearsOfTwoDigitsAre1969To2068) {
+  EXPECT_EQ(timestamp_text(parse_timestamp("01.01.68 00:00").value()), "2068-01-01T00:00:00");
+  EXPECT_EQ(timestamp_text(parse_timestamp("01.01.69 00:00").value()), "1969-01-01T00:00:00");
+  EXPECT_FALSE(parse_timestamp("01.01.124 00:00"));
+}
+
+TEST(Timestamp, DatesAndTimesOfDayMayStandAlone) {
+  EXPECT_DOUBLE_EQ(parse_date("12.03.2024").value(), 1710201600.0);  // date -u -d 2024-03-12 +%s
+  EXPECT_DOUBLE_EQ(parse_date("03/12/24", DateOrder::month_first).value(), 1710201600.0);
+  EXPECT_FALSE(parse_date("12.03.2024 08:15"));
+  EXPECT_DOUBLE_EQ(parse_clock("20:15").value(), 72900.0);
+  EXPECT_DOUBLE_EQ(parse_clock("8:15:00.5 PM").value(), 72900.5);
+  for (const char* text : {"", "8", "24:00:00", "13:15 PM", "8:15 XM"})
+    EXPECT_FALSE(parse_clock(text));
 }
 
 /// Of 2024: Europe on 31 March and 27 October, North America on 10 March and 3 November.
