@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -24,10 +26,58 @@ struct Missing {
 
   void add(const text::CsvTable& table, std::size_t row, std::size_t column) {
     if (++count <= shown) lines += fmt::format("{}{}", lines.empty() ? "" : ", ", table.line(row));
-    std::string text(table.cell(row, column));
+    std::string text = table.shown(row, column);
     if (texts.size() < shown && std::find(texts.begin(), texts.end(), text) == texts.end())
       texts.push_back(std::move(text));
   }
+};
+
+/// Numbers that instruments and loggers write in the place of a reading: -9999, 9999.9, and 9.9e37
+/// of IEEE 488.2. They are none where other readings of the column come near.
+class MarksOfNone {
+ public:
+  MarksOfNone(const text::CsvTable& table, std::size_t column) : table_(table), column_(column) {}
+
+  [[nodiscard]] bool has(std::size_t row) {
+    if (!may_be(row)) return false;
+    const text::ParsedNumber number = table_.parsed(row, column_);
+    if (!number.problem.empty() || !is_usual(number.value)) return false;
+    if (!looked_) look();
+    constexpr double far = 3.0;  // ranges of the column
+    const double margin = far * std::max(upper_ - lower_, 1e-3 * std::abs(number.value));
+    return number.value < lower_ - margin || number.value > upper_ + margin;
+  }
+
+ private:
+  /// Cheaper than the number: such a cell begins with 9, or has an exponent.
+  [[nodiscard]] bool may_be(std::size_t row) const {
+    if (table_.is_numeric(column_)) return true;
+    const std::string_view cell = table_.cell(row, column_);
+    const std::size_t first = cell.find_first_not_of("+- ");
+    return first != cell.npos && (cell[first] == '9' || cell.find_first_of("eE") != cell.npos);
+  }
+  static bool is_usual(double value) {
+    constexpr double beyond_range = 9e36;
+    const double size = std::abs(value);
+    return size >= beyond_range ||
+           std::find(std::begin(usual), std::end(usual), size) != std::end(usual);
+  }
+  void look() {
+    looked_ = true;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      const text::ParsedNumber number = table_.parsed(row, column_);
+      if (!number.problem.empty() || is_usual(number.value)) continue;
+      lower_ = std::min(lower_, number.value);
+      upper_ = std::max(upper_, number.value);
+    }
+  }
+
+  static constexpr double usual[] = {999.0,   999.9,   9999.0,   9999.9,  9999.99,
+                                     99999.0, 99999.9, 999999.0, 999999.9};
+  const text::CsvTable& table_;
+  std::size_t column_;
+  bool looked_ = false;
+  double lower_ = std::numeric_limits<double>::infinity(), upper_ = -lower_;
 };
 
 }  // namespace
@@ -38,8 +88,9 @@ std::vector<double> ColumnReader::numbers(
   std::vector<double> list;
   list.reserve(table_.rows());
   Missing missing;
+  MarksOfNone marks(table_, source.column);
   for (std::size_t row = 0; row < table_.rows(); ++row) {
-    if (is_missing(row, source.column) && may_be_empty(row)) {
+    if (may_be_empty(row) && (is_missing(row, source.column) || marks.has(row))) {
       if (!table_.is_empty(row, source.column)) missing.add(table_, row, source.column);
       list.push_back(unset);
       continue;
@@ -51,7 +102,7 @@ std::vector<double> ColumnReader::numbers(
   }
   if (missing.count > 0)
     notes_.push_back(
-        fmt::format("{} of {} readings of {} are no numbers ({}) and do not take part "
+        fmt::format("{} of {} readings of {} are no readings ({}) and do not take part "
                     "(line{} {}{})",
                     missing.count, table_.rows(), source.name, text::listed(missing.texts),
                     missing.count == 1 ? "" : "s", missing.lines,

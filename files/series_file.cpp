@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "files/detail/column_reader.h"
+#include "files/detail/filled_inputs.h"
 #include "record/median.h"
 #include "record/series_channel.h"
 #include "text/error.h"
@@ -61,14 +62,19 @@ class SeriesReader {
       } else {
         // A control tells the direction; heat does not know it.
         const bool with_sign = c == record::speed || c == record::axial_load;
-        result.set(c, cells_.numbers(source, with_sign,
-                                     [&](std::size_t) { return c.role == Role::measured; }));
+        result.set(c,
+                   cells_.numbers(source, with_sign, [&](std::size_t) { return may_be_empty(c); }));
       }
     }
     cells_.check_decimal_marks();
     for (const Recognised::Constant& constant : found_.constants) set_constant(constant, result);
     for (std::size_t row = 0; row < table_.rows(); ++row) result.lines.push_back(table_.line(row));
     check_time(result);
+    cells_.bad.throw_if_any();
+    for (const ColumnSource& source : found_.columns)
+      if (may_be_empty(*source.channel) && source.channel->role != Role::measured)
+        if (std::string note = fill_input(*source.channel, result, cells_.bad); !note.empty())
+          filled_.push_back(std::move(note));
     cells_.bad.throw_if_any();
     result.notes = notes(result);
     return result;
@@ -78,6 +84,11 @@ class SeriesReader {
   [[nodiscard]] bool is_wanted(const Channel& channel) const {
     return wanted_.empty() || std::any_of(wanted_.begin(), wanted_.end(),
                                           [&](const Channel* w) { return *w == channel; });
+  }
+
+  /// Readings need not have been taken in every row, and inputs are filled between theirs.
+  static bool may_be_empty(const Channel& c) {
+    return c.role == Role::measured || c.role == Role::setting || c.role == Role::recorded;
   }
 
   [[nodiscard]] std::vector<ColumnSource> inputs() const {
@@ -168,6 +179,7 @@ class SeriesReader {
     std::vector<std::string> list = cells_.notes_on_form();
     list.insert(list.end(), found_.notes.begin(), found_.notes.end());
     if (!dropped_.empty()) list.push_back(dropped_);
+    list.insert(list.end(), filled_.begin(), filled_.end());
     list.insert(list.end(), constants_.begin(), constants_.end());
     if (!unknown_.empty()) list.push_back(unknown_);
     if (!unused_.empty()) list.push_back("not predicted by the model: " + text::listed(unused_));
@@ -208,7 +220,7 @@ class SeriesReader {
   std::optional<text::DateOrder> date_order_;
   std::string dropped_;
   ColumnReader cells_;
-  std::vector<std::string> unused_, constants_;
+  std::vector<std::string> unused_, constants_, filled_;
   std::string unknown_;
 };
 

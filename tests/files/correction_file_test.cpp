@@ -219,7 +219,7 @@ TEST(SeriesFile, AWordInThePlaceOfAReadingDoesNotTakePartAndIsNamed) {
   EXPECT_TRUE(std::isnan(moved[1]) && std::isnan(moved[2]) && std::isnan(moved[3]));
   EXPECT_DOUBLE_EQ(moved[4], 2e-6);
   EXPECT_THAT(r.notes,
-              testing::Contains("2 of 5 readings of displacement_z_um are no numbers (OVER "
+              testing::Contains("2 of 5 readings of displacement_z_um are no readings (OVER "
                                 "and Bad Input) and do not take part (lines 3, 5)"));
 }
 
@@ -271,7 +271,54 @@ TEST(SeriesFile, AnEmptyDisplacementWasNotRead) {
   EXPECT_EQ(r.rows(), 3U);
   EXPECT_TRUE(std::isnan(r.values(*record::series_channel("displacement_z_um"))[1]));
   EXPECT_NEAR(r.values(*record::series_channel("front_temperature_C"))[2], kelvin(22), 1e-12);
+}
+
+/// Sensors have rates of their own, and a control writes a speed when it changes.
+TEST(SeriesFile, InputsAreFilledBetweenTheirReadings) {
+  const record::Record r =
+      series(displacement_header + "0,100,20,1\n60,,,2\n120,300,23,3\n180,,24,4\n240,,,5\n");
+  EXPECT_EQ(std::vector<double>(r.values(record::speed).begin(), r.values(record::speed).end()),
+            (std::vector<double>{100 * rpm, 100 * rpm, 300 * rpm, 300 * rpm, 300 * rpm}));
+  const auto front = r.values(*record::series_channel("front_temperature_C"));
+  for (const auto& [row, expected] : {std::pair{1, 21.5}, {3, 24.0}, {4, 24.0}})
+    EXPECT_NEAR(front[static_cast<std::size_t>(row)], kelvin(expected), 1e-9) << row;
+  EXPECT_THAT(
+      r.notes,
+      testing::Contains(testing::HasSubstr("3 of 5 rows have no speed_rpm: the last value holds")));
+  EXPECT_THAT(r.notes, testing::Contains(testing::HasSubstr("over gaps of up to 1200 s")));
+}
+
+TEST(SeriesFile, WhatNoReadingIsNearIsRefused) {
   EXPECT_THAT([] { (void)series(displacement_header + "0,100,,1\n"); }, refused("is empty"));
+  EXPECT_THAT([] { (void)series(displacement_header + "0,,20,1\n60,100,20,1\n"); },
+              refused("r.csv:2: speed_rpm = \"\": is empty, and no value stands above it"));
+  EXPECT_THAT(
+      [] {
+        (void)series(displacement_header +
+                     "0,100,20,1\n30,100,20,1\n60,100,20,1\n"
+                     "400,100,,1\n800,100,22,1\n");
+      },
+      refused("r.csv:5: front_temperature_C = \"\": is empty, and its readings are more than 300 s "
+              "apart there"));
+  // The next run does not know it.
+  EXPECT_THAT(
+      [] {
+        (void)series("run_id,time_s,speed_rpm,displacement_z_um\na,0,100,1\na,60,,1\nb,0,,1\n");
+      },
+      refused("r.csv:4: speed_rpm"));
+}
+
+TEST(SeriesFile, NumbersThatMarkAMissingReadingAreNone) {
+  const record::Record r = series(displacement_header +
+                                  "0,100,20,1\n60,100,21,-9999\n120,100,22,9.9e37\n180,100,22,2\n");
+  const auto z = r.values(*record::series_channel("displacement_z_um"));
+  EXPECT_TRUE(std::isnan(z[1]) && std::isnan(z[2]));
+  EXPECT_THAT(r.notes, testing::Contains("2 of 4 readings of displacement_z_um are no readings "
+                                         "(-9999 and 9.9e37) and do not take part (lines 3, 4)"));
+  // Where others come near it is a reading.
+  EXPECT_NEAR(series(displacement_header + "0,1,20,990\n60,1,20,999\n120,1,20,1005\n")
+                  .values(*record::series_channel("displacement_z_um"))[1],
+              999 * um, 1e-9);
 }
 
 TEST(SeriesFile, TimeMustRiseWithinARun) {

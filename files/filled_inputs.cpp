@@ -1,0 +1,101 @@
+#include "files/detail/filled_inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "record/median.h"
+#include "record/series_channel.h"
+
+namespace raceway::files {
+namespace {
+
+/// Rows of one run, [begin, end).
+struct Rows {
+  std::size_t begin, end;
+};
+
+std::vector<Rows> runs_of(const record::Record& data) {
+  std::vector<Rows> list;
+  for (std::size_t row = 0; row < data.rows(); ++row) {
+    if (row == 0 || data.run_of(row) != data.run_of(row - 1)) list.push_back({row, row});
+    list.back().end = row + 1;
+  }
+  return list;
+}
+
+void hold(std::vector<double>& values, const Rows& run) {
+  for (std::size_t row = run.begin + 1; row < run.end; ++row)
+    if (std::isnan(values[row])) values[row] = values[row - 1];
+}
+
+/// [s]; of all runs together.
+double usual_interval(const std::vector<double>& values, std::span<const double> time,
+                      const std::vector<Rows>& runs) {
+  std::vector<double> intervals;
+  for (const Rows& run : runs) {
+    std::optional<std::size_t> last;
+    for (std::size_t row = run.begin; row < run.end; ++row) {
+      if (std::isnan(values[row])) continue;
+      if (last) intervals.push_back(time[row] - time[*last]);
+      last = row;
+    }
+  }
+  return record::median(intervals);
+}
+
+void interpolate(std::vector<double>& values, std::span<const double> time, const Rows& run,
+                 double longest) {
+  std::optional<std::size_t> last;
+  const auto fill = [&](std::size_t from, std::size_t to, const auto& value) {
+    for (std::size_t row = from; row < to; ++row) values[row] = value(row);
+  };
+  for (std::size_t row = run.begin; row < run.end; ++row) {
+    if (std::isnan(values[row])) continue;
+    const std::size_t before = last ? *last : run.begin;
+    if (time[row] - time[before] <= longest) {
+      if (!last) {
+        fill(run.begin, row, [&](std::size_t) { return values[row]; });
+      } else {
+        const double from = values[before],
+                     slope = (values[row] - from) / (time[row] - time[before]);
+        fill(before + 1, row,
+             [&](std::size_t at) { return from + slope * (time[at] - time[before]); });
+      }
+    }
+    last = row;
+  }
+  if (last && time[run.end - 1] - time[*last] <= longest)
+    fill(*last + 1, run.end, [&](std::size_t) { return values[*last]; });
+}
+
+}  // namespace
+
+std::string fill_input(const record::Channel& channel, record::Record& data, text::BadCells& bad) {
+  constexpr double intervals = 10.0, shortest_limit = 300.0;  // [1], [s]
+  std::vector<double>& values = data.find(channel)->values;
+  const auto empty = [](double v) { return std::isnan(v); };
+  const auto missing = std::count_if(values.begin(), values.end(), empty);
+  if (missing == 0) return {};
+  const std::span<const double> time = data.values(record::time);
+  const std::vector<Rows> runs = runs_of(data);
+  const bool held = record::course_of(channel) == record::Course::held;
+  const double longest = std::fmax(intervals * usual_interval(values, time, runs), shortest_limit);
+  for (const Rows& run : runs) held ? hold(values, run) : interpolate(values, time, run, longest);
+  for (std::size_t row = 0; row < values.size(); ++row)
+    if (empty(values[row]))
+      bad.add(data.line(row), channel.name, "",
+              held ? "is empty, and no value stands above it in its run"
+                   : fmt::format("is empty, and its readings are more than {:.4g} s apart there",
+                                 longest));
+  return fmt::format("{} of {} rows have no {}: {}", missing, values.size(), channel.name,
+                     held ? "the last value holds until the next one"
+                          : fmt::format("a straight line goes from one reading to the next, over "
+                                        "gaps of up to {:.4g} s",
+                                        longest));
+}
+
+}  // namespace raceway::files
