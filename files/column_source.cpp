@@ -192,14 +192,23 @@ void join_dates(const text::CsvTable& table, Recognised& result) {
 }
 
 /// A file that has our own name in the place of theirs needs no rule.
-void require_columns(const text::CsvTable& table, const ColumnMap& map, const Recognised& found) {
-  for (const ColumnRule& rule : map.rules)
-    if (!rule.constant && !found.find(*rule.channel))
-      throw text::InputError(
-          fmt::format("{}: no column \"{}\", which {} takes for {}{}; the header has {}",
-                      table.header_place().text(), rule.header, rule.place.text(), rule.key,
-                      text::suggestion(rule.header, table.header), text::listed(table.header)),
-          table.header_place(rule.header));
+void require_columns(const text::CsvTable& table, const ColumnMap& map, Recognised& found) {
+  for (const ColumnRule& rule : map.rules) {
+    if (rule.constant) continue;
+    if (const ColumnSource* const own = found.find(*rule.channel)) {
+      if (!own->unit_stated && (rule.unit || rule.factor != 1.0))
+        found.notes.push_back(
+            fmt::format("column {} is read as its name says: {} is for a column \"{}\", which is "
+                        "not there",
+                        own->name, rule.place.text(), rule.header));
+      continue;
+    }
+    throw text::InputError(
+        fmt::format("{}: no column \"{}\", which {} takes for {}{}; the header has {}",
+                    table.header_place().text(), rule.header, rule.place.text(), rule.key,
+                    text::suggestion(rule.header, table.header), text::listed(table.header)),
+        table.header_place(rule.header));
+  }
 }
 
 }  // namespace
@@ -227,6 +236,7 @@ Recognised recognise(const text::CsvTable& table, const ColumnMap& map, bool ove
            name,
            {unit_by_rule(*rule, table, c), rule->factor},
            rule->excel_date,
+           rule->unit || rule->excel_date || rule->factor != 1.0,
            {}},
           table, result);
       continue;

@@ -184,26 +184,49 @@ struct NamedFactor {
   double factor, within;
   double most_spread;  ///< of a factor that other things may make as well
   std::string_view words;
+  std::vector<Doubt::Guess> units;  ///< of columns that make the readings too small
 };
 
 /// "N m in a column of N mm" and what else makes a factor.
-std::optional<std::string> factor_of_readings(const Channel& channel, const Ratio& ratio) {
+std::optional<Doubt> factor_of_readings(const model::ModelSubject& subject, const Ratio& ratio) {
+  const Channel& channel = *subject.measured().front().channel;
   const bool moment = channel == record::friction_torque;
+  const bool timed = moment && subject.expected().coast_down;  // torques may come from times
+  const auto of_readings = [&](const char* unit, const char* of_time) {
+    std::vector<Doubt::Guess> units{{&channel, unit}};
+    if (timed) units.push_back({&record::time, of_time});
+    return units;
+  };
   const std::array factors{
-      NamedFactor{1000.0, 5.0, 3.0, moment ? "N m in a column of N mm" : "mm in a column of um"},
-      NamedFactor{1e6, 5.0, 3.0, moment ? "kN m in a column of N mm" : "m in a column of um"},
-      NamedFactor{60.0, 2.0, 1.4, "minutes for seconds, or 1/s for rpm"},
-      NamedFactor{9.7, 1.4, 1.4, "kgf for N, or rad/s for rpm"}};
+      NamedFactor{1000.0, 5.0, 3.0,
+                  timed    ? "N m in a column of N mm, or ms for s"
+                  : moment ? "N m in a column of N mm"
+                           : "mm in a column of um",
+                  of_readings(moment ? "Nm" : "mm", "ms")},
+      NamedFactor{1e6, 5.0, 3.0, moment ? "kN m in a column of N mm" : "m in a column of um",
+                  of_readings(moment ? "kNm" : "m", "us")},
+      NamedFactor{60.0,
+                  2.0,
+                  1.4,
+                  "minutes for seconds, or 1/s for rpm",
+                  {{&record::speed, "1_s"}, {&record::time, "min"}}},
+      NamedFactor{9.7,
+                  1.4,
+                  1.4,
+                  "kgf for N, or rad/s for rpm",
+                  {{&record::axial_load, "kgf"}, {&record::speed, "rad_s"}}}};
   if (!ratio.far() || (!moment && std::abs(ratio.correlation) < 0.9)) return std::nullopt;
   for (const NamedFactor& f : factors) {
     if (!ratio.near(f.factor, f.within) || ratio.spread > std::log(f.most_spread)) continue;
     if (!moment && f.factor < 100.0) continue;
     const bool small = ratio.middle < 0;
-    return fmt::format("readings of {} are about {:.0f} times too {} for the model: {}?",
-                       channel.words, f.factor == 9.7 ? 10.0 : f.factor, small ? "small" : "large",
-                       small || f.factor < 100.0 ? std::string(f.words)
-                                                 : std::string("a wrong unit (") +
-                                                       (moment ? "N mm, N m" : "um, mm") + ")");
+    std::string text =
+        fmt::format("readings of {} are about {:.0f} times too {} for the model: {}?",
+                    channel.words, f.factor == 9.7 ? 10.0 : f.factor, small ? "small" : "large",
+                    small || f.factor < 100.0
+                        ? std::string(f.words)
+                        : std::string("a wrong unit (") + (moment ? "N mm, N m" : "um, mm") + ")");
+    return Doubt{std::move(text), f.units};
   }
   return std::nullopt;
 }
@@ -229,41 +252,37 @@ Record in_other_unit(Record data, const Channel& channel, const text::Unit& unit
 // Fahrenheit throughout; one load in a hundred is in another unit.
 constexpr double likely = -2.0, remarkable = 4.6;
 
-std::optional<std::string> unit_of_temperature(const model::ModelSubject& subject,
-                                               const Record& data, const Channel& channel) {
+std::optional<Doubt> unit_of_temperature(const model::ModelSubject& subject, const Record& data,
+                                         const Channel& channel) {
   const auto [lower, upper] = range_of_values(data.values(channel));
   if (!(lower <= upper)) return std::nullopt;
   const double from = channel.in_unit(lower), to = channel.in_unit(upper);
-  const auto question = [&](const char* unit, double (*celsius_of)(double)) {
-    return fmt::format("{} of {:.4g} to {:.4g} C looks like {}: {:.3g} to {:.3g} C?", channel.name,
-                       from, to, unit, celsius_of(from), celsius_of(to));
-  };
-  if (from > 220 && to < 470) return question("kelvin", [](double t) { return celsius(t); });
-  const auto of_fahrenheit = [](double t) { return (t - 32.0) / 1.8; };
+  if (from > 220 && to < 470) return other_temperature(channel, from, to, "K");
   if (from < 59 || to > 400 || !(channel == record::temperature)) return std::nullopt;
-  if (from > 150) return question("fahrenheit", of_fahrenheit);
+  if (from > 150) return other_temperature(channel, from, to, "F");
   if (!data.has(record::friction_torque) || data.up_to_a_factor) return std::nullopt;
   // No row is as cold as a room, and the readings are those of oil that is colder.
   const Record other =
       in_other_unit(data, channel, *text::find_unit("F", text::Dimension::temperature));
   return evidence_for(subject, data, other) > likely
-             ? std::optional(question("fahrenheit", of_fahrenheit))
+             ? std::optional(other_temperature(channel, from, to, "F"))
              : std::nullopt;
 }
 
 /// A speed in another unit, where the readings speak for it. The inertia makes torque of speed
 /// where there are no readings, so then it is in their factor.
-std::optional<std::string> unit_of_speed(const model::ModelSubject& subject, const Record& data,
-                                         const Ratio& ratio) {
+std::optional<Doubt> unit_of_speed(const model::ModelSubject& subject, const Record& data,
+                                   const Ratio& ratio) {
   const double pitch = subject.model().bearing.pitch_diameter();
   const auto speed_factor = [&](double speed) { return speed / rpm * pitch / mm; };  // n d_m
   const double fastest = range_of_values(data.values(record::speed)).second;
   constexpr double never = 6e6, usual = 3e6;
   if (speed_factor(fastest) > never && speed_factor(fastest * rpm) < usual)
-    return fmt::format(
-        "speeds up to {:.4g} rpm are beyond any bearing of this size (n d_m = {:.2g} "
-        "mm/min): rpm in a column of rad/s or 1/s?",
-        fastest / rpm, speed_factor(fastest));
+    return Doubt{
+        fmt::format("speeds up to {:.4g} rpm are beyond any bearing of this size (n d_m = {:.2g} "
+                    "mm/min): rpm in a column of rad/s or 1/s?",
+                    fastest / rpm, speed_factor(fastest)),
+        {{&record::speed, "rpm"}}};
   if (!ratio.far()) return std::nullopt;
   for (const char* name : {"krpm", "1/s"}) {
     const text::Unit& unit = *text::find_unit(name, text::Dimension::speed);
@@ -271,36 +290,40 @@ std::optional<std::string> unit_of_speed(const model::ModelSubject& subject, con
     if (speed_factor(range_of_values(changed.values(record::speed)).second) > usual) continue;
     const Ratio other = ratio_of(subject, changed);
     if (other.known() && std::abs(other.middle) < std::log(2.0))
-      return fmt::format(
-          "speeds up to {:.4g} rpm do not go with the readings: {} in a column of rpm?",
-          fastest / rpm, unit.words);
+      return Doubt{
+          fmt::format("speeds up to {:.4g} rpm do not go with the readings: {} in a column of rpm?",
+                      fastest / rpm, unit.words),
+          {{&record::speed, unit.suffix}}};
   }
   return std::nullopt;
 }
 
 /// Loads that no bearing of this size is run with.
-std::optional<std::string> unit_of_load(const model::ModelSubject& subject, const Record& data) {
+std::optional<Doubt> unit_of_load(const model::ModelSubject& subject, const Record& data) {
   const double rating = subject.model().bearing.static_load_rating();
   if (!(rating > 0) || subject.model().shaft) return std::nullopt;
   const double most = range_of_values(data.values(record::axial_load)).second;
   const auto usual = [&](double load) { return load > 2e-3 * rating && load < 0.5 * rating; };
   if (most > 0 && most < 5e-5 * rating && usual(1e3 * most))
-    return fmt::format(
-        "axial loads up to {:.4g} N are next to nothing for C0 = {:.4g} N: kN in a "
-        "column of N?",
-        most, rating);
+    return Doubt{
+        fmt::format("axial loads up to {:.4g} N are next to nothing for C0 = {:.4g} N: kN in "
+                    "a column of N?",
+                    most, rating),
+        {{&record::axial_load, "kN"}}};
   if (most > 5.0 * rating && usual(1e-3 * most))
-    return fmt::format("axial loads up to {:.4g} N are {:.2g} times C0: N in a column of kN?", most,
-                       most / rating);
+    return Doubt{fmt::format("axial loads up to {:.4g} N are {:.2g} times C0: N in a column of kN?",
+                             most, most / rating),
+                 {{&record::axial_load, "N"}}};
   // A load in kilograms: the law makes up for it with numbers that no bearing has.
   const auto [least, largest] = range_of_values(data.values(record::axial_load));
   if (data.up_to_a_factor || !(largest > 1.02 * least)) return std::nullopt;
   const text::Unit& kgf = *text::find_unit("kgf", text::Dimension::force);
   if (evidence_for(subject, data, in_other_unit(data, record::axial_load, kgf)) > remarkable)
-    return fmt::format(
-        "axial loads of {:.4g} to {:.4g} N do not go with the readings, {:.4g} to {:.4g} N do: kgf "
-        "in a column of N?",
-        least, largest, kgf.to_SI(least), kgf.to_SI(largest));
+    return Doubt{
+        fmt::format("axial loads of {:.4g} to {:.4g} N do not go with the readings, {:.4g} "
+                    "to {:.4g} N do: kgf in a column of N?",
+                    least, largest, kgf.to_SI(least), kgf.to_SI(largest)),
+        {{&record::axial_load, "kgf"}}};
   return std::nullopt;
 }
 
@@ -366,10 +389,13 @@ std::optional<std::string> swapped_columns(const model::ModelSubject& subject, c
 
 }  // namespace
 
-std::vector<std::string> doubts(const model::ModelSubject& subject, const Record& all) {
-  std::vector<std::string> found;
-  const auto add = [&](std::optional<std::string> doubt) {
+std::vector<Doubt> doubts(const model::ModelSubject& subject, const Record& all) {
+  std::vector<Doubt> found;
+  const auto add = [&](std::optional<Doubt> doubt) {
     if (doubt) found.push_back(*std::move(doubt));
+  };
+  const auto add_text = [&](std::optional<std::string> text) {
+    if (text) found.push_back({*std::move(text)});
   };
   if (subject.measured().empty() || !all.has(*subject.measured().front().channel)) return found;
   const Record data = some_of(all);
@@ -379,13 +405,13 @@ std::vector<std::string> doubts(const model::ModelSubject& subject, const Record
   for (const record::Column& column : data.columns)
     if (is_of_temperature(*column.channel))
       add(unit_of_temperature(subject, data, *column.channel));
-  if (found.empty() && !data.up_to_a_factor) add(swapped_columns(subject, data, ratio));
+  if (found.empty() && !data.up_to_a_factor) add_text(swapped_columns(subject, data, ratio));
   if (found.empty()) add(unit_of_load(subject, data));
   if (found.empty()) {
-    add(factor_of_readings(channel, ratio));
+    add(factor_of_readings(subject, ratio));
     if (found.empty() && !subject.model().shaft) add(unit_of_speed(subject, data, ratio));
   }
-  add(sign_of_readings(channel, ratio));
+  add_text(sign_of_readings(channel, ratio));
   return found;
 }
 

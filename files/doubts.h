@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "files/doubt.h"
 #include "model/model_subject.h"
 #include "record/record.h"
 
@@ -18,7 +18,7 @@ namespace raceway::files {
 /// unit: by what it errs, and by how far the numbers are from those believed; two columns where the
 /// record makes no sense as it stands and does once they are exchanged. Nothing is said of fewer
 /// than 5 rows.
-[[nodiscard]] std::vector<std::string> doubts(const model::ModelSubject& subject,
-                                              const record::Record& data);
+[[nodiscard]] std::vector<Doubt> doubts(const model::ModelSubject& subject,
+                                        const record::Record& data);
 
 }  // namespace raceway::files

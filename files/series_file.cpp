@@ -20,11 +20,6 @@ using record::Record;
 using record::Role;
 using Channels = std::vector<const Channel*>;
 
-ReadOptions over_time(ReadOptions options) {
-  options.over_time = true;
-  return options;
-}
-
 text::Place place_in_header(const text::CsvTable& table, std::string_view column) {
   return {table.source, table.header_line, std::string(column)};
 }
@@ -225,6 +220,11 @@ class SeriesReader {
 };
 
 }  // namespace
+
+ReadOptions over_time(ReadOptions options) {
+  options.over_time = true;
+  return options;
+}
 
 record::Record read_series(const Source& source, const Channels& wanted, const Channels& needed,
                            const ReadOptions& options) {

@@ -1,17 +1,16 @@
 #include "files/spindle_record.h"
 
+#include <utility>
+
 #include "files/series_file.h"
 #include "spindle/record_rows.h"
 
 namespace raceway::files {
-namespace {
 
 ReadOptions of_spindle(ReadOptions options) {
   options.of_spindle = true;
-  return options;
+  return over_time(std::move(options));
 }
-
-}  // namespace
 
 record::Record read_spindle_record(const Source& source, const model::Spindle& spindle,
                                    const ReadOptions& options) {

@@ -17,4 +17,7 @@ namespace raceway::files {
                                                  const model::Spindle& spindle,
                                                  const ReadOptions& options = {});
 
+/// Of columns as read_spindle_record() has them.
+[[nodiscard]] ReadOptions of_spindle(ReadOptions options);
+
 }  // namespace raceway::files

@@ -9,8 +9,10 @@
 #include "correction/record_check.h"
 #include "correction/series.h"
 #include "correction/simulation.h"
+#include "files/series_doubts.h"
 #include "files/series_file.h"
 #include "text/error.h"
+#include "text/input_file.h"
 #include "text/names.h"
 #include "text/number_text.h"
 
@@ -33,10 +35,10 @@ files::CorrectionFile open_corrections(Messages& messages, const Source& source,
   return file;
 }
 
-record::Record open_series(Messages& messages, const Source& data,
+record::Record open_series(Messages& messages, const Source& given,
                            const std::vector<correction::Model>& models,
                            const files::ReadOptions& options, const Period& period) {
-  const std::string& path = data.name;
+  const std::string& path = given.name;
   if (path.ends_with(".toml"))
     throw text::InputError(path + ": stands where a record over time (CSV) is expected",
                            {.file = path});
@@ -46,9 +48,14 @@ record::Record open_series(Messages& messages, const Source& data,
     for (const record::Channel* c : correction::inputs_of(m))
       if (std::find(needed.begin(), needed.end(), c) == needed.end()) needed.push_back(c);
   }
+  const Source data = text::repeatable(given);
   record::Record record = files::read_series(data, wanted, needed, options);
+  const std::vector<std::string> doubts =
+      files::asked_about(files::series_doubts(record, models), data, files::over_time(options));
   period.apply(record, wanted);
   messages.notes(record.notes);
+  messages.warnings(doubts);
+  record.notes.insert(record.notes.end(), doubts.begin(), doubts.end());
   return record;
 }
 

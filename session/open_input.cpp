@@ -7,11 +7,13 @@
 
 #include "files/data_file.h"
 #include "files/doubts.h"
+#include "files/series_doubts.h"
 #include "files/spindle_record.h"
 #include "model/ignored_data.h"
 #include "model/steps.h"
 #include "shaft/displacement_rows.h"
 #include "text/error.h"
+#include "text/input_file.h"
 
 namespace raceway::session {
 
@@ -91,16 +93,19 @@ void put(Messages& messages, record::Record& data, std::vector<std::string> line
   data.notes.insert(data.notes.end(), lines.begin(), lines.end());
 }
 
-record::Record open_one(Messages& messages, const Source& source,
-                        const model::ModelSubject& subject, const files::ReadOptions& options,
-                        bool of_several) {
-  const std::string& path = source.name;
+record::Record open_one(Messages& messages, const Source& given, const model::ModelSubject& subject,
+                        const files::ReadOptions& options, bool of_several) {
+  const std::string& path = given.name;
   if (path.ends_with(".toml"))
     throw text::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
+  const Source source = text::repeatable(given);
   if (const auto& spindle = subject.model().spindle) {
     record::Record data = files::read_spindle_record(source, *spindle, options);
+    const std::vector<std::string> doubts =
+        files::asked_about(files::series_doubts(data, {}), source, files::of_spindle(options));
     put(messages, data, std::exchange(data.notes, {}), of_several ? path : std::string(),
         &Messages::notes);
+    put(messages, data, doubts, of_several ? path : std::string(), &Messages::warnings);
     return data;
   }
   record::Record data = files::read_record(source, subject, options);
@@ -108,7 +113,8 @@ record::Record open_one(Messages& messages, const Source& source,
     data.notes.push_back(std::move(note));
   const std::string from = of_several ? path : std::string();
   put(messages, data, std::exchange(data.notes, {}), from, &Messages::notes);
-  put(messages, data, files::doubts(subject, data), from, &Messages::warnings);
+  put(messages, data, files::asked_about(files::doubts(subject, data), source, options), from,
+      &Messages::warnings);
   return data;
 }
 

@@ -20,6 +20,7 @@ struct ColumnSource {
   std::string name;    ///< as its header has it, for messages
   CellUnit cells{};
   bool excel_date = false;             ///< days since 1900 rather than a time
+  bool unit_stated = false;            ///< by a rule of [columns]
   std::optional<std::size_t> dates{};  ///< column of the date, where `column` is the time of day
 };
 

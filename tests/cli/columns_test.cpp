@@ -56,10 +56,20 @@ struct WrongUnit {
       "readings of friction torque are about 1000 times too small for the model: N m in a column "
       "of N mm?";
 
+  std::string map = folder.write(
+      "map.toml",
+      "[columns]\nfriction_torque_Nmm = { column = \"friction_torque_Nmm\", unit = \"Nmm\" }\n");
+
   [[nodiscard]] std::vector<std::string> commands() const {
     const std::string both = model + " " + data;
     return {"check " + both,     "compare " + both,  "compare " + model + " " + both,
             "calibrate " + both, "diagnose " + both, "add " + model + " windage --data " + data};
+  }
+  /// With the unit said, whose numbers are as wrong as they were.
+  [[nodiscard]] std::vector<std::string> answered() const {
+    std::vector<std::string> list = commands();
+    for (std::string& command : list) command += " --columns " + map;
+    return list;
   }
 
  private:
@@ -74,13 +84,29 @@ struct WrongUnit {
 TEST(Columns, AnotherUnitIsAskedAboutBeforeTheVerdict) {
   const WrongUnit wrong;
   for (const std::string& command : wrong.commands())
-    EXPECT_THAT(run(command).err, HasSubstr("warning: " + wrong.question)) << command;
+    expect_refused(run(command), wrong.question +
+                                     " Say so in [columns]: friction_torque_Nmm = { column = "
+                                     "\"friction_torque_Nmm\", unit = \"Nm\" }");
+}
+
+TEST(Columns, AUnitThatIsSaidIsNotAskedAboutAgain) {
+  const WrongUnit wrong;
+  for (const std::string& command : wrong.answered()) {
+    const Result answer = run(command);
+    EXPECT_NE(answer.status, 1) << command << answer.err;
+    EXPECT_THAT(answer.err, HasSubstr("warning: " + wrong.question)) << command;
+  }
+  const std::string right = wrong.folder.write(
+      "right.toml",
+      "[columns]\nfriction_torque_Nmm = { column = \"friction_torque_Nmm\", unit = \"Nm\" }\n");
+  EXPECT_THAT(run("compare " + wrong.model + " " + wrong.data + " --columns " + right).err,
+              Not(HasSubstr("warning")));
 }
 
 /// Who reads documents alone reads neither stderr nor its warnings.
 TEST(Columns, WhatIsAskedAndNotedOfARecordStandsInEveryDocument) {
   const WrongUnit wrong;
-  for (const std::string& command : wrong.commands()) {
+  for (const std::string& command : wrong.answered()) {
     const json notes = parsed(run(command + " --json"))["notes"];
     EXPECT_THAT(notes, Contains(wrong.question)) << command;
     EXPECT_THAT(notes, Contains("no column temperature_C: 40 C for all rows, from [rig]"))
@@ -93,13 +119,14 @@ TEST(Columns, OfSeveralFilesNotesSayWhichIsMeant) {
   const std::string other = wrong.folder.write(
       "other.csv",
       "speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm\n1000,300,0,40,90\n");
-  const Result text = run("compare " + wrong.model + " " + other + " " + wrong.data);
+  const Result text =
+      run("compare " + wrong.model + " " + other + " " + wrong.data + " --columns " + wrong.map);
   EXPECT_THAT(text.err, HasSubstr("warning: " + wrong.data + ": " + wrong.question));
   EXPECT_THAT(text.err, HasSubstr("note: " + wrong.data + ": no column temperature_C"));
   EXPECT_THAT(text.err, Not(HasSubstr("note: " + other)));
-  EXPECT_THAT(
-      parsed(run("compare " + wrong.model + " " + other + " " + wrong.data + " --json"))["notes"],
-      Contains(wrong.data + ": " + wrong.question));
+  EXPECT_THAT(parsed(run("compare " + wrong.model + " " + other + " " + wrong.data + " --columns " +
+                         wrong.map + " --json"))["notes"],
+              Contains(wrong.data + ": " + wrong.question));
 }
 
 TEST(Columns, WorkbooksAndBinaryFilesAreNamed) {

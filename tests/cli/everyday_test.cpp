@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/cli/run_program.h"
+#include "tests/cli/sample.h"
 #include "tests/places.h"
 
 // Files as a test laboratory writes them, with a known truth (tests/cli/everyday/README.md).
@@ -118,8 +119,9 @@ TEST(Everyday, TheShapeOfTheSentenceIsWrittenAndTheLoopGoesOn) {
 }
 
 TEST(Everyday, DegreesFahrenheitAreAskedAboutBeforeTheVerdict) {
-  const Result found = run("diagnose " + files_of("fahrenheit"));
-  EXPECT_THAT(found.err, HasSubstr("looks like fahrenheit"));
+  expect_refused(
+      run("diagnose " + files_of("fahrenheit")),
+      "Say so in [columns]: temperature_C = { column = \"temperature_C\", unit = \"F\" }");
 }
 
 }  // namespace

@@ -41,6 +41,14 @@ std::vector<Row> rows_of_a_rig() {
   return list;
 }
 
+std::vector<std::string> texts_of(const std::string& rows) {
+  const auto of = subject();
+  std::vector<std::string> texts;
+  for (const Doubt& doubt : doubts(*of, read_record({"d.csv", rows}, *of)))
+    texts.push_back(doubt.text);
+  return texts;
+}
+
 /// Doubts about these rows once `change` has been made to each.
 template <typename Change>
 std::vector<std::string> after(const Change& change) {
@@ -49,8 +57,7 @@ std::vector<std::string> after(const Change& change) {
     change(r);
     text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature, r.torque);
   }
-  const auto of = subject();
-  return doubts(*of, read_record({"d.csv", text}, *of));
+  return texts_of(text);
 }
 
 TEST(Doubts, ThereAreNoneAboutWhatAModelMayMiss) {
@@ -78,9 +85,7 @@ TEST(Doubts, ALongRecordIsNotLookedAtInStepWithWhatRepeatsInIt) {
     text += fmt::format("{},{},{},{}\n", r.speed, r.load, r.temperature,
                         k % 5 == 0 ? r.torque : 1e-3 * r.torque);
   }
-  const auto of = subject();
-  EXPECT_THAT(doubts(*of, read_record({"d.csv", text}, *of)),
-              ElementsAre(HasSubstr("N m in a column of N mm")));
+  EXPECT_THAT(texts_of(text), ElementsAre(HasSubstr("N m in a column of N mm")));
 }
 
 TEST(Doubts, TheOtherSignIsNamed) {

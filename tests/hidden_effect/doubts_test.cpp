@@ -25,15 +25,15 @@ TEST(Doubts, AreNotRaisedByHiddenEffects) {
           files::make_subject(files::parse_model(model_text(rig), "model.toml").model);
       const record::Record data =
           files::read_record({"train.csv", measurement_text(rig, rig.train)}, *subject);
-      const std::vector<std::string> doubts = files::doubts(*subject, data);
+      const std::vector<files::Doubt> doubts = files::doubts(*subject, data);
       const Mistake& mistake = trial.setup.mistake;
       const bool in_other_unit = mistake.in_fahrenheit || mistake.in_kilograms;
       if (in_other_unit) {
         EXPECT_FALSE(doubts.empty()) << trial.kind << ", seed " << trial.setup.seed;
         continue;
       }
-      for (const std::string& doubt : doubts)
-        ADD_FAILURE() << trial.kind << ", seed " << trial.setup.seed << ": " << doubt;
+      for (const files::Doubt& doubt : doubts)
+        ADD_FAILURE() << trial.kind << ", seed " << trial.setup.seed << ": " << doubt.text;
       ++rigs;
     }
   EXPECT_GT(rigs, 200);

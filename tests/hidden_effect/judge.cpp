@@ -126,7 +126,8 @@ Answer ask(const std::string& model_text, const std::string& train_text,
         subject_of(presentation.other_start ? with_other_start(model_text) : model_text);
     const record::Record data =
         read(presentation.reversed_rows ? reversed_rows(train_text) : train_text, *subject);
-    answer.questions = files::doubts(*subject, data);
+    for (files::Doubt& doubt : files::doubts(*subject, data))
+      answer.questions.push_back(std::move(doubt.text));
     verdict::DiagnoseOptions options;
     if (presentation.reversed_catalogue)
       for (const fit::Candidate& c : subject->candidates())

@@ -1,0 +1,64 @@
+#include "files/doubt.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "files/detail/column_source.h"
+#include "record/units.h"
+#include "text/error.h"
+#include "text/names.h"
+#include "text/units.h"
+
+namespace raceway::files {
+namespace {
+
+/// `speed_rpm = { column = "n", unit = "1_s" }`
+std::string answer_by(const Doubt::Guess& guess, const std::string& header) {
+  return fmt::format("{} = {{ column = {}, unit = \"{}\" }}", guess.channel->name,
+                     text::in_quotes(header), guess.unit);
+}
+
+}  // namespace
+
+Doubt other_temperature(const record::Channel& channel, double from, double to,
+                        std::string_view unit) {
+  const text::Unit& other = *text::find_unit(unit, text::Dimension::temperature);
+  return {.text = fmt::format("{} of {:.4g} to {:.4g} C looks like {}: {:.3g} to {:.3g} C?",
+                              channel.name, from, to, unit == "K" ? "kelvin" : "fahrenheit",
+                              celsius(other.to_SI(from)), celsius(other.to_SI(to))),
+          .units = {{&channel, other.suffix}}};
+}
+
+std::vector<std::string> asked_about(const std::vector<Doubt>& doubts, const Source& source,
+                                     const ReadOptions& options) {
+  std::vector<std::string> warnings;
+  std::string questions;
+  text::Place place{.file = source.name};
+  std::optional<Recognised> columns;  // only looked for where something is asked
+  for (const Doubt& doubt : doubts) {
+    if (!doubt.units.empty() && !columns)
+      columns = recognise(read_measurements(source, options), options.columns, options.over_time,
+                          options.of_spindle);
+    std::string answers;
+    bool answered = false;
+    for (const Doubt::Guess& guess : doubt.units) {
+      const ColumnSource* const column = columns->find(*guess.channel);
+      if (!column) continue;
+      answered = answered || column->unit_stated;
+      if (answers.empty() && questions.empty()) place.key = column->name;
+      answers += (answers.empty() ? "" : " or ") + answer_by(guess, column->name);
+    }
+    if (answers.empty() || answered)
+      warnings.push_back(doubt.text);
+    else
+      questions += fmt::format(
+          "{}{}: {} Say so in [columns]: {}, or with the unit that it was read in where that is "
+          "right",
+          questions.empty() ? "" : "\n", source.name, doubt.text, answers);
+  }
+  if (!questions.empty()) throw text::InputError(questions, place);
+  return warnings;
+}
+
+}  // namespace raceway::files

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/column_map.h"
+#include "files/source.h"
+#include "record/channel.h"
+
+namespace raceway::files {
+
+/// A question about what stands in a record.
+struct Doubt {
+  /// A column that may be in another unit than it was read in.
+  struct Guess {
+    const record::Channel* channel;
+    std::string_view unit;  ///< as files have it: "kgf"
+  };
+  std::string text;
+  std::vector<Guess> units{};  ///< empty where it is about no unit
+};
+
+/// A temperature from `from` to `to` [C] that looks like K or F.
+[[nodiscard]] Doubt other_temperature(const record::Channel& channel, double from, double to,
+                                      std::string_view unit);
+
+/// Throws InputError for doubts about units of columns of `source` that no [columns] has answered:
+/// each question, and the line of [columns] that answers it. Returns the others, which are
+/// warnings.
+[[nodiscard]] std::vector<std::string> asked_about(const std::vector<Doubt>& doubts,
+                                                   const Source& source,
+                                                   const ReadOptions& options);
+
+}  // namespace raceway::files

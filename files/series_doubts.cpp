@@ -1,0 +1,215 @@
+#include "files/series_doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "algebra/detail/decompositions.h"
+#include "correction/series.h"
+#include "correction/simulation.h"
+#include "record/median.h"
+#include "record/series_channel.h"
+#include "text/units.h"
+
+namespace raceway::files {
+namespace {
+
+using record::Channel;
+using record::Record;
+using record::Role;
+
+constexpr std::size_t fewest_rows = 30;
+
+struct Extent {
+  double lower = unset, upper = unset;
+  [[nodiscard]] bool known() const { return lower <= upper; }
+  [[nodiscard]] double width() const { return upper - lower; }
+};
+
+/// All but the lowest and the highest hundredth, which a fault of a sensor may have made.
+Extent extent_of(std::span<const double> values) {
+  std::vector<double> finite;
+  for (const double v : values)
+    if (std::isfinite(v)) finite.push_back(v);
+  if (finite.empty()) return {};
+  const std::size_t cut = finite.size() / 100;
+  const auto at = [&](std::size_t k) {
+    const auto place = finite.begin() + static_cast<std::ptrdiff_t>(k);
+    std::nth_element(finite.begin(), place, finite.end());
+    return *place;
+  };
+  return {at(cut), at(finite.size() - 1 - cut)};
+}
+
+/// "14 h", "583 d"
+std::string duration_text(double seconds) {
+  const char* const unit = seconds < 180.0      ? "s"
+                           : seconds < 7200.0   ? "min"
+                           : seconds < 172800.0 ? "h"
+                                                : "d";
+  return fmt::format("{:.3g} {}", text::find_unit(unit, text::Dimension::time)->in_unit(seconds),
+                     unit);
+}
+
+/// Steps and length of a record over time.
+struct Clock {
+  double step = unset;    ///< median [s]
+  double length = unset;  ///< of the longest run [s]
+
+  explicit Clock(const Record& data) {
+    const std::span<const double> time = data.values(record::time);
+    std::vector<double> steps;
+    length = 0.0;
+    for (std::size_t row = 1, first = 0; row < time.size(); ++row) {
+      if (data.run_of(row) != data.run_of(row - 1)) first = row;
+      if (row > first) steps.push_back(time[row] - time[row - 1]);
+      length = std::max(length, time[row] - time[first]);
+    }
+    step = record::median(steps);
+  }
+
+  [[nodiscard]] Doubt looks_like(const text::Unit& unit) const {
+    return {
+        .text = fmt::format("rows come every {} over {}: is time_s in {}, so that they come every "
+                            "{} over {}?",
+                            duration_text(step), duration_text(length), unit.words,
+                            duration_text(unit.factor * step), duration_text(unit.factor * length)),
+        .units = {{&record::time, unit.suffix}}};
+  }
+};
+
+/// Share of the variance of the readings that no sum of the model's lags explains, each with a gain
+/// of its own, where times are `factor` times as long.
+double unexplained(const correction::Model& model, Record data, double factor) {
+  for (double& t : data.find(record::time)->values) t *= factor;
+  const correction::Series series(data);
+  const std::vector<correction::Contribution> parts = correction::contributions(model, series);
+  const std::span<const double> read = data.values(*model.displacement);
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < read.size(); ++row)
+    if (std::isfinite(read[row]) && std::all_of(parts.begin(), parts.end(), [&](const auto& p) {
+          return std::isfinite(p.displacement[row]);
+        }))
+      rows.push_back(row);
+  if (rows.size() < fewest_rows) return unset;
+  const auto n = static_cast<Eigen::Index>(rows.size()),
+             m = static_cast<Eigen::Index>(parts.size()) + 1;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Ones(n, m);
+  Eigen::VectorXd b(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t row = rows[static_cast<std::size_t>(i)];
+    b[i] = read[row];
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      A(i, static_cast<Eigen::Index>(k) + 1) = parts[k].displacement[row];
+  }
+  const double variance = (b.array() - b.mean()).matrix().squaredNorm();
+  return variance > 0.0 ? (b - A * algebra::least_squares(A, b)).squaredNorm() / variance : unset;
+}
+
+double longest_time_constant(const correction::Model& model) {
+  double longest = 0.0;
+  for (const correction::DrivenChannel& c : model.channels)
+    for (const correction::Section& s : c.sections) longest = std::fmax(longest, s.time_constant);
+  return longest;
+}
+
+std::optional<Doubt> unit_of_time(const Record& data,
+                                  const std::vector<correction::Model>& models) {
+  constexpr double slowest = 7200.0, usual_least = 1e-3, usual_most = 3600.0;  // steps [s]
+  const Clock clock(data);
+  if (clock.step > slowest)
+    for (const char* const name : {"ms", "us", "ns"}) {
+      const text::Unit& unit = *text::find_unit(name, text::Dimension::time);
+      const double step = unit.factor * clock.step;
+      if (step >= usual_least && step <= usual_most) return clock.looks_like(unit);
+    }
+  constexpr double far_better = 0.25, explained = 0.1;
+  for (const correction::Model& model : models) {
+    const double longest = longest_time_constant(model);
+    if (!data.has(*model.displacement) || !(clock.length < longest)) continue;
+    for (const char* const name : {"min", "h"}) {
+      const text::Unit& unit = *text::find_unit(name, text::Dimension::time);
+      if (unit.factor * clock.length < longest || unit.factor * clock.step > usual_most) continue;
+      try {
+        const double other = unexplained(model, data, unit.factor);
+        if (other < explained && other < far_better * unexplained(model, data, 1.0))
+          return clock.looks_like(unit);
+      } catch (const std::invalid_argument&) {
+        // The reader of the record reports it.
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+void look_at_temperatures(const Record& data, std::vector<Doubt>& found) {
+  constexpr double warm_room = 59.0, hot_room = 50.0;  // [C]
+  std::vector<std::pair<const Channel*, Extent>> sensors;
+  double coldest_of_all = std::numeric_limits<double>::infinity();
+  for (const record::Column& c : data.columns) {
+    if (!record::is_temperature(*c.channel)) continue;
+    if (const Extent extent = extent_of(c.values); extent.known()) {
+      sensors.emplace_back(c.channel, extent);
+      coldest_of_all = std::min(coldest_of_all, c.channel->in_unit(extent.lower));
+    }
+  }
+  for (const auto& [channel, extent] : sensors) {
+    const double from = channel->in_unit(extent.lower), to = channel->in_unit(extent.upper);
+    if (from > 220.0 && to < 470.0)
+      found.push_back(other_temperature(*channel, from, to, "K"));
+    else if (to < 220.0 &&
+             (coldest_of_all >= warm_room || (record::is_ambient(*channel) && from > hot_room)))
+      found.push_back(other_temperature(*channel, from, to, "F"));
+  }
+}
+
+/// Widest range of a temperature [K].
+double warming_of(const Record& data) {
+  double most = 0.0;
+  for (const record::Column& c : data.columns)
+    if (record::is_temperature(*c.channel)) most = std::fmax(most, extent_of(c.values).width());
+  return most;
+}
+
+void look_at_displacements(const Record& data, std::vector<Doubt>& found) {
+  constexpr double least_warming = 2.0;                               // [K]
+  constexpr double little = 0.02 * um, much = 300.0 * um;             // [m/K]
+  constexpr double usual_least = 0.05 * um, usual_most = 100.0 * um;  // [m/K]
+  const double warming = warming_of(data);
+  if (!(warming > least_warming)) return;
+  for (const record::Column& c : data.columns) {
+    if (c.channel->role != Role::measured || unit_of(*c.channel) != text::find_unit("um")) continue;
+    const double rate = extent_of(c.values).width() / warming;
+    if (!(rate > 0.0) || (rate > little && rate < much)) continue;
+    for (const char* const name : {"mm", "m", "nm"}) {
+      const text::Unit& unit = *text::find_unit(name, text::Dimension::length);
+      const double other = unit.factor / um * rate;
+      if (other < usual_least || other > usual_most) continue;
+      found.push_back(
+          {.text = fmt::format("{} moves by {:.3g} um for each kelvin of the warmest sensor: is it "
+                               "in {}, {:.3g} um/K?",
+                               c.channel->name, rate / um, unit.words, other / um),
+           .units = {{c.channel, unit.suffix}}});
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Doubt> series_doubts(const Record& data, const std::vector<correction::Model>& models) {
+  std::vector<Doubt> found;
+  if (data.rows() < fewest_rows) return found;
+  if (auto doubt = unit_of_time(data, models)) found.push_back(*std::move(doubt));
+  look_at_temperatures(data, found);
+  // A kelvin in Fahrenheit is no kelvin.
+  if (found.empty()) look_at_displacements(data, found);
+  return found;
+}
+
+}  // namespace raceway::files

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "correction/model.h"
+#include "files/doubt.h"
+#include "record/record.h"
+
+namespace raceway::files {
+
+/// What of a record over time looks entered in another unit.
+///
+/// - Time: rows that come every two hours or more look like ms, us or ns. A record that is shorter
+///   than a time constant of `models` looks like minutes or hours, where it would be longer than
+///   that in them, and the lags of the model then explain the readings, which they do not as it
+///   stands.
+/// - Temperatures between 220 and 470 C look like kelvin. They look like Fahrenheit where no sensor
+///   of the record has ever been colder than 59 C, or where the surroundings have not.
+/// - Displacements of less than 0.02 or more than 300 um per kelvin look like mm or nm. Machines
+///   have 0.1 to 50 um/K.
+[[nodiscard]] std::vector<Doubt> series_doubts(const record::Record& data,
+                                               const std::vector<correction::Model>& models);
+
+}  // namespace raceway::files
