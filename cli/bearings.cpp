@@ -7,6 +7,7 @@
 #include "cli/number_flag.h"
 #include "cli/text_table.h"
 #include "files/catalogue_file.h"
+#include "files/designation.h"
 #include "record/units.h"
 #include "results/results.h"
 #include "text/error.h"
@@ -25,8 +26,27 @@ bool is_size(double wanted, double size) {
   return std::isnan(wanted) || std::abs(wanted - size) < 0.05 * mm;
 }
 
+/// Bearings of the size that a designation has which no catalogue lists.
+std::vector<files::CatalogueBearing> of_same_size(const std::vector<files::CatalogueBearing>& rows,
+                                                  const std::string& designation) {
+  files::require_angular_contact(designation);
+  const std::string size = files::read_designation(designation).size();
+  std::vector<files::CatalogueBearing> same;
+  if (size.empty()) return same;
+  for (const files::CatalogueBearing& row : rows)
+    if (files::read_designation(row.designation).size() == size) same.push_back(row);
+  if (!same.empty())
+    tell(
+        {fmt::format("{0} is in no catalogue; these have its size, and raceway new \"{0}\" "
+                     "estimates it",
+                     designation)});
+  return same;
+}
+
 int list_bearings(const BearingsFlags& flags) {
-  auto rows = files::matching_bearings(files::read_catalogues(), flags.filter);
+  const auto all = files::read_catalogues();
+  auto rows = files::matching_bearings(all, flags.filter);
+  if (rows.empty()) rows = of_same_size(all, flags.filter);
   std::erase_if(rows, [&](const files::CatalogueBearing& r) {
     return !is_size(flags.bore, r.geometry.bore) ||
            !is_size(flags.outer_diameter, r.geometry.outer_diameter);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/designation.h"
 #include "files/model_file.h"
 #include "record/median.h"
 #include "record/units.h"
@@ -76,26 +77,31 @@ std::string spread(const Estimate& e, double unit, std::string_view words) {
 }  // namespace
 
 BearingOutline outline_of(std::string_view designation, const std::vector<CatalogueBearing>& rows) {
-  BearingOutline outline{.designation = std::string(designation)};
-  const std::size_t first = designation.find_first_of("0123456789");
-  if (first == designation.npos) return outline;
-  const std::size_t end =
-      std::min(designation.find_first_not_of("0123456789", first), designation.size());
-  const std::string_view digits = designation.substr(first, end - first);
-  std::string_view ending = text::trimmed(designation.substr(end));
-  // "C" is 15 deg and "E", "AC" 25 deg with all makers of spindle bearings.
-  if (ending.starts_with("C")) outline.contact_angle = 15 * degree;
-  if (ending.starts_with("E") || ending.starts_with("AC")) outline.contact_angle = 25 * degree;
-  if (digits.size() < 4 || !digits.starts_with('7')) return outline;
-  // 70xx and 719xx have the sizes of 60xx and 619xx.
-  const std::string same = "6" + std::string(digits.substr(1));
+  require_angular_contact(designation);
+  const Designation d = read_designation(designation);
+  BearingOutline outline{.designation = std::string(designation),
+                         .contact_angle = d.contact_angle,
+                         .ball_material = d.ceramic_balls ? "silicon-nitride" : "steel"};
+  const std::string size = d.size();
+  if (size.empty()) return outline;
   for (const CatalogueBearing& row : rows)
-    if (row.designation.find(same) != std::string::npos) {
+    if (read_designation(row.designation).size() == size) {
       outline.bore = row.geometry.bore;
       outline.outer_diameter = row.geometry.outer_diameter;
       break;
     }
   return outline;
+}
+
+NamedRow bearing_called(std::string_view name, const std::vector<CatalogueBearing>& rows) {
+  if (const CatalogueBearing* const row = known_bearing(rows, name)) return {*row};
+  const BearingOutline outline = outline_of(name, rows);
+  if (std::isnan(outline.bore)) return {find_bearing(rows, name)};  // which says what is near
+  NamedRow named{row_of(estimated_bearing(outline, rows))};
+  named.is_estimated = true;
+  named.ceramic_balls = outline.ball_material != "steel";
+  named.states_angle = !std::isnan(outline.contact_angle);
+  return named;
 }
 
 EstimatedBearing estimated_bearing(const BearingOutline& given,
@@ -137,20 +143,25 @@ EstimatedBearing estimated_bearing(const BearingOutline& given,
   return b;
 }
 
-std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLaw law) {
-  const BearingOutline& o = b.outline;
+CatalogueBearing row_of(const EstimatedBearing& b) {
   CatalogueBearing row;
-  row.designation = o.designation;
+  row.designation = b.outline.designation;
   row.geometry = {.ball_count = static_cast<int>(b.ball_count.value),
                   .ball_diameter = b.ball_diameter.value,
                   .pitch_diameter = b.pitch_diameter.value,
-                  .contact_angle = o.contact_angle,
+                  .contact_angle = b.outline.contact_angle,
                   .inner_conformity = b.conformity.value,
                   .outer_conformity = b.conformity.value,
-                  .bore = o.bore,
-                  .outer_diameter = o.outer_diameter,
+                  .bore = b.outline.bore,
+                  .outer_diameter = b.outline.outer_diameter,
                   .static_load_rating = b.static_load_rating.value};
   row.geometry.static_load_rating = std::round(row.geometry.static_load_rating / 100.0) * 100.0;
+  return row;
+}
+
+std::string estimated_model_text(const EstimatedBearing& b, friction::FrictionLaw law) {
+  const BearingOutline& o = b.outline;
+  const CatalogueBearing row = row_of(b);
   const auto of_rows = fmt::format("in {} catalogue bearings of like section", b.rows);
   const auto of_rigidity = spread(b.conformity, 1.0, "by printed rigidities of pairs");
   ModelRemarks remarks{

@@ -15,7 +15,7 @@ struct BearingOutline {
   std::string designation{};
   double bore = unset;            ///< [m]
   double outer_diameter = unset;  ///< [m]
-  double contact_angle = unset;   ///< [rad]; by the end of the designation, else 15 deg
+  double contact_angle = unset;   ///< [rad]; by the designation, else 15 deg
   int ball_count = 0;             ///< 0: not known
   std::string ball_material = "steel";
 };
@@ -35,8 +35,9 @@ struct EstimatedBearing {
   std::size_t rows = 0;  ///< of the catalogue that the ratios come from
 };
 
-/// Bore and outer diameter of "7014 C" or "71914": of the rows of the same size where the catalogue
-/// has one, nothing otherwise.
+/// Angle and balls by the designation (files/designation.h); bore and outer diameter of the rows of
+/// the same size where the catalogue has one, nothing otherwise. Throws InputError for a bearing of
+/// another type.
 [[nodiscard]] BearingOutline outline_of(std::string_view designation,
                                         const std::vector<CatalogueBearing>& rows);
 
@@ -50,6 +51,21 @@ struct EstimatedBearing {
 /// Throws InputError where bore or outer diameter is missing or they make no ring.
 [[nodiscard]] EstimatedBearing estimated_bearing(const BearingOutline& outline,
                                                  const std::vector<CatalogueBearing>& rows);
+
+/// The estimates as a row of a catalogue.
+[[nodiscard]] CatalogueBearing row_of(const EstimatedBearing& bearing);
+
+/// What stands behind a designation.
+struct NamedRow {
+  CatalogueBearing row;
+  bool is_estimated = false;   ///< in no catalogue
+  bool ceramic_balls = false;  ///< by its designation
+  bool states_angle = true;    ///< false: 15 deg is assumed
+};
+/// The row of the catalogue, else the estimate by its designation. Throws InputError as
+/// find_bearing() for a size that no catalogue has, and as outline_of().
+[[nodiscard]] NamedRow bearing_called(std::string_view name,
+                                      const std::vector<CatalogueBearing>& rows);
 
 /// A commented model of it, every estimated key marked with its spread.
 [[nodiscard]] std::string estimated_model_text(

@@ -18,7 +18,8 @@ namespace {
 // Wherever the libraries check as well, these are their ranges.
 constexpr Key keys_of_bearing[]{
     {"catalogue", a_text, unset,
-     "designation of a bearing of the catalogue; every other key of this table may then be left "
+     "designation of a bearing, estimated where it is in no catalogue; every other key of this "
+     "table may then be left "
      "out, and overrides its row where it is given"},
     {"name", a_text, "that of the catalogue, else of the file", "for results"},
     {"ball_count", whole(3, 200), "of the catalogue", "no more than fit on the pitch circle"},
@@ -128,6 +129,8 @@ struct BearingReader::Draft {
   std::string name;
   std::optional<CatalogueBearing> row;
   bool from_catalogue = false;  ///< by this table
+  bool ceramic_balls = false;   ///< by its designation
+  std::string catalogue;        ///< that designation
 };
 
 BearingReader::BearingReader(ModelTables& tables)
@@ -179,12 +182,18 @@ NamedBearing BearingReader::read(const Section& table, const NamedBearing* base,
   if (base) {
     draft.geometry = base->bearing.geometry();
     draft.row = base->row;
+    draft.catalogue = base->catalogue;
     draft.name = base->name;
   }
   take_catalogue_row(s, base, draft);
   read_geometry(s, draft);
   read_envelope(s, draft.geometry);
-  const Material balls = material(s, "ball_material", base ? &base->bearing.balls() : nullptr);
+  const Material* inherited = base ? &base->bearing.balls() : nullptr;
+  if (draft.ceramic_balls && !s.find("ball_material")) {
+    tables_.note_default(s.name(), "ball_material", "\"silicon-nitride\"", "by the designation");
+    inherited = find_material("silicon-nitride");
+  }
+  const Material balls = material(s, "ball_material", inherited);
   const Material rings = material(s, "ring_material", base ? &base->bearing.rings() : nullptr);
   if (auto given = s.text("name")) draft.name = *given;
   note_written(s, draft);
@@ -192,7 +201,7 @@ NamedBearing BearingReader::read(const Section& table, const NamedBearing* base,
     draft.name = std::filesystem::path(tables_.source()).stem().string();
     tables_.note_default("bearing", "name", fmt::format("\"{}\"", draft.name));
   }
-  return {bearing::Bearing(draft.geometry, balls, rings), draft.name, draft.row};
+  return {bearing::Bearing(draft.geometry, balls, rings), draft.name, draft.row, draft.catalogue};
 }
 
 void BearingReader::note_written(const Section& s, const Draft& draft) {
@@ -212,25 +221,41 @@ void BearingReader::note_written(const Section& s, const Draft& draft) {
     note(key, s.text(key).value_or("steel") != "steel");
 }
 
-void BearingReader::take_catalogue_row(const Section& s, const NamedBearing* base,
-                                       Draft& draft) const {
+void BearingReader::take_catalogue_row(const Section& s, const NamedBearing* base, Draft& draft) {
   const auto catalogue = s.text("catalogue");
   if (!catalogue) return;
   draft.from_catalogue = true;
   const auto rows = read_catalogues();
+  NamedRow named;
   try {
-    draft.row = find_bearing(rows, *catalogue);
+    named = bearing_called(*catalogue, rows);
   } catch (const text::InputError& error) {
     s.fail("catalogue", error.what());
   }
-  draft.geometry = draft.row->geometry;
-  draft.name = draft.row->full_name();
+  draft.geometry = named.row.geometry;
+  if (named.is_estimated) return take_estimate(s, *catalogue, named, draft);
+  draft.row = named.row;
+  draft.name = draft.catalogue = draft.row->full_name();
   // Makers rate bearings with ceramic balls lower.
   const auto balls = s.text("ball_material");
   const std::string material = balls ? *balls : base ? base->bearing.balls().name : "";
   const double rating = draft.row->static_load_rating_silicon_nitride;
   if (material == "silicon-nitride" && !std::isnan(rating))
     draft.geometry.static_load_rating = rating;
+}
+
+/// A bearing that no catalogue has: every number that the file does not say is noted.
+void BearingReader::take_estimate(const Section& s, const std::string& designation,
+                                  const NamedRow& named, Draft& draft) {
+  draft.row.reset();
+  draft.name = draft.catalogue = designation;
+  draft.ceramic_balls = named.ceramic_balls;
+  for (const auto& [key, value] : keys_of(named.row.geometry))
+    if (!s.find(key))
+      tables_.note_default(s.name(), key, fmt::format("{:.6g}", value),
+                           key != "contact_angle_deg" ? "estimated, in no catalogue"
+                           : named.states_angle       ? "by the designation"
+                                                      : "assumed, the designation states none");
 }
 
 void BearingReader::read_geometry(const Section& s, Draft& draft) {
@@ -249,7 +274,7 @@ void BearingReader::read_geometry(const Section& s, Draft& draft) {
   take("pitch_diameter_mm", mm, g.pitch_diameter);
   take("contact_angle_deg", degree, g.contact_angle);
   for (const char* key : {"inner_conformity", "outer_conformity"})
-    if (draft.from_catalogue && !s.find(key))
+    if (draft.from_catalogue && draft.row && !s.find(key))
       tables_.note_default(s.name(), key, fmt::format("{}", g.inner_conformity));
   take("inner_conformity", 1.0, g.inner_conformity);
   take("outer_conformity", 1.0, g.outer_conformity);

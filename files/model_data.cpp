@@ -15,6 +15,7 @@
 #include "text/number_text.h"
 
 // Last: see text/detail/toml_text.h.
+#include "files/bearing_estimate.h"
 #include "files/detail/bearing_section.h"
 #include "files/detail/model_reader.h"
 
@@ -186,7 +187,8 @@ ModelData::ModelData(const ModelFile& file) {
                        [&](const auto& f) { return f.first.path == p; });
   };
   if (!file.catalogue.empty()) {
-    bearing::BearingGeometry geometry = find_bearing(read_catalogues(), file.catalogue).geometry;
+    bearing::BearingGeometry geometry =
+        bearing_called(file.catalogue, read_catalogues()).row.geometry;
     // Of ceramic balls it is another one.
     geometry.static_load_rating = file.model.shaft && file.model.shaft->own_bearings
                                       ? geometry.static_load_rating

@@ -150,7 +150,7 @@ ReadModel read_ball_model(ModelTables& tables) {
       joined(spindle_keys("bearing", of_spindle), Keys{contact_keys("bearing")}));
   const LubricantOfFile lubricant = read_lubricant(tables);
   LawOfFile law =
-      read_friction(tables, bearing.row.has_value(), spindle_keys("friction", of_spindle));
+      read_friction(tables, !bearing.catalogue.empty(), spindle_keys("friction", of_spindle));
   require_data(law.law, bearing.bearing, tables.section("bearing"));
   std::optional<model::Shaft> shaft =
       read_arrangement(tables, bearings, bearing, law.law, of_spindle);
@@ -168,7 +168,7 @@ ReadModel read_ball_model(ModelTables& tables) {
     written.emplace_back("race_control");
   if (solver.options.tilt != bearing::Tilt::locked) written.emplace_back("tilt");
   const model::Rig rig = read_rig(tables, spindle_keys("rig", of_spindle));
-  std::string catalogue = bearing.row ? bearing.row->full_name() : std::string();
+  std::string catalogue = bearing.catalogue;
   model::Model model{
       .name = bearing.name,
       .bearing = shaft ? *shaft->arrangement.bearings()[0].bearing : std::move(bearing.bearing),

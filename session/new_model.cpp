@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "files/catalogue_file.h"
+#include "files/designation.h"
 #include "files/model_file.h"
 #include "files/roller_estimate.h"
 #include "friction/roller_friction.h"
@@ -50,8 +51,27 @@ files::BearingOutline outline(const NewModel& wanted,
     result.outer_diameter = wanted.outline.outer_diameter;
   if (!std::isnan(wanted.contact_angle)) result.contact_angle = wanted.contact_angle * degree;
   result.ball_count = wanted.outline.ball_count;
-  result.ball_material = wanted.outline.ball_material;
+  if (wanted.outline.ball_material != "steel") result.ball_material = wanted.outline.ball_material;
   return result;
+}
+
+/// "15 deg (C)", "15 deg assumed"
+std::string angle_text(const NewModel& wanted, double angle) {
+  const files::Designation d = files::read_designation(wanted.bearing);
+  const std::string why = !std::isnan(wanted.contact_angle) ? ""
+                          : std::isnan(d.contact_angle)
+                              ? " assumed, as the designation states none"
+                              : fmt::format(" by its designation ({})", d.angle_code);
+  return fmt::format("{:.4g} deg{}", angle / degree, why);
+}
+
+std::string balls_text(const NewModel& wanted, const std::string& material) {
+  if (material == "steel") return {};
+  const files::Designation d = files::read_designation(wanted.bearing);
+  return fmt::format(", balls of {}{}", material,
+                     d.ceramic_balls && wanted.outline.ball_material == "steel"
+                         ? fmt::format(" by its designation ({})", d.ball_code)
+                         : "");
 }
 
 }  // namespace
@@ -98,10 +118,10 @@ std::string new_model_text(Messages& messages, const NewModel& wanted) {
   }
   const files::EstimatedBearing bearing = files::estimated_bearing(known, rows);
   messages.note(fmt::format(
-      "{} is not in the catalogue: {:.6g} x {:.6g} mm, {:.4g} deg{}; what is estimated "
-      "is marked in the model",
+      "{} is not in the catalogue: {:.6g} x {:.6g} mm, {}{}; what is estimated is marked in the "
+      "model",
       wanted.bearing, known.bore / mm, known.outer_diameter / mm,
-      bearing.outline.contact_angle / degree, std::isnan(given.bore) ? " by its designation" : ""));
+      angle_text(wanted, bearing.outline.contact_angle), balls_text(wanted, known.ball_material)));
   return files::estimated_model_text(bearing, wanted_law(wanted));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bearing/bearing.h"
+#include "files/bearing_estimate.h"
 #include "files/catalogue_file.h"
 
 // Last: see text/detail/toml_text.h.
@@ -23,6 +24,7 @@ struct NamedBearing {
   bearing::Bearing bearing;
   std::string name;
   std::optional<CatalogueBearing> row = {};
+  std::string catalogue{};  ///< the designation that its file names; empty where it has all numbers
 };
 
 [[nodiscard]] std::vector<KeyTable> bearing_tables();
@@ -58,7 +60,9 @@ class BearingReader {
   struct Draft;
   void read_material(const toml::key& key, const toml::node& node);
   [[nodiscard]] const bearing::Material* find_material(std::string_view name) const;
-  void take_catalogue_row(const Section& s, const NamedBearing* base, Draft& draft) const;
+  void take_catalogue_row(const Section& s, const NamedBearing* base, Draft& draft);
+  void take_estimate(const Section& s, const std::string& designation, const NamedRow& named,
+                     Draft& draft);
   void read_geometry(const Section& s, Draft& draft);
   void note_written(const Section& s, const Draft& draft);
   void read_envelope(const Section& s, bearing::BearingGeometry& g);
