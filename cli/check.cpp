@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/commands.h"
+#include "cli/csv_style.h"
 #include "cli/error_text.h"
 #include "cli/messages.h"
 #include "cli/shared_flags.h"
@@ -81,6 +82,7 @@ int suggest(const std::string& model, const std::string& path) {
 struct CheckFlags {
   std::string model, data, output;
   session::LoopOptions loop{.defaults = session::Defaults::keep};
+  CsvStyle csv;
   bool json = false, suggest = false, force = false;
 };
 
@@ -125,7 +127,7 @@ int run(const CheckFlags& flags) {
   if (flags.output == "-")
     throw text::InputError("raceway check: --output -: stdout shows what was read; name a file",
                            {.key = "--output"});
-  if (!flags.output.empty()) text::require_writable(flags.output, if_exists);
+  flags.csv.require_writable(flags.output, if_exists);
   if (flags.data.empty()) return run_model(flags);
   const session::CheckedModel checked =
       session::check(messages(), flags.model, flags.data, flags.loop);
@@ -140,10 +142,9 @@ int run(const CheckFlags& flags) {
     }
     print_defaults(checked.model.source, checked.model.defaults);
   }
-  if (!flags.output.empty()) {
-    text::write_text(flags.output, results::record_text(checked.data), if_exists);
-    say(fmt::format("{} written, {} rows", flags.output, checked.data.rows()));
-  }
+  if (!flags.output.empty())
+    flags.csv.put(flags.output, results::record_text(checked.data), if_exists,
+                  fmt::format(", {} rows", checked.data.rows()));
   return done;
 }
 
@@ -161,6 +162,7 @@ Run setup_check(CLI::App& command) {
       .add_option("-o,--output", flags->output,
                   "the rows as they were read, in our columns (CSV);\nof a coast-down its torques")
       ->type_name("FILE");
+  flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command
       .add_flag("--suggest-columns", flags->suggest,

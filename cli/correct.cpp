@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/correct_learn.h"
+#include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
@@ -23,6 +24,7 @@ struct CorrectFlags {
   session::Reading reading;
   LearnFlags learning;
   bool json = false, force = false;
+  CsvStyle csv;
   ReportFlag report;
 };
 
@@ -69,27 +71,21 @@ int run(const CorrectFlags& flags) {
   if (flags.json && flags.output == "-")
     throw text::InputError("raceway correct: --json and --output - both write to stdout; take one",
                            {.key = "--output"});
-  const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
-  if (to_file) text::require_writable(flags.output, if_exists);
+  flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   flags.learning.check(if_exists);
   session::SeriesQuestion asked =
       session::ask_series(messages(), flags.model, flags.data, flags.reading);
   if (flags.learning.learn) {
-    run_learning(std::move(asked), flags.learning, {flags.output, flags.json, if_exists});
+    run_learning(std::move(asked), flags.learning,
+                 {flags.output, flags.csv, flags.json, if_exists});
     return done;
   }
   const session::CorrectionRun run = session::correct(std::move(asked));
-  if (!flags.output.empty()) {
-    const std::string csv = run.csv();
-    if (to_file) {
-      text::write_text(flags.output, csv, if_exists);
-      say(fmt::format("{} written, {} rows", flags.output, run.asked.data.rows()));
-    } else {
-      fmt::print("{}", csv);
-    }
-  }
+  if (!flags.output.empty())
+    flags.csv.put(flags.output, run.csv(), if_exists,
+                  fmt::format(", {} rows", run.asked.data.rows()));
   if (flags.json)
     put_document(run.json());
   else if (flags.output != "-")
@@ -119,6 +115,7 @@ Run setup_correct(CLI::App& command) {
   declare(command, flags->reading);
   declare(command, flags->reading.period);
   flags->report.declare(command);
+  flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   command.footer(

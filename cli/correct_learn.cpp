@@ -99,15 +99,9 @@ void run_learning(session::SeriesQuestion asked, const LearnFlags& flags,
   const session::LearningRun run = session::learn(std::move(asked), flags.choices);
   const record::Record& record = run.asked.data;
   tell(run.notes);
-  if (!output.csv.empty()) {
-    const std::string csv = run.csv();
-    if (output.csv == "-") {
-      fmt::print("{}", csv);
-    } else {
-      text::write_text(output.csv, csv, output.if_exists);
-      say(fmt::format("{} written, {} rows", output.csv, record.rows()));
-    }
-  }
+  if (!output.csv.empty())
+    output.style.put(output.csv, run.csv(), output.if_exists,
+                     fmt::format(", {} rows", record.rows()));
   if (!flags.save.empty()) {
     text::write_text(flags.save,
                      files::with_names_from(run.text(), run.asked.file.files, flags.save),

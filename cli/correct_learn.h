@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/csv_style.h"
 #include "session/correction_run.h"
 #include "text/output_file.h"
 
@@ -24,6 +25,7 @@ struct LearnFlags {
 /// Where the results of `correct` go.
 struct CorrectOutput {
   std::string csv{};  ///< file, "-" for stdout, empty for none
+  CsvStyle style{};
   bool json = false;
   text::IfExists if_exists = text::IfExists::refuse;
 };

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
@@ -22,6 +23,7 @@ struct DeflectionFlags {
   std::string model, output, direction = "radial", coolant = "on";
   double force_N = 0.0, axial_force_N = 0.0, moment_Nm = 0.0, at_mm = 0.0, speed_rpm = 0.0;
   bool warm = false, json = false, force = false;
+  CsvStyle csv;
   ReportFlag report;
 };
 
@@ -87,9 +89,8 @@ int run(const DeflectionFlags& f) {
     throw text::InputError(
         "raceway deflection: --json and --output - both write to stdout; take one",
         {.key = "--output"});
-  const bool to_file = !f.output.empty() && f.output != "-";
   const auto if_exists = f.force ? text::IfExists::replace : text::IfExists::refuse_naming_replace;
-  if (to_file) text::require_writable(f.output, if_exists);
+  f.csv.require_writable(f.output, if_exists);
   f.report.check(if_exists);
   const session::DeflectionQuestion question{.force = f.force_N,
                                              .axial = f.direction == "axial",
@@ -103,14 +104,9 @@ int run(const DeflectionFlags& f) {
   session::check(question);
   const files::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
   const session::SpindleDeflection found = session::spindle_deflection(file, question);
-  if (!f.output.empty()) {
-    if (to_file) {
-      text::write_text(f.output, found.csv(), if_exists);
-      say(fmt::format("{} written, {} places", f.output, found.beam.beam.nodes().size()));
-    } else {
-      fmt::print("{}", found.csv());
-    }
-  }
+  if (!f.output.empty())
+    f.csv.put(f.output, found.csv(), if_exists,
+              fmt::format(", {} places", found.beam.beam.nodes().size()));
   if (f.json)
     put_document(found.json());
   else if (f.output.empty())
@@ -147,6 +143,7 @@ Run setup_deflection(CLI::App& command) {
       ->type_name("STATE");
   command.add_option("-o,--output", flags->output, "bending line as CSV; - for stdout")
       ->type_name("FILE");
+  flags->csv.declare(command);
   command.add_flag("--replace", flags->force, "replace the file if it exists");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

@@ -7,6 +7,7 @@
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
+#include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/report_flag.h"
 #include "cli/text_table.h"
@@ -28,6 +29,7 @@ struct DisplacementFlags {
   std::string model, output, speed;
   double axial_load = unset, temperature = unset;
   bool json = false, force = false;
+  CsvStyle csv;
   ReportFlag report;
   BandFlag band;
 };
@@ -132,9 +134,8 @@ int run(const DisplacementFlags& flags) {
     throw text::InputError(
         "raceway displacement: --json and --output - both write to stdout; take one",
         {.key = "--output"});
-  const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
-  if (to_file) text::require_writable(flags.output, if_exists);
+  flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   const files::ModelFile file =
       session::open_model(messages(), flags.model, session::Accepts::shaft);
@@ -145,16 +146,10 @@ int run(const DisplacementFlags& flags) {
   std::optional<results::BandOfResult> half_widths;
   if (band) half_widths = session::shaft_band(*band, asked);
   const results::BandOfResult* const of_band = half_widths ? &*half_widths : nullptr;
-  if (!flags.output.empty()) {
-    const std::string csv =
-        results::displacement_text(model, asked, predictions, file.text, of_band);
-    if (to_file) {
-      text::write_text(flags.output, csv, if_exists);
-      say(fmt::format("{} written, {} speeds", flags.output, asked.size()));
-    } else {
-      fmt::print("{}", csv);
-    }
-  }
+  if (!flags.output.empty())
+    flags.csv.put(flags.output,
+                  results::displacement_text(model, asked, predictions, file.text, of_band),
+                  if_exists, fmt::format(", {} speeds", asked.size()));
   if (flags.json) {
     put_document(results::displacement_json(model, asked, predictions, of_band));
   } else if (flags.output.empty()) {
@@ -194,6 +189,7 @@ Run setup_displacement(CLI::App& command) {
              "of the lubricant [C]; default: [rig] of the model, else 40");
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->type_name("FILE");
+  flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   flags->band.declare(command);
   command.add_flag("--json", flags->json, "one JSON document instead of text");

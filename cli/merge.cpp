@@ -1,8 +1,9 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/table_memory.h"
 #include "files/table_file.h"
@@ -16,24 +17,20 @@ namespace {
 struct MergeFlags {
   std::vector<std::string> slabs;
   std::string output;
+  CsvStyle csv;
   bool force = false;
 };
 
 int run(const MergeFlags& flags) {
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
-  if (flags.output != "-") text::require_writable(flags.output, if_exists);
+  flags.csv.require_writable(flags.output, if_exists);
   require_memory_to_merge(flags.slabs);
   std::vector<files::SlabText> slabs;
   for (const std::string& name : flags.slabs)
     slabs.push_back({text::input_name(name), text::read_text(name)});
   const std::string text = files::merged_table_text(slabs);
   slabs.clear();
-  if (flags.output == "-") {
-    fmt::print("{}", text);
-    return done;
-  }
-  text::write_text(flags.output, text, if_exists);
-  say(fmt::format("{} written from {} slabs", flags.output, flags.slabs.size()));
+  flags.csv.put(flags.output, text, if_exists, fmt::format(" from {} slabs", flags.slabs.size()));
   return done;
 }
 
@@ -47,6 +44,7 @@ Run setup_merge(CLI::App& command) {
   command.add_option("-o,--output", flags->output, "CSV file to write; - for stdout")
       ->required()
       ->type_name("FILE");
+  flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace the file if it exists");
   command.footer("Example:\n  raceway merge slab-*.csv -o stribeck.csv");
   return [flags] { return run(*flags); };

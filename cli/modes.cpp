@@ -4,6 +4,7 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
+#include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
@@ -20,6 +21,7 @@ struct ModesFlags {
   std::string model, speed, output, shapes, coolant = "on";
   int count = 6;
   bool warm = false, json = false, force = false;
+  CsvStyle csv;
   ReportFlag report;
 };
 
@@ -70,24 +72,16 @@ int run(const ModesFlags& f) {
     throw text::InputError("raceway modes: --json and a file - both write to stdout; take one",
                            {.key = "--output"});
   const auto if_exists = f.force ? text::IfExists::replace : text::IfExists::refuse;
-  for (const std::string& path : {f.output, f.shapes})
-    if (!path.empty() && path != "-") text::require_writable(path, if_exists);
+  for (const std::string& path : {f.output, f.shapes}) f.csv.require_writable(path, if_exists);
   f.report.check(f.force);
   const files::ModelFile file = session::open_model(messages(), f.model, session::Accepts::shaft);
   const session::SpindleModes found = session::spindle_modes(file, {.speeds = campbell_speeds(f),
                                                                     .warm = f.warm,
                                                                     .coolant_on = f.coolant == "on",
                                                                     .count = f.count});
-  const auto write = [&](const std::string& path, const std::string& text) {
-    if (path == "-") {
-      fmt::print("{}", text);
-      return;
-    }
-    text::write_text(path, text, if_exists);
-    say(fmt::format("{} written, {} speeds", path, found.speeds.size()));
-  };
-  if (!f.output.empty()) write(f.output, found.csv());
-  if (!f.shapes.empty()) write(f.shapes, found.shapes_csv());
+  const std::string what = fmt::format(", {} speeds", found.speeds.size());
+  if (!f.output.empty()) f.csv.put(f.output, found.csv(), if_exists, what);
+  if (!f.shapes.empty()) f.csv.put(f.shapes, found.shapes_csv(), if_exists, what);
   if (f.json)
     put_document(found.json());
   else if (f.output.empty() && f.shapes.empty())
@@ -120,6 +114,7 @@ Run setup_modes(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--shapes", flags->shapes, "shapes of the modes as CSV; - for stdout")
       ->type_name("FILE");
+  flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

@@ -5,6 +5,7 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
+#include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/report_flag.h"
 #include "cli/shared_flags.h"
@@ -26,6 +27,7 @@ struct SpindleFlags {
   bool steady = false, json = false, force = false;
   double ambient = unset;
   session::Reading reading;
+  CsvStyle csv;
   ReportFlag report;
 
   [[nodiscard]] text::IfExists if_exists() const {
@@ -48,29 +50,23 @@ void check_flags(const SpindleFlags& f) {
     fail("--start: a steady state does not know where it came from", "--start");
   if (f.json && f.output == "-")
     fail("--json and --output - both write to stdout; take one", "--output");
-  for (const std::string& path : {f.output, f.end_state, f.field})
-    if (!path.empty() && path != "-") text::require_writable(path, f.if_exists());
+  for (const std::string& path : {f.output, f.field}) f.csv.require_writable(path, f.if_exists());
+  if (!f.end_state.empty() && f.end_state != "-")
+    text::require_writable(f.end_state, f.if_exists());
   f.report.check(f.force);
-}
-
-/// Writes onto stdout for "-", else a file; nothing for no name.
-void put_file(const SpindleFlags& f, const std::string& path, const std::string& text,
-              const std::string& what) {
-  if (path.empty()) return;
-  if (path == "-") {
-    fmt::print("{}", text);
-    return;
-  }
-  text::write_text(path, text, f.if_exists());
-  say(fmt::format("{} written, {}", path, what));
 }
 
 /// The end of a run or of a steady state, into the files asked for.
 template <typename Found>
 void put_ends(const SpindleFlags& f, const Found& found, const spindle::State& end) {
-  put_file(f, f.end_state, found.end_state(),
-           fmt::format("{} temperatures", end.temperatures.size()));
-  put_file(f, f.field, found.field_csv(), fmt::format("{} cells", found.field.size()));
+  if (f.end_state == "-") {
+    fmt::print("{}", found.end_state());
+  } else if (!f.end_state.empty()) {
+    text::write_text(f.end_state, found.end_state(), f.if_exists());
+    say(fmt::format("{} written, {} temperatures", f.end_state, end.temperatures.size()));
+  }
+  f.csv.put(f.field, f.field.empty() ? std::string() : found.field_csv(), f.if_exists(),
+            fmt::format(", {} cells", found.field.size()));
 }
 
 double ambient_of(const SpindleFlags& f) {
@@ -88,7 +84,9 @@ int run_steady(const SpindleFlags& f, const files::ModelFile& file) {
                            {.key = "--speed"});
   const session::SteadySpindle found = session::steady_spindle(file, question);
   const std::size_t count = found.states.size();
-  put_file(f, f.output, found.csv(), fmt::format("{} speed{}", count, count == 1 ? "" : "s"));
+  if (!f.output.empty())
+    f.csv.put(f.output, found.csv(), f.if_exists(),
+              fmt::format(", {} speed{}", count, count == 1 ? "" : "s"));
   if (found.states.back().report.converged()) put_ends(f, found, found.end);
   if (f.json)
     put_document(found.json());
@@ -133,7 +131,9 @@ int run_profile(const SpindleFlags& f, const files::ModelFile& file) {
                                 .mesh = f.json || f.output != "-" || !f.report.path.empty()};
   if (!f.start.empty()) question.start = f.start;
   const session::SpindleRun found = session::simulate_spindle(messages(), file, question);
-  put_file(f, f.output, found.csv(), fmt::format("{} rows", found.run.moments.size()));
+  if (!f.output.empty())
+    f.csv.put(f.output, found.csv(), f.if_exists(),
+              fmt::format(", {} rows", found.run.moments.size()));
   put_ends(f, found, found.run.end);
   if (f.json)
     put_document(found.json());
@@ -187,6 +187,7 @@ Run setup_spindle(CLI::App& command) {
       .add_option("--field", flags->field, "write the temperature of each cell at the end (CSV)")
       ->type_name("FILE");
   declare(command, flags->reading);
+  flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

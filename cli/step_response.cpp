@@ -5,6 +5,7 @@
 
 #include "cli/axis_flag.h"
 #include "cli/commands.h"
+#include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/number_flag.h"
 #include "cli/report_flag.h"
@@ -31,6 +32,7 @@ struct StepFlags {
   std::vector<std::string> load_cases;
   double hours = 4.0, temperature = unset;
   bool json = false, force = false;
+  CsvStyle csv;
   ReportFlag report;
 
   [[nodiscard]] bool imports() const { return !import.empty() || !load_cases.empty(); }
@@ -112,7 +114,7 @@ std::optional<results::Superposition> superposition_of(const StepFlags& flags,
 
 void require_step_files(const StepFlags& flags) {
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
-  if (!flags.output.empty() && flags.output != "-") text::require_writable(flags.output, if_exists);
+  flags.csv.require_writable(flags.output, if_exists);
   flags.report.check(flags.force);
   if (flags.correction.empty()) return;
   const std::vector<std::string> tables = results::step_correction_tables(flags.correction);
@@ -130,15 +132,10 @@ int run(const StepFlags& flags) {
   const session::SpindleSteps steps = flags.imports()
                                           ? imported_steps(flags, file ? &*file : nullptr)
                                           : simulated_steps(flags, *file);
-  if (!flags.output.empty()) {
-    if (flags.output == "-") {
-      fmt::print("{}", steps.csv());
-    } else {
-      text::write_text(flags.output, steps.csv(),
-                       flags.force ? text::IfExists::replace : text::IfExists::refuse);
-      say(fmt::format("{} written, {} step responses", flags.output, steps.responses.steps.size()));
-    }
-  }
+  if (!flags.output.empty())
+    flags.csv.put(flags.output, steps.csv(),
+                  flags.force ? text::IfExists::replace : text::IfExists::refuse,
+                  fmt::format(", {} step responses", steps.responses.steps.size()));
   if (!flags.json && flags.output.empty()) print_steps(steps);
   tell(steps.notes);
   if (!flags.correction.empty()) write_correction_of(flags, steps);
@@ -200,6 +197,7 @@ Run setup_step_response(CLI::App& command) {
       .add_option("--programme", flags->programme,
                   "CSV with time_s, speed_rpm: the correction against the simulation")
       ->type_name("FILE");
+  flags->csv.declare(command);
   command.add_flag("--force", flags->force, "replace files that exist");
   command.add_flag("--json", flags->json, "one JSON document instead of text");
   flags->report.declare(command);

@@ -10,6 +10,7 @@
 #include "cli/axis_flag.h"
 #include "cli/band_flag.h"
 #include "cli/commands.h"
+#include "cli/csv_style.h"
 #include "cli/messages.h"
 #include "cli/progress.h"
 #include "cli/report_flag.h"
@@ -33,7 +34,8 @@ namespace {
 struct TableFlags {
   std::string model, output;
   std::string speed, axial_load, radial_load, temperature;
-  std::string data, slab, format = "csv", plot;
+  std::string data, slab, plot;
+  CsvStyle csv;
   bool json = false, force = false;
   ReportFlag report;
   BandFlag band;
@@ -66,10 +68,11 @@ friction::TableSlab slab(const std::string& text) {
 }
 
 int run(const TableFlags& flags) {
-  if (flags.format != "csv" && flags.output.empty())
+  const std::string& format = flags.csv.format;
+  if (format != "csv" && flags.output.empty())
     throw text::InputError("raceway table: --format is that of the file: --output is missing",
                            {.key = "--format"});
-  if (flags.format != "csv" && !flags.slab.empty())
+  if (format != "csv" && !flags.slab.empty())
     throw text::InputError("raceway table: a slab is to be merged, which takes --format csv alone",
                            {.key = "--slab"});
   if (flags.json && flags.output == "-")
@@ -80,9 +83,8 @@ int run(const TableFlags& flags) {
     throw text::InputError(
         "raceway table: a slab is for a file to be merged: --slab needs --output",
         {.key = "--slab"});
-  const bool to_file = !flags.output.empty() && flags.output != "-";
   const auto if_exists = flags.force ? text::IfExists::replace : text::IfExists::refuse;
-  if (to_file) text::require_writable(flags.output, if_exists);
+  flags.csv.require_writable(flags.output, if_exists);
   if (!flags.plot.empty()) text::require_writable(flags.plot, if_exists);
   if (!flags.data.empty() && flags.report.path.empty())
     throw text::InputError("raceway table: --data is drawn in a report: --report is missing",
@@ -122,15 +124,14 @@ int run(const TableFlags& flags) {
       session::make_table(file, question, std::move(plan), progress(0.0, solved, {}));
   const friction::StribeckTable& table = answer.table;
   if (!flags.output.empty()) {
-    const std::string text = answer.text(file, flags.format, progress(solved, made, "writing"));
-    if (to_file)
-      text::write_text(flags.output, text, if_exists);
-    else
-      fmt::print("{}", text);
+    const std::string text =
+        answer.text(file, format == "excel" ? "csv" : format, progress(solved, made, "writing"));
+    if (bar) bar->show(1.0);
+    bar.reset();
+    flags.csv.put(flags.output, text, if_exists, fmt::format(", {} points", points));
   }
   if (bar) bar->show(1.0);
   bar.reset();
-  if (to_file) say(fmt::format("{} written, {} points", flags.output, points));
   if (!flags.plot.empty()) {
     text::write_text(flags.plot, report::table_svg(table, model.name), if_exists);
     say(flags.plot + " written");
@@ -183,12 +184,9 @@ Run setup_table(CLI::App& command) {
       .add_option("--slab", flags->slab,
                   "i/N: only the i-th of N parts, to be joined by raceway merge")
       ->type_name("i/N");
-  command
-      .add_option("--format", flags->format,
-                  "csv (with the model in # lines; the default), plain (one header line\n"
-                  "of identifiers, for pandas and MATLAB) or modelica (CombiTable, SI)")
-      ->check(CLI::IsMember({"csv", "plain", "modelica"}))
-      ->type_name("NAME");
+  flags->csv.declare(command, {"plain", "modelica"},
+                     "plain (one header line\nof identifiers, for pandas and MATLAB), modelica "
+                     "(CombiTable, SI) or\n");
   command.add_option("--plot", flags->plot, "torque over speed as a picture (SVG)")
       ->type_name("FILE");
   command.add_flag("--force", flags->force, "replace the file if it exists");

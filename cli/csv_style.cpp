@@ -1,0 +1,91 @@
+#include "cli/csv_style.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/messages.h"
+#include "text/error.h"
+#include "text/spreadsheet_csv.h"
+
+namespace raceway::cli {
+namespace {
+
+/// run.csv: run_comments.txt
+std::string comments_beside(const std::string& path) {
+  const std::filesystem::path file(path);
+  return (file.parent_path() / (file.stem().string() + "_comments.txt")).string();
+}
+
+text::SpreadsheetMarks marks_of(const CsvStyle& style) {
+  text::SpreadsheetMarks marks;
+  if (style.decimal_mark == "point") marks = {.separator = ',', .decimal = '.'};
+  if (!style.separator.empty())
+    marks.separator = style.separator == "tab" ? '\t' : style.separator == "comma" ? ',' : ';';
+  return marks;
+}
+
+}  // namespace
+
+void CsvStyle::declare(CLI::App& command, const std::vector<std::string>& others,
+                       const std::string& help) {
+  std::vector<std::string> names{"csv", "excel"};
+  names.insert(names.end(), others.begin(), others.end());
+  command
+      .add_option("--format", format,
+                  "csv (with the model in # lines; the default), " + help +
+                      "excel (a CSV that a\nGerman Excel opens: semicolons, decimal commas, the "
+                      "header first,\ncomments in FILE_comments.txt)")
+      ->check(CLI::IsMember(names))
+      ->type_name("NAME");
+  command
+      .add_option("--separator", separator,
+                  "of --format excel: semicolon, comma or tab; default semicolon, with\ndecimal "
+                  "points comma")
+      ->check(CLI::IsMember({"semicolon", "comma", "tab"}))
+      ->type_name("MARK");
+  command.add_option("--decimal-mark", decimal_mark, "of --format excel: comma (default) or point")
+      ->check(CLI::IsMember({"comma", "point"}))
+      ->type_name("MARK");
+}
+
+void CsvStyle::check() const {
+  for (const auto& [flag, value] :
+       {std::pair<const char*, const std::string&>{"--separator", separator},
+        {"--decimal-mark", decimal_mark}})
+    if (!value.empty() && !for_spreadsheet())
+      throw text::InputError(std::string(flag) + ": belongs to --format excel", {.key = flag});
+  const text::SpreadsheetMarks marks = marks_of(*this);
+  if (marks.separator == marks.decimal)
+    throw text::InputError(
+        "--separator comma: decimal commas need another one; add --decimal-mark point",
+        {.key = "--separator"});
+}
+
+void CsvStyle::require_writable(const std::string& path, text::IfExists if_exists) const {
+  check();
+  if (path.empty() || path == "-") return;
+  text::require_writable(path, if_exists);
+  if (for_spreadsheet()) text::require_writable(comments_beside(path), if_exists);
+}
+
+void CsvStyle::put(const std::string& path, const std::string& csv, text::IfExists if_exists,
+                   std::string_view what) const {
+  if (path.empty()) return;
+  if (!for_spreadsheet()) {
+    if (path == "-") return fmt::print("{}", csv);
+    text::write_text(path, csv, if_exists);
+    return say(fmt::format("{} written{}", path, what));
+  }
+  const text::SpreadsheetCsv sheet = text::spreadsheet_csv(csv, marks_of(*this));
+  if (path == "-") return fmt::print("{}", sheet.table);
+  if (sheet.comments.empty()) {
+    text::write_text(path, sheet.table, if_exists);
+    return say(fmt::format("{} written{}", path, what));
+  }
+  const std::string beside = comments_beside(path);
+  text::write_files({{path, sheet.table}, {beside, sheet.comments}}, if_exists);
+  say(fmt::format("{} written{}; {} written", path, what, beside));
+}
+
+}  // namespace raceway::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "text/output_file.h"
+
+namespace raceway::cli {
+
+/// How a command writes its tables: `--format csv` or `excel`, `--separator` and `--decimal-mark`.
+///
+/// Excel's form has its header in the first line. The comments, with the model, go into a file
+/// beside it: run.csv and run_comments.txt.
+struct CsvStyle {
+  std::string format = "csv", separator, decimal_mark;
+
+  /// Declares the flags. `others`: further names that --format takes, with their `help`.
+  void declare(CLI::App& command, const std::vector<std::string>& others = {},
+               const std::string& help = {});
+  /// Throws text::InputError for marks without --format excel, or two that are the same.
+  void check() const;
+  /// Throws text::InputError where put() would.
+  void require_writable(const std::string& path, text::IfExists if_exists) const;
+  /// Writes onto stdout for "-", else a file, and says "run.csv written, WHAT"; nothing for no
+  /// name.
+  void put(const std::string& path, const std::string& csv, text::IfExists if_exists,
+           std::string_view what) const;
+
+ private:
+  [[nodiscard]] bool for_spreadsheet() const { return format == "excel"; }
+};
+
+}  // namespace raceway::cli
