@@ -214,6 +214,7 @@ CsvTable parse_csv(std::string text, const std::string& source, bool byte_order_
   if (all.find_first_not_of(" \t\r\n") == all.npos)
     throw InputError(source + ": the file is empty", {.file = source});
   CsvParser parser(table, all, find_form ? find_form(all) : CsvForm{},
+                   find_form ? CsvParser::Origin::others : CsvParser::Origin::this_program,
                    [&](std::span<const CellSpan> cells, int line) {
                      for (const CellSpan& c : cells) table.cells_.push_back({c.begin, c.size});
                      table.lines_.push_back(line);

@@ -191,6 +191,7 @@ void CsvParser::check_names(int line) {
 /// Columns without a name of their own that hold the unit of the column before them, as the line
 /// behind the header shows. They leave the names.
 void CsvParser::find_unit_columns(std::vector<CellSpan>& names, const Line& header) {
+  if (origin_ == Origin::this_program) return;
   if (std::none_of(names.begin() + 1, names.end(),
                    [&](const CellSpan& name) { return names_unit(text_of(name)); }))
     return;

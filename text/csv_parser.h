@@ -18,12 +18,18 @@ class CsvParser {
  public:
   using TakeRow = std::function<void(std::span<const CellSpan> cells, int line)>;
 
+  /// Tables of this program have columns of units of their own; files of others may have one behind
+  /// each value.
+  enum class Origin { this_program, others };
+
   /// `text` is changed in place, and may be appended to.
-  CsvParser(CsvTable& table, std::string& text, const CsvForm& form, TakeRow take_row)
+  CsvParser(CsvTable& table, std::string& text, const CsvForm& form, Origin origin,
+            TakeRow take_row)
       : table_(table),
         text_(text),
         end_(text.size()),
         form_(form),
+        origin_(origin),
         give_row_(std::move(take_row)) {}
 
   /// Throws InputError as read_csv().
@@ -71,6 +77,7 @@ class CsvParser {
   std::string& text_;
   const std::size_t end_;  ///< of what the file has
   const CsvForm form_;
+  const Origin origin_;
   TakeRow give_row_;
 
   std::size_t at_ = 0;         ///< where the next line begins
