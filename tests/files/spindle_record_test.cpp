@@ -76,8 +76,8 @@ TEST(SpindleRecord, GermanFileWithDatesIsRead) {
   EXPECT_DOUBLE_EQ(r.values(record::sensor_channel("shaft_end"))[1], kelvin(21.5));
 }
 
-TEST(SpindleRecord, EmptyInputIsRefusedWithItsLine) {
-  EXPECT_THAT(rows_error("time_s,speed_rpm\n60,1000\n120,\n"), HasSubstr("day.csv:3: speed_rpm"));
+TEST(SpindleRecord, InputWithoutAValueAboveItIsRefusedWithItsLine) {
+  EXPECT_THAT(rows_error("time_s,speed_rpm\n60,\n120,1000\n"), HasSubstr("day.csv:2: speed_rpm"));
 }
 
 TEST(SpindleRecord, TimeThatGoesBackIsRefused) {
