@@ -9,7 +9,8 @@
 
 namespace raceway::cli {
 
-/// How a command writes its tables: `--format csv` or `excel`, `--separator` and `--decimal-mark`.
+/// Form of the tables that a command writes: `--format csv` or `excel`, `--separator` and
+/// `--decimal-mark`.
 ///
 /// Excel's form has its header in the first line. The comments, with the model, go into a file
 /// beside it: run.csv and run_comments.txt.

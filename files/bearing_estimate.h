@@ -55,7 +55,7 @@ struct EstimatedBearing {
 /// The estimates as a row of a catalogue.
 [[nodiscard]] CatalogueBearing row_of(const EstimatedBearing& bearing);
 
-/// What stands behind a designation.
+/// Row of a bearing that a designation names.
 struct NamedRow {
   CatalogueBearing row;
   bool is_estimated = false;   ///< in no catalogue

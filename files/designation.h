@@ -7,7 +7,7 @@
 
 namespace raceway::files {
 
-/// What the designation of a bearing says by the systems of SKF, FAG, NSK, NTN and GMN.
+/// Contents of a bearing's designation, by the systems of SKF, FAG, NSK, NTN and GMN.
 ///
 /// Makers use the same letters for the same angles, with exceptions that are rows of the table in
 /// designation.cpp: E is 25 deg behind "B7014-" of FAG and "S 6014 " of GMN, and a design of SKF

@@ -13,13 +13,13 @@
 namespace raceway::files {
 namespace {
 
-/// Rows of one run, [begin, end).
-struct Rows {
+/// RunRows of one run, [begin, end).
+struct RunRows {
   std::size_t begin, end;
 };
 
-std::vector<Rows> runs_of(const record::Record& data) {
-  std::vector<Rows> list;
+std::vector<RunRows> runs_of(const record::Record& data) {
+  std::vector<RunRows> list;
   for (std::size_t row = 0; row < data.rows(); ++row) {
     if (row == 0 || data.run_of(row) != data.run_of(row - 1)) list.push_back({row, row});
     list.back().end = row + 1;
@@ -27,16 +27,16 @@ std::vector<Rows> runs_of(const record::Record& data) {
   return list;
 }
 
-void hold(std::vector<double>& values, const Rows& run) {
+void hold(std::vector<double>& values, const RunRows& run) {
   for (std::size_t row = run.begin + 1; row < run.end; ++row)
     if (std::isnan(values[row])) values[row] = values[row - 1];
 }
 
 /// [s]; of all runs together.
 double usual_interval(const std::vector<double>& values, std::span<const double> time,
-                      const std::vector<Rows>& runs) {
+                      const std::vector<RunRows>& runs) {
   std::vector<double> intervals;
-  for (const Rows& run : runs) {
+  for (const RunRows& run : runs) {
     std::optional<std::size_t> last;
     for (std::size_t row = run.begin; row < run.end; ++row) {
       if (std::isnan(values[row])) continue;
@@ -47,7 +47,7 @@ double usual_interval(const std::vector<double>& values, std::span<const double>
   return record::median(intervals);
 }
 
-void interpolate(std::vector<double>& values, std::span<const double> time, const Rows& run,
+void interpolate(std::vector<double>& values, std::span<const double> time, const RunRows& run,
                  double longest) {
   std::optional<std::size_t> last;
   const auto fill = [&](std::size_t from, std::size_t to, const auto& value) {
@@ -81,10 +81,11 @@ std::string fill_input(const record::Channel& channel, record::Record& data, tex
   const auto missing = std::count_if(values.begin(), values.end(), empty);
   if (missing == 0) return {};
   const std::span<const double> time = data.values(record::time);
-  const std::vector<Rows> runs = runs_of(data);
+  const std::vector<RunRows> runs = runs_of(data);
   const bool held = record::course_of(channel) == record::Course::held;
   const double longest = std::fmax(intervals * usual_interval(values, time, runs), shortest_limit);
-  for (const Rows& run : runs) held ? hold(values, run) : interpolate(values, time, run, longest);
+  for (const RunRows& run : runs)
+    held ? hold(values, run) : interpolate(values, time, run, longest);
   for (std::size_t row = 0; row < values.size(); ++row)
     if (empty(values[row]))
       bad.add(data.line(row), channel.name, "",

@@ -8,7 +8,7 @@
 
 namespace raceway::files {
 
-/// What of a record over time looks entered in another unit.
+/// Doubts about the units of a record over time.
 ///
 /// - Time: rows that come every two hours or more look like ms, us or ns. A record that is shorter
 ///   than a time constant of `models` looks like minutes or hours, where it would be longer than

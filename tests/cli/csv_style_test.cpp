@@ -19,8 +19,8 @@ const std::string byte_order_mark = "\xEF\xBB\xBF";
 TEST(CsvStyle, ExcelHasItsHeaderInTheFirstLineAndTheModelBesideIt) {
   const ScratchFolder folder;
   const std::string model = folder.write("m.toml", model_text), out = folder.file("st.csv");
-  const Result made = run("table " + model + " --speed 1000,2000 --axial-load 300 -o " + out +
-                          " --format excel");
+  const Result made =
+      run("table " + model + " --speed 1000,2000 --axial-load 300 -o " + out + " --format excel");
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_THAT(file_text(out), StartsWith(byte_order_mark + "speed_rpm;axial_load_N;"));
   EXPECT_THAT(file_text(out), Not(HasSubstr("#")));
