@@ -74,6 +74,12 @@ const text::Unit* unit_by_rule(const ColumnRule& rule, const text::CsvTable& tab
   return rule.key_unit;
 }
 
+/// Whether the user said of this file in which unit a column is.
+bool states_unit(const ColumnRule& rule, const text::CsvTable& table, std::size_t column) {
+  return rule.unit || rule.excel_date || rule.factor != 1.0 ||
+         (rule.key_unit && unit_by_rule(rule, table, column) == rule.key_unit);
+}
+
 /// Of a column that is named as ours: its ending, which a row of units must not contradict.
 const text::Unit* unit_by_name(const NamedChannel& named, const text::CsvTable& table,
                                std::size_t column) {
@@ -236,7 +242,7 @@ Recognised recognise(const text::CsvTable& table, const ColumnMap& map, bool ove
            name,
            {unit_by_rule(*rule, table, c), rule->factor},
            rule->excel_date,
-           rule->unit || rule->excel_date || rule->factor != 1.0,
+           states_unit(*rule, table, c),
            {}},
           table, result);
       continue;

@@ -171,10 +171,12 @@ std::string line_of(const text::CsvTable& table, const Proposal& p) {
         "# {} = {{ column = {}, unit = \"...\" }}  # the file has {}, which is not known: {}?",
         p.channel->name, header, text::in_quotes(p.unknown_unit),
         text::listed_units(own->dimension));
-  std::string line = fmt::format("{} = {{ column = {}, unit = \"{}\" }}", p.channel->name, header,
-                                 p.unit ? p.unit->suffix : own->suffix);
-  if (!p.unit) line += "  # no unit in the file: is it this one?";
-  return line;
+  // A unit that stands here counts as said by the user, and is not asked about again.
+  if (!p.unit)
+    return fmt::format("{} = {}  # no unit in the file: read in {}", p.channel->name, header,
+                       own->suffix);
+  return fmt::format("{} = {{ column = {}, unit = \"{}\" }}", p.channel->name, header,
+                     p.unit->suffix);
 }
 
 /// What the record needs and no column was found for.

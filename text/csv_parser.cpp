@@ -15,11 +15,11 @@
 namespace raceway::text {
 namespace {
 
-constexpr char separators[] = {'\t', ';', ','};
+constexpr char usual_separators[] = {'\t', ';', ','};
 
 char separator_of_header(std::string_view header, const Place& where) {
   char found = '\0';
-  for (const char separator : separators) {
+  for (const char separator : usual_separators) {
     if (count_separators(header, separator) == 0) continue;
     if (found != '\0')
       throw InputError(fmt::format("{}: the header is separated by {} and by {}; use one of them",
@@ -161,12 +161,12 @@ void CsvParser::read_header(const Line& line) {
 
 void CsvParser::check_names(int line) {
   std::vector<std::string>& header = table_.header;
-  constexpr std::size_t most = 10000;
+  constexpr std::size_t most_columns = 10000;
   const Place where = place(line);
-  if (header.size() > most)
-    throw InputError(
-        fmt::format("{}: {} columns: at most {} are read", where.text(), header.size(), most),
-        where);
+  if (header.size() > most_columns)
+    throw InputError(fmt::format("{}: {} columns: at most {} are read", where.text(), header.size(),
+                                 most_columns),
+                     where);
   // Row numbers, as pandas writes them.
   if (header.front().empty() && header.size() > 1) header.front() = "column 1";
   std::unordered_map<std::string_view, std::size_t> seen;
@@ -341,7 +341,7 @@ void CsvParser::give_held() {
 void CsvParser::refuse(const std::vector<CellSpan>& cells, const Line& line) const {
   const std::size_t columns = table_.header.size();
   const std::string here = place(line.number).text();
-  for (const char other : separators) {
+  for (const char other : usual_separators) {
     if (other == table_.separator) continue;
     const std::size_t count = count_separators(content(line), other);
     if (count == 0 || count + 1 != columns) continue;

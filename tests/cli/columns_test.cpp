@@ -96,6 +96,17 @@ TEST(Columns, AUnitThatIsSaidIsNotAskedAboutAgain) {
     EXPECT_THAT(answer.err, HasSubstr("warning: " + wrong.question)) << command;
     EXPECT_THAT(answer.err, Not(HasSubstr("Say so in [columns]"))) << command;
   }
+  // The name of a rule says a unit as well, where the file says none.
+  std::string unnamed = file_text(wrong.data);
+  unnamed.replace(unnamed.find("friction_torque_Nmm"), 19, "Moment");
+  const std::string theirs = wrong.folder.write("theirs.csv", unnamed);
+  const auto named = [&](const std::string& name) {
+    const std::string map =
+        wrong.folder.write(name + ".toml", "[columns]\n" + name + " = \"Moment\"\n");
+    return run("compare " + wrong.model + " " + theirs + " --columns " + map);
+  };
+  EXPECT_EQ(named("friction_torque_Nm").status, 0);
+  expect_refused(named("friction_torque_Nmm"), "friction_torque_Nmm = { column = \"Moment\"");
   const std::string right = wrong.folder.write(
       "right.toml",
       "[columns]\nfriction_torque_Nmm = { column = \"friction_torque_Nmm\", unit = \"Nm\" }\n");

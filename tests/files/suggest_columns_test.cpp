@@ -47,6 +47,14 @@ TEST(SuggestColumns, WhatIsNotFoundStandsAsAComment) {
                              "number for all rows\n"));
 }
 
+/// A unit in [columns] is one that the user has said, and is not asked about again.
+TEST(SuggestColumns, AUnitThatTheFileDoesNotStateIsNotProposed) {
+  const std::string map = suggested("Drehzahl,Axialkraft,Reibmoment\n1,2,3\n2,3,4\n");
+  EXPECT_THAT(map, HasSubstr("speed_rpm = \"Drehzahl\"  # no unit in the file: read in rpm\n"));
+  EXPECT_THAT(map, HasSubstr("friction_torque_Nmm = \"Reibmoment\"  # no unit in the file: read in "
+                             "Nmm\n"));
+}
+
 TEST(SuggestColumns, VoltsOfATorqueAreTheSignalOfItsSensor) {
   const std::string map = suggested("n [rpm],Fa [N],Drehmoment [mV],Signal\n1,2,3,4\n2,3,4,5\n");
   EXPECT_THAT(map,
