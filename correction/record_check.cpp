@@ -90,9 +90,10 @@ class Checking {
     double longest = 0.0, at = 0.0;
     std::size_t jumps = 0, first_jump = 0;
     for (std::size_t k = 1; k < c.values.size(); ++k) {
-      if (series_.clock().begins[k] || c.values[k] != c.values[k - 1]) since = k;
-      if (time[k] - time[since] > longest) longest = time[k] - time[since], at = time[since];
       const bool gap = series_.clock().steps[k] > a_gap * result_.sampling;
+      // A gap has no readings: a sensor that reads the same behind it need not stick.
+      if (series_.clock().begins[k] || gap || c.values[k] != c.values[k - 1]) since = k;
+      if (time[k] - time[since] > longest) longest = time[k] - time[since], at = time[since];
       if (!series_.clock().begins[k] && !gap && std::abs(c.values[k] - c.values[k - 1]) > leap) {
         if (jumps++ == 0) first_jump = k;
       }

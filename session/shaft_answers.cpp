@@ -45,7 +45,7 @@ std::string shaft_problem(const model::Model& model, const shaft::ShaftPredictio
     if (f.status() != bearing::SolveStatus::converged) return why_not_converged(model, f);
   switch (prediction.status()) {
     case bearing::SolveStatus::no_equilibrium:
-      return "no_equilibrium: the sets balance at no position of the shaft";
+      return "no_equilibrium: no position of the shaft was found at which the sets balance";
     case bearing::SolveStatus::singular:
       return "singular: both sets are free, nothing holds the shaft";
     case bearing::SolveStatus::not_finite:

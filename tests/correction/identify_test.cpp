@@ -196,6 +196,23 @@ TEST(RecordCheck, NamesWhatIsWrongWithSensors) {
   EXPECT_EQ(check.longest, 20000.0);
 }
 
+TEST(RecordCheck, AGapIsNoSensorThatSticks) {
+  MadeRecord made = made_record();
+  made.with("same_temperature_C",
+            [](double t) {
+              return 20.0 + 1e-4 * (t <= 15000 ? t : t < 19000 ? 15000 : t - 4000);
+            })
+      .with("moving_temperature_C",
+            [](double t) { return 20 + 1e-4 * t + (t > 17000 ? 6.0 : 0.0); });
+  const auto sticks = Contains(HasSubstr("same_temperature_C stands still"));
+  EXPECT_THAT(check_record(start(), made.record).warnings, sticks);
+  const std::span<const double> time = made.record.values(record::time);
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < time.size(); ++row)
+    if (time[row] <= 15000 || time[row] >= 19000) rows.push_back(row);
+  EXPECT_THAT(check_record(start(), made.record.picked(rows)).warnings, testing::Not(sticks));
+}
+
 /// A speed that is there from the first row on is a step; one that is 0 throughout is nothing.
 TEST(RecordCheck, ASpeedFromTheFirstRowOnIsAStep) {
   MadeRecord step(3600, 60);
