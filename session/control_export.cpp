@@ -38,6 +38,8 @@ control::ControlPlan plan_of(Messages& messages, const Source& model, const Sour
     plan.check = control::check_of(plan, file.models, data);
     for (std::string& note : control::coarse_sensors(plan, data))
       plan.notes.push_back(std::move(note));
+    for (std::string& note : control::allow_still_sensors(plan, data))
+      plan.notes.push_back(std::move(note));
   } else {
     plan.check = control::made_up_check(plan, file.models);
   }

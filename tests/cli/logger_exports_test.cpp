@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -224,6 +225,22 @@ TEST(LoggerExports, ReadingsThatCannotBeTrueAreNamedAndDoNotTakePart) {
                                 "and do not take part (lines 202, 203, 602)",
                                 mark)));
   }
+}
+
+/// A room goes through steps of 0.5 K in hours: a program that took it for stuck after one hour
+/// would not correct.
+TEST(LoggerExports, AnExportGivesCoarseSensorsTheTimeThatTheyNeed) {
+  const Exported coarse([](std::size_t row, Cells& cells) {
+    if (row > 0)
+      cells[at_room] = fmt::format("{}", std::round(2.0 * std::stod(cells[at_room])) / 2.0);
+  });
+  const std::string command = "export " + record_model + " --format csv --record ";
+  const Result found = run(command + coarse.file);
+  ASSERT_EQ(found.status, 0) << found.err;
+  EXPECT_THAT(found.err, HasSubstr("room_temperature_C stands still for "));
+  EXPECT_THAT(found.err, HasSubstr("in steps of 0.5 K: it counts as stuck after "));
+  EXPECT_THAT(found.err, Not(HasSubstr("bearing_temperature_C stands still")));
+  EXPECT_THAT(run(command + folder_of_record + "train.csv").err, Not(HasSubstr("counts as stuck")));
 }
 
 }  // namespace
