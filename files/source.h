@@ -28,4 +28,8 @@ struct Source {
       : name(columns->source), table(std::move(columns)) {}
 };
 
+/// A source that can be read again: what is no file of its own, as standard input and pipes,
+/// becomes a text.
+[[nodiscard]] Source repeatable(const Source& source);
+
 }  // namespace raceway::files

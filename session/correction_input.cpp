@@ -48,7 +48,7 @@ record::Record open_series(Messages& messages, const Source& given,
     for (const record::Channel* c : correction::inputs_of(m))
       if (std::find(needed.begin(), needed.end(), c) == needed.end()) needed.push_back(c);
   }
-  const Source data = text::repeatable(given);
+  const Source data = files::repeatable(given);
   record::Record record = files::read_series(data, wanted, needed, options);
   const std::vector<std::string> doubts =
       files::asked_about(files::series_doubts(record, models), data, files::over_time(options));

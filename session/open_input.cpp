@@ -98,7 +98,7 @@ record::Record open_one(Messages& messages, const Source& given, const model::Mo
   const std::string& path = given.name;
   if (path.ends_with(".toml"))
     throw text::InputError(path + ": stands where measurements (CSV) are expected", {.file = path});
-  const Source source = text::repeatable(given);
+  const Source source = files::repeatable(given);
   if (const auto& spindle = subject.model().spindle) {
     record::Record data = files::read_spindle_record(source, *spindle, options);
     const std::vector<std::string> doubts =

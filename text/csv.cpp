@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "text/csv_parser.h"
+#include "text/detail/csv_parser.h"
 #include "text/detail/decimal_marks.h"
 #include "text/error.h"
 #include "text/input_file.h"

@@ -1,4 +1,4 @@
-#include "text/csv_parser.h"
+#include "text/detail/csv_parser.h"
 
 #include <fmt/format.h>
 

@@ -16,7 +16,6 @@
 #include <thread>
 #include <utility>
 
-#include "files/source.h"
 #include "text/error.h"
 #include "text/text_encoding.h"
 
@@ -168,13 +167,6 @@ std::string peek_text(const std::string& path) {
     peeked() = std::move(now);
   }
   return peeked()->text;
-}
-
-files::Source repeatable(const files::Source& source) {
-  if (source.text || source.table) return source;
-  std::error_code error;
-  if (source.name != "-" && !std::filesystem::is_fifo(source.name, error)) return source;
-  return {input_name(source.name), read_text(source.name)};
 }
 
 }  // namespace raceway::text

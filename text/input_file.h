@@ -4,8 +4,6 @@
 
 namespace raceway::text {
 
-struct files::Source;
-
 /// How messages call an input: its path, or `standard input` for `-`.
 [[nodiscard]] std::string input_name(const std::string& path);
 
@@ -17,9 +15,5 @@ struct files::Source;
 
 /// The same ahead of read_text(), which then finds standard input as if nobody had read it.
 [[nodiscard]] std::string peek_text(const std::string& path);
-
-/// A source that can be read again: what is no file of its own, as standard input and pipes,
-/// becomes a text.
-[[nodiscard]] files::Source repeatable(const files::Source& source);
 
 }  // namespace raceway::text
