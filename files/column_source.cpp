@@ -181,12 +181,12 @@ void join_dates(const text::CsvTable& table, Recognised& result) {
     const auto day_first = text::parse_date(cell);
     return day_first ? day_first : text::parse_date(cell, text::DateOrder::month_first);
   };
-  const bool names_clock = first_is(found->column, parse_clock);
+  const bool names_clock = first_is(found->column, text::parse_clock);
   if (!names_clock && !first_is(found->column, date)) return;
   for (std::size_t k = 0; k < result.others.size(); ++k) {
     const std::size_t other = *table.column(result.others[k]);
     if (names_clock ? !names_dates(result.others[k]) || !first_is(other, date)
-                    : !first_is(other, parse_clock))
+                    : !first_is(other, text::parse_clock))
       continue;
     result.notes.push_back(fmt::format("columns {} and {} together are {}", found->name,
                                        result.others[k], found->channel->name));

@@ -8,7 +8,7 @@
 #include "friction/roller_friction.h"
 #include "model/bearing_life.h"
 #include "record/units.h"
-#include "text/detail/json_text.h"
+#include "results/detail/model_objects.h"
 
 namespace raceway::results {
 namespace {
@@ -75,7 +75,7 @@ std::string roller_solve_json(const model::Model& model, const bearing::Operatin
     for (int j = 0; j < 4; ++j) row.push_back(e.stiffness(i, j));
     matrix.push_back(row);
   }
-  text::json report = text::report_json(friction.rollers ? e.report : friction.report);
+  text::json report = report_json(friction.rollers ? e.report : friction.report);
   if (friction.rollers) report["status"] = e.status();
   const auto if_solved = [&](double value) { return solved ? text::json(value) : text::json(); };
   text::json document = {{"bearing", model.name},
@@ -103,7 +103,7 @@ std::string roller_solve_json(const model::Model& model, const bearing::Operatin
                            {"tilt_y_Nm_rad", e.stiffness(2, 2)},
                            {"tilt_z_Nm_rad", e.stiffness(3, 3)},
                            {"matrix", matrix}}},
-                         {"friction", text::friction_json(model, friction)},
+                         {"friction", friction_json(model, friction)},
                          {"friction_torque_Nmm", friction.torque / N_mm},
                          {"power_loss_W", friction.power_loss},
                          {"inner_ring_heat_W", heat.inner},
@@ -111,8 +111,8 @@ std::string roller_solve_json(const model::Model& model, const bearing::Operatin
                          {"report", report}};
   if (solved) add_roller_life(document, model, point, friction);
   if (band) {
-    text::add_band(document, *band, 0);
-    document["band"] = text::band_json(*band);
+    add_band(document, *band, 0);
+    document["band"] = band_json(*band);
   }
   return text::text(std::move(document));
 }

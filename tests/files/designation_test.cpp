@@ -82,10 +82,10 @@ TEST(Designation, AModelMayNameABearingThatNoCatalogueHas) {
   EXPECT_DOUBLE_EQ(hybrid.model.bearing.geometry().bore, 70 * mm);
   EXPECT_EQ(hybrid.model.name, "HCB7014-E");
   EXPECT_THAT(
-      hybrid.defaults,
+      lines(hybrid.defaults),
       testing::Contains("bearing.ball_material = \"silicon-nitride\" (by the designation)"));
   EXPECT_THAT(
-      read("7014").defaults,
+      lines(read("7014").defaults),
       testing::Contains("bearing.contact_angle_deg = 15 (assumed, the designation states none)"));
   EXPECT_THAT(tests::message_of([&] { (void)read("N1012"); }),
               HasSubstr("a cylindrical roller bearing"));

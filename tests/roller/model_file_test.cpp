@@ -43,7 +43,8 @@ TEST(RollerModel, ReadsItsKeysAndDefaults) {
   EXPECT_EQ(file.model.f1_load, friction::F1Load::rollers);
   EXPECT_EQ(file.model.law_values, (std::vector{1.5, 0.0003}));
   EXPECT_EQ(files::make_subject(file.model)->free(), (std::vector<std::string>{"f0", "f1"}));
-  EXPECT_THAT(file.defaults, testing::Contains("bearing.profile = \"iso\" (default)"));
+  EXPECT_THAT(files::lines(file.defaults),
+              testing::Contains("bearing.profile = \"iso\" (default)"));
 }
 
 TEST(RollerModel, F0FollowsTheSupply) {
