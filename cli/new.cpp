@@ -50,13 +50,12 @@ Run setup_new(CLI::App& command) {
              "[deg]; default: by the end of the designation (C, E, AC), else 15");
   command
       .add_option("--ball-material", flags->wanted.outline.ball_material,
-                  "steel or silicon-nitride (a hybrid bearing), of cylindrical rollers too")
+                  "steel or silicon-nitride (a hybrid bearing), balls or rollers")
       ->check(CLI::IsMember({"steel", "silicon-nitride"}))
       ->type_name("NAME");
   command
       .add_option("--law", flags->wanted.law,
-                  "palmgren, skf or contact (default), which takes in balls and rings; cylindrical "
-                  "rollers have palmgren (default) and skf")
+                  "palmgren, skf or contact (default; rollers have the other two)")
       ->check(CLI::IsMember({"palmgren", "skf", "contact"}))
       ->type_name("NAME");
   command.add_option("-o,--output", flags->output, "model file to write; stdout without it")
