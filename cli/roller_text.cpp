@@ -13,6 +13,12 @@
 namespace raceway::cli {
 namespace {
 
+/// In mrad; zero where only rounding is left of it.
+std::string tilt_text(double tilt) {
+  constexpr double rounding = 1e-12;
+  return number(std::abs(tilt) < rounding ? 0.0 : tilt / mrad);
+}
+
 void print_rollers(const bearing::RollerEquilibrium& e) {
   const bool alike = std::all_of(e.rollers.begin(), e.rollers.end(), [&](const auto& r) {
     return r.inner_load == e.rollers[0].inner_load;
@@ -25,7 +31,7 @@ void print_rollers(const bearing::RollerEquilibrium& e) {
     const bearing::LoadedRoller& r = e.rollers[k];
     table.add({alike ? fmt::format("all {}", e.rollers.size())
                      : fmt::format("{:.1f}", r.azimuth / degree),
-               number(r.inner_load), number(r.outer_load), number(r.tilt / mrad)});
+               number(r.inner_load), number(r.outer_load), tilt_text(r.tilt)});
   }
   fmt::print("{}", table.text(terminal_width()));
 }
@@ -68,7 +74,7 @@ void print_roller_state(const model::Model& model, const bearing::OperatingPoint
   fmt::print("inner pressure      {:>10} MPa     outer pressure    {:>8} MPa\n",
              number(pressure.inner / MPa), number(pressure.outer / MPa));
   if (model.solver.tilt == bearing::Tilt::free)
-    fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[2] / mrad), number(u[3] / mrad));
+    fmt::print("tilt y, z           {:>10}, {} mrad\n", tilt_text(u[2]), tilt_text(u[3]));
   fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
              number(friction.torque / N_mm), number(friction.power_loss));
   const std::vector<std::string> names = torque_parts(model);
