@@ -302,17 +302,17 @@ std::optional<Doubt> unit_of_speed(const model::ModelSubject& subject, const Rec
 std::optional<Doubt> unit_of_load(const model::ModelSubject& subject, const Record& data) {
   const double rating = subject.model().bearing.static_load_rating();
   if (!(rating > 0) || subject.model().shaft) return std::nullopt;
-  const double most = range_of_values(data.values(record::axial_load)).second;
+  const double highest = range_of_values(data.values(record::axial_load)).second;
   const auto usual = [&](double load) { return load > 2e-3 * rating && load < 0.5 * rating; };
-  if (most > 0 && most < 5e-5 * rating && usual(1e3 * most))
+  if (highest > 0 && highest < 5e-5 * rating && usual(1e3 * highest))
     return Doubt{
         fmt::format("axial loads up to {:.4g} N are next to nothing for C0 = {:.4g} N: kN in "
                     "a column of N?",
-                    most, rating),
+                    highest, rating),
         {{&record::axial_load, "kN"}}};
-  if (most > 5.0 * rating && usual(1e-3 * most))
+  if (highest > 5.0 * rating && usual(1e-3 * highest))
     return Doubt{fmt::format("axial loads up to {:.4g} N are {:.2g} times C0: N in a column of kN?",
-                             most, most / rating),
+                             highest, highest / rating),
                  {{&record::axial_load, "N"}}};
   // A load in kilograms: the law makes up for it with numbers that no bearing has.
   const auto [least, largest] = range_of_values(data.values(record::axial_load));

@@ -6,10 +6,10 @@
 namespace raceway::text {
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
+  constexpr std::string_view white = " \t\r";
+  const std::size_t first = text.find_first_not_of(white);
   return first == text.npos ? std::string_view()
-                            : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+                            : text.substr(first, text.find_last_not_of(white) - first + 1);
 }
 
 std::string lower_case(std::string_view text) {
