@@ -116,9 +116,7 @@ bool ColumnReader::is_missing(std::size_t row, std::size_t column) const {
 }
 
 bool ColumnReader::is_stamped(const ColumnSource& source) const {
-  return *source.channel == record::time &&
-         (source.excel_date || source.dates ||
-          (!table_.is_numeric(source.column) && text::is_time(table_.cell(0, source.column))));
+  return files::is_stamped(table_, source);
 }
 
 std::string ColumnReader::stamp(const ColumnSource& source, std::size_t row) const {

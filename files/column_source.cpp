@@ -283,6 +283,12 @@ Recognised recognise(const text::CsvTable& table, const ColumnMap& map, bool ove
   return result;
 }
 
+bool is_stamped(const text::CsvTable& table, const ColumnSource& source) {
+  return *source.channel == record::time &&
+         (source.excel_date || source.dates ||
+          (!table.is_numeric(source.column) && text::is_time(table.cell(0, source.column))));
+}
+
 text::ParsedNumber si_of_cell(const text::CsvTable& table, std::size_t row,
                               const ColumnSource& source, bool with_sign, text::BadCells& bad) {
   text::ParsedNumber number =

@@ -35,20 +35,24 @@ std::vector<std::string> asked_about(const std::vector<Doubt>& doubts, const Sou
   std::vector<std::string> warnings;
   std::string questions;
   text::Place place{.file = source.name};
+  text::CsvTable table;
   std::optional<Recognised> columns;  // only looked for where something is asked
   for (const Doubt& doubt : doubts) {
-    if (!doubt.units.empty() && !columns)
-      columns = recognise(read_measurements(source, options), options.columns, options.over_time,
-                          options.of_spindle);
+    if (!doubt.units.empty() && !columns) {
+      table = read_measurements(source, options);
+      columns = recognise(table, options.columns, options.over_time, options.of_spindle);
+    }
     std::string answers;
-    bool answered = false;
+    bool answered = false, stamped = false;
     for (const Doubt::Guess& guess : doubt.units) {
       const ColumnSource* const column = columns->find(*guess.channel);
       if (!column) continue;
       answered = answered || column->unit_stated;
+      stamped = stamped || is_stamped(table, *column);
       if (answers.empty() && questions.empty()) place.key = column->name;
       answers += (answers.empty() ? "" : " or ") + answer_by(guess, column->name);
     }
+    if (stamped) continue;  // dates have no unit
     if (answers.empty() || answered)
       warnings.push_back(doubt.text);
     else
