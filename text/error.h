@@ -23,7 +23,7 @@ struct InputError : std::runtime_error {
       : std::runtime_error(message), place(std::move(where)) {}
   Place place;
 
-  /// The message from behind `FILE:LINE: `.
+  /// The message without the file and the line in front of it.
   [[nodiscard]] std::string without_place() const {
     const std::string message = what(), front = place.text() + ": ";
     return message.starts_with(front) ? message.substr(front.size()) : message;
