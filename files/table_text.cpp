@@ -36,9 +36,8 @@ std::uint64_t fingerprint(const friction::TableAxes& axes) {
 }
 
 std::string slab_line(const friction::StribeckTable& table) {
-  return fmt::format("{}{}/{}: {} of {} points, grid {:016x}", slab_mark,
-                     table.slab.index + 1, table.slab.count, table.points(), table.axes.size(),
-                     fingerprint(table.axes));
+  return fmt::format("{}{}/{}: {} of {} points, grid {:016x}", slab_mark, table.slab.index + 1,
+                     table.slab.count, table.points(), table.axes.size(), fingerprint(table.axes));
 }
 
 std::string head(const friction::StribeckTable& table, std::string_view title,

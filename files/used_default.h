@@ -26,7 +26,9 @@ struct UsedDefault {
                        why.empty() ? "" : fmt::format(" ({})", why));
   }
   /// `solver.tilt = "locked" (default)`.
-  [[nodiscard]] std::string line() const { return short_line() + (why.empty() ? " (default)" : ""); }
+  [[nodiscard]] std::string line() const {
+    return short_line() + (why.empty() ? " (default)" : "");
+  }
 };
 
 [[nodiscard]] inline std::vector<std::string> lines(std::span<const UsedDefault> defaults) {

@@ -20,7 +20,7 @@ WORK = ROOT / "build/docs"
 SOURCE = WORK / "source"
 PROGRAM = ROOT / "build/release/raceway"
 UMBRELLA = ROOT / "build/release/umbrella"
-FOLDERS = ["record", "fit", "verdict", "tolerance", "loop", "bearing", "friction", "life", "effects", "model", "rig", "shaft", "spindle", "correction", "text", "files", "results", "report", "control", "session"]
+FOLDERS = "record fit verdict tolerance loop bearing friction life effects model rig shaft spindle correction text files results report control session".split()
 # Pages outside docs/ that pages link to.
 OTHER_PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "bench/README.md"]
 # What a link to a folder means here.

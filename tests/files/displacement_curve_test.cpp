@@ -43,8 +43,9 @@ TEST(DisplacementCurve, NamesTheColumnsThatItDoesNotUse) {
 }
 
 TEST(DisplacementCurve, WarnsOfSeveralPreloadsInOneFile) {
-  EXPECT_THAT(parsed_curve("speed_rpm,axial_displacement_um,preload_N\n0,0,100\n3000,1.5,300\n").notes,
-              Contains(HasSubstr("preload_N changes from row to row")));
+  EXPECT_THAT(
+      parsed_curve("speed_rpm,axial_displacement_um,preload_N\n0,0,100\n3000,1.5,300\n").notes,
+      Contains(HasSubstr("preload_N changes from row to row")));
 }
 
 TEST(DisplacementCurve, IsReadWithSemicolonsAndDecimalCommas) {
@@ -85,8 +86,8 @@ TEST(DisplacementCurve, NamesTheColumnThatWasMeant) {
 }
 
 TEST(DisplacementTableText, ReadsBackAsACurve) {
-  const DisplacementCurve curve =
-      parsed_curve("speed_rpm,axial_displacement_um\n0,0\n1000,0.1\n2000,0.5\n3000,1.5\n4000,1.6\n");
+  const DisplacementCurve curve = parsed_curve(
+      "speed_rpm,axial_displacement_um\n0,0\n1000,0.1\n2000,0.5\n3000,1.5\n4000,1.6\n");
   const shaft::DisplacementTable table = shaft::make_displacement_table(curve.points);
   const std::string text = displacement_table_text(table, "u.csv");
   EXPECT_THAT(text, HasSubstr("speed_rpm,axial_displacement_um,slope_um_rpm\n0,0,"));
