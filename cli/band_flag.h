@@ -15,8 +15,8 @@ struct BandFlag {
 
   /// Declares the flag.
   void declare(CLI::App& command);
-  /// Nothing where nobody asked. Throws text::InputError for a model without a covariance of its
-  /// values.
+  /// Returns nothing where nobody asked. Throws text::InputError for a model without a covariance
+  /// of its values.
   [[nodiscard]] std::optional<model::Band> of(const files::ModelFile& file) const;
 };
 

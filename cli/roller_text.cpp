@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/frequencies.h"
 #include "bearing/roller_equilibrium.h"
+#include "cli/state_text.h"
 #include "cli/text_table.h"
-#include "model/bearing_life.h"
 
 namespace raceway::cli {
 namespace {
@@ -36,24 +35,6 @@ void print_rollers(const bearing::RollerEquilibrium& e) {
   fmt::print("{}", table.text(terminal_width()));
 }
 
-void print_roller_life(const model::Model& model, const bearing::OperatingPoint& point,
-                       const model::FrictionPrediction& friction) {
-  const bearing::RollerBearing& b = *model.bearing.rollers();
-  const model::BearingLife life = bearing_life(model, point, friction);
-  const bearing::BearingFrequencies turns = bearing::rolling_frequencies(b.geometry());
-  constexpr double hour = 3600.0;
-  fmt::print("\nbasic life L10      {:>10} h       reference L10r    {:>8} h\n",
-             number(life.basic / hour), number(life.reference / hour));
-  fmt::print("modified life       {:>10} {:<10}a_ISO             {:>8}\n",
-             life.hybrid ? "none" : number(life.modified / hour), life.hybrid ? "" : "h",
-             number(life.modification));
-  fmt::print("kappa               {:>10}         static safety     {:>8}\n",
-             number(life.viscosity_ratio), number(life.static_safety));
-  fmt::print("cage speed          {:>10} rpm     roller over outer {:>8} Hz\n",
-             number(turns.cage * point.speed / rpm),
-             number(turns.outer_race * point.speed / (2.0 * pi)));
-}
-
 }  // namespace
 
 void print_roller_state(const model::Model& model, const bearing::OperatingPoint& p,
@@ -75,18 +56,9 @@ void print_roller_state(const model::Model& model, const bearing::OperatingPoint
              number(pressure.inner / MPa), number(pressure.outer / MPa));
   if (model.solver.tilt == bearing::Tilt::free)
     fmt::print("tilt y, z           {:>10}, {} mrad\n", tilt_text(u[2]), tilt_text(u[3]));
-  fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
-             number(friction.torque / N_mm), number(friction.power_loss));
-  const std::vector<std::string> names = torque_parts(model);
-  const std::vector<double> moments = moments_of_parts(model, friction);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    fmt::print("  {:<17} {:>10} N mm", names[i], number(moments[i] / N_mm));
-    if (i < 2)
-      fmt::print("      {} ring      {:>8} W", i == 0 ? "inner" : "outer",
-                 number(i == 0 ? answer.heat.inner : answer.heat.outer));
-    fmt::print("\n");
-  }
-  print_roller_life(model, p, friction);
+  print_torque(model, friction, answer.heat);
+  print_life(bearing_life(model, p, friction),
+             bearing::rolling_frequencies(model.bearing.rollers()->geometry()), p.speed, "roller");
 }
 
 }  // namespace raceway::cli

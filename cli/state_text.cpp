@@ -53,42 +53,6 @@ std::string pitch_angles(const bearing::Bearing& bearing, const bearing::Bearing
   return from == to ? from : from + " to " + to;
 }
 
-/// Parts of the torque; beside the first two the heat of the rings.
-void print_friction(const model::Model& model, const model::FrictionPrediction& friction,
-                    const friction::HeatSplit& heat) {
-  fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
-             number(friction.torque / N_mm), number(friction.power_loss));
-  const std::vector<std::string> names = torque_parts(model);
-  const std::vector<double> moments = moments_of_parts(model, friction);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    fmt::print("  {:<17} {:>10} N mm", names[i], number(moments[i] / N_mm));
-    if (i < 2)
-      fmt::print("      {} ring      {:>8} W", i == 0 ? "inner" : "outer",
-                 number(i == 0 ? heat.inner : heat.outer));
-    fmt::print("\n");
-  }
-  if (friction.contacts) fmt::print("{}\n", session::judgement(*friction.contacts));
-}
-
-void print_life(const model::Model& model, const bearing::OperatingPoint& point,
-                const model::FrictionPrediction& friction) {
-  const bearing::Bearing& bearing = bearing_of(model, friction);
-  const model::BearingLife life = bearing_life(model, point, friction);
-  const bearing::BearingFrequencies turns =
-      running_frequencies(bearing, *friction.equilibrium, model.solver.race_control);
-  constexpr double hour = 3600.0;
-  fmt::print("\nbasic life L10      {:>10} h       reference L10r    {:>8} h\n",
-             number(life.basic / hour), number(life.reference / hour));
-  fmt::print("modified life       {:>10} {:<10}a_ISO             {:>8}\n",
-             life.hybrid ? "none" : number(life.modified / hour), life.hybrid ? "" : "h",
-             number(life.modification));
-  fmt::print("kappa               {:>10}         static safety     {:>8}\n",
-             number(life.viscosity_ratio), number(life.static_safety));
-  fmt::print("cage speed          {:>10} rpm     ball over outer   {:>8} Hz\n",
-             number(turns.cage * point.speed / rpm),
-             number(turns.outer_race * point.speed / (2.0 * pi)));
-}
-
 /// What the shoulders leave, where they are given.
 void print_shoulders(const bearing::Bearing& bearing, const bearing::BearingEquilibrium& e) {
   const bearing::PermissibleLoads load = permissible_axial_loads(bearing);
@@ -108,6 +72,36 @@ void print_shoulders(const bearing::Bearing& bearing, const bearing::BearingEqui
 }
 
 }  // namespace
+
+void print_torque(const model::Model& model, const model::FrictionPrediction& friction,
+                  const friction::HeatSplit& heat) {
+  fmt::print("\nfriction torque     {:>10} N mm    power loss        {:>8} W\n",
+             number(friction.torque / N_mm), number(friction.power_loss));
+  const std::vector<std::string> names = torque_parts(model);
+  const std::vector<double> moments = moments_of_parts(model, friction);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    fmt::print("  {:<17} {:>10} N mm", names[i], number(moments[i] / N_mm));
+    if (i < 2)
+      fmt::print("      {} ring      {:>8} W", i == 0 ? "inner" : "outer",
+                 number(i == 0 ? heat.inner : heat.outer));
+    fmt::print("\n");
+  }
+}
+
+void print_life(const model::BearingLife& life, const bearing::BearingFrequencies& turns,
+                double speed, std::string_view element) {
+  constexpr double hour = 3600.0;
+  fmt::print("\nbasic life L10      {:>10} h       reference L10r    {:>8} h\n",
+             number(life.basic / hour), number(life.reference / hour));
+  fmt::print("modified life       {:>10} {:<10}a_ISO             {:>8}\n",
+             life.hybrid ? "none" : number(life.modified / hour), life.hybrid ? "" : "h",
+             number(life.modification));
+  fmt::print("kappa               {:>10}         static safety     {:>8}\n",
+             number(life.viscosity_ratio), number(life.static_safety));
+  fmt::print("cage speed          {:>10} rpm     {:<17} {:>8} Hz\n",
+             number(turns.cage * speed / rpm), fmt::format("{} over outer", element),
+             number(turns.outer_race * speed / (2.0 * pi)));
+}
 
 void print_state(const model::Model& model, const bearing::OperatingPoint& p,
                  const session::PointAnswer& answer) {
@@ -135,8 +129,12 @@ void print_state(const model::Model& model, const bearing::OperatingPoint& p,
   print_shoulders(bearing_of(model, friction), e);
   if (model.solver.tilt == bearing::Tilt::free)
     fmt::print("tilt y, z           {:>10}, {} mrad\n", number(u[3] / mrad), number(u[4] / mrad));
-  print_friction(model, friction, answer.heat);
-  print_life(model, p, friction);
+  print_torque(model, friction, answer.heat);
+  if (friction.contacts) fmt::print("{}\n", session::judgement(*friction.contacts));
+  print_life(bearing_life(model, p, friction),
+             running_frequencies(bearing_of(model, friction), *friction.equilibrium,
+                                 model.solver.race_control),
+             p.speed, "ball");
 }
 
 void print_band(const model::Band& band, const std::vector<double>& half_widths) {

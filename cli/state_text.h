@@ -1,9 +1,12 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
+#include "bearing/frequencies.h"
 #include "bearing/operating_point.h"
 #include "model/band.h"
+#include "model/bearing_life.h"
 #include "model/model.h"
 #include "session/solve_point.h"
 
@@ -12,6 +15,15 @@ namespace raceway::cli {
 /// A bearing at one operating point in a terminal: balls, stiffness, pressures, friction, life.
 void print_state(const model::Model& model, const bearing::OperatingPoint& point,
                  const session::PointAnswer& answer);
+/// Friction torque with its parts; beside the first two the heat of the rings.
+void print_torque(const model::Model& model, const model::FrictionPrediction& friction,
+                  const friction::HeatSplit& heat);
+
+/// Life, static safety and the frequencies of cage and outer race at a speed [rad/s]; `element`:
+/// "ball", "roller".
+void print_life(const model::BearingLife& life, const bearing::BearingFrequencies& turns,
+                double speed, std::string_view element);
+
 void print_band(const model::Band& band, const std::vector<double>& half_widths);
 
 }  // namespace raceway::cli

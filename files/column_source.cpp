@@ -74,7 +74,7 @@ const text::Unit* unit_by_rule(const ColumnRule& rule, const text::CsvTable& tab
   return rule.key_unit;
 }
 
-/// Whether the user said of this file in which unit a column is.
+/// True if the user said in which unit this column is.
 bool states_unit(const ColumnRule& rule, const text::CsvTable& table, std::size_t column) {
   return rule.unit || rule.excel_date || rule.factor != 1.0 ||
          (rule.key_unit && unit_by_rule(rule, table, column) == rule.key_unit);

@@ -57,8 +57,7 @@ std::vector<std::string> asked_about(const std::vector<Doubt>& doubts, const Sou
       warnings.push_back(doubt.text);
     else
       questions += fmt::format(
-          "{}{}: {} Say so in [columns]: {}, or with the unit that it was read in where that is "
-          "right",
+          "{}{}: {} Say so in [columns]: {}. If the file is right, state its unit there.",
           questions.empty() ? "" : "\n", source.name, doubt.text, answers);
   }
   if (!questions.empty()) throw text::InputError(questions, place);

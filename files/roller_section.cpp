@@ -60,7 +60,7 @@ bool has(std::span<const Key> keys, std::string_view name) {
   return std::any_of(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
 }
 
-/// Of a bearing with either kind of elements.
+/// These keys hold for balls and rollers alike.
 constexpr std::string_view width_key = "width_mm";
 
 void refuse_keys_of_balls(const Section& s) {

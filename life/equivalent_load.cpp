@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "life/interpolation.h"
+#include "life/detail/interpolation.h"
 #include "life/load_rating.h"
 
 namespace raceway::life {

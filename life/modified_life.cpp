@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "life/interpolation.h"
+#include "life/detail/interpolation.h"
 #include "record/units.h"
 
 namespace raceway::life {

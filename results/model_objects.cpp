@@ -23,6 +23,31 @@ void add_band(text::json& row, const BandOfResult& band, std::size_t index) {
         band.half_widths[index * band.names.size() + k] / text::column_unit(band.names[k]);
 }
 
+void add_life(text::json& document, const model::Model& model, const model::BearingLife& life) {
+  constexpr double hour = 3600.0;
+  document["kappa"] = life.viscosity_ratio;
+  document["life"] = {{"L10_h", life.basic / hour},
+                      {"a_ISO", life.modification},
+                      {"Lnm_h", life.modified / hour},
+                      {"reference_L10r_h", life.reference / hour},
+                      {model.bearing.rollers() ? "P_ref_N" : "P_N", life.equivalent_load},
+                      {"C_N", life.load_rating},
+                      {"C_u_N", life.fatigue_load},
+                      {"reliability_percent", model.life.reliability},
+                      {"contamination", model.life.contamination}};
+  document["static_safety"] = life.static_safety;
+}
+
+void add_frequencies(text::json& document, const bearing::BearingFrequencies& turns, double speed,
+                     std::string_view spin) {
+  const double per_second = speed / (2.0 * pi);
+  document["cage_speed_rpm"] = turns.cage * speed / rpm;
+  document["frequencies_Hz"] = {{"cage", turns.cage * per_second},
+                                {"outer_race", turns.outer_race * per_second},
+                                {"inner_race", turns.inner_race * per_second},
+                                {std::string(spin), turns.ball_spin * per_second}};
+}
+
 text::json friction_json(const model::Model& model, const model::FrictionPrediction& f) {
   text::json parts = text::json::object();
   const std::vector<std::string> names = torque_parts(model);

@@ -89,34 +89,17 @@ std::string_view race_control(const model::Model& model) {
 }
 
 /// Life, film and frequencies, as far as they hold for the bearing as a whole.
-void add_life(text::json& document, const model::Model& model, const bearing::OperatingPoint& point,
-              const model::FrictionPrediction& f) {
-  constexpr double hour = 3600.0;
-  const bearing::Bearing& bearing = bearing_of(model, f);
-  const model::BearingLife life = bearing_life(model, point, f);
-  document["kappa"] = life.viscosity_ratio;
-  document["life"] = {{"L10_h", life.basic / hour},
-                      {"a_ISO", life.modification},
-                      {"Lnm_h", life.modified / hour},
-                      {"reference_L10r_h", life.reference / hour},
-                      {"P_N", life.equivalent_load},
-                      {"C_N", life.load_rating},
-                      {"C_u_N", life.fatigue_load},
-                      {"reliability_percent", model.life.reliability},
-                      {"contamination", model.life.contamination}};
-  document["static_safety"] = life.static_safety;
+void add_life_and_film(text::json& document, const model::Model& model,
+                       const bearing::OperatingPoint& point, const model::FrictionPrediction& f) {
+  add_life(document, model, bearing_life(model, point, f));
   if (f.contacts) {
     document["holding_coefficient"] = f.contacts->holding_coefficient;
     document["drag_W"] = f.contacts->drag * point.speed;
   }
-  const bearing::BearingFrequencies turns =
-      running_frequencies(bearing, *f.equilibrium, model.solver.race_control);
-  const double per_second = point.speed / (2.0 * pi);
-  document["cage_speed_rpm"] = turns.cage * point.speed / rpm;
-  document["frequencies_Hz"] = {{"cage", turns.cage * per_second},
-                                {"outer_race", turns.outer_race * per_second},
-                                {"inner_race", turns.inner_race * per_second},
-                                {"ball_spin", turns.ball_spin * per_second}};
+  add_frequencies(
+      document,
+      running_frequencies(bearing_of(model, f), *f.equilibrium, model.solver.race_control),
+      point.speed, "ball_spin");
 }
 
 /// What the shoulders leave of the contact ellipses; null where none is given.
@@ -214,7 +197,7 @@ std::string solve_json(const model::Model& model, const bearing::OperatingPoint&
       {"inner_ring_heat_W", heat.inner},
       {"outer_ring_heat_W", heat.outer},
       {"report", report_json(e.report)}};
-  if (e.report.converged()) add_life(document, model, point, friction);
+  if (e.report.converged()) add_life_and_film(document, model, point, friction);
   if (band) {
     add_band(document, *band, 0);
     document["band"] = band_json(*band);

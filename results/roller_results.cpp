@@ -32,32 +32,6 @@ text::json rollers_json(const bearing::RollerBearing& b, const bearing::RollerEq
   return list;
 }
 
-void add_roller_life(text::json& document, const model::Model& model,
-                     const bearing::OperatingPoint& point, const model::FrictionPrediction& f) {
-  constexpr double hour = 3600.0;
-  const bearing::RollerBearing& b = *model.bearing.rollers();
-  const model::BearingLife life = bearing_life(model, point, f);
-  document["kappa"] = life.viscosity_ratio;
-  document["life"] = {{"L10_h", life.basic / hour},
-                      {"a_ISO", life.modification},
-                      {"Lnm_h", life.modified / hour},
-                      {"reference_L10r_h", life.reference / hour},
-                      {"P_ref_N", life.equivalent_load},
-                      {"C_N", life.load_rating},
-                      {"C0_N", model.bearing.static_load_rating()},
-                      {"C_u_N", life.fatigue_load},
-                      {"reliability_percent", model.life.reliability},
-                      {"contamination", model.life.contamination}};
-  document["static_safety"] = life.static_safety;
-  const bearing::BearingFrequencies turns = bearing::rolling_frequencies(b.geometry());
-  const double per_second = point.speed / (2.0 * pi);
-  document["cage_speed_rpm"] = turns.cage * point.speed / rpm;
-  document["frequencies_Hz"] = {{"cage", turns.cage * per_second},
-                                {"outer_race", turns.outer_race * per_second},
-                                {"inner_race", turns.inner_race * per_second},
-                                {"roller_spin", turns.ball_spin * per_second}};
-}
-
 }  // namespace
 
 std::string roller_solve_json(const model::Model& model, const bearing::OperatingPoint& point,
@@ -109,7 +83,12 @@ std::string roller_solve_json(const model::Model& model, const bearing::Operatin
                          {"inner_ring_heat_W", heat.inner},
                          {"outer_ring_heat_W", heat.outer},
                          {"report", report}};
-  if (solved) add_roller_life(document, model, point, friction);
+  if (solved) {
+    add_life(document, model, bearing_life(model, point, friction));
+    document["life"]["C0_N"] = model.bearing.static_load_rating();
+    add_frequencies(document, bearing::rolling_frequencies(model.bearing.rollers()->geometry()),
+                    point.speed, "roller_spin");
+  }
   if (band) {
     add_band(document, *band, 0);
     document["band"] = band_json(*band);

@@ -7,7 +7,7 @@
 
 #include "control/plan.h"
 
-/// What the writers of a ControlPlan share.
+/// The writers of a ControlPlan share this.
 namespace raceway::control {
 
 /// Letters, digits, blanks and harmless signs; anything else, which could end a comment or a text

@@ -43,7 +43,7 @@ struct Recognised {
 [[nodiscard]] Recognised recognise(const text::CsvTable& table, const ColumnMap& map,
                                    bool over_time = false, bool of_spindle = false);
 
-/// Whether a column holds dates or times of day rather than numbers.
+/// True if a column holds dates or times of day rather than numbers.
 [[nodiscard]] bool is_stamped(const text::CsvTable& table, const ColumnSource& source);
 
 /// A cell in SI; what is no number or out of range goes to `bad`. `with_sign`: an input that may be

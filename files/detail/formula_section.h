@@ -6,7 +6,7 @@
 #include "record/expression.h"
 #include "record/units.h"
 
-/// What sections with a formula of the user's own have in common.
+/// Sections with a formula of the user's own share this.
 namespace raceway::files {
 
 [[nodiscard]] std::vector<KeyTable> formula_tables();

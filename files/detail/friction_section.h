@@ -9,8 +9,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// [lubricant] and [friction] of a model file; shared with the reader of models, not for other
-/// code. All throw InputError as read_model() does.
+/// [lubricant] and [friction] of a model file; shared with the reader of models. All throw
+/// InputError as read_model() does.
 namespace raceway::files {
 
 /// A base law and its values in the order of friction::parameters(law).

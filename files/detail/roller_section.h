@@ -13,7 +13,7 @@ namespace raceway::files {
 [[nodiscard]] std::span<const Key> keys_of_type();
 [[nodiscard]] std::vector<KeyTable> roller_tables();
 
-/// Whether [bearing] has cylindrical rollers.
+/// True if [bearing] has cylindrical rollers.
 [[nodiscard]] bool has_rollers(const ModelTables& tables);
 
 /// Checks `type` in the table of a ball bearing and refuses keys of rollers there.

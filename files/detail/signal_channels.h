@@ -2,8 +2,8 @@
 
 #include "record/channel.h"
 
-/// Columns of a torque sensor; shared by the readers of measurements and of its calibration, not
-/// for other code. No record has them: a signal becomes a friction torque as it is read.
+/// Columns of a torque sensor; shared by the readers of measurements and of its calibration. No
+/// record has them: a signal becomes a friction torque as it is read.
 namespace raceway::files {
 
 inline constexpr record::Channel torque_signal{.name = "torque_signal_V",

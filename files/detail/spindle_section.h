@@ -9,8 +9,8 @@
 // Last: see text/detail/toml_text.h.
 #include "files/detail/bearing_section.h"
 
-/// The tables that make a model file one of a spindle; shared with the reader of models, not for
-/// other code. All throw InputError as read_model() does.
+/// The tables that make a model file one of a spindle; shared with the reader of models. All throw
+/// InputError as read_model() does.
 namespace raceway::files {
 
 /// Tables that only a spindle has.

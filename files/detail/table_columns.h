@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-/// What the writer of a table and its reader share.
+/// The writer of a table and its reader share these.
 namespace raceway::files {
 
 inline constexpr std::array<std::string_view, 5> leading_columns{

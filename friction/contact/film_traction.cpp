@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "friction/contact/traction_pass.h"
+#include "friction/contact/detail/traction_pass.h"
 
 namespace raceway::friction::contact {
 namespace {

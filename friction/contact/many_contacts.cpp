@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "friction/contact/contact_kernel.h"
+#include "friction/contact/detail/contact_kernel.h"
 #include "friction/contact/detail/contact_sums.h"
 #include "friction/contact/ellipse_points.h"
 

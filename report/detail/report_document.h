@@ -6,8 +6,7 @@
 
 namespace raceway::report {
 
-/// The document of a report in the making: its members in order. Shared by the reports, not for
-/// other code.
+/// The document of a report in the making: its members in order. Shared by the reports.
 class Document {
  public:
   explicit Document(const std::string& kind);

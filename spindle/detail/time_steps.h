@@ -7,8 +7,7 @@
 
 #include "spindle/spindle.h"
 
-/// Rows of a programme and the steps through them; parts of spindle/simulator.cpp, not for other
-/// code.
+/// Rows of a programme and the steps through them; parts of spindle/simulator.cpp.
 namespace raceway::spindle {
 
 /// Rows of a programme over time: each holds from the row before it.

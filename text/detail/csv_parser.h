@@ -13,7 +13,6 @@
 namespace raceway::text {
 
 /// Reads a delimited text line by line: header, units and notes into a table, rows to a function.
-/// Not for other code.
 class CsvParser {
  public:
   using TakeRow = std::function<void(std::span<const CellSpan> cells, int line)>;

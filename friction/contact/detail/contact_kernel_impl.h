@@ -2,7 +2,7 @@
 
 #include <xsimd/xsimd.hpp>
 
-#include "friction/contact/contact_kernel.h"
+#include "friction/contact/detail/contact_kernel.h"
 #include "friction/contact/detail/vector_math.h"
 
 // Included by one source for each instruction set; all functions are named by their vectors.

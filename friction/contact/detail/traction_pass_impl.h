@@ -2,8 +2,8 @@
 
 #include <xsimd/xsimd.hpp>
 
+#include "friction/contact/detail/traction_pass.h"
 #include "friction/contact/detail/vector_math.h"
-#include "friction/contact/traction_pass.h"
 
 // Included by one source for each instruction set. What is compiled with the flags of that set must
 // not be taken by the linker for another: here all functions are named by V, or always inlined.

@@ -4,7 +4,7 @@
 
 // Functions of vectors, for the sources of one instruction set each. What is compiled with the
 // flags of that set must not be taken by the linker for another: here all are named by V, or always
-// inlined. Not for other code.
+// inlined.
 namespace raceway::friction::contact {
 
 template <class V>

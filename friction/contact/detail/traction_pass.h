@@ -5,7 +5,7 @@
 namespace raceway::friction::contact {
 
 // What film_traction.cpp asks of traction_pass_*.cpp. One source, compiled for each instruction
-// set. Not for other code.
+// set.
 
 /// Points of the unit circle in rows of sixteen that go side by side: the angles of a ring where
 /// the ball spins; the rings at an angle where it does not, and what is at y < 0 mirrors y > 0.

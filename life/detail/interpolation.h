@@ -7,7 +7,6 @@
 namespace raceway::life {
 
 /// Between the points of a printed table, linear; the ends hold beyond them. x increases.
-/// Not for other code.
 [[nodiscard]] inline double between(std::span<const double> x, std::span<const double> y,
                                     double at) {
   if (!(at > x.front())) return at == at ? y.front() : at;

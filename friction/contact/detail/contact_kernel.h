@@ -5,7 +5,7 @@
 namespace raceway::friction::contact {
 
 // What many_contacts.cpp asks of contact_kernel_*.cpp: the laws of contact_friction.h for contacts
-// side by side. One source, compiled for each instruction set. Not for other code.
+// side by side. One source, compiled for each instruction set.
 
 inline constexpr std::size_t contacts_of_block = 8;
 inline constexpr std::size_t most_kernel_rings = 16, most_kernel_angles = 16;
