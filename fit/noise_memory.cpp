@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "fit/detail/noise_search.h"
+
+namespace raceway::fit {
+
+namespace {
+
+constexpr double unknown_runs = 0.5;   // share of the variance where nothing tells it
+constexpr double blocks_found = 6.63;  // of -2 ln L: 1 % of one parameter
+constexpr double undetermined = 0.5;   // of -2 ln L
+
+}  // namespace
+
+void NoiseSearch::find_memory() {
+  const bool timed = options_.correlation && order_.has_time;
+  const bool runs = options_.runs && order_.has_runs;
+  if (!timed && !runs) return;
+  double &phi = noise_.correlation, &g = noise_.run_share;
+  const auto value = [&](double p, double q) {
+    return misfit(p, q, shares_) +
+           worth_a_parameter * ((p > 0.0 ? 1.0 : 0.0) + (q > 0.0 ? 1.0 : 0.0));
+  };
+  double best = value(0.0, 0.0);
+  const auto try_out = [&](double p, double q) {
+    const double v = value(p, q);
+    if (v >= best) return;
+    best = v;
+    phi = p;
+    g = q;
+  };
+  for (const double p : {0.0, 0.2, 0.4, 0.6, 0.75, 0.87, 0.95})
+    for (const double q : {0.0, 0.1, 0.25, 0.5, 0.75})
+      if ((p == 0.0 || timed) && (q == 0.0 || runs)) try_out(p, q);
+  for (double step = 0.06; step > 0.005; step *= 0.5)
+    for (const auto& [dp, dq] : std::array<std::pair<double, double>, 4>{
+             {{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}}) {
+      const double p = phi + dp, q = g + dq;
+      if ((dp != 0.0 && phi == 0.0) || (dq != 0.0 && g == 0.0)) continue;
+      if (p <= 0.0 || p > 0.985 || q <= -1e-12 + (g > 0.0 ? 1e-12 : 0.0) || q > 0.95) continue;
+      try_out(p, q);
+    }
+  // Where runs and levels coincide nothing says how much the runs differ: as much as may be.
+  if (runs && misfit(phi, unknown_runs, shares_) < misfit(phi, g, shares_) + undetermined) {
+    g = std::max(g, unknown_runs);
+    noise_.unknown_runs = true;
+  }
+}
+
+void NoiseSearch::find_states() {
+  const double phi = noise_.correlation, g = noise_.run_share;
+  double best = misfit(phi, g, shares_) + worth_a_parameter * (phi > 0.0 ? 1.0 : 0.0);
+  NoiseModel chosen = noise_;
+  for (const double h : {0.1, 0.25, 0.5, 0.75, 0.9})
+    for (const double p : {0.0, phi}) {
+      if (g + h > 0.98) continue;
+      noise_.state_share = h;
+      const double value =
+          misfit(p, g, shares_) + worth_a_parameter * (1.0 + (p > 0.0 ? 1.0 : 0.0));
+      if (!(value < best)) continue;
+      best = value;
+      chosen.correlation = p;
+      chosen.state_share = h;
+    }
+  noise_ = std::move(chosen);
+}
+
+void NoiseSearch::find_blocks() {
+  const double before = misfit(noise_.correlation, 0.0, shares_);
+  const NoiseModel without = noise_;
+  const RowOrder order = order_, some = some_order_;
+  for (RowOrder* of : {&order_, &some_order_}) {
+    of->new_run = of->new_block;
+    of->has_runs = true;
+  }
+  noise_.correlation = 0.0;
+  find_memory();
+  if (misfit(noise_.correlation, noise_.run_share, shares_) < before - blocks_found) {
+    noise_.undeclared_blocks = true;
+    return;
+  }
+  noise_ = without;
+  order_ = order;
+  some_order_ = some;
+}
+
+}  // namespace raceway::fit
