@@ -22,10 +22,6 @@ constexpr std::array<Machine, 5> catalogue_machines{{
 constexpr int rows_per_run = 10, rows_per_lab_run = 12;
 constexpr double seconds_per_row = 600.0;
 
-using Random = std::mt19937_64;
-
-double normal(Random& random) { return std::normal_distribution<double>()(random); }
-
 std::vector<Point> grid(std::span<const double> speeds, std::span<const double> loads,
                         std::span<const double> temperatures, int repeats, Random& random) {
   std::vector<Point> points;
@@ -53,7 +49,7 @@ std::vector<double> scaled(std::vector<double> values, double factor, double ste
 bool ordered(Plan plan) {
   return plan == Plan::run_per_load || plan == Plan::run_ups || plan == Plan::in_order ||
          plan == Plan::cycling || plan == Plan::stairs || plan == Plan::one_stairs ||
-         plan == Plan::lab;
+         plan == Plan::up_and_down || plan == Plan::lab;
 }
 
 /// The rows that a logger writes at each point: speed and load as they were, oil that warms.
@@ -87,7 +83,8 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
     points = grid(speeds({900, 2500, 5000, 9000, 14000}), loads({400, 900, 2000}),
                   std::array{30.0, 40.0, 50.0, 60.0}, 1, random);
     if (setup.plan == Plan::run_up || setup.plan == Plan::run_ups || setup.plan == Plan::in_order ||
-        setup.plan == Plan::stairs || setup.plan == Plan::one_stairs)
+        setup.plan == Plan::stairs || setup.plan == Plan::one_stairs ||
+        setup.plan == Plan::up_and_down)
       warm_up(points, top, random);
   } else if (setup.plan == Plan::factorial) {
     points = grid(speeds({600, 1500, 3500, 7000, 11000, 16000}), loads({250, 600, 1400, 3000}),
@@ -131,6 +128,16 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
         points.insert(points.end(), rising.begin(), rising.end());
       }
     warm_up(points, top, random);
+  } else if (setup.plan == Plan::up_and_down) {
+    for (const double F : loads({250, 570, 1310, 3000})) {
+      std::vector<Point> both = grid(speeds({600, 900, 1360, 2060, 3100, 4670, 7040, 10600, 16000}),
+                                     std::array{F}, std::array{40.0}, 2, random);
+      std::vector<Point> falling;
+      for (std::size_t i = 0; i < both.size(); ++i)
+        (i % 2 == 0 ? points : falling).push_back(both[i]);
+      points.insert(points.end(), falling.rbegin(), falling.rend());
+    }
+    warm_up(points, top, random);
   } else if (setup.plan == Plan::radial) {
     for (const double part : {0.0, 0.2, 0.4, 0.6, 0.8})
       for (Point p : grid(speeds({600, 1500, 3500, 7000, 11000, 16000}),
@@ -171,6 +178,7 @@ std::vector<Point> plan_points(const Setup& setup, bool test, Random& random) {
 /// Run of a row, from its place in the plan.
 int run_of(Plan plan, std::size_t row) {
   if (plan == Plan::stairs || plan == Plan::one_stairs) return static_cast<int>(row) / 9;
+  if (plan == Plan::up_and_down) return static_cast<int>(row) / 18;
   if (plan == Plan::in_order || plan == Plan::cycling) return 0;
   return static_cast<int>(row) / (plan == Plan::run_per_load ? 30
                                   : plan == Plan::lab        ? rows_per_lab_run
@@ -274,29 +282,17 @@ void add_noise(const Setup& setup, Random& random, std::vector<Reading>& rows) {
   }
 }
 
-/// What the sensor makes of the temperature of the film.
-void read_temperatures(const Mistake& mistake, bool logger, Random& random,
-                       std::vector<Reading>& rows) {
-  constexpr double room = 24.0;
-  for (Reading& r : rows) {
-    r.seen = r.point.temperature;
-    if (logger) r.seen += 0.05 * normal(random);
-    if (mistake.rise_seen != 1.0) r.seen = room + mistake.rise_seen * (r.seen - room);
-    r.seen += mistake.sensor_offset;
-    if (mistake.sensor_scatter > 0.0) r.seen += mistake.sensor_scatter * normal(random);
-    if (mistake.in_fahrenheit) r.seen = 1.8 * r.seen + 32.0;
-  }
-}
-
 std::vector<Reading> readings(const Rig& rig, std::span<const Point> points, int first_run) {
   std::vector<Reading> rows;
   for (std::size_t i = 0; i < points.size(); ++i)
     rows.push_back({.point = points[i],
                     .run = first_run + run_of(rig.setup.plan, i),
-                    .torque = torque(rig.bearing, rig.setup.law, points[i], rig.hidden),
+                    .torque = torque_of_rig(rig.bearing, rig.setup.law, rig.setup.mistake,
+                                            points[i], rig.hidden),
                     .sigma = 0.0,
                     .measured = 0.0,
                     .seen = points[i].temperature});
+  misread_torques(rig.setup.mistake, rig.setup.seed, rows);
   return rows;
 }
 
@@ -317,9 +313,9 @@ std::string quoted_list(std::span<const std::string_view> words) {
 }  // namespace
 
 std::string_view name(Plan plan) {
-  constexpr std::string_view names[] = {"factorial",    "run-up",  "sweep",      "replicated",
-                                        "run per load", "run-ups", "in order",   "radial",
-                                        "cycling",      "stairs",  "one stairs", "lab"};
+  constexpr std::string_view names[] = {
+      "factorial", "run-up",  "sweep",  "replicated", "run per load", "run-ups", "in order",
+      "radial",    "cycling", "stairs", "one stairs", "up and down",  "lab"};
   return names[static_cast<int>(plan)];
 }
 
@@ -427,18 +423,21 @@ std::string model_text(const Rig& rig) {
                      "\"K_rs\"]\n"
                    : "\n[friction]\nf0 = 2.0\nz = 0.0008\ny = 0.33\n"
                      "f1_load = \"F_b\"  # these rigs are made with z (F_b/C0)^y\n\n"
-                     "[calibration]\nfree = [\"f0\", \"z\"]\n");
+                     "[calibration]\nfree = [\"f0\", \"z\"]\n") +
+         (wrong.pair_preload > 0.0 ? "\n[rig]\nbearings = 2\n" : "");
 }
 
 std::string measurement_text(const Rig& rig, std::span<const Reading> rows) {
   const Mistake& m = rig.setup.mistake;
   std::string out = m.runs_left_out ? "" : "run_id,";
-  out += "time_s,speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm";
+  out += m.clock_left_out ? "" : "time_s,";
+  out += "speed_rpm,axial_load_N,radial_load_N,temperature_C,friction_torque_Nmm";
   out += m.std_declared ? ",std_Nmm\n" : "\n";
   for (const Reading& r : rows) {
     if (!m.runs_left_out) out += text("%d,", r.run);
+    if (!m.clock_left_out) out += text("%.0f,", r.point.time);
     out +=
-        text("%.0f,%.10g,%.10g,%.10g,%.2f,%.6f", r.point.time, r.point.speed,
+        text("%.10g,%.10g,%.10g,%.2f,%.6f", r.point.speed,
              r.point.load / (m.in_kilograms ? 9.80665 : 1.0), r.point.radial, r.seen, r.measured);
     out += m.std_declared ? text(",%.6f\n", r.sigma) : "\n";
   }

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/hidden_effect/physics.h"
+#include "tests/hidden_effect/mistakes.h"
 
 /// Measurements of rigs of which the truth is known: what the user believes, what the rig reads,
 /// and what really goes on.
@@ -24,6 +24,7 @@ enum class Plan {
   cycling,       ///< 20 000 rows that cycle through 5 speeds
   stairs,        ///< at each of 4 loads 9 rising speeds, the oil warms with speed; twice
   one_stairs,    ///< the same once
+  up_and_down,   ///< at each of 4 loads 9 rising speeds and the same falling
   lab            ///< 6 loads, at each 12 rising speeds in one run; the oil warms with the speed
 };
 
@@ -71,18 +72,6 @@ struct Logger {
   double warming = 0.0;        ///< of the oil while the rig stands at a point [K]
 };
 
-/// What stands otherwise in the files than on the rig.
-struct Mistake {
-  double viscosity_40 = 0.0, viscosity_100 = 0.0;  ///< of the card [mm2/s]; 0: the oil's
-  double rise_seen = 1.0;       ///< share of the film's rise above 24 C that the sensor sees
-  double sensor_offset = 0.0;   ///< [K]
-  double sensor_scatter = 0.0;  ///< standard deviation from row to row [K]
-  bool runs_left_out = false;   ///< no run_id
-  bool std_declared = false;    ///< std_Nmm of every row, and it is right
-  bool in_fahrenheit = false;   ///< temperatures, in the column of degrees Celsius
-  bool in_kilograms = false;    ///< axial loads, in the column of newtons
-};
-
 struct Wish {
   std::string_view id;
   double share = 0.1;  ///< rms of what the effect changes over rms torque of the base law
@@ -100,15 +89,6 @@ struct Setup {
   std::vector<Wish> hidden{};
   Believed believed = Believed::as_it_is;
   std::uint64_t seed = 1;
-};
-
-struct Reading {
-  Point point;
-  int run;
-  double torque;    ///< without noise [N mm]
-  double sigma;     ///< standard deviation of the noise of this row [N mm]
-  double measured;  ///< [N mm]
-  double seen;      ///< temperature by the sensor [C]
 };
 
 struct Rig {

@@ -94,10 +94,28 @@ constexpr auto offered_palmgren = offered(says_palmgren), offered_skf = offered(
 constexpr std::array<Demand, 2> no_law{
     {{"honest", true, 95, 100, honest}, {"a law is said to explain it", false, 5, 0, says_a_law}}};
 constexpr std::array<Demand, 1> constant{{{"the constant is named", true, 70, 90, constant_found}}};
+constexpr std::array<Demand, 2> data_named{{{"the right name in the verdict", true, 80, 95, right},
+                                            {"a single wrong name", false, 0, 0, single_wrong}}};
+constexpr std::array<Demand, 2> data_named_85{
+    {{"the right name in the verdict", true, 85, 95, right},
+     {"a single wrong name", false, 0, 0, single_wrong}}};
+constexpr std::array<Demand, 3> quiet_90{
+    {{"nothing missing", true, 90, 98, quiet},
+     {"a single wrong name", false, 0, 0, not_quiet},
+     {"a datum that is right in the verdict", false, 5, 0, names_data}}};
+constexpr std::array<Demand, 3> quiet_95{
+    {{"nothing missing", true, 95, 98, quiet},
+     {"a single wrong name", false, 0, 0, not_quiet},
+     {"a datum that is right in the verdict", false, 5, 0, names_data}}};
 constexpr std::array<Demand, 1> not_alone{{{"gyroscopic slip alone", false, 0, 0, shape_alone}}};
 
 constexpr std::array<std::string_view, 1> slope{"viscosity-slope"}, gain{"temperature-gain"},
     offset{"temperature-offset"};
+constexpr std::array<std::string_view, 2> preload{"set-preload", "load-offset"};
+constexpr std::array<std::string_view, 1> cell{"load-cell-drift"}, creep{"torque-creep"},
+    hysteresis{"speed-hysteresis"};
+constexpr std::array<std::string_view, 4> supports{"support-bearings", "rig-viscous-drag",
+                                                   "torque-offset", "seal-friction"};
 constexpr std::array<std::string_view, 2> oil{"lubricant-viscosity", "viscosity-slope"};
 constexpr std::span<const std::string_view> none{};
 
@@ -147,6 +165,10 @@ std::vector<RealRig> make_real_rigs() {
   };
   const BaseLaw palmgren{}, skf{.formula = Formula::skf}, houpert{.formula = Formula::houpert},
       contacts{.contacts = true};
+  // The same with four loads, each of them in two runs.
+  const auto twice = [](Mistake mistake, Plan plan = Plan::stairs) {
+    return on(plan, Noise::run_offsets, {.level = 0.01, .offset = 0.01}, 0, mistake);
+  };
   const auto wrong = [](Mistake mistake) {
     return on(Plan::factorial, independent, {}, 0, mistake);
   };
@@ -223,6 +245,20 @@ std::vector<RealRig> make_real_rigs() {
        none, constant},
       {"preload grows with speed", hiding(lab(), {{"ring-growth-stiffening", 0.1}}), 3, none,
        not_alone},
+      {"pair in O", twice({.pair_preload = 1500.0}), 3, preload, data_named},
+      {"pair in O, preload grows with speed",
+       twice({.pair_preload = 1500.0, .preload_grows = true}), 3, preload, data_named},
+      {"load cell drifts 0.4 %/K", twice({.cell_drift = 0.004}), 3, cell, data_named},
+      {"support bearings in the reading", twice({.support_constant = 0.1, .support_viscous = 0.2}),
+       3, supports, data_named_85},
+      {"zero creeps over each day", twice({.creep = 0.06}), 3, creep, data_named_85},
+      {"zero reset before each run, undeclared", twice({.runs_left_out = true, .reset = 0.03}), 3,
+       none, quiet_90},
+      {"single pass, no run, no clock",
+       twice({.runs_left_out = true, .clock_left_out = true}, Plan::one_stairs), 8, none, quiet_95},
+      {"speeds up and down, hysteresis", twice({.hysteresis = 0.04}, Plan::up_and_down), 3,
+       hysteresis, data_named_85},
+      {"speeds up and down", twice({}, Plan::up_and_down), 8, none, quiet_lab},
   };
 }
 
